@@ -1,0 +1,10 @@
+# Everything that is not our field comes from Debian's packages; scripts/setup installs them.
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)

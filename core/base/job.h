@@ -1,0 +1,23 @@
+// A Job is how slow work talks to whoever waits for it: it reports progress and learns that it should stop.
+// All members may be called from any thread. A default Job is silent and never cancelled.
+#pragma once
+
+#include <atomic>
+
+namespace ramus {
+
+class Job {
+public:
+    // Fraction of the whole job that is done, 0 to 1.
+    void report(float fraction) { progress_.store(fraction, std::memory_order_relaxed); }
+    [[nodiscard]] float progress() const { return progress_.load(std::memory_order_relaxed); }
+
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+    [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+private:
+    std::atomic<float> progress_{0.0F};
+    std::atomic<bool> cancelled_{false};
+};
+
+} // namespace ramus

@@ -1,0 +1,50 @@
+// The one road from a vessel tree to a surface, with the options that every command and the window share.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/job.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
+
+#include <cstdint>
+
+namespace ramus::mesh {
+
+enum class Method { kConvolutionSurface, kTruncatedCones };
+
+struct SurfaceOptions {
+    Method method = Method::kConvolutionSurface;
+    int smooth_passes = 1;    // binomial passes over points and radii (core/tree/smooth.h)
+    double prune_ratio = 0.0; // leaf branches shorter than ratio x parent go (core/tree/prune.h); 0 keeps all
+    double width = 5.0;       // kernel width; 5 is the paper's, 1 is Bloomenthal's
+    int detail = 16;          // triangles around a vessel
+    double cell_mm = 0.0;     // one cell size everywhere instead of detail; 0 = use detail
+    int threads = 0;          // 0 = all cores
+    bool operator==(const SurfaceOptions&) const = default;
+};
+
+// What a surface cost: for `--json`, `--verbose` and the benchmarks.
+struct SurfaceStatistics {
+    std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
+    double seconds = 0.0;
+};
+
+struct Surface {
+    TriangleMesh mesh;
+    SurfaceStatistics statistics;
+};
+
+// The tree as the surface sees it: pruned first, then smoothed.
+struct PreparedTree {
+    tree::VesselTree tree;
+    // Branch id in the source tree for every segment of `tree` (branches in order, segments along each): pruning joins
+    // branches where a twig went, and ids must stay those of the file.
+    std::vector<int> segment_source;
+};
+[[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
+
+// Surface of `source` under `options`; vertex branch ids are those of `source`. Fails when the options cannot be met
+// (more triangles than memory holds), or when `job` is cancelled (what == "cancelled").
+[[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job);
+
+} // namespace ramus::mesh

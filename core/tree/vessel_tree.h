@@ -1,0 +1,55 @@
+// VesselTree: the skeleton of a vessel system with a radius at every point, cut into branches, with the hierarchy that
+// blood flow from the root implies. A plain value: build it with build_tree(), derive new ones with smooth() and prune().
+//
+// Guarantees (after build_tree): every branch has at least two points and positive length between consecutive points;
+// every radius is positive and finite; branch ids are indices into `branches`, stable for a given file; a branch's
+// points run from its parent's end outward. Networks with loops and several components are legal: the hierarchy is then
+// a spanning tree from the roots, and `loop_count` says how many branches close a loop.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ramus::tree {
+
+// A centerline point: position in mm (RAS), radius in mm.
+struct Point {
+    glm::dvec3 position{0.0};
+    double radius = 0.0;
+    bool operator==(const Point&) const = default;
+};
+
+inline constexpr int kNoBranch = -1;
+
+// A run of points between two nodes of degree other than 2 (a node on a pure cycle counts as one).
+struct Branch {
+    std::vector<std::uint32_t> points; // indices into VesselTree::points, from the parent's end outward, nodes included
+    int parent = kNoBranch;            // branch id, or kNoBranch at a root
+    std::vector<int> children;         // branch ids, ascending
+    int generation = 0;                // 0 at a root, parent's + 1 elsewhere
+    int strahler = 1;                  // Strahler order: 1 at a leaf
+    bool operator==(const Branch&) const = default;
+};
+
+struct VesselTree {
+    std::vector<Point> points;
+    std::vector<Branch> branches;
+    std::vector<std::uint32_t> roots; // point index of the root of each component, in file order
+    int loop_count = 0;               // independent cycles (edges - nodes + components)
+    std::vector<std::string> repairs; // what reading changed, one sentence each; empty when nothing was
+
+    [[nodiscard]] std::size_t segment_count() const;
+    bool operator==(const VesselTree&) const = default;
+};
+
+// Length of one branch's centerline in mm.
+[[nodiscard]] double length_mm(const VesselTree& tree, const Branch& branch);
+
+// The branch and all that depends on it (its descendants), ascending ids. For a network with loops: all whose spanning
+// path from the root passes through it, reached only through it.
+[[nodiscard]] std::vector<int> subtree(const VesselTree& tree, int branch);
+
+} // namespace ramus::tree
