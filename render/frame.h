@@ -1,0 +1,79 @@
+// Frame: everything that determines a picture, as a plain comparable value. The window and the headless commands fill
+// one and hand it to the same Renderer; equal frames give equal pictures, and nothing is drawn while nothing changes.
+// Large parts are shared and never mutated in place, so a Frame is cheap to copy and to compare.
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
+#include "render/camera.h"
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+namespace ramus::render {
+
+enum class BranchState : std::uint8_t {
+    kNormal,
+    kHighlighted, // in the highlight colour, and everything normal goes calm
+    kDefocused,   // grey glass: what lies behind shows through, and is picked through it
+    kHidden,      // not drawn, not picked
+};
+
+using tree::kNoBranch;
+
+// sRGB, 0 to 1.
+struct Background {
+    glm::vec3 top{0.105F, 0.115F, 0.130F};
+    glm::vec3 bottom{0.045F, 0.050F, 0.060F};
+    bool transparent = false; // alpha 0 where there is nothing
+    bool operator==(const Background&) const = default;
+};
+
+// Colours in sRGB. The lights are fixed to the viewer's head: a soft key from the upper left, a cool fill from the
+// right, a rim.
+struct Appearance {
+    glm::vec3 vessel{0.80F, 0.27F, 0.22F};
+    glm::vec3 highlight{1.00F, 0.74F, 0.20F};
+    glm::vec3 selection{0.36F, 0.80F, 1.00F};
+    glm::vec3 glass{0.62F, 0.66F, 0.72F};
+    float key = 1.0F;
+    float fill = 1.0F;
+    float rim = 1.0F;
+    float specular = 1.0F;
+    float occlusion = 1.0F; // strength of the ambient occlusion, 0 = off
+    float depth_cue = 1.0F; // how much the far end of the tree sinks into the background, 0 = off
+    bool operator==(const Appearance&) const = default;
+};
+
+// What is drawn over the tree. Insets keep the overlays clear of the window's panels (pixels).
+struct Overlays {
+    bool orientation_cube = true;
+    bool scale_bar = true;
+    int inset_left = 0, inset_top = 0, inset_right = 0, inset_bottom = 0;
+    bool operator==(const Overlays&) const = default;
+};
+
+// kInteractive trades antialiasing and occlusion samples for speed while the view moves; draw the same frame with kFull
+// as soon as it rests. Pictures that are kept are always kFull.
+enum class Quality : std::uint8_t { kFull, kInteractive };
+
+struct Frame {
+    std::shared_ptr<const mesh::TriangleMesh> mesh; // may be null: background and overlays only
+    Camera camera;
+    glm::ivec2 size{1280, 960};      // pixels
+    float pixel_ratio = 1.0F;        // overlay sizes: pixels per (1/96 inch) point on a HiDPI display
+    std::vector<BranchState> states; // by branch id; branches beyond its end are normal
+    std::vector<glm::vec3> colours; // sRGB by branch id, for colour-by; branches beyond its end have Appearance::vessel
+    int hovered = kNoBranch;
+    std::vector<int> selected; // branch ids, any order
+    Background background;
+    Appearance appearance;
+    Overlays overlays;
+    Quality quality = Quality::kFull;
+    bool operator==(const Frame&) const = default;
+};
+
+} // namespace ramus::render

@@ -1,0 +1,47 @@
+// Image: 8-bit RGBA pixels, sRGB, straight (not premultiplied) alpha, rows from the top. PNG in and out, and the
+// comparison that golden pictures and `ramus render --reference` use. Writing is atomic: a file is whole or not there.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace ramus::render {
+
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba; // 4 * width * height
+
+    Image() = default;
+    Image(int w, int h) : width(w), height(h), rgba(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+    [[nodiscard]] std::uint8_t* pixel(int x, int y) {
+        return rgba.data() +
+               4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    }
+    [[nodiscard]] const std::uint8_t* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
+    bool operator==(const Image&) const = default;
+};
+
+// Any PNG (grey, palette, 16 bit, ...) as 8-bit RGBA.
+[[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
+[[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path);
+
+struct Comparison {
+    std::uint64_t pixels = 0;    // of the picture
+    std::uint64_t differing = 0; // with a channel that differs by more than the threshold
+    int largest = 0;             // largest difference of any channel, 0 to 255
+    [[nodiscard]] double fraction() const { return pixels == 0 ? 0.0 : double(differing) / double(pixels); }
+};
+
+// Colours are compared as seen over black (premultiplied), and alpha with them. Fails when the sizes differ.
+[[nodiscard]] Result<Comparison> compare(const Image& actual, const Image& reference, int threshold = 8);
+// Where and how much the two differ: grey picture, differences above the threshold from red to yellow. Of the larger
+// size when the sizes differ.
+[[nodiscard]] Image difference(const Image& actual, const Image& reference, int threshold = 8);
+
+} // namespace ramus::render

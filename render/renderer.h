@@ -1,0 +1,85 @@
+// Renderer: draws a Frame into a framebuffer of its own, the same way for the window and without one, and answers what
+// lies under a pixel. Meshes are uploaded once and kept by identity (shared_ptr) while frames keep using them; a change
+// of states, colours, hover or selection draws no triangle again, a frame equal to the last one draws nothing.
+//
+// All calls need the GL context current that was current at create(), the destructor too. Pixels have their origin at
+// the top left.
+#pragma once
+
+#include "core/base/error.h"
+#include "render/frame.h"
+#include "render/image.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace ramus::render {
+
+struct Pick {
+    int branch = kNoBranch;   // kNoBranch: nothing there
+    glm::dvec3 position{0.0}; // mm, on the surface; meaningless without a branch
+    bool operator==(const Pick&) const = default;
+};
+
+// What the last draw() did, for --benchmark, --verbose and tests.
+struct DrawStatistics {
+    std::uint64_t triangles = 0; // sent to the GPU
+    bool geometry = false;       // triangles were drawn (else the last geometry was shaded again)
+    bool shaded = false;         // false: the frame was the same as the one before
+    bool uploaded = false;       // vertex buffers were filled
+};
+
+// The largest picture: neither side beyond kLargestSide, nor more than kLargestArea pixels.
+inline constexpr int kLargestSide = 16384;
+inline constexpr std::int64_t kLargestArea = 64 * 1024 * 1024;
+[[nodiscard]] Result<void> check_size(std::int64_t width, std::int64_t height);
+
+inline constexpr int kPickRadius = 4; // pixels (times Frame::pixel_ratio) that a thin vessel may be missed by
+
+class Renderer {
+public:
+    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out.
+    [[nodiscard]] Result<DrawStatistics> draw(const Frame& frame);
+
+    // The current picture. Straight alpha when the background is transparent.
+    [[nodiscard]] Image read_image();
+    // Copies the current picture into `framebuffer` (0 = the window's), its lower left corner at (x, y) in GL's sense.
+    // Changes the bound draw framebuffer to that one. The picture's own pixels stay as they are: draw the interface
+    // there.
+    void present(unsigned framebuffer, int x = 0, int y = 0);
+
+    // Nearest vessel within the pick radius of pixel (x, y) of the current picture; waits for the GPU.
+    [[nodiscard]] Pick pick(double x, double y);
+    // The same without waiting, for hovering: ask now, look every frame until an answer is there. A newer request
+    // replaces an older one.
+    void request_pick(double x, double y);
+    [[nodiscard]] std::optional<Pick> poll_pick();
+
+private:
+    class Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+// A colour framebuffer without a window, RGBA8: what present() needs when the interface is drawn headlessly.
+class Target {
+public:
+    Target(int width, int height);
+    ~Target();
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+    [[nodiscard]] unsigned framebuffer() const { return framebuffer_; }
+    [[nodiscard]] Image read_image() const;
+
+private:
+    int width_, height_;
+    unsigned framebuffer_ = 0, texture_ = 0;
+};
+
+} // namespace ramus::render

@@ -1,0 +1,11 @@
+// The text of the files in shaders/, by file name, embedded at build time.
+#pragma once
+
+#include <map>
+#include <string_view>
+
+namespace ramus::render {
+
+extern const std::map<std::string_view, std::string_view> kShaderSources;
+
+} // namespace ramus::render
