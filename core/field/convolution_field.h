@@ -1,0 +1,61 @@
+// ConvolutionField: the scalar field F(p) = sum_i h_i(p) of a vessel tree after Oeltze & Preim (2005), eqs. 7-10, ready
+// to be sampled. It owns the segments as flat arrays (one entry per line segment) and the constants of the kernel.
+//
+// The kernel of a segment a -> b of length L with unit direction u, radii linear between its ends, w = width ln 2:
+//     t = (p - a) . u,   d = distance of p to the line,   r = radius at clamp(t, 0, L)
+//     h(p) = S(rho) exp(-w d^2 / r^2) * 1/2 [erf(sqrt(w) t / r) + erf(sqrt(w) (L - t) / r)]
+// and the surface is F = exp(-w). S fades the kernel smoothly to exactly zero between 1.4 and 1.7 radii (times
+// sqrt(5 / width)) from the segment, so that distant segments can be left out without a trace.
+#pragma once
+
+#include "core/mesh/surface.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramus::field {
+
+// Constants of the kernel. Distances enter it only as multiples of r / sqrt(w), so that the fade sits at the same
+// numbers whatever the width: w (1.4 sqrt(5 / width))^2 = 5 ln 2 1.4^2.
+struct Kernel {
+    double w = 0.0;
+    double sqrt_w = 0.0;
+    double isovalue = 0.0;
+    double support_radii = 0.0; // distance from a segment, in local radii, at which the kernel has faded to zero
+
+    explicit Kernel(double width);
+};
+
+inline constexpr double kFadeBegin = 6.792841769487465;  // 5 ln 2 1.4^2
+inline constexpr double kFadeEnd = 10.016026079703457; // 5 ln 2 1.7^2
+
+// One entry per segment. Starts stay in double precision (mm); all else is relative and fits in single precision.
+struct SegmentArrays {
+    std::vector<double> ax, ay, az;             // start point, mm
+    std::vector<float> ux, uy, uz;              // unit direction
+    std::vector<float> length, radius, slope;   // mm, mm at the start, radius change per mm
+    std::vector<std::int32_t> branch;           // id in the source tree
+
+    [[nodiscard]] std::size_t size() const { return ax.size(); }
+    [[nodiscard]] float end_radius(std::size_t i) const { return radius[i] + slope[i] * length[i]; }
+};
+
+class ConvolutionField {
+public:
+    ConvolutionField(const mesh::PreparedTree& prepared, double width);
+
+    [[nodiscard]] const SegmentArrays& segments() const { return segments_; }
+    [[nodiscard]] const Kernel& kernel() const { return kernel_; }
+    // Box around all supports, mm.
+    [[nodiscard]] glm::dvec3 lower() const { return lower_; }
+    [[nodiscard]] glm::dvec3 upper() const { return upper_; }
+
+private:
+    Kernel kernel_;
+    SegmentArrays segments_;
+    glm::dvec3 lower_{0.0};
+    glm::dvec3 upper_{0.0};
+};
+
+} // namespace ramus::field

@@ -1,0 +1,322 @@
+#include "core/mesh/polygonize/brick_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramus::mesh::bricks {
+
+namespace {
+
+constexpr int kPointsPerFineStep = 2; // the lattice axes run in quarter cells
+
+// Half the box around a cell's centre, in cells, that its vertex must stay in. A little beyond the cell: where the mean of
+// the crossings lies off a bent surface the nearest point of it may be just outside.
+constexpr float kVertexReach = 0.62F;
+
+// ln F is nearly quadratic in the distance from the axis, so linear interpolation in it lands close to the surface.
+float log_field(float value) { return std::log(std::max(value, 1e-8F)); }
+
+int axis_direction(int coordinate, int last) { return coordinate == 0 ? -1 : coordinate == last ? 1 : 0; }
+
+} // namespace
+
+void BrickSampler::fill(const field::ConvolutionField& field, const BrickSet& set, const Brick& brick,
+                        const Neighbourhood& neighbours, BrickCells& cells, BrickChunk& chunk) {
+    isovalue_ = static_cast<float>(field.kernel().isovalue);
+    cell_mm_ = static_cast<float>(set.lattice.cell_mm(brick.level));
+    cells.first.fill(kNoVertex);
+    sample(field, set, brick, neighbours, cells, chunk);
+    cells.crossed = is_crossed(cells);
+    if (!cells.crossed) return;
+
+    projection_.clear();
+    projection_.origin = set.lattice.position(brick.corner);
+    cells.first_vertex = static_cast<std::uint32_t>(chunk.positions.size());
+    cells.first_record = static_cast<std::uint32_t>(chunk.records.size());
+    const auto list = set.segments_of(brick);
+    trace_cells(field, list, neighbours, cells, chunk);
+    append_projected(field, list, projection_, chunk);
+}
+
+void BrickSampler::sample(const field::ConvolutionField& field, const BrickSet& set, const Brick& brick,
+                          const Neighbourhood& neighbours, BrickCells& cells, BrickChunk& chunk) {
+    const int quarter = 1 << brick.level; // lattice units
+    for (int n = 0; n < field::kLatticeSide; ++n) {
+        const glm::dvec3 p = set.lattice.position(brick.corner + glm::ivec3(n * quarter));
+        const auto i = static_cast<std::size_t>(n);
+        axes_.x[i] = p.x, axes_.y[i] = p.y, axes_.z[i] = p.z;
+    }
+    field::GridAxes grid;
+    for (std::size_t n = 0; n < field::kGridSide; ++n)
+        grid.x[n] = axes_.x[4 * n], grid.y[n] = axes_.y[4 * n], grid.z[n] = axes_.z[4 * n];
+    const auto list = set.segments_of(brick);
+    field::sample_grid(field, list, grid, values_);
+    chunk.evaluations += static_cast<std::uint64_t>(list.size()) * field::kGridPoints;
+
+    cells.inside = {};
+    for (std::size_t n = 0; n < field::kGridPoints; ++n)
+        cells.inside[n / 64] |= static_cast<std::uint64_t>(values_[n] >= isovalue_) << (n % 64);
+
+    hanging_ = std::ranges::find(neighbours.kind, Neighbour::kFiner) != neighbours.kind.end();
+    if (hanging_) sample_hanging(field, list, neighbours, chunk);
+}
+
+void BrickSampler::sample_hanging(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
+                                  const Neighbourhood& neighbours, BrickChunk& chunk) {
+    constexpr int kLast = kFineSide - 1;
+    points_.clear();
+    for (int z = 0; z < kFineSide; ++z) {
+        for (int y = 0; y < kFineSide; ++y) {
+            for (int x = 0; x < kFineSide; ++x) {
+                if (((x | y | z) & 1) == 0) {
+                    fine_values_[static_cast<std::size_t>(fine_index(x, y, z))] =
+                        values_[static_cast<std::size_t>(x / 2 + 5 * (y / 2) + 25 * (z / 2))];
+                    continue;
+                }
+                const int dx = axis_direction(x, kLast);
+                const int dy = axis_direction(y, kLast);
+                const int dz = axis_direction(z, kLast);
+                if (dx == 0 && dy == 0 && dz == 0) continue;
+                // A point on a face, edge or corner of the brick belongs to every direction that it touches.
+                bool wanted = false;
+                for (int m = 1; m < 8 && !wanted; ++m) {
+                    const int ex = (m & 1) != 0 ? dx : 0;
+                    const int ey = (m & 2) != 0 ? dy : 0;
+                    const int ez = (m & 4) != 0 ? dz : 0;
+                    wanted = neighbours.kind[static_cast<std::size_t>(direction_index(ex, ey, ez))] == Neighbour::kFiner;
+                }
+                if (wanted)
+                    points_.push_back({static_cast<std::uint8_t>(kPointsPerFineStep * x),
+                                       static_cast<std::uint8_t>(kPointsPerFineStep * y),
+                                       static_cast<std::uint8_t>(kPointsPerFineStep * z)});
+            }
+        }
+    }
+    point_values_.resize(points_.size());
+    field::sample_lattice(field, list, axes_, points_, point_values_);
+    chunk.evaluations += static_cast<std::uint64_t>(list.size()) * points_.size();
+    for (std::size_t n = 0; n < points_.size(); ++n)
+        fine_values_[static_cast<std::size_t>(fine_index(points_[n].i / 2, points_[n].j / 2, points_[n].k / 2))] = point_values_[n];
+}
+
+bool BrickSampler::is_crossed(const BrickCells& cells) const {
+    const bool none = cells.inside[0] == 0 && cells.inside[1] == 0;
+    const bool all = cells.inside[0] == ~std::uint64_t{0} && cells.inside[1] == (std::uint64_t{1} << (field::kGridPoints - 64)) - 1;
+    if (!none && !all) return true;
+    return hanging_ && std::ranges::any_of(point_values_, [&](float v) { return (v >= isovalue_) != all; });
+}
+
+CellShape BrickSampler::shape_of(int x, int y, int z, const Neighbourhood& neighbours) const {
+    CellShape shape;
+    const int cell[3] = {x, y, z};
+    const auto finer = [&](int dx, int dy, int dz) {
+        return neighbours.kind[static_cast<std::size_t>(direction_index(dx, dy, dz))] == Neighbour::kFiner;
+    };
+    // Where the cell's low and high sides lie on the brick's boundary.
+    const auto outward = [&](int axis, int side) {
+        return side == 0 ? (cell[axis] == 0 ? -1 : 0) : (cell[axis] == kBrickCells - 1 ? 1 : 0);
+    };
+    if (hanging_) {
+        for (int face = 0; face < 6; ++face) {
+            int d[3] = {0, 0, 0};
+            d[face / 2] = outward(face / 2, face & 1);
+            if (d[face / 2] != 0 && finer(d[0], d[1], d[2])) shape.split_faces |= static_cast<std::uint8_t>(1 << face);
+        }
+        for (int edge = 0; edge < 12; ++edge) {
+            const int u = (edge / 4 + 1) % 3;
+            const int v = (edge / 4 + 2) % 3;
+            const int du = outward(u, edge & 1);
+            const int dv = outward(v, edge >> 1 & 1);
+            for (int m = 1; m < 4; ++m) {
+                int d[3] = {0, 0, 0};
+                d[u] = (m & 1) != 0 ? du : 0;
+                d[v] = (m & 2) != 0 ? dv : 0;
+                if ((d[u] != 0 || d[v] != 0) && finer(d[0], d[1], d[2])) shape.split_edges |= static_cast<std::uint16_t>(1 << edge);
+            }
+        }
+    }
+    for (int c = 0; c < 27; ++c) {
+        const int cx = c % 3;
+        const int cy = c / 3 % 3;
+        const int cz = c / 9;
+        bool inside = false;
+        if (cx != 1 && cy != 1 && cz != 1)
+            inside = values_[static_cast<std::size_t>(x + cx / 2 + 5 * (y + cy / 2) + 25 * (z + cz / 2))] >= isovalue_;
+        else if (hanging_) // points that are no hanging corners hold stale values and are not looked at
+            inside = is_inside(fine_index(2 * x + cx, 2 * y + cy, 2 * z + cz));
+        shape.inside |= static_cast<std::uint32_t>(inside) << c;
+    }
+    return shape;
+}
+
+void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
+                               const Neighbourhood& neighbours, BrickCells& cells, BrickChunk& chunk) {
+    const auto inside = [&](int x, int y, int z) -> unsigned {
+        const int n = x + 5 * y + 25 * z;
+        return static_cast<unsigned>(cells.inside[static_cast<std::size_t>(n / 64)] >> (n % 64) & 1U);
+    };
+    // Pass one: masks; cells that need tracing ask for the face centres they need.
+    struct Pending {
+        int x, y, z;
+        CellShape shape;
+        std::size_t first_centre, centre_count;
+    };
+    thread_local std::vector<Pending> pending;
+    pending.clear();
+    points_.clear();
+    std::uint64_t recorded = 0;
+    for (int z = 0; z < kBrickCells; ++z) {
+        for (int y = 0; y < kBrickCells; ++y) {
+            // Two rows of bits make the four masks of a row of cells.
+            for (int x = 0; x < kBrickCells; ++x) {
+                const unsigned mask = inside(x, y, z) | inside(x + 1, y, z) << 1 | inside(x, y + 1, z) << 2 |
+                                      inside(x + 1, y + 1, z) << 3 | inside(x, y, z + 1) << 4 | inside(x + 1, y, z + 1) << 5 |
+                                      inside(x, y + 1, z + 1) << 6 | inside(x + 1, y + 1, z + 1) << 7;
+                const int cell = cell_index(x, y, z);
+                cells.mask[static_cast<std::size_t>(cell)] = static_cast<std::uint8_t>(mask);
+                const bool boundary = x == 0 || y == 0 || z == 0 || x == kBrickCells - 1 || y == kBrickCells - 1 || z == kBrickCells - 1;
+                bool needs_record = kCornerCases[mask].ambiguous_faces != 0;
+                CellShape shape;
+                if (hanging_ && boundary) {
+                    shape = shape_of(x, y, z, neighbours);
+                    needs_record = needs_record || shape.split_edges != 0; // a split face splits its edges
+                } else if (needs_record) {
+                    shape = shape_of(x, y, z, neighbours);
+                }
+                if (!needs_record) continue;
+                // A cell whose corners and hanging corners agree has no loop.
+                const std::size_t first = points_.size();
+                const CellLoops trial = trace_loops(shape, [&](int centre) {
+                    points_.push_back({static_cast<std::uint8_t>(4 * x + centre % 5), static_cast<std::uint8_t>(4 * y + centre / 5 % 5),
+                                       static_cast<std::uint8_t>(4 * z + centre / 25)});
+                    return false;
+                });
+                if (trial.loop_count == 0) continue;
+                recorded |= std::uint64_t{1} << cell;
+                pending.push_back({x, y, z, shape, first, points_.size() - first});
+            }
+        }
+    }
+    point_values_.resize(points_.size());
+    field::sample_lattice(field, list, axes_, points_, point_values_);
+    chunk.evaluations += static_cast<std::uint64_t>(list.size()) * points_.size();
+
+    // Pass two: vertices in the order of the cells.
+    cells.recorded = recorded;
+    std::size_t next = 0;
+    for (int cell = 0; cell < kCellsPerBrick; ++cell) {
+        const int x = cell & 3;
+        const int y = cell >> 2 & 3;
+        const int z = cell >> 4;
+        if ((recorded >> cell & 1U) != 0) {
+            const Pending& item = pending[next++];
+            std::size_t answer = item.first_centre;
+            const CellLoops loops = trace_loops(item.shape, [&](int) { return point_values_[answer++] >= isovalue_; });
+            cells.first[static_cast<std::size_t>(cell)] = static_cast<std::uint16_t>(projection_.size());
+            CellRecord record;
+            add_recorded_vertices(x, y, z, loops, neighbours, cells, chunk, record);
+            chunk.records.push_back(record);
+            continue;
+        }
+        const CornerCase& corner_case = kCornerCases[cells.mask[static_cast<std::size_t>(cell)]];
+        if (corner_case.loop_count == 0) continue;
+        cells.first[static_cast<std::size_t>(cell)] = static_cast<std::uint16_t>(projection_.size());
+        add_table_vertices(x, y, z, corner_case);
+    }
+}
+
+void BrickSampler::add_vertex(glm::vec3 guess, int x, int y, int z) {
+    const glm::vec3 centre = (glm::vec3(x, y, z) + 0.5F) * cell_mm_;
+    projection_.add(guess, centre, kVertexReach * cell_mm_);
+}
+
+void BrickSampler::add_table_vertices(int x, int y, int z, const CornerCase& corner_case) {
+    std::array<glm::vec3, 4> sum{};
+    std::array<int, 4> count{};
+    const float log_iso = std::log(isovalue_);
+    std::array<float, 8> logs;
+    for (std::size_t c = 0; c < 8; ++c)
+        logs[c] = log_field(values_[static_cast<std::size_t>(x) + (c & 1) + 5 * (static_cast<std::size_t>(y) + (c >> 1 & 1)) +
+                                    25 * (static_cast<std::size_t>(z) + (c >> 2))]);
+    for (std::size_t e = 0; e < 12; ++e) {
+        const std::uint8_t loop = corner_case.loop_of_edge[e];
+        if (loop == kNoLoop) continue;
+        const EdgeGeometry& edge = kEdges[e];
+        const float a = logs[edge.from];
+        const float b = logs[edge.to];
+        const float t = std::clamp((log_iso - a) / (b - a), 0.0F, 1.0F);
+        const glm::vec3 from(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
+        const glm::vec3 to(edge.to & 1, edge.to >> 1 & 1, edge.to >> 2);
+        sum[loop] += from + t * (to - from);
+        ++count[loop];
+    }
+    for (std::size_t n = 0; n < corner_case.loop_count; ++n)
+        add_vertex((glm::vec3(x, y, z) + sum[n] / static_cast<float>(count[n])) * cell_mm_, x, y, z);
+}
+
+glm::vec3 BrickSampler::crossing(int fine_a, int fine_b, glm::vec3 a, glm::vec3 b) const {
+    const auto value = [&](int fine) {
+        const int x = fine % kFineSide;
+        const int y = fine / kFineSide % kFineSide;
+        const int z = fine / (kFineSide * kFineSide);
+        return ((x | y | z) & 1) == 0 ? values_[static_cast<std::size_t>(x / 2 + 5 * (y / 2) + 25 * (z / 2))]
+                                      : fine_values_[static_cast<std::size_t>(fine)];
+    };
+    const float la = log_field(value(fine_a));
+    const float lb = log_field(value(fine_b));
+    return a + std::clamp((std::log(isovalue_) - la) / (lb - la), 0.0F, 1.0F) * (b - a);
+}
+
+void BrickSampler::add_recorded_vertices(int x, int y, int z, const CellLoops& loops, const Neighbourhood& neighbours,
+                                         BrickCells& cells, BrickChunk& chunk, CellRecord& record) {
+    record.loop_of = loops.loop_of;
+    std::array<glm::vec3, kQuarterPoints> at{}; // crossing of each minimal edge, in cells within the brick
+    std::vector<glm::vec3> sum(static_cast<std::size_t>(loops.loop_count), glm::vec3(0.0F));
+    std::vector<int> count(static_cast<std::size_t>(loops.loop_count), 0);
+    for (int m = 0; m < kQuarterPoints; ++m) {
+        const std::uint8_t loop = loops.loop_of[static_cast<std::size_t>(m)];
+        if (loop == kNoLoop) continue;
+        // The ends of a minimal edge: one step along its axis for a half edge (odd coordinate), two for a whole one.
+        const int c[3] = {m % 5, m / 5 % 5, m / 25};
+        int axis = -1;
+        int step = 1;
+        for (int i = 0; i < 3; ++i)
+            if ((c[i] & 1) != 0) axis = i;
+        if (axis < 0) {
+            step = 2;
+            for (int i = 0; i < 3; ++i)
+                if (c[i] == 2) axis = i;
+        }
+        int a[3] = {c[0], c[1], c[2]};
+        int b[3] = {c[0], c[1], c[2]};
+        a[axis] -= step;
+        b[axis] += step;
+        const auto fine = [&](const int* p) { return fine_index(2 * x + p[0] / 2, 2 * y + p[1] / 2, 2 * z + p[2] / 2); };
+        const auto place = [&](const int* p) { return glm::vec3(x, y, z) + 0.25F * glm::vec3(p[0], p[1], p[2]); };
+        at[static_cast<std::size_t>(m)] = crossing(fine(a), fine(b), place(a), place(b));
+        sum[loop] += at[static_cast<std::size_t>(m)];
+        ++count[loop];
+    }
+    for (std::size_t n = 0; n < sum.size(); ++n) add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, x, y, z);
+
+    // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
+    record.arcs_begin = static_cast<std::uint32_t>(chunk.arc_vertices.size());
+    const int cell[3] = {x, y, z};
+    for (const FaceArc& arc : loops.shared_arcs) {
+        const int axis = arc.face / 2;
+        const int side = arc.face & 1;
+        int d[3] = {0, 0, 0};
+        if (side == 0 && cell[axis] == 0) d[axis] = -1;
+        if (side == 1 && cell[axis] == kBrickCells - 1) d[axis] = 1;
+        const bool beyond_is_coarser =
+            neighbours.kind[static_cast<std::size_t>(direction_index(d[0], d[1], d[2]))] == Neighbour::kCoarser;
+        if (side == 0 && !beyond_is_coarser) continue;
+        const auto vertex = static_cast<std::uint16_t>(projection_.size());
+        add_vertex(0.5F * (at[arc.first] + at[arc.second]) * cell_mm_, x, y, z);
+        chunk.arc_vertices.push_back({arc.face, arc.first, vertex});
+        chunk.arc_vertices.push_back({arc.face, arc.second, vertex});
+    }
+    record.arcs_count = static_cast<std::uint32_t>(chunk.arc_vertices.size()) - record.arcs_begin;
+}
+
+} // namespace ramus::mesh::bricks

@@ -1,0 +1,13 @@
+// Joins the vertices of cells into triangles: one polygon around every minimal edge that the surface crosses, of the
+// loops' vertices in the three or four cells that meet there.
+#pragma once
+
+#include "core/mesh/polygonize/brick_cells.h"
+
+namespace ramus::mesh::bricks {
+
+// Closed, oriented, edge- and vertex-manifold by construction. `surface` is consumed. Empty when cancelled.
+[[nodiscard]] TriangleMesh join_triangles(const field::ConvolutionField& field, const BrickSet& set, SurfaceCells surface,
+                                          Job& job);
+
+} // namespace ramus::mesh::bricks
