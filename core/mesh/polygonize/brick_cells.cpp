@@ -11,40 +11,36 @@ namespace {
 
 Neighbourhood find_neighbours(const BrickSet& set, std::uint32_t index) {
     const Brick& brick = set.bricks[index];
+    const int bit = 4 + brick.level; // a brick's edge is 1 << bit units
     const int side = brick_units(brick.level);
+    const glm::ivec3 own(brick.corner.x >> bit & 1, brick.corner.y >> bit & 1, brick.corner.z >> bit & 1);
+    const glm::ivec3 parent = brick.corner & glm::ivec3(~(2 * side - 1));
+    // All 27 places lie in the parent and the seven cubes of its size on our side of it.
+    std::array<const BrickSet::Cube*, 8> cubes;
+    for (int n = 0; n < 8; ++n) {
+        const glm::ivec3 step(n & 1, n >> 1 & 1, n >> 2);
+        cubes[static_cast<std::size_t>(n)] = set.find(parent + step * (own * 2 - 1) * (2 * side), brick.level + 1);
+    }
     Neighbourhood around;
     around.brick.fill(kNone);
-    around.brick[kSelf] = index;
-    around.kind[kSelf] = Neighbour::kSame;
     for (int dz = -1; dz <= 1; ++dz) {
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
+                const glm::ivec3 place = own + glm::ivec3(dx, dy, dz); // -1 .. 2 in halves of the parent
+                const int n = (place.x >> 1 & 1) | (place.y >> 1 & 1) << 1 | (place.z >> 1 & 1) << 2;
+                const BrickSet::Cube* cube = cubes[static_cast<std::size_t>(n)];
+                if (cube == nullptr) continue;
                 const auto direction = static_cast<std::size_t>(direction_index(dx, dy, dz));
-                if (direction == kSelf) continue;
-                const glm::ivec3 corner = brick.corner + glm::ivec3(dx, dy, dz) * side;
-                if (const std::uint32_t same = set.find(corner, brick.level); same != kNone) {
-                    around.brick[direction] = same;
-                    around.kind[direction] = Neighbour::kSame;
-                    continue;
-                }
-                const glm::ivec3 parent = corner & glm::ivec3(~(2 * side - 1));
-                if (const std::uint32_t coarser = set.find(parent, brick.level + 1); coarser != kNone) {
-                    around.brick[direction] = coarser;
+                if (cube->brick != kNone) {
+                    around.brick[direction] = cube->brick;
                     around.kind[direction] = Neighbour::kCoarser;
                     continue;
                 }
-                if (brick.level == 0) continue;
-                // Any of the children there that touch this brick.
-                const int half = side / 2;
-                bool finer = false;
-                for (int child = 0; child < 8 && !finer; ++child) {
-                    const glm::ivec3 c(child & 1, child >> 1 & 1, child >> 2);
-                    if ((dx == 1 && c.x == 1) || (dx == -1 && c.x == 0) || (dy == 1 && c.y == 1) || (dy == -1 && c.y == 0) ||
-                        (dz == 1 && c.z == 1) || (dz == -1 && c.z == 0))
-                        continue;
-                    finer = set.find(corner + c * half, brick.level - 1) != kNone;
-                }
-                if (finer) around.kind[direction] = Neighbour::kFiner;
+                const auto child = static_cast<std::size_t>((place.x & 1) | (place.y & 1) << 1 | (place.z & 1) << 2);
+                const std::uint32_t found = cube->children[child];
+                if (found == kNone) continue;
+                around.kind[direction] = found == BrickSet::kFiner ? Neighbour::kFiner : Neighbour::kSame;
+                if (found != BrickSet::kFiner) around.brick[direction] = found;
             }
         }
     }

@@ -7,6 +7,7 @@
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,8 @@ inline constexpr int kSelf = 13;
 
 enum class Neighbour : std::uint8_t { kAbsent, kSame, kCoarser, kFiner };
 
-// The 26 places around a brick: absent means free of surface, finer that some brick of the next lower level is there.
+// The 26 places around a brick: absent means free of surface, finer that cubes of a lower level are
+// there, though some of them, or all that touch, may be free of surface.
 struct Neighbourhood {
     std::array<std::uint32_t, kDirections> brick{}; // kNone unless same or coarser
     std::array<Neighbour, kDirections> kind{};
@@ -42,6 +44,27 @@ struct CellRecord {
 
 inline constexpr std::uint16_t kNoVertex = 0xFFFF;
 
+// One bit per grid point of a brick, x + 5 y + 25 z.
+__extension__ using GridBits = unsigned __int128;
+
+constexpr int lowest_bit(GridBits bits) {
+    const auto low = static_cast<std::uint64_t>(bits);
+    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(bits >> 64));
+}
+
+// Grid points whose coordinates stay below the given limits.
+constexpr GridBits grid_points_below(int x_end, int y_end, int z_end) {
+    GridBits bits = 0;
+    for (int z = 0; z < z_end; ++z)
+        for (int y = 0; y < y_end; ++y)
+            for (int x = 0; x < x_end; ++x) bits |= GridBits{1} << (x + 5 * y + 25 * z);
+    return bits;
+}
+// First points of the edges along each axis, and low corners of the cells.
+inline constexpr std::array<GridBits, 3> kEdgeStarts{grid_points_below(4, 5, 5), grid_points_below(5, 4, 5),
+                                                     grid_points_below(5, 5, 4)};
+inline constexpr GridBits kCellCorners = grid_points_below(4, 4, 4);
+
 struct BrickCells {
     std::array<std::uint8_t, kCellsPerBrick> mask{};         // corner signs of each cell
     std::array<std::uint16_t, kCellsPerBrick> first{};       // first vertex of each cell within the brick, or kNoVertex
@@ -50,6 +73,8 @@ struct BrickCells {
     std::uint32_t first_record = 0;                          // in the chunk
     std::uint32_t first_vertex = 0;                          // in the chunk, later in the mesh
     bool crossed = false;
+
+    [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
 };
 
 // Bricks are worked on in chunks of fixed size, so that the order of vertices does not depend on the threads.

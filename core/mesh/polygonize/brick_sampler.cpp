@@ -1,7 +1,9 @@
 #include "core/mesh/polygonize/brick_sampler.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace ramus::mesh::bricks {
 
@@ -14,9 +16,104 @@ constexpr int kPointsPerFineStep = 2; // the lattice axes run in quarter cells
 constexpr float kVertexReach = 0.62F;
 
 // ln F is nearly quadratic in the distance from the axis, so linear interpolation in it lands close to the surface.
-float log_field(float value) { return std::log(std::max(value, 1e-8F)); }
+// A base-2 logarithm to 0.01 is enough: Newton's method has the last word.
+float log_field(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(std::max(value, 1e-8F));
+    const float exponent = static_cast<float>(static_cast<int>(bits >> 23) - 127);
+    const float m = std::bit_cast<float>((bits & 0x7FFFFFU) | 0x3F800000U);
+    return exponent + (-0.33333333F * m + 2.0F) * m - 1.66666667F;
+}
 
-int axis_direction(int coordinate, int last) { return coordinate == 0 ? -1 : coordinate == last ? 1 : 0; }
+// Cells of a brick that touch the neighbour in each direction.
+constexpr std::array<std::uint64_t, kDirections> make_touching_cells() {
+    std::array<std::uint64_t, kDirections> touching{};
+    for (int d = 0; d < kDirections; ++d) {
+        const int direction[3] = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
+        for (int cell = 0; cell < kCellsPerBrick; ++cell) {
+            const int c[3] = {cell & 3, cell >> 2 & 3, cell >> 4};
+            bool touches = d != kSelf;
+            for (int axis = 0; axis < 3; ++axis) {
+                if (direction[axis] == -1 && c[axis] != 0) touches = false;
+                if (direction[axis] == 1 && c[axis] != kBrickCells - 1) touches = false;
+            }
+            if (touches) touching[static_cast<std::size_t>(d)] |= std::uint64_t{1} << cell;
+        }
+    }
+    return touching;
+}
+constexpr std::array<std::uint64_t, kDirections> kTouchingCells = make_touching_cells();
+
+// Cells on a face or an edge of the brick with finer cells beyond; at a corner alone nothing hangs.
+std::uint64_t cells_beside_finer(const Neighbourhood& neighbours) {
+    std::uint64_t cells = 0;
+    for (std::size_t d = 0; d < kDirections; ++d) {
+        const bool corner = d % 3 != 1 && d / 3 % 3 != 1 && d / 9 != 1;
+        if (!corner && neighbours.kind[d] == Neighbour::kFiner) cells |= kTouchingCells[d];
+    }
+    return cells;
+}
+
+// From cell numbers to grid points.
+GridBits spread(std::uint64_t cells) {
+    GridBits bits = 0;
+    for (int z = 0; z < kBrickCells && cells != 0; ++z)
+        for (int y = 0; y < kBrickCells; ++y)
+            bits |= GridBits{cells >> (4 * y + 16 * z) & 15U} << (5 * y + 25 * z);
+    return bits;
+}
+
+// Does any hanging corner of a cell differ from its corners, which agree?
+bool has_crossed_half(const CellShape& shape, bool corners_inside) {
+    for (std::size_t e = 0; e < 12; ++e) {
+        if ((shape.split_edges >> e & 1) == 0) continue;
+        const int m = kEdges[e].midpoint;
+        if (((shape.inside >> (m % 5 / 2 + 3 * (m / 5 % 5 / 2) + 9 * (m / 50)) & 1U) != 0) != corners_inside) return true;
+    }
+    for (int face = 0; face < 6; ++face) {
+        if ((shape.split_faces >> face & 1) == 0) continue;
+        int c[3] = {1, 1, 1};
+        c[face / 2] = face & 1 ? 2 : 0;
+        if (((shape.inside >> (c[0] + 3 * c[1] + 9 * c[2]) & 1U) != 0) != corners_inside) return true;
+    }
+    return false;
+}
+
+// The inside of a face or an edge of the brick: its possible hanging corners (in quarter cells), and the directions whose
+// being finer makes them real.
+struct HangingRegion {
+    std::vector<int> directions;
+    std::vector<field::LatticePoint> points;
+};
+
+const std::vector<HangingRegion>& hanging_regions() {
+    static const std::vector<HangingRegion> regions = [] {
+        std::vector<HangingRegion> made;
+        for (int d = 0; d < kDirections; ++d) {
+            const int direction[3] = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
+            HangingRegion region;
+            for (int m = 1; m < 8; ++m) {
+                const int part = direction_index((m & 1) != 0 ? direction[0] : 0, (m & 2) != 0 ? direction[1] : 0,
+                                                 (m & 4) != 0 ? direction[2] : 0);
+                if (part != kSelf && std::ranges::find(region.directions, part) == region.directions.end())
+                    region.directions.push_back(part);
+            }
+            constexpr int kLast = 2 * kBrickCells; // half cells
+            const auto range = [&](int axis) {
+                return direction[axis] == 0 ? std::pair(1, kLast - 1) : direction[axis] < 0 ? std::pair(0, 0) : std::pair(kLast, kLast);
+            };
+            for (int z = range(2).first; z <= range(2).second; ++z)
+                for (int y = range(1).first; y <= range(1).second; ++y)
+                    for (int x = range(0).first; x <= range(0).second; ++x)
+                        if (((x | y | z) & 1) != 0)
+                            region.points.push_back({static_cast<std::uint8_t>(kPointsPerFineStep * x),
+                                                     static_cast<std::uint8_t>(kPointsPerFineStep * y),
+                                                     static_cast<std::uint8_t>(kPointsPerFineStep * z)});
+            if (d != kSelf && !region.points.empty()) made.push_back(std::move(region));
+        }
+        return made;
+    }();
+    return regions;
+}
 
 } // namespace
 
@@ -29,6 +126,7 @@ void BrickSampler::fill(const field::ConvolutionField& field, const BrickSet& se
     cells.crossed = is_crossed(cells);
     if (!cells.crossed) return;
 
+    for (std::size_t n = 0; n < field::kGridStride; ++n) logs_[n] = log_field(values_[n]);
     projection_.clear();
     projection_.origin = set.lattice.position(brick.corner);
     cells.first_vertex = static_cast<std::uint32_t>(chunk.positions.size());
@@ -63,34 +161,12 @@ void BrickSampler::sample(const field::ConvolutionField& field, const BrickSet& 
 
 void BrickSampler::sample_hanging(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
                                   const Neighbourhood& neighbours, BrickChunk& chunk) {
-    constexpr int kLast = kFineSide - 1;
     points_.clear();
-    for (int z = 0; z < kFineSide; ++z) {
-        for (int y = 0; y < kFineSide; ++y) {
-            for (int x = 0; x < kFineSide; ++x) {
-                if (((x | y | z) & 1) == 0) {
-                    fine_values_[static_cast<std::size_t>(fine_index(x, y, z))] =
-                        values_[static_cast<std::size_t>(x / 2 + 5 * (y / 2) + 25 * (z / 2))];
-                    continue;
-                }
-                const int dx = axis_direction(x, kLast);
-                const int dy = axis_direction(y, kLast);
-                const int dz = axis_direction(z, kLast);
-                if (dx == 0 && dy == 0 && dz == 0) continue;
-                // A point on a face, edge or corner of the brick belongs to every direction that it touches.
-                bool wanted = false;
-                for (int m = 1; m < 8 && !wanted; ++m) {
-                    const int ex = (m & 1) != 0 ? dx : 0;
-                    const int ey = (m & 2) != 0 ? dy : 0;
-                    const int ez = (m & 4) != 0 ? dz : 0;
-                    wanted = neighbours.kind[static_cast<std::size_t>(direction_index(ex, ey, ez))] == Neighbour::kFiner;
-                }
-                if (wanted)
-                    points_.push_back({static_cast<std::uint8_t>(kPointsPerFineStep * x),
-                                       static_cast<std::uint8_t>(kPointsPerFineStep * y),
-                                       static_cast<std::uint8_t>(kPointsPerFineStep * z)});
-            }
-        }
+    for (const HangingRegion& region : hanging_regions()) {
+        const bool wanted = std::ranges::any_of(region.directions, [&](int d) {
+            return neighbours.kind[static_cast<std::size_t>(d)] == Neighbour::kFiner;
+        });
+        if (wanted) points_.insert(points_.end(), region.points.begin(), region.points.end());
     }
     point_values_.resize(points_.size());
     field::sample_lattice(field, list, axes_, points_, point_values_);
@@ -151,51 +227,47 @@ CellShape BrickSampler::shape_of(int x, int y, int z, const Neighbourhood& neigh
 
 void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
                                const Neighbourhood& neighbours, BrickCells& cells, BrickChunk& chunk) {
-    const auto inside = [&](int x, int y, int z) -> unsigned {
-        const int n = x + 5 * y + 25 * z;
-        return static_cast<unsigned>(cells.inside[static_cast<std::size_t>(n / 64)] >> (n % 64) & 1U);
-    };
-    // Pass one: masks; cells that need tracing ask for the face centres they need.
+    // Pass one: corner signs; cells that need tracing ask for the face centres they need.
     struct Pending {
-        int x, y, z;
         CellShape shape;
+        CellLoops loops; // as they are when no face centre was asked for
         std::size_t first_centre, centre_count;
     };
     thread_local std::vector<Pending> pending;
     pending.clear();
     points_.clear();
+    const GridBits inside = cells.grid_bits();
+    GridBits some = 0;
+    GridBits all = ~GridBits{0};
+    for (const int shift : {0, 1, 5, 6, 25, 26, 30, 31}) some |= inside >> shift, all &= inside >> shift;
+    const std::uint64_t hanging_cells = hanging_ ? cells_beside_finer(neighbours) : 0;
     std::uint64_t recorded = 0;
-    for (int z = 0; z < kBrickCells; ++z) {
-        for (int y = 0; y < kBrickCells; ++y) {
-            // Two rows of bits make the four masks of a row of cells.
-            for (int x = 0; x < kBrickCells; ++x) {
-                const unsigned mask = inside(x, y, z) | inside(x + 1, y, z) << 1 | inside(x, y + 1, z) << 2 |
-                                      inside(x + 1, y + 1, z) << 3 | inside(x, y, z + 1) << 4 | inside(x + 1, y, z + 1) << 5 |
-                                      inside(x, y + 1, z + 1) << 6 | inside(x + 1, y + 1, z + 1) << 7;
-                const int cell = cell_index(x, y, z);
-                cells.mask[static_cast<std::size_t>(cell)] = static_cast<std::uint8_t>(mask);
-                const bool boundary = x == 0 || y == 0 || z == 0 || x == kBrickCells - 1 || y == kBrickCells - 1 || z == kBrickCells - 1;
-                bool needs_record = kCornerCases[mask].ambiguous_faces != 0;
-                CellShape shape;
-                if (hanging_ && boundary) {
-                    shape = shape_of(x, y, z, neighbours);
-                    needs_record = needs_record || shape.split_edges != 0; // a split face splits its edges
-                } else if (needs_record) {
-                    shape = shape_of(x, y, z, neighbours);
-                }
-                if (!needs_record) continue;
-                // A cell whose corners and hanging corners agree has no loop.
-                const std::size_t first = points_.size();
-                const CellLoops trial = trace_loops(shape, [&](int centre) {
-                    points_.push_back({static_cast<std::uint8_t>(4 * x + centre % 5), static_cast<std::uint8_t>(4 * y + centre / 5 % 5),
-                                       static_cast<std::uint8_t>(4 * z + centre / 25)});
-                    return false;
-                });
-                if (trial.loop_count == 0) continue;
-                recorded |= std::uint64_t{1} << cell;
-                pending.push_back({x, y, z, shape, first, points_.size() - first});
-            }
+    std::uint64_t plain = 0;
+    for (GridBits left = kCellCorners & ((some & ~all) | spread(hanging_cells)); left != 0; left &= left - 1) {
+        const int n = lowest_bit(left);
+        const int x = n % 5;
+        const int y = n / 5 % 5;
+        const int z = n / 25;
+        const int cell = cell_index(x, y, z);
+        const auto at = static_cast<unsigned>(inside >> n);
+        const unsigned mask = (at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U);
+        cells.mask[static_cast<std::size_t>(cell)] = static_cast<std::uint8_t>(mask);
+        const bool hangs = (hanging_cells >> cell & 1U) != 0;
+        if (!hangs && kCornerCases[mask].ambiguous_faces == 0) {
+            plain |= std::uint64_t{1} << cell;
+            continue;
         }
+        const CellShape shape = shape_of(x, y, z, neighbours);
+        if ((mask == 0 || mask == 255) && !has_crossed_half(shape, mask != 0)) continue;
+        const std::size_t first = points_.size();
+        CellLoops loops = trace_loops(shape, [&](int centre) {
+            points_.push_back({static_cast<std::uint8_t>(4 * x + centre % 5), static_cast<std::uint8_t>(4 * y + centre / 5 % 5),
+                               static_cast<std::uint8_t>(4 * z + centre / 25)});
+            return false;
+        });
+        if (loops.loop_count == 0) continue;
+        recorded |= std::uint64_t{1} << cell;
+        pending.push_back({shape, std::move(loops), first, points_.size() - first});
     }
     point_values_.resize(points_.size());
     field::sample_lattice(field, list, axes_, points_, point_values_);
@@ -204,22 +276,23 @@ void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<c
     // Pass two: vertices in the order of the cells.
     cells.recorded = recorded;
     std::size_t next = 0;
-    for (int cell = 0; cell < kCellsPerBrick; ++cell) {
+    for (std::uint64_t left = recorded | plain; left != 0; left &= left - 1) {
+        const int cell = std::countr_zero(left);
         const int x = cell & 3;
         const int y = cell >> 2 & 3;
         const int z = cell >> 4;
         if ((recorded >> cell & 1U) != 0) {
-            const Pending& item = pending[next++];
+            Pending& item = pending[next++]; // the same order: both run over ascending cells
             std::size_t answer = item.first_centre;
-            const CellLoops loops = trace_loops(item.shape, [&](int) { return point_values_[answer++] >= isovalue_; });
+            if (item.centre_count > 0)
+                item.loops = trace_loops(item.shape, [&](int) { return point_values_[answer++] >= isovalue_; });
             cells.first[static_cast<std::size_t>(cell)] = static_cast<std::uint16_t>(projection_.size());
             CellRecord record;
-            add_recorded_vertices(x, y, z, loops, neighbours, cells, chunk, record);
+            add_recorded_vertices(x, y, z, item.loops, neighbours, cells, chunk, record);
             chunk.records.push_back(record);
             continue;
         }
         const CornerCase& corner_case = kCornerCases[cells.mask[static_cast<std::size_t>(cell)]];
-        if (corner_case.loop_count == 0) continue;
         cells.first[static_cast<std::size_t>(cell)] = static_cast<std::uint16_t>(projection_.size());
         add_table_vertices(x, y, z, corner_case);
     }
@@ -233,21 +306,18 @@ void BrickSampler::add_vertex(glm::vec3 guess, int x, int y, int z) {
 void BrickSampler::add_table_vertices(int x, int y, int z, const CornerCase& corner_case) {
     std::array<glm::vec3, 4> sum{};
     std::array<int, 4> count{};
-    const float log_iso = std::log(isovalue_);
-    std::array<float, 8> logs;
-    for (std::size_t c = 0; c < 8; ++c)
-        logs[c] = log_field(values_[static_cast<std::size_t>(x) + (c & 1) + 5 * (static_cast<std::size_t>(y) + (c >> 1 & 1)) +
-                                    25 * (static_cast<std::size_t>(z) + (c >> 2))]);
-    for (std::size_t e = 0; e < 12; ++e) {
+    const float log_iso = log_field(isovalue_);
+    const float* logs = logs_.data() + x + 5 * y + 25 * z;
+    constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
+    for (std::size_t n = 0; n < corner_case.edge_count; ++n) {
+        const std::size_t e = corner_case.crossed_edges[n];
         const std::uint8_t loop = corner_case.loop_of_edge[e];
-        if (loop == kNoLoop) continue;
         const EdgeGeometry& edge = kEdges[e];
-        const float a = logs[edge.from];
-        const float b = logs[edge.to];
-        const float t = std::clamp((log_iso - a) / (b - a), 0.0F, 1.0F);
-        const glm::vec3 from(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
-        const glm::vec3 to(edge.to & 1, edge.to >> 1 & 1, edge.to >> 2);
-        sum[loop] += from + t * (to - from);
+        const float a = logs[kCornerOffset[edge.from]];
+        const float b = logs[kCornerOffset[edge.to]];
+        glm::vec3 at(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
+        at[static_cast<int>(e / 4)] = std::clamp((log_iso - a) / (b - a), 0.0F, 1.0F);
+        sum[loop] += at;
         ++count[loop];
     }
     for (std::size_t n = 0; n < corner_case.loop_count; ++n)
@@ -259,12 +329,12 @@ glm::vec3 BrickSampler::crossing(int fine_a, int fine_b, glm::vec3 a, glm::vec3 
         const int x = fine % kFineSide;
         const int y = fine / kFineSide % kFineSide;
         const int z = fine / (kFineSide * kFineSide);
-        return ((x | y | z) & 1) == 0 ? values_[static_cast<std::size_t>(x / 2 + 5 * (y / 2) + 25 * (z / 2))]
-                                      : fine_values_[static_cast<std::size_t>(fine)];
+        return ((x | y | z) & 1) == 0 ? logs_[static_cast<std::size_t>(x / 2 + 5 * (y / 2) + 25 * (z / 2))]
+                                      : log_field(fine_values_[static_cast<std::size_t>(fine)]);
     };
-    const float la = log_field(value(fine_a));
-    const float lb = log_field(value(fine_b));
-    return a + std::clamp((std::log(isovalue_) - la) / (lb - la), 0.0F, 1.0F) * (b - a);
+    const float la = value(fine_a);
+    const float lb = value(fine_b);
+    return a + std::clamp((log_field(isovalue_) - la) / (lb - la), 0.0F, 1.0F) * (b - a);
 }
 
 void BrickSampler::add_recorded_vertices(int x, int y, int z, const CellLoops& loops, const Neighbourhood& neighbours,

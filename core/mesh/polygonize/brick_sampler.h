@@ -38,7 +38,8 @@ private:
     bool hanging_ = false; // some finer brick touches this one
     field::LatticeAxes axes_{};
     alignas(64) std::array<float, field::kGridStride> values_{};
-    std::array<float, kFineSide * kFineSide * kFineSide> fine_values_{};
+    alignas(64) std::array<float, field::kGridStride> logs_{};
+    std::array<float, kFineSide * kFineSide * kFineSide> fine_values_{}; // of hanging corners
     std::vector<field::LatticePoint> points_;
     std::vector<float> point_values_;
     field::Projection projection_;

@@ -12,16 +12,18 @@ namespace {
 
 constexpr float kSqrt3Half = 0.8660254F;
 
-std::uint64_t hash(glm::ivec3 corner, int level) {
-    // Corners of a level are multiples of its brick's edge: shift the zeros away before mixing.
-    const auto x = static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.x >> (4 + level)));
-    const auto y = static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.y >> (4 + level)));
-    const auto z = static_cast<std::uint64_t>(static_cast<std::uint32_t>(corner.z >> (4 + level)));
-    std::uint64_t h = (x * 0x9E3779B97F4A7C15ULL) ^ (y * 0xC2B2AE3D27D4EB4FULL) ^ (z * 0x165667B19E3779F9ULL) ^
-                      (static_cast<std::uint64_t>(level) * 0xD6E8FEB86659FD93ULL);
-    h ^= h >> 32;
-    h *= 0xD6E8FEB86659FD93ULL;
-    return h ^ (h >> 29);
+// Brick coordinates of a level fit kMaximumLevels bits each.
+std::uint64_t pack(glm::ivec3 corner, int level) {
+    // One bit more than kMaximumLevels: neighbours may lie just outside the root.
+    const auto part = [&](int c) {
+        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(c >> (4 + level))) & 0x7FFFFU;
+    };
+    return (part(corner.x) << 43) | (part(corner.y) << 24) | (part(corner.z) << 5) | static_cast<std::uint64_t>(level);
+}
+
+std::uint64_t hash(std::uint64_t key) {
+    key *= 0x9E3779B97F4A7C15ULL;
+    return key ^ (key >> 32);
 }
 
 struct Node {
@@ -133,22 +135,50 @@ std::vector<Frontier> open_frontier(const Splitter& splitter, Node root, std::si
 
 } // namespace
 
-std::uint32_t BrickSet::find(glm::ivec3 corner, int level) const {
+const BrickSet::Cube* BrickSet::find(glm::ivec3 corner, int level) const {
+    const std::uint64_t key = pack(corner, level);
     const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash(corner, level) & mask;; slot = (slot + 1) & mask) {
-        const std::uint32_t index = slots_[slot];
-        if (index == kNone) return kNone;
-        if (bricks[index].level == level && bricks[index].corner == corner) return index;
+    for (std::size_t slot = hash(key) & mask;; slot = (slot + 1) & mask) {
+        if (slots_[slot] == kNone) return nullptr;
+        if (cubes_[slots_[slot]].key == key) return &cubes_[slots_[slot]];
     }
 }
 
-void BrickSet::build_index() {
-    slots_.assign(std::bit_ceil(bricks.size() * 2 + 16), kNone);
+BrickSet::Cube& BrickSet::insert(glm::ivec3 corner, int level, bool& is_new) {
+    const std::uint64_t key = pack(corner, level);
     const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hash(key) & mask;
+    while (slots_[slot] != kNone && cubes_[slots_[slot]].key != key) slot = (slot + 1) & mask;
+    is_new = slots_[slot] == kNone;
+    if (is_new) {
+        slots_[slot] = static_cast<std::uint32_t>(cubes_.size());
+        Cube& cube = cubes_.emplace_back();
+        cube.key = key;
+        cube.children.fill(kNone);
+    }
+    return cubes_[slots_[slot]];
+}
+
+void BrickSet::build_index() {
+    // Only what a neighbour one level finer, equal or coarser can meet: each brick's parent, the parent's mark in its own
+    // parent, and the brick itself where it lies beside smaller ones, which cannot be known here, so always.
+    slots_.assign(std::bit_ceil(bricks.size() * 4 + 64), kNone);
+    cubes_.clear();
+    cubes_.reserve(bricks.size() * 3 / 2 + 16);
+    const auto child_of = [](glm::ivec3 corner, int level) {
+        const int bit = 4 + level;
+        return static_cast<std::size_t>((corner.x >> bit & 1) | (corner.y >> bit & 1) << 1 | (corner.z >> bit & 1) << 2);
+    };
+    const auto parent_corner = [](glm::ivec3 corner, int level) { return corner & glm::ivec3(~(2 * brick_units(level) - 1)); };
     for (std::uint32_t index = 0; index < bricks.size(); ++index) {
-        std::size_t slot = hash(bricks[index].corner, bricks[index].level) & mask;
-        while (slots_[slot] != kNone) slot = (slot + 1) & mask;
-        slots_[slot] = index;
+        const Brick& brick = bricks[index];
+        bool is_new = false;
+        insert(brick.corner, brick.level, is_new).brick = index;
+        const glm::ivec3 parent = parent_corner(brick.corner, brick.level);
+        insert(parent, brick.level + 1, is_new).children[child_of(brick.corner, brick.level)] = index;
+        if (!is_new) continue;
+        const glm::ivec3 grandparent = parent_corner(parent, brick.level + 1);
+        insert(grandparent, brick.level + 2, is_new).children[child_of(parent, brick.level + 1)] = kFiner;
     }
 }
 

@@ -1,5 +1,5 @@
 // BrickSet: the leaves of the octree that the surface may cross, in a fixed order, each with the list of segments whose
-// support reaches it, and a hash to find a brick by place and level. A region without a brick is proven free of surface.
+// support reaches it, and a hash to find what is beside a brick. A region without a brick is proven free of surface.
 #pragma once
 
 #include "core/base/job.h"
@@ -7,6 +7,7 @@
 #include "core/mesh/polygonize/lattice.h"
 #include "core/mesh/polygonize/sizing.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,13 +33,24 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> segments_of(const Brick& brick) const {
         return {lists.data() + brick.list_begin, brick.list_count};
     }
-    // Index of the brick with this corner and level, or kNone.
-    [[nodiscard]] std::uint32_t find(glm::ivec3 corner, int level) const;
     // To be called once, when `bricks` is complete.
     void build_index();
 
+    // A cube of the octree, as seen by bricks beside it: a brick itself, or the parent of bricks and of finer cubes.
+    struct Cube {
+        std::uint64_t key = 0;                  // place and level, packed
+        std::uint32_t brick = kNone;            // the brick it is, if any
+        std::array<std::uint32_t, 8> children;  // bricks, kNone (free of surface or never reached) or kFiner
+    };
+    static constexpr std::uint32_t kFiner = 0xFFFFFFFEU; // a child that is split again
+    // The cube with this corner and level, or nothing where there is no surface (or one of another level).
+    [[nodiscard]] const Cube* find(glm::ivec3 corner, int level) const;
+
 private:
-    std::vector<std::uint32_t> slots_; // open addressing, power of two
+    Cube& insert(glm::ivec3 corner, int level, bool& is_new);
+
+    std::vector<Cube> cubes_;
+    std::vector<std::uint32_t> slots_; // open addressing into cubes_, power of two
 };
 
 // Splits space around the field's supports until every brick's cells are as small as `sizing` asks, dropping what bounds
@@ -49,6 +61,6 @@ private:
 // How often the finest cell fits into the box around the field, in powers of two; beyond kMaximumLevels the lattice would
 // leave the range of its integers.
 [[nodiscard]] int levels_needed(const field::ConvolutionField& field, const Sizing& sizing);
-inline constexpr int kMaximumLevels = 25;
+inline constexpr int kMaximumLevels = 18;
 
 } // namespace ramus::mesh::bricks

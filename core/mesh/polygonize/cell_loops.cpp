@@ -143,7 +143,10 @@ std::array<CornerCase, 256> make_corner_cases() {
         });
         if (ambiguous) continue;
         entry.loop_count = static_cast<std::uint8_t>(loops.loop_count);
-        for (std::size_t e = 0; e < 12; ++e) entry.loop_of_edge[e] = loops.loop_of[kEdges[e].midpoint];
+        for (std::size_t e = 0; e < 12; ++e) {
+            entry.loop_of_edge[e] = loops.loop_of[kEdges[e].midpoint];
+            if (entry.loop_of_edge[e] != kNoLoop) entry.crossed_edges[entry.edge_count++] = static_cast<std::uint8_t>(e);
+        }
     }
     return cases;
 }

@@ -33,6 +33,8 @@ extern const std::array<EdgeGeometry, 12> kEdges;
 struct CornerCase {
     std::uint8_t loop_count = 0;
     std::uint8_t ambiguous_faces = 0;              // bit 2 axis + side; loops are not filled in where any is set
+    std::uint8_t edge_count = 0;
+    std::array<std::uint8_t, 12> crossed_edges{};  // the first edge_count entries
     std::array<std::uint8_t, 12> loop_of_edge{};   // kNoLoop where the edge is not crossed
 };
 extern const std::array<CornerCase, 256> kCornerCases;

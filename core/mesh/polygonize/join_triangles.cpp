@@ -38,22 +38,14 @@ public:
     void join_brick(std::uint32_t index, JoinedChunk& out) {
         const BrickCells& cells = surface_.cells[index];
         if (!cells.crossed) return;
-        const auto inside = [&](int n) { return (cells.inside[static_cast<std::size_t>(n / 64)] >> (n % 64) & 1U) != 0; };
+        const GridBits inside = cells.grid_bits();
         constexpr int kStride[3] = {1, 5, 25};
         for (int axis = 0; axis < 3; ++axis) {
-            const int u = (axis + 1) % 3;
-            const int v = (axis + 2) % 3;
-            for (int b = 0; b < 5; ++b) {
-                for (int a = 0; a < 5; ++a) {
-                    for (int i = 0; i < 4; ++i) {
-                        const int n = i * kStride[axis] + a * kStride[u] + b * kStride[v];
-                        const bool first = inside(n);
-                        if (first == inside(n + kStride[axis])) continue;
-                        glm::ivec3 point(0);
-                        point[axis] = i, point[u] = a, point[v] = b;
-                        join_edge(index, axis, point, first, out);
-                    }
-                }
+            GridBits crossed = (inside ^ (inside >> kStride[axis])) & kEdgeStarts[static_cast<std::size_t>(axis)];
+            for (; crossed != 0; crossed &= crossed - 1) {
+                const int n = lowest_bit(crossed);
+                const glm::ivec3 point(n % 5, n / 5 % 5, n / 25);
+                join_edge(index, axis, point, (inside >> n & 1) != 0, out);
             }
         }
     }
@@ -214,28 +206,35 @@ private:
     // Of the two diagonals of a quad, the better: none of its triangles may face away from the surface, and then the one
     // that stays closer to it. A chord's distance from the surface is its length times the turn of the normal, over 8.
     [[nodiscard]] bool prefers_02(glm::uvec4 v) const {
-        std::array<glm::vec3, 4> p, n;
-        for (int i = 0; i < 4; ++i) {
-            p[static_cast<std::size_t>(i)] = mesh_.positions[v[i]];
-            n[static_cast<std::size_t>(i)] = mesh_.normals[v[i]];
-        }
-        const glm::vec3 d02 = p[2] - p[0];
-        const glm::vec3 d13 = p[3] - p[1];
-        const auto facing = [&](std::size_t a, std::size_t b, std::size_t c) {
-            const glm::vec3 area = glm::cross(p[b] - p[a], p[c] - p[a]);
-            const float size = std::sqrt(glm::dot(area, area));
-            return size > 0.0F ? glm::dot(area, n[a] + n[b] + n[c]) / (3.0F * size) : -1.0F;
+        const glm::vec3 p0 = mesh_.positions[v[0]], p1 = mesh_.positions[v[1]], p2 = mesh_.positions[v[2]], p3 = mesh_.positions[v[3]];
+        const glm::vec3 n0 = mesh_.normals[v[0]], n1 = mesh_.normals[v[1]], n2 = mesh_.normals[v[2]], n3 = mesh_.normals[v[3]];
+        const glm::vec3 d02 = p2 - p0;
+        const glm::vec3 d13 = p3 - p1;
+        const glm::vec3 facing = n0 + n1 + n2 + n3;
+        // The area vectors of the four triangles that the two diagonals make.
+        const glm::vec3 e01 = p1 - p0;
+        const glm::vec3 a012 = glm::cross(e01, d02);
+        const glm::vec3 a023 = glm::cross(d02, p3 - p0);
+        const glm::vec3 a123 = glm::cross(p2 - p1, d13);
+        const glm::vec3 a130 = glm::cross(d13, -e01);
+        const float scale = glm::dot(d02, d02) * glm::dot(d13, d13) * glm::dot(facing, facing);
+        // Signed squares, to leave out the roots: a triangle that faces away, or nearly, or has no area to speak of.
+        const auto score = [&](const glm::vec3& area) {
+            const float along = glm::dot(area, facing);
+            return along * std::abs(along);
         };
-        const float worst_02 = std::min(facing(0, 1, 2), facing(0, 2, 3));
-        const float worst_13 = std::min(facing(1, 2, 3), facing(1, 3, 0));
-        constexpr float kFacing = 0.5F; // 60 degrees: anything flatter than that is decided by closeness
-        if (std::min(worst_02, worst_13) < kFacing) return worst_02 >= worst_13;
-        const float off_02 = std::abs(glm::dot(d02, n[2] - n[0]));
-        const float off_13 = std::abs(glm::dot(d13, n[3] - n[1]));
+        const float worst_02 = std::min(score(a012), score(a023));
+        const float worst_13 = std::min(score(a123), score(a130));
+        constexpr float kThin = 0.01F; // a tenth of the area of a square on the diagonals; tuned on real trees
+        if (std::min(worst_02, worst_13) < kThin * scale) return worst_02 >= worst_13;
+        const float off_02 = std::abs(glm::dot(d02, n2 - n0));
+        const float off_13 = std::abs(glm::dot(d13, n3 - n1));
         // On a flat stretch both are nothing, and the shorter diagonal makes the rounder triangles.
         constexpr float kFlat = 0.02F;
-        return off_02 + kFlat * glm::dot(d02, d02) / std::sqrt(glm::dot(d13, d13) + 1e-30F) <
-               off_13 + kFlat * glm::dot(d13, d13) / std::sqrt(glm::dot(d02, d02) + 1e-30F);
+        const float l02 = glm::dot(d02, d02);
+        const float l13 = glm::dot(d13, d13);
+        const float size = std::sqrt(std::max(l02, l13));
+        return off_02 * size + kFlat * l02 < off_13 * size + kFlat * l13;
     }
 
     // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
