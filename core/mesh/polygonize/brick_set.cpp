@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -111,24 +112,25 @@ std::vector<Frontier> open_frontier(const Splitter& splitter, Node root, std::si
     std::vector<Frontier> frontier;
     frontier.push_back({std::move(root), false});
     for (bool grew = true; grew && frontier.size() < wanted;) {
-        grew = false;
-        std::vector<Frontier> next;
-        for (Frontier& entry : frontier) {
-            if (entry.leaf || entry.node.level == 0) {
-                next.push_back(std::move(entry));
-                continue;
+        std::vector<std::vector<Frontier>> next(frontier.size());
+        tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
+            Frontier& entry = frontier[i];
+            if (entry.leaf) {
+                next[i].push_back(std::move(entry));
+                return;
             }
             for (int child = 0; child < 8; ++child) {
                 Node node;
                 node.corner = Splitter::child_corner(entry.node, child);
                 node.level = entry.node.level - 1;
                 const auto verdict = splitter.judge(entry.node.segments, entry.node.pieces, node);
-                if (verdict == Splitter::Verdict::kDropped) continue;
-                next.push_back({std::move(node), verdict == Splitter::Verdict::kLeaf});
-                grew = true;
+                if (verdict != Splitter::Verdict::kDropped)
+                    next[i].push_back({std::move(node), verdict == Splitter::Verdict::kLeaf});
             }
-        }
-        frontier = std::move(next);
+        });
+        grew = std::ranges::any_of(frontier, [](const Frontier& entry) { return !entry.leaf; });
+        frontier.clear();
+        for (auto& part : next) std::ranges::move(part, std::back_inserter(frontier));
     }
     return frontier;
 }
@@ -209,7 +211,7 @@ BrickSet build_bricks(const field::ConvolutionField& field, const field::Culling
     std::vector<Leaves> parts(frontier.size());
     tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        if (frontier[i].leaf || frontier[i].node.level == 0) {
+        if (frontier[i].leaf) {
             Splitter::add_leaf(frontier[i].node, parts[i]);
         } else {
             std::vector<Node> scratch;

@@ -39,20 +39,62 @@ public:
         const BrickCells& cells = surface_.cells[index];
         if (!cells.crossed) return;
         const GridBits inside = cells.grid_bits();
-        constexpr int kStride[3] = {1, 5, 25};
-        for (int axis = 0; axis < 3; ++axis) {
-            GridBits crossed = (inside ^ (inside >> kStride[axis])) & kEdgeStarts[static_cast<std::size_t>(axis)];
-            for (; crossed != 0; crossed &= crossed - 1) {
-                const int n = lowest_bit(crossed);
-                const glm::ivec3 point(n % 5, n / 5 % 5, n / 25);
-                join_edge(index, axis, point, (inside >> n & 1) != 0, out);
-            }
-        }
+        join_axis<0>(index, cells, inside, out);
+        join_axis<1>(index, cells, inside, out);
+        join_axis<2>(index, cells, inside, out);
     }
 
 private:
+    template <int Axis>
+    void join_axis(std::uint32_t index, const BrickCells& cells, GridBits inside, JoinedChunk& out) {
+        constexpr std::array<int, 3> kPointStride{1, 5, 25};
+        constexpr std::array<int, 3> kCellStride{1, 4, 16};
+        constexpr int kU = (Axis + 1) % 3;
+        constexpr int kV = (Axis + 2) % 3;
+        constexpr auto kAxis = static_cast<std::size_t>(Axis);
+        constexpr int kStepU = kCellStride[static_cast<std::size_t>(kU)];
+        constexpr int kStepV = kCellStride[static_cast<std::size_t>(kV)];
+        const int level = set_.bricks[index].level;
+        GridBits crossed = (inside ^ (inside >> kPointStride[kAxis])) & kEdgeStarts[kAxis];
+        for (; crossed != 0; crossed &= crossed - 1) {
+            const int n = lowest_bit(crossed);
+            const glm::ivec3 point(n % 5, n / 5 % 5, n / 25);
+            const bool first_inside = (inside >> n & 1) != 0;
+            const bool interior = point[kU] > 0 && point[kU] < 4 && point[kV] > 0 && point[kV] < 4;
+            if (interior) {
+                // Four cells of this brick; the common case is that corner signs say all about them.
+                const int c = cell_index(point.x, point.y, point.z);
+                const std::array<int, 4> ring{c - kStepU - kStepV, c - kStepV, c, c - kStepU};
+                std::uint64_t recorded = 0;
+                for (const int cell : ring) recorded |= cells.recorded >> cell;
+                if ((recorded & 1U) == 0) {
+                    constexpr std::array<int, 4> kEdge{4 * Axis + 3, 4 * Axis + 2, 4 * Axis, 4 * Axis + 1};
+                    std::array<std::uint32_t, 4> v;
+                    for (std::size_t q = 0; q < 4; ++q) {
+                        const auto cell = static_cast<std::size_t>(ring[q]);
+                        v[q] = cells.first_vertex + cells.first[cell] +
+                               kCornerCases[cells.mask[cell]].loop_of_edge[static_cast<std::size_t>(kEdge[q])];
+                    }
+                    emit_quad(first_inside ? glm::uvec4(v[0], v[1], v[2], v[3]) : glm::uvec4(v[3], v[2], v[1], v[0]), out);
+                    continue;
+                }
+            }
+            join_edge(index, level, Axis, point, first_inside, out);
+        }
+    }
+
+    void emit_quad(glm::uvec4 v, JoinedChunk& out) {
+        if (prefers_02(v)) {
+            out.triangles.emplace_back(v[0], v[1], v[2]);
+            out.triangles.emplace_back(v[0], v[2], v[3]);
+        } else {
+            out.triangles.emplace_back(v[1], v[2], v[3]);
+            out.triangles.emplace_back(v[1], v[3], v[0]);
+        }
+    }
+
     // The edge from grid point `point` along `axis`, whose first end is inside or not.
-    void join_edge(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedChunk& out) {
+    void join_edge(std::uint32_t index, int level, int axis, glm::ivec3 point, bool first_inside, JoinedChunk& out) {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         const Neighbourhood& around = surface_.neighbours[index];
@@ -83,7 +125,6 @@ private:
             }
         }
         std::array<Around, 4> ring;
-        std::array<int, 4> quadrant{};
         std::size_t count = 0;
         for (std::size_t q = 0; q < 4; ++q) {
             const auto d = static_cast<std::size_t>(direction[q]);
@@ -96,13 +137,12 @@ private:
             }
             if (count > 0 && same_cell(ring[count - 1], entry)) continue;
             if (q == 3 && same_cell(ring[0], entry)) continue;
-            quadrant[count] = static_cast<int>(q);
             ring[count++] = entry;
         }
         if (!first_inside) {
             std::reverse(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count));
         }
-        emit(std::span<const Around>(ring.data(), count), set_.bricks[index].level, axis, out, index, point);
+        emit(std::span<const Around>(ring.data(), count), level, axis, out, index, point);
     }
 
     static bool same_cell(const Around& a, const Around& b) { return a.brick == b.brick && a.cell == b.cell; }
@@ -194,7 +234,9 @@ private:
         const bool allow_02 = ring[0].level == level || ring[2].level == level;
         const bool allow_13 = ring[1].level == level || ring[3].level == level;
         const glm::uvec4 v(ring[0].vertex, ring[1].vertex, ring[2].vertex, ring[3].vertex);
-        if (allow_02 && (!allow_13 || prefers_02(v))) {
+        if (allow_02 && allow_13) {
+            emit_quad(v, out);
+        } else if (allow_02) {
             out.triangles.emplace_back(v[0], v[1], v[2]);
             out.triangles.emplace_back(v[0], v[2], v[3]);
         } else {
