@@ -1,10 +1,13 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/field/sampling.cpp"
-#include <hwy/foreach_target.h> // must come before the kernel
-// then
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
 #include "core/field/kernel-inl.h"
 #include "core/field/sampling.h"
 
+#include <cstring>
+#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -31,9 +34,9 @@ HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float 
 }
 
 void SampleGrid(const ConvolutionField& field, const std::uint32_t* list, std::size_t count, const GridAxes& axes,
-                float* HWY_RESTRICT values) {
+                float* HWY_RESTRICT values, std::uint64_t* HWY_RESTRICT inside) {
     const D d;
-    const hn::RebindToSigned<D> di;
+    [[maybe_unused]] const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
     const V sqrt_w = hn::Set(d, static_cast<float>(field.kernel().sqrt_w));
     const V saturated = error_function(d, hn::Set(d, 3.5F));
@@ -62,6 +65,16 @@ void SampleGrid(const ConvolutionField& field, const std::uint32_t* list, std::s
             hn::Store(hn::Add(hn::Load(d, values + n), kernel_value(d, segment, foot, saturated)), d, values + n);
         }
     }
+    const V isovalue = hn::Set(d, static_cast<float>(field.kernel().isovalue));
+    inside[0] = inside[1] = 0;
+    for (std::size_t n = 0; n < kGridStride; n += lanes) {
+        HWY_ALIGN std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, hn::Ge(hn::Load(d, values + n), isovalue), bits);
+        std::uint64_t word = 0;
+        std::memcpy(&word, bits, sizeof(word));
+        inside[n / 64] |= (word & ((std::uint64_t{1} << lanes) - 1)) << (n % 64);
+    }
+    inside[1] &= (std::uint64_t{1} << (kGridPoints - 64)) - 1;
 }
 
 void SampleLattice(const ConvolutionField& field, const std::uint32_t* list, std::size_t count, const LatticeAxes& axes,
@@ -153,15 +166,8 @@ void Project(const ConvolutionField& field, const std::uint32_t* list, std::size
                 best_segment = hn::IfThenElse(hn::RebindMask(di, stronger),
                                               hn::Set(di, static_cast<std::int32_t>(index)), best_segment);
             }
-            // -ln F by the standard library: a handful of points, and every bit of them matters.
-            HWY_ALIGN float buffer[HWY_MAX_BYTES / sizeof(float)];
-            hn::Store(sum, d, buffer);
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                const float f = HWY_MIN(HWY_MAX(buffer[lane], 1e-7F), 0.999F);
-                buffer[lane] = std::sqrt(-std::log(f));
-            }
-            const V phi = hn::Load(d, buffer);
             const V f = hn::Max(hn::Min(sum, hn::Set(d, 0.999F)), hn::Set(d, 1e-7F));
+            const V phi = hn::Sqrt(hn::Neg(hn::Log(d, f)));
             // grad phi = -grad F / (2 F phi), so the Newton step is (target - phi) grad phi / |grad phi|^2.
             const V g2 = hn::MulAdd(gz, gz, hn::MulAdd(gy, gy, hn::Mul(gx, gx)));
             const V amount = hn::Div(hn::Mul(hn::Mul(hn::Sub(phi, target), hn::Set(d, 2.0F)), hn::Mul(f, phi)),
@@ -201,7 +207,6 @@ Bounds Cull(const ConvolutionField& field, const CullingArrays& culling, const s
     V upper = zero;
     kept_count = 0;
     HWY_ALIGN std::int32_t index_buffer[HWY_MAX_BYTES / 4];
-    HWY_ALIGN float near_buffer[HWY_MAX_BYTES / 4];
     for (std::size_t m = 0; m < count; m += lanes) {
         const std::size_t valid = HWY_MIN(lanes, count - m);
         for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -236,7 +241,6 @@ Bounds Cull(const ConvolutionField& field, const CullingArrays& culling, const s
         const V nearest = hn::Mul(hn::Max(hn::Sub(distance, ball), zero), coarse);
         // The margin covers the rounding of single precision far from the origin.
         const M reaches = hn::And(present, hn::Lt(hn::Mul(nearest, nearest), hn::Set(d, static_cast<float>(kFadeEnd * 1.001))));
-        hn::Store(nearest, d, near_buffer);
         HWY_ALIGN std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, reaches, bits);
         for (std::size_t lane = 0; lane < valid; ++lane)
@@ -286,9 +290,11 @@ HWY_EXPORT(Project);
 HWY_EXPORT(Cull);
 HWY_EXPORT(Name);
 
-void sample_grid(const ConvolutionField& field, std::span<const std::uint32_t> list, const GridAxes& axes,
-                 std::span<float, kGridStride> values) {
-    HWY_DYNAMIC_DISPATCH(SampleGrid)(field, list.data(), list.size(), axes, values.data());
+std::array<std::uint64_t, 2> sample_grid(const ConvolutionField& field, std::span<const std::uint32_t> list,
+                                         const GridAxes& axes, std::span<float, kGridStride> values) {
+    std::array<std::uint64_t, 2> inside{};
+    HWY_DYNAMIC_DISPATCH(SampleGrid)(field, list.data(), list.size(), axes, values.data(), inside.data());
+    return inside;
 }
 
 void sample_lattice(const ConvolutionField& field, std::span<const std::uint32_t> list, const LatticeAxes& axes,

@@ -22,8 +22,9 @@ inline constexpr int kGridStride = 128;
 struct GridAxes {
     std::array<double, kGridSide> x, y, z; // mm
 };
-void sample_grid(const ConvolutionField& field, std::span<const std::uint32_t> list, const GridAxes& axes,
-                 std::span<float, kGridStride> values);
+// Returns one bit per point: is the value at or above the isovalue?
+std::array<std::uint64_t, 2> sample_grid(const ConvolutionField& field, std::span<const std::uint32_t> list,
+                                         const GridAxes& axes, std::span<float, kGridStride> values);
 
 // Points given by indices into small tables of coordinates; at most kLatticeSide entries an axis.
 inline constexpr int kLatticeSide = 17;

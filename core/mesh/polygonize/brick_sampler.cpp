@@ -62,20 +62,20 @@ GridBits spread(std::uint64_t cells) {
     return bits;
 }
 
-// Does any hanging corner of a cell differ from its corners, which agree?
-bool has_crossed_half(const CellShape& shape, bool corners_inside) {
-    for (std::size_t e = 0; e < 12; ++e) {
-        if ((shape.split_edges >> e & 1) == 0) continue;
-        const int m = kEdges[e].midpoint;
-        if (((shape.inside >> (m % 5 / 2 + 3 * (m / 5 % 5 / 2) + 9 * (m / 50)) & 1U) != 0) != corners_inside) return true;
+// Cells that touch a point given in half cells.
+std::uint64_t cells_touching(int x, int y, int z) {
+    const int p[3] = {x, y, z};
+    std::uint64_t cells = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        int c[3];
+        bool valid = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            c[axis] = (p[axis] - (corner >> axis & 1)) >> 1;
+            valid = valid && c[axis] >= 0 && c[axis] < kBrickCells;
+        }
+        if (valid) cells |= std::uint64_t{1} << cell_index(c[0], c[1], c[2]);
     }
-    for (int face = 0; face < 6; ++face) {
-        if ((shape.split_faces >> face & 1) == 0) continue;
-        int c[3] = {1, 1, 1};
-        c[face / 2] = face & 1 ? 2 : 0;
-        if (((shape.inside >> (c[0] + 3 * c[1] + 9 * c[2]) & 1U) != 0) != corners_inside) return true;
-    }
-    return false;
+    return cells;
 }
 
 // The inside of a face or an edge of the brick: its possible hanging corners (in quarter cells), and the directions whose
@@ -148,13 +148,10 @@ void BrickSampler::sample(const field::ConvolutionField& field, const BrickSet& 
     for (std::size_t n = 0; n < field::kGridSide; ++n)
         grid.x[n] = axes_.x[4 * n], grid.y[n] = axes_.y[4 * n], grid.z[n] = axes_.z[4 * n];
     const auto list = set.segments_of(brick);
-    field::sample_grid(field, list, grid, values_);
+    cells.inside = field::sample_grid(field, list, grid, values_);
     chunk.evaluations += static_cast<std::uint64_t>(list.size()) * field::kGridPoints;
 
-    cells.inside = {};
-    for (std::size_t n = 0; n < field::kGridPoints; ++n)
-        cells.inside[n / 64] |= static_cast<std::uint64_t>(values_[n] >= isovalue_) << (n % 64);
-
+    half_crossed_ = 0;
     hanging_ = std::ranges::find(neighbours.kind, Neighbour::kFiner) != neighbours.kind.end();
     if (hanging_) sample_hanging(field, list, neighbours, chunk);
 }
@@ -171,15 +168,23 @@ void BrickSampler::sample_hanging(const field::ConvolutionField& field, std::spa
     point_values_.resize(points_.size());
     field::sample_lattice(field, list, axes_, points_, point_values_);
     chunk.evaluations += static_cast<std::uint64_t>(list.size()) * points_.size();
-    for (std::size_t n = 0; n < points_.size(); ++n)
-        fine_values_[static_cast<std::size_t>(fine_index(points_[n].i / 2, points_[n].j / 2, points_[n].k / 2))] = point_values_[n];
+    for (std::size_t n = 0; n < points_.size(); ++n) {
+        const int x = points_[n].i / kPointsPerFineStep;
+        const int y = points_[n].j / kPointsPerFineStep;
+        const int z = points_[n].k / kPointsPerFineStep;
+        fine_values_[static_cast<std::size_t>(fine_index(x, y, z))] = point_values_[n];
+        // The corner below a hanging corner belongs to all cells that touch it: where the two differ, a cell whose
+        // corners agree is crossed nevertheless.
+        const bool corner_inside = values_[static_cast<std::size_t>(x / 2 + 5 * (y / 2) + 25 * (z / 2))] >= isovalue_;
+        if ((point_values_[n] >= isovalue_) != corner_inside) half_crossed_ |= cells_touching(x, y, z);
+    }
 }
 
 bool BrickSampler::is_crossed(const BrickCells& cells) const {
     const bool none = cells.inside[0] == 0 && cells.inside[1] == 0;
     const bool all = cells.inside[0] == ~std::uint64_t{0} && cells.inside[1] == (std::uint64_t{1} << (field::kGridPoints - 64)) - 1;
     if (!none && !all) return true;
-    return hanging_ && std::ranges::any_of(point_values_, [&](float v) { return (v >= isovalue_) != all; });
+    return half_crossed_ != 0;
 }
 
 CellShape BrickSampler::shape_of(int x, int y, int z, const Neighbourhood& neighbours) const {
@@ -243,7 +248,7 @@ void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<c
     const std::uint64_t hanging_cells = hanging_ ? cells_beside_finer(neighbours) : 0;
     std::uint64_t recorded = 0;
     std::uint64_t plain = 0;
-    for (GridBits left = kCellCorners & ((some & ~all) | spread(hanging_cells)); left != 0; left &= left - 1) {
+    for (GridBits left = kCellCorners & ((some & ~all) | spread(half_crossed_)); left != 0; left &= left - 1) {
         const int n = lowest_bit(left);
         const int x = n % 5;
         const int y = n / 5 % 5;
@@ -258,7 +263,6 @@ void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<c
             continue;
         }
         const CellShape shape = shape_of(x, y, z, neighbours);
-        if ((mask == 0 || mask == 255) && !has_crossed_half(shape, mask != 0)) continue;
         const std::size_t first = points_.size();
         CellLoops loops = trace_loops(shape, [&](int centre) {
             points_.push_back({static_cast<std::uint8_t>(4 * x + centre % 5), static_cast<std::uint8_t>(4 * y + centre / 5 % 5),

@@ -36,6 +36,7 @@ private:
     float isovalue_ = 0.0F;
     float cell_mm_ = 0.0F;
     bool hanging_ = false; // some finer brick touches this one
+    std::uint64_t half_crossed_ = 0; // cells at a hanging corner that differs from the cell's own
     field::LatticeAxes axes_{};
     alignas(64) std::array<float, field::kGridStride> values_{};
     alignas(64) std::array<float, field::kGridStride> logs_{};
