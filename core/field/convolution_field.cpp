@@ -9,13 +9,15 @@
 namespace ramus::field {
 
 Kernel::Kernel(double width)
-    : w(width * std::numbers::ln2), sqrt_w(std::sqrt(w)), isovalue(std::exp(-w)), support_radii(1.7 * std::sqrt(5.0 / width)) {}
+    : w(width * std::numbers::ln2), sqrt_w(std::sqrt(w)), isovalue(std::exp(-w)),
+      support_radii(1.7 * std::sqrt(5.0 / width)) {}
 
 ConvolutionField::ConvolutionField(const mesh::PreparedTree& prepared, double width) : kernel_(width) {
     const tree::VesselTree& tree = prepared.tree;
     const std::size_t count = tree.segment_count();
     for (auto* array : {&segments_.ax, &segments_.ay, &segments_.az}) array->reserve(count);
-    for (auto* array : {&segments_.ux, &segments_.uy, &segments_.uz, &segments_.length, &segments_.radius, &segments_.slope})
+    for (auto* array :
+         {&segments_.ux, &segments_.uy, &segments_.uz, &segments_.length, &segments_.radius, &segments_.slope})
         array->reserve(count);
     segments_.branch.reserve(count);
 

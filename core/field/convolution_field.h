@@ -27,15 +27,15 @@ struct Kernel {
     explicit Kernel(double width);
 };
 
-inline constexpr double kFadeBegin = 6.792841769487465;  // 5 ln 2 1.4^2
-inline constexpr double kFadeEnd = 10.016026079703457; // 5 ln 2 1.7^2
+inline constexpr double kFadeBegin = 6.792841769487465; // 5 ln 2 1.4^2
+inline constexpr double kFadeEnd = 10.016026079703457;  // 5 ln 2 1.7^2
 
 // One entry per segment. Starts stay in double precision (mm); all else is relative and fits in single precision.
 struct SegmentArrays {
-    std::vector<double> ax, ay, az;             // start point, mm
-    std::vector<float> ux, uy, uz;              // unit direction
-    std::vector<float> length, radius, slope;   // mm, mm at the start, radius change per mm
-    std::vector<std::int32_t> branch;           // id in the source tree
+    std::vector<double> ax, ay, az;           // start point, mm
+    std::vector<float> ux, uy, uz;            // unit direction
+    std::vector<float> length, radius, slope; // mm, mm at the start, radius change per mm
+    std::vector<std::int32_t> branch;         // id in the source tree
 
     [[nodiscard]] std::size_t size() const { return ax.size(); }
     [[nodiscard]] float end_radius(std::size_t i) const { return radius[i] + slope[i] * length[i]; }

@@ -112,7 +112,8 @@ HWY_INLINE V fade_slope(D d, V rho) {
     const V x = hn::Mul(hn::Sub(hn::Set(d, static_cast<float>(kFadeEnd)), rho),
                         hn::Set(d, static_cast<float>(1.0 / (kFadeEnd - kFadeBegin))));
     const V c = hn::Max(hn::Min(x, hn::Set(d, 1.0F)), hn::Zero(d));
-    return hn::Mul(hn::Set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))), hn::Mul(c, hn::Sub(hn::Set(d, 1.0F), c)));
+    return hn::Mul(hn::Set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))),
+                   hn::Mul(c, hn::Sub(hn::Set(d, 1.0F), c)));
 }
 
 HWY_INLINE M inside_support(D d, V rho) { return hn::Lt(rho, hn::Set(d, static_cast<float>(kFadeEnd))); }
@@ -152,8 +153,8 @@ HWY_INLINE KernelGradient kernel_gradient(D d, const Segment& s, const Foot& f, 
     const M between = hn::And(hn::Gt(f.t, zero), hn::Lt(f.t, s.length));
     const V growth = hn::IfThenElseZero(between, hn::Mul(s.slope, hn::Mul(f.scale, inverse_sqrt_w)));
     const V ga = hn::Mul(exp_negative(d, hn::Min(hn::Mul(a, a), limit)), hn::NegMulAdd(f.t, growth, one));
-    const V gb = hn::Mul(exp_negative(d, hn::Min(hn::Mul(b, b), limit)),
-                         hn::MulAdd(hn::Sub(s.length, f.t), growth, one));
+    const V gb =
+        hn::Mul(exp_negative(d, hn::Min(hn::Mul(b, b), limit)), hn::MulAdd(hn::Sub(s.length, f.t), growth, one));
     const V filter_slope = hn::Mul(hn::Mul(f.scale, hn::Set(d, 0.564189584F)), hn::Sub(ga, gb)); // 1 / sqrt(pi)
     const V q_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0F), f.q), growth);
     const V rho_slope = hn::MulAdd(hn::Mul(hn::Set(d, 2.0F), f.e), f.scale, q_slope);

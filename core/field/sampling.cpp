@@ -152,8 +152,8 @@ void Project(const ConvolutionField& field, const std::uint32_t* list, std::size
             for (std::size_t m = 0; m < count; ++m) {
                 const std::size_t index = list[m];
                 const Segment segment = broadcast(d, s, index);
-                const Foot foot = find_foot(d, segment, sqrt_w, hn::Sub(x, hn::Set(d, lx[m])), hn::Sub(y, hn::Set(d, ly[m])),
-                                            hn::Sub(z, hn::Set(d, lz[m])));
+                const Foot foot = find_foot(d, segment, sqrt_w, hn::Sub(x, hn::Set(d, lx[m])),
+                                            hn::Sub(y, hn::Set(d, ly[m])), hn::Sub(z, hn::Set(d, lz[m])));
                 if (hn::AllFalse(d, inside_support(d, foot.rho))) continue;
                 const KernelGradient g = kernel_gradient(d, segment, foot, inverse_sqrt_w);
                 sum = hn::Add(sum, g.value);
@@ -240,7 +240,8 @@ Bounds Cull(const ConvolutionField& field, const CullingArrays& culling, const s
         const V coarse = hn::Div(sqrt_w, hn::Max(r1, r2));
         const V nearest = hn::Mul(hn::Max(hn::Sub(distance, ball), zero), coarse);
         // The margin covers the rounding of single precision far from the origin.
-        const M reaches = hn::And(present, hn::Lt(hn::Mul(nearest, nearest), hn::Set(d, static_cast<float>(kFadeEnd * 1.001))));
+        const M reaches =
+            hn::And(present, hn::Lt(hn::Mul(nearest, nearest), hn::Set(d, static_cast<float>(kFadeEnd * 1.001))));
         HWY_ALIGN std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, reaches, bits);
         for (std::size_t lane = 0; lane < valid; ++lane)
@@ -255,8 +256,8 @@ Bounds Cull(const ConvolutionField& field, const CullingArrays& culling, const s
         const V gauss_upper = exp_negative(d, hn::Min(hn::Mul(q_min, q_min), limit));
         const V gauss_lower = hn::Mul(exp_negative(d, hn::Min(hn::Mul(q_max, q_max), limit)),
                                       fade(d, hn::MulAdd(e_max, e_max, hn::Mul(q_max, q_max))));
-        // The end filter is highest nearest to the segment's middle, lowest farthest from it; erf grows with its argument,
-        // so each term takes the radius that bounds it.
+        // The end filter is highest nearest to the segment's middle, lowest farthest from it; erf grows with its
+        // argument, so each term takes the radius that bounds it.
         const V middle = hn::Mul(half, segment.length);
         const V t_best = hn::Max(hn::Min(middle, t_high), t_low);
         const V t_worst = hn::IfThenElse(hn::Gt(t, middle), t_high, t_low);
@@ -266,8 +267,7 @@ Bounds Cull(const ConvolutionField& field, const CullingArrays& culling, const s
         const auto term_lower = [&](V v) {
             return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), coarse, fine)));
         };
-        const V filter_upper =
-            hn::Mul(half, hn::Add(term_upper(t_best), term_upper(hn::Sub(segment.length, t_best))));
+        const V filter_upper = hn::Mul(half, hn::Add(term_upper(t_best), term_upper(hn::Sub(segment.length, t_best))));
         const V filter_lower =
             hn::Max(zero, hn::Mul(half, hn::Add(term_lower(t_worst), term_lower(hn::Sub(segment.length, t_worst)))));
         upper = hn::Add(upper, hn::IfThenElseZero(reaches, hn::Mul(gauss_upper, filter_upper)));
@@ -300,7 +300,8 @@ std::array<std::uint64_t, 2> sample_grid(const ConvolutionField& field, std::spa
 void sample_lattice(const ConvolutionField& field, std::span<const std::uint32_t> list, const LatticeAxes& axes,
                     std::span<const LatticePoint> points, std::span<float> values) {
     if (points.empty()) return;
-    HWY_DYNAMIC_DISPATCH(SampleLattice)(field, list.data(), list.size(), axes, points.data(), points.size(), values.data());
+    HWY_DYNAMIC_DISPATCH(SampleLattice)
+    (field, list.data(), list.size(), axes, points.data(), points.size(), values.data());
 }
 
 void Projection::clear() {
@@ -349,8 +350,8 @@ Bounds cull(const ConvolutionField& field, const CullingArrays& culling, std::sp
     kept.resize(list.size());
     if (list.empty()) return {};
     std::size_t count = 0;
-    const Bounds bounds = HWY_DYNAMIC_DISPATCH(Cull)(field, culling, list.data(), list.size(), centre, ball_radius,
-                                                     kept.data(), count);
+    const Bounds bounds =
+        HWY_DYNAMIC_DISPATCH(Cull)(field, culling, list.data(), list.size(), centre, ball_radius, kept.data(), count);
     kept.resize(count);
     return bounds;
 }

@@ -1,7 +1,7 @@
 // Sampling a ConvolutionField: values on small grids and at lattice points, projection of points onto the surface, and
 // bounds over boxes. Everything is vectorised with run-time dispatch over the machine's instruction sets; within one
-// instruction set a point's value has the same bits in whichever call it is computed, provided that the list holds every
-// segment whose support contains the point, in ascending order.
+// instruction set a point's value has the same bits in whichever call it is computed, provided that the list holds
+// every segment whose support contains the point, in ascending order.
 #pragma once
 
 #include "core/field/convolution_field.h"
@@ -41,13 +41,13 @@ void sample_lattice(const ConvolutionField& field, std::span<const std::uint32_t
 // centre along every axis. Arrays are padded by pad() to whole vectors.
 struct Projection {
     glm::dvec3 origin{0.0};
-    std::vector<float> x, y, z;                   // in: first guess; out: point on the surface
-    std::vector<float> cx, cy, cz, reach;         // box that a point must not leave
-    std::vector<float> nx, ny, nz;                // out: unit normal, outward
-    std::vector<float> radius;                    // out: local radius, mm
-    std::vector<std::int32_t> segment;            // out: strongest contributor
-    std::vector<std::uint32_t> segment_list;      // scratch
-    std::vector<float> local;                     // scratch: segment starts relative to origin
+    std::vector<float> x, y, z;              // in: first guess; out: point on the surface
+    std::vector<float> cx, cy, cz, reach;    // box that a point must not leave
+    std::vector<float> nx, ny, nz;           // out: unit normal, outward
+    std::vector<float> radius;               // out: local radius, mm
+    std::vector<std::int32_t> segment;       // out: strongest contributor
+    std::vector<std::uint32_t> segment_list; // scratch
+    std::vector<float> local;                // scratch: segment starts relative to origin
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
     void clear();
@@ -56,8 +56,8 @@ struct Projection {
 // Returns the number of kernel evaluations it took.
 std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32_t> list, Projection& points);
 
-// Bounds of F over the ball around `centre`, from the segments in `list`; `kept` receives those of the list whose support
-// reaches the ball, in order. `centre` is relative to `field_origin`, to which `relative` starts refer.
+// Bounds of F over the ball around `centre`, from the segments in `list`; `kept` receives those of the list whose
+// support reaches the ball, in order. `centre` is relative to `field_origin`, to which `relative` starts refer.
 struct Bounds {
     float lower = 0.0F;
     float upper = 0.0F;

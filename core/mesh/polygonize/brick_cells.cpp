@@ -1,5 +1,6 @@
 #include "core/mesh/polygonize/brick_cells.h"
 
+#include "core/base/huge_pages.h"
 #include "core/mesh/polygonize/brick_sampler.h"
 
 #include <bit>
@@ -83,8 +84,8 @@ void append_projected(const field::ConvolutionField& field, std::span<const std:
 SurfaceCells fill_bricks(const field::ConvolutionField& field, const BrickSet& set, Job& job) {
     SurfaceCells surface;
     const std::size_t count = set.bricks.size();
-    surface.neighbours.resize(count);
-    surface.cells.resize(count);
+    resize_large(surface.neighbours, count);
+    resize_large(surface.cells, count);
     surface.chunks.resize((count + kChunkBricks - 1) / kChunkBricks);
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, surface.chunks.size(), [&](std::size_t c) {
@@ -92,7 +93,8 @@ SurfaceCells fill_bricks(const field::ConvolutionField& field, const BrickSet& s
         thread_local BrickSampler sampler;
         for (std::size_t index = c * kChunkBricks; index < std::min(count, (c + 1) * kChunkBricks); ++index) {
             surface.neighbours[index] = find_neighbours(set, static_cast<std::uint32_t>(index));
-            sampler.fill(field, set, set.bricks[index], surface.neighbours[index], surface.cells[index], surface.chunks[c]);
+            sampler.fill(field, set, set.bricks[index], surface.neighbours[index], surface.cells[index],
+                         surface.chunks[c]);
         }
         job.report(0.15F + 0.65F * static_cast<float>(++done) / static_cast<float>(surface.chunks.size()));
     });

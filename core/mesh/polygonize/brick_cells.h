@@ -1,5 +1,5 @@
-// What the surface does inside each brick: the sign pattern of its cells, the vertices of their loops, and where to find
-// them from outside. Filled brick by brick (fill_bricks), read by the pass that joins vertices into triangles.
+// What the surface does inside each brick: the sign pattern of its cells, the vertices of their loops, and where to
+// find them from outside. Filled brick by brick (fill_bricks), read by the pass that joins vertices into triangles.
 #pragma once
 
 #include "core/mesh/polygonize/brick_set.h"
@@ -66,12 +66,12 @@ inline constexpr std::array<GridBits, 3> kEdgeStarts{grid_points_below(4, 5, 5),
 inline constexpr GridBits kCellCorners = grid_points_below(4, 4, 4);
 
 struct BrickCells {
-    std::array<std::uint8_t, kCellsPerBrick> mask{};         // corner signs of each cell
-    std::array<std::uint16_t, kCellsPerBrick> first{};       // first vertex of each cell within the brick, or kNoVertex
-    std::array<std::uint64_t, 2> inside{};                   // sign of each of the 125 grid points
-    std::uint64_t recorded = 0;                              // bit per cell: described by a record
-    std::uint32_t first_record = 0;                          // in the chunk
-    std::uint32_t first_vertex = 0;                          // in the chunk, later in the mesh
+    std::array<std::uint8_t, kCellsPerBrick> mask{};   // corner signs of each cell
+    std::array<std::uint16_t, kCellsPerBrick> first{}; // first vertex of each cell within the brick, or kNoVertex
+    std::array<std::uint64_t, 2> inside{};             // sign of each of the 125 grid points
+    std::uint64_t recorded = 0;                        // bit per cell: described by a record
+    std::uint32_t first_record = 0;                    // in the chunk
+    std::uint32_t first_vertex = 0;                    // in the chunk, later in the mesh
     bool crossed = false;
 
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
@@ -94,14 +94,17 @@ struct SurfaceCells {
     std::vector<BrickCells> cells;         // by brick
     std::vector<BrickChunk> chunks;
 
-    [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const { return (cells[brick].recorded >> cell & 1U) != 0; }
+    [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
+        return (cells[brick].recorded >> cell & 1U) != 0;
+    }
     [[nodiscard]] const CellRecord& record(std::uint32_t brick, int cell) const;
     // Vertex (within the mesh once first_vertex is) of the loop through a minimal edge, named by its midpoint.
     [[nodiscard]] std::uint32_t vertex(std::uint32_t brick, int cell, int edge_midpoint) const;
     [[nodiscard]] std::uint32_t vertex_of_whole_edge(std::uint32_t brick, int cell, int edge) const;
 };
 
-// Samples every brick, finds the loops of its cells and places their vertices on the surface. Incomplete when cancelled.
+// Samples every brick, finds the loops of its cells and places their vertices on the surface. Incomplete when
+// cancelled.
 [[nodiscard]] SurfaceCells fill_bricks(const field::ConvolutionField& field, const BrickSet& set, Job& job);
 
 // Moves the points of a brick's `projection` onto the surface and appends them to the chunk's vertices.

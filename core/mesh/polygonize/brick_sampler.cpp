@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kPointsPerFineStep = 2; // the lattice axes run in quarter cells
 
-// Half the box around a cell's centre, in cells, that its vertex must stay in. A little beyond the cell: where the mean of
-// the crossings lies off a bent surface the nearest point of it may be just outside.
+// Half the box around a cell's centre, in cells, that its vertex must stay in. A little beyond the cell: where the mean
+// of the crossings lies off a bent surface the nearest point of it may be just outside.
 constexpr float kVertexReach = 0.62F;
 
 // ln F is nearly quadratic in the distance from the axis, so linear interpolation in it lands close to the surface.
@@ -57,8 +57,7 @@ std::uint64_t cells_beside_finer(const Neighbourhood& neighbours) {
 GridBits spread(std::uint64_t cells) {
     GridBits bits = 0;
     for (int z = 0; z < kBrickCells && cells != 0; ++z)
-        for (int y = 0; y < kBrickCells; ++y)
-            bits |= GridBits{cells >> (4 * y + 16 * z) & 15U} << (5 * y + 25 * z);
+        for (int y = 0; y < kBrickCells; ++y) bits |= GridBits{cells >> (4 * y + 16 * z) & 15U} << (5 * y + 25 * z);
     return bits;
 }
 
@@ -78,8 +77,8 @@ std::uint64_t cells_touching(int x, int y, int z) {
     return cells;
 }
 
-// The inside of a face or an edge of the brick: its possible hanging corners (in quarter cells), and the directions whose
-// being finer makes them real.
+// The inside of a face or an edge of the brick: its possible hanging corners (in quarter cells), and the directions
+// whose being finer makes them real.
 struct HangingRegion {
     std::vector<int> directions;
     std::vector<field::LatticePoint> points;
@@ -99,7 +98,9 @@ const std::vector<HangingRegion>& hanging_regions() {
             }
             constexpr int kLast = 2 * kBrickCells; // half cells
             const auto range = [&](int axis) {
-                return direction[axis] == 0 ? std::pair(1, kLast - 1) : direction[axis] < 0 ? std::pair(0, 0) : std::pair(kLast, kLast);
+                return direction[axis] == 0  ? std::pair(1, kLast - 1)
+                       : direction[axis] < 0 ? std::pair(0, 0)
+                                             : std::pair(kLast, kLast);
             };
             for (int z = range(2).first; z <= range(2).second; ++z)
                 for (int y = range(1).first; y <= range(1).second; ++y)
@@ -182,7 +183,8 @@ void BrickSampler::sample_hanging(const field::ConvolutionField& field, std::spa
 
 bool BrickSampler::is_crossed(const BrickCells& cells) const {
     const bool none = cells.inside[0] == 0 && cells.inside[1] == 0;
-    const bool all = cells.inside[0] == ~std::uint64_t{0} && cells.inside[1] == (std::uint64_t{1} << (field::kGridPoints - 64)) - 1;
+    const bool all =
+        cells.inside[0] == ~std::uint64_t{0} && cells.inside[1] == (std::uint64_t{1} << (field::kGridPoints - 64)) - 1;
     if (!none && !all) return true;
     return half_crossed_ != 0;
 }
@@ -212,7 +214,8 @@ CellShape BrickSampler::shape_of(int x, int y, int z, const Neighbourhood& neigh
                 int d[3] = {0, 0, 0};
                 d[u] = (m & 1) != 0 ? du : 0;
                 d[v] = (m & 2) != 0 ? dv : 0;
-                if ((d[u] != 0 || d[v] != 0) && finer(d[0], d[1], d[2])) shape.split_edges |= static_cast<std::uint16_t>(1 << edge);
+                if ((d[u] != 0 || d[v] != 0) && finer(d[0], d[1], d[2]))
+                    shape.split_edges |= static_cast<std::uint16_t>(1 << edge);
             }
         }
     }
@@ -265,7 +268,8 @@ void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<c
         const CellShape shape = shape_of(x, y, z, neighbours);
         const std::size_t first = points_.size();
         CellLoops loops = trace_loops(shape, [&](int centre) {
-            points_.push_back({static_cast<std::uint8_t>(4 * x + centre % 5), static_cast<std::uint8_t>(4 * y + centre / 5 % 5),
+            points_.push_back({static_cast<std::uint8_t>(4 * x + centre % 5),
+                               static_cast<std::uint8_t>(4 * y + centre / 5 % 5),
                                static_cast<std::uint8_t>(4 * z + centre / 25)});
             return false;
         });
@@ -365,7 +369,9 @@ void BrickSampler::add_recorded_vertices(int x, int y, int z, const CellLoops& l
         int b[3] = {c[0], c[1], c[2]};
         a[axis] -= step;
         b[axis] += step;
-        const auto fine = [&](const int* p) { return fine_index(2 * x + p[0] / 2, 2 * y + p[1] / 2, 2 * z + p[2] / 2); };
+        const auto fine = [&](const int* p) {
+            return fine_index(2 * x + p[0] / 2, 2 * y + p[1] / 2, 2 * z + p[2] / 2);
+        };
         const auto place = [&](const int* p) { return glm::vec3(x, y, z) + 0.25F * glm::vec3(p[0], p[1], p[2]); };
         at[static_cast<std::size_t>(m)] = crossing(fine(a), fine(b), place(a), place(b));
         sum[loop] += at[static_cast<std::size_t>(m)];

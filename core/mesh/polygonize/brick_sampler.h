@@ -1,6 +1,6 @@
 // BrickSampler: the work on one brick. It samples the field at the brick's grid points, and where finer bricks touch it
-// at their corners too; then it traces the cells' loops and places a vertex for each. Holds scratch memory only: one per
-// thread, reused from brick to brick.
+// at their corners too; then it traces the cells' loops and places a vertex for each. Holds scratch memory only: one
+// per thread, reused from brick to brick.
 #pragma once
 
 #include "core/mesh/polygonize/brick_cells.h"
@@ -35,7 +35,7 @@ private:
 
     float isovalue_ = 0.0F;
     float cell_mm_ = 0.0F;
-    bool hanging_ = false; // some finer brick touches this one
+    bool hanging_ = false;           // some finer brick touches this one
     std::uint64_t half_crossed_ = 0; // cells at a hanging corner that differs from the cell's own
     field::LatticeAxes axes_{};
     alignas(64) std::array<float, field::kGridStride> values_{};

@@ -162,16 +162,19 @@ BrickSet::Cube& BrickSet::insert(glm::ivec3 corner, int level, bool& is_new) {
 }
 
 void BrickSet::build_index() {
-    // Only what a neighbour one level finer, equal or coarser can meet: each brick's parent, the parent's mark in its own
-    // parent, and the brick itself where it lies beside smaller ones, which cannot be known here, so always.
+    // Only what a neighbour one level finer, equal or coarser can meet: each brick's parent, the parent's mark in its
+    // own parent, and the brick itself where it lies beside smaller ones, which cannot be known here, so always.
     slots_.assign(std::bit_ceil(bricks.size() * 4 + 64), kNone);
     cubes_.clear();
     cubes_.reserve(bricks.size() * 3 / 2 + 16);
     const auto child_of = [](glm::ivec3 corner, int level) {
         const int bit = 4 + level;
-        return static_cast<std::size_t>((corner.x >> bit & 1) | (corner.y >> bit & 1) << 1 | (corner.z >> bit & 1) << 2);
+        return static_cast<std::size_t>((corner.x >> bit & 1) | (corner.y >> bit & 1) << 1 |
+                                        (corner.z >> bit & 1) << 2);
     };
-    const auto parent_corner = [](glm::ivec3 corner, int level) { return corner & glm::ivec3(~(2 * brick_units(level) - 1)); };
+    const auto parent_corner = [](glm::ivec3 corner, int level) {
+        return corner & glm::ivec3(~(2 * brick_units(level) - 1));
+    };
     for (std::uint32_t index = 0; index < bricks.size(); ++index) {
         const Brick& brick = bricks[index];
         bool is_new = false;

@@ -38,9 +38,9 @@ public:
 
     // A cube of the octree, as seen by bricks beside it: a brick itself, or the parent of bricks and of finer cubes.
     struct Cube {
-        std::uint64_t key = 0;                  // place and level, packed
-        std::uint32_t brick = kNone;            // the brick it is, if any
-        std::array<std::uint32_t, 8> children;  // bricks, kNone (free of surface or never reached) or kFiner
+        std::uint64_t key = 0;                 // place and level, packed
+        std::uint32_t brick = kNone;           // the brick it is, if any
+        std::array<std::uint32_t, 8> children; // bricks, kNone (free of surface or never reached) or kFiner
     };
     static constexpr std::uint32_t kFiner = 0xFFFFFFFEU; // a child that is split again
     // The cube with this corner and level, or nothing where there is no surface (or one of another level).
@@ -53,13 +53,13 @@ private:
     std::vector<std::uint32_t> slots_; // open addressing into cubes_, power of two
 };
 
-// Splits space around the field's supports until every brick's cells are as small as `sizing` asks, dropping what bounds
-// of the field prove to be wholly inside or outside. Empty when cancelled.
+// Splits space around the field's supports until every brick's cells are as small as `sizing` asks, dropping what
+// bounds of the field prove to be wholly inside or outside. Empty when cancelled.
 [[nodiscard]] BrickSet build_bricks(const field::ConvolutionField& field, const field::CullingArrays& culling,
                                     const Sizing& sizing, Job& job);
 
-// How often the finest cell fits into the box around the field, in powers of two; beyond kMaximumLevels the lattice would
-// leave the range of its integers.
+// How often the finest cell fits into the box around the field, in powers of two; beyond kMaximumLevels the lattice
+// would leave the range of its integers.
 [[nodiscard]] int levels_needed(const field::ConvolutionField& field, const Sizing& sizing);
 inline constexpr int kMaximumLevels = 18;
 

@@ -31,7 +31,9 @@ std::array<EdgeGeometry, 12> make_edges() {
             to.c[axis] = 1;
             Point3 mid{{4 * from.c[0], 4 * from.c[1], 4 * from.c[2]}};
             mid.c[axis] = 2;
-            const auto corner = [](const Point3& p) { return static_cast<std::uint8_t>(p.c[0] + 2 * p.c[1] + 4 * p.c[2]); };
+            const auto corner = [](const Point3& p) {
+                return static_cast<std::uint8_t>(p.c[0] + 2 * p.c[1] + 4 * p.c[2]);
+            };
             edges[static_cast<std::size_t>(4 * axis + side)] = {corner(from), corner(to),
                                                                 static_cast<std::uint8_t>(index_of(mid))};
         }
@@ -99,10 +101,10 @@ struct Arc {
     bool shared; // one of several on a whole face
 };
 
-// Pairs up the crossings of one ring. Crossings alternate between leaving and entering the inside; with four or more the
-// centre decides whether the inside or the outside is connected across the face.
-void add_arcs(const CellShape& shape, const Ring& ring, const std::function<bool(int)>& inside_at, std::array<Arc, 48>& arcs,
-              int& arc_count) {
+// Pairs up the crossings of one ring. Crossings alternate between leaving and entering the inside; with four or more
+// the centre decides whether the inside or the outside is connected across the face.
+void add_arcs(const CellShape& shape, const Ring& ring, const std::function<bool(int)>& inside_at,
+              std::array<Arc, 48>& arcs, int& arc_count) {
     std::array<std::uint8_t, 8> edge{};
     std::array<bool, 8> leaving{};
     int crossings = 0;
@@ -132,20 +134,23 @@ std::array<CornerCase, 256> make_corner_cases() {
         CornerCase& entry = cases[mask];
         CellShape shape;
         for (unsigned corner = 0; corner < 8; ++corner)
-            if (mask >> corner & 1U) shape.inside |= 1U << (2 * (corner & 1) + 6 * (corner >> 1 & 1) + 18 * (corner >> 2));
+            if (mask >> corner & 1U)
+                shape.inside |= 1U << (2 * (corner & 1) + 6 * (corner >> 1 & 1) + 18 * (corner >> 2));
         bool ambiguous = false;
         const CellLoops loops = trace_loops(shape, [&](int centre) {
             ambiguous = true;
             const int c[3] = {centre % 5, centre / 5 % 5, centre / 25};
             for (int axis = 0; axis < 3; ++axis)
-                if (c[axis] != 2) entry.ambiguous_faces |= static_cast<std::uint8_t>(1 << (2 * axis + (c[axis] == 4 ? 1 : 0)));
+                if (c[axis] != 2)
+                    entry.ambiguous_faces |= static_cast<std::uint8_t>(1 << (2 * axis + (c[axis] == 4 ? 1 : 0)));
             return false;
         });
         if (ambiguous) continue;
         entry.loop_count = static_cast<std::uint8_t>(loops.loop_count);
         for (std::size_t e = 0; e < 12; ++e) {
             entry.loop_of_edge[e] = loops.loop_of[kEdges[e].midpoint];
-            if (entry.loop_of_edge[e] != kNoLoop) entry.crossed_edges[entry.edge_count++] = static_cast<std::uint8_t>(e);
+            if (entry.loop_of_edge[e] != kNoLoop)
+                entry.crossed_edges[entry.edge_count++] = static_cast<std::uint8_t>(e);
         }
     }
     return cases;
@@ -161,13 +166,15 @@ CellLoops trace_loops(const CellShape& shape, const std::function<bool(int)>& in
     collect_rings(shape, rings, ring_count);
     std::array<Arc, 48> arcs;
     int arc_count = 0;
-    for (int n = 0; n < ring_count; ++n) add_arcs(shape, rings[static_cast<std::size_t>(n)], inside_at, arcs, arc_count);
+    for (int n = 0; n < ring_count; ++n)
+        add_arcs(shape, rings[static_cast<std::size_t>(n)], inside_at, arcs, arc_count);
 
     // Every crossed edge lies on two minimal faces, so it ends two arcs.
     std::array<std::array<std::int8_t, 2>, kQuarterPoints> ends;
     for (auto& pair : ends) pair = {-1, -1};
     for (int n = 0; n < arc_count; ++n) {
-        for (const std::uint8_t edge : {arcs[static_cast<std::size_t>(n)].first, arcs[static_cast<std::size_t>(n)].second}) {
+        for (const std::uint8_t edge :
+             {arcs[static_cast<std::size_t>(n)].first, arcs[static_cast<std::size_t>(n)].second}) {
             auto& pair = ends[edge];
             assert(pair[1] == -1);
             pair[pair[0] == -1 ? 0 : 1] = static_cast<std::int8_t>(n);

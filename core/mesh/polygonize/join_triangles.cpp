@@ -1,10 +1,11 @@
 #include "core/mesh/polygonize/join_triangles.h"
 
-#include <glm/vec4.hpp>
+#include "core/base/huge_pages.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <oneapi/tbb/parallel_for.h>
 #include <utility>
 
@@ -32,7 +33,8 @@ struct JoinedChunk {
 
 class Joiner {
 public:
-    Joiner(const field::ConvolutionField& field, const BrickSet& set, const SurfaceCells& surface, const TriangleMesh& mesh)
+    Joiner(const field::ConvolutionField& field, const BrickSet& set, const SurfaceCells& surface,
+           const TriangleMesh& mesh)
         : field_(field), set_(set), surface_(surface), mesh_(mesh) {}
 
     void join_brick(std::uint32_t index, JoinedChunk& out) {
@@ -75,7 +77,8 @@ private:
                         v[q] = cells.first_vertex + cells.first[cell] +
                                kCornerCases[cells.mask[cell]].loop_of_edge[static_cast<std::size_t>(kEdge[q])];
                     }
-                    emit_quad(first_inside ? glm::uvec4(v[0], v[1], v[2], v[3]) : glm::uvec4(v[3], v[2], v[1], v[0]), out);
+                    emit_quad(first_inside ? glm::uvec4(v[0], v[1], v[2], v[3]) : glm::uvec4(v[3], v[2], v[1], v[0]),
+                              out);
                     continue;
                 }
             }
@@ -167,7 +170,8 @@ private:
         glm::ivec3 middle = own.corner + point * size;
         middle[axis] += size / 2;
         const glm::ivec3 covered = (own.corner + cell * size - other.corner) >> glm::ivec3(other.level + 2);
-        const glm::ivec3 quarter = (middle - other.corner - covered * cell_units(other.level)) >> glm::ivec3(other.level);
+        const glm::ivec3 quarter =
+            (middle - other.corner - covered * cell_units(other.level)) >> glm::ivec3(other.level);
         Around entry;
         entry.brick = brick;
         entry.cell = cell_index(covered.x, covered.y, covered.z);
@@ -208,7 +212,8 @@ private:
         return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
     }
 
-    void emit(std::span<const Around> ring, int level, int axis, JoinedChunk& out, std::uint32_t index, glm::ivec3 point) {
+    void emit(std::span<const Around> ring, int level, int axis, JoinedChunk& out, std::uint32_t index,
+              glm::ivec3 point) {
         const bool any_record = std::ranges::any_of(ring, [](const Around& a) { return a.recorded; });
         if (any_record) {
             std::array<std::uint32_t, 8> polygon{};
@@ -245,11 +250,14 @@ private:
         }
     }
 
-    // Of the two diagonals of a quad, the better: none of its triangles may face away from the surface, and then the one
-    // that stays closer to it. A chord's distance from the surface is its length times the turn of the normal, over 8.
+    // Of the two diagonals of a quad, the better: none of its triangles may face away from the surface, and then the
+    // one that stays closer to it. A chord's distance from the surface is its length times the turn of the normal,
+    // over 8.
     [[nodiscard]] bool prefers_02(glm::uvec4 v) const {
-        const glm::vec3 p0 = mesh_.positions[v[0]], p1 = mesh_.positions[v[1]], p2 = mesh_.positions[v[2]], p3 = mesh_.positions[v[3]];
-        const glm::vec3 n0 = mesh_.normals[v[0]], n1 = mesh_.normals[v[1]], n2 = mesh_.normals[v[2]], n3 = mesh_.normals[v[3]];
+        const glm::vec3 p0 = mesh_.positions[v[0]], p1 = mesh_.positions[v[1]], p2 = mesh_.positions[v[2]],
+                        p3 = mesh_.positions[v[3]];
+        const glm::vec3 n0 = mesh_.normals[v[0]], n1 = mesh_.normals[v[1]], n2 = mesh_.normals[v[2]],
+                        n3 = mesh_.normals[v[3]];
         const glm::vec3 d02 = p2 - p0;
         const glm::vec3 d13 = p3 - p1;
         const glm::vec3 facing = n0 + n1 + n2 + n3;
@@ -281,7 +289,8 @@ private:
 
     // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
     // coincide with another polygon's.
-    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedChunk& out, std::uint32_t index, glm::ivec3 point) {
+    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedChunk& out, std::uint32_t index,
+                  glm::ivec3 point) {
         const Brick& brick = set_.bricks[index];
         const auto cell = static_cast<float>(set_.lattice.cell_mm(brick.level));
         field::Projection projection;
@@ -312,16 +321,17 @@ void copy_vertices(const BrickChunk& from, std::size_t first, TriangleMesh& mesh
 }
 
 void resize_vertices(TriangleMesh& mesh, std::size_t count) {
-    mesh.positions.resize(count);
-    mesh.normals.resize(count);
-    mesh.radii.resize(count);
-    mesh.branches.resize(count);
+    resize_large(mesh.positions, count);
+    resize_large(mesh.normals, count);
+    resize_large(mesh.radii, count);
+    resize_large(mesh.branches, count);
 }
 
 // Gathers the chunks' vertices into the mesh and turns the bricks' first vertices into indices of the mesh.
 void gather_vertices(SurfaceCells& surface, TriangleMesh& mesh) {
     std::vector<std::size_t> first(surface.chunks.size() + 1, 0);
-    for (std::size_t c = 0; c < surface.chunks.size(); ++c) first[c + 1] = first[c] + surface.chunks[c].positions.size();
+    for (std::size_t c = 0; c < surface.chunks.size(); ++c)
+        first[c + 1] = first[c] + surface.chunks[c].positions.size();
     resize_vertices(mesh, first.back());
     tbb::parallel_for(std::size_t{0}, surface.chunks.size(), [&](std::size_t c) {
         BrickChunk& chunk = surface.chunks[c];
@@ -354,8 +364,8 @@ TriangleMesh join_triangles(const field::ConvolutionField& field, const BrickSet
         first_triangle[c + 1] = first_triangle[c] + joined[c].triangles.size();
         first_added[c + 1] = first_added[c] + joined[c].added.positions.size();
     }
-    mesh.triangles.resize(first_triangle.back());
-    resize_vertices(mesh, first_added.back());
+    resize_large(mesh.triangles, first_triangle.back());
+    if (first_added.back() > mesh.positions.size()) resize_vertices(mesh, first_added.back());
     tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t c) {
         copy_vertices(joined[c].added, first_added[c], mesh);
         auto out = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first_triangle[c]);

@@ -36,7 +36,8 @@ Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const Poly
                         " million triangles, more than memory holds",
                     {}, remedy);
     if (bricks::levels_needed(field, sizing) > bricks::kMaximumLevels)
-        return fail("the thinnest vessel is too thin for the tree's extent", {}, "scale or prune the tree, or set --cell");
+        return fail("the thinnest vessel is too thin for the tree's extent", {},
+                    "scale or prune the tree, or set --cell");
 
     PolygonizeStatistics figures;
     auto start = std::chrono::steady_clock::now();

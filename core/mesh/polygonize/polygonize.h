@@ -1,11 +1,12 @@
-// The convolution surface as a triangle mesh: closed, oriented, edge- and vertex-manifold, with triangles as small as the
-// local vessel needs, vertices on the isosurface, normals from the field's gradient, and the dominating branch and local
-// radius at each vertex.
+// The convolution surface as a triangle mesh: closed, oriented, edge- and vertex-manifold, with triangles as small as
+// the local vessel needs, vertices on the isosurface, normals from the field's gradient, and the dominating branch and
+// local radius at each vertex.
 //
-// The road: brick_set (which cubes of space the surface may cross, and how fine) -> brick_cells (samples, loops, vertices)
-// -> join_triangles. Every step works brick by brick in a fixed order, so the result has the same bits for any number of
-// threads. Not promised: that the surface has no handles where vessels pass closer than a cell, nor that triangles of
-// different sheets never intersect there.
+// The road: brick_set (which cubes of space the surface may cross, and how fine) -> brick_cells (samples, loops,
+// vertices)
+// -> join_triangles. Every step works brick by brick in a fixed order, so the result has the same bits for any number
+// of threads. Not promised: that the surface has no handles where vessels pass closer than a cell, nor that triangles
+// of different sheets never intersect there.
 #pragma once
 
 #include "core/base/error.h"
@@ -18,8 +19,8 @@
 namespace ramus::mesh {
 
 struct PolygonizeOptions {
-    int detail = 16;      // cells around a vessel
-    double cell_mm = 0.0; // > 0: one cell size everywhere instead
+    int detail = 16;            // cells around a vessel
+    double cell_mm = 0.0;       // > 0: one cell size everywhere instead
     double max_triangles = 0.0; // refuse what is forecast to be more; 0 = what half the machine's memory holds
 };
 
@@ -30,7 +31,7 @@ struct PolygonizeStatistics {
 };
 
 // Fails when the options ask for more than memory holds or finer cells than the lattice can count, or when cancelled.
-[[nodiscard]] Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const PolygonizeOptions& options, Job& job,
-                                              PolygonizeStatistics* statistics = nullptr);
+[[nodiscard]] Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const PolygonizeOptions& options,
+                                              Job& job, PolygonizeStatistics* statistics = nullptr);
 
 } // namespace ramus::mesh

@@ -9,9 +9,12 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr float kSlope = 0.14F;          // below 1 / (4 sqrt 3), see the proof
-constexpr double kReachRadii = 1.4;      // how far a vessel's own surface and its blends extend, in radii (width 5)
-constexpr double kPieceRatio = 1.2;      // radii within a piece differ by no more
+constexpr float kSlope = 0.14F;     // below 1 / (4 sqrt 3), see the proof
+constexpr double kReachRadii = 1.4; // how far a vessel's own surface and its blends extend, in radii (width 5)
+constexpr double kPieceRatio = 1.2; // radii within a piece differ by no more
+// Cell sizes are powers of two apart: the nearest to what is asked for is taken, so up to this much more. Cells around
+// the thinnest vessel are exactly as asked.
+constexpr double kRounding = 1.4142135623730951;
 constexpr float kSqrt3Half = 0.8660254F;
 
 } // namespace
@@ -29,20 +32,21 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
         const glm::dvec3 direction(s.ux[i], s.uy[i], s.uz[i]);
         const glm::dvec3 start = glm::dvec3(s.ax[i], s.ay[i], s.az[i]) - origin;
         const double ratio = std::max(r0, r1) / std::min(r0, r1);
-        const int count = cell_mm > 0.0 ? 1 : std::max(1, static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio))));
+        const int count =
+            cell_mm > 0.0 ? 1 : std::max(1, static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio))));
         for (int n = 0; n < count; ++n) {
             const double t0 = length * n / count;
             const double t1 = length * (n + 1) / count;
             const double ra = r0 + s.slope[i] * t0;
             const double rb = r0 + s.slope[i] * t1;
             const double cell = cell_mm > 0.0 ? cell_mm : cells_per_radius * std::min(ra, rb);
-            // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each, and cells up to twice
-            // as small as asked for.
-            sizing.expected_triangles += 3.0 * std::numbers::pi * (ra + rb) * (t1 - t0) / (cell * cell) * 2.0;
+            // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each.
+            sizing.expected_triangles += 3.0 * std::numbers::pi * (ra + rb) * (t1 - t0) / (cell * cell);
             if (cell_mm > 0.0) continue;
             sizing.finest_cell_mm = std::min(sizing.finest_cell_mm, cell);
-            sizing.pieces.push_back({glm::vec3(start + direction * t0), glm::vec3(direction), static_cast<float>(t1 - t0),
-                                     static_cast<float>(cell), static_cast<float>(reach_radii * std::max(ra, rb))});
+            sizing.pieces.push_back({glm::vec3(start + direction * t0), glm::vec3(direction),
+                                     static_cast<float>(t1 - t0), static_cast<float>(kRounding * cell),
+                                     static_cast<float>(reach_radii * std::max(ra, rb))});
         }
     }
     return sizing;

@@ -3,9 +3,9 @@
 // the octree comes out balanced without a pass that balances it, and a brick depends on what is near it alone.
 //
 // Proof of balance. For a cube of edge s (a brick: cells s / 4) with centre c let g = min over pieces of
-// h_i + slope max(0, dist(c, axis_i) - reach_i - sqrt(3)/2 s). A brick stays whole when s / 4 <= g. For a cube of edge s / 2
-// that touches it the centres are at most sqrt(3) 3/4 s apart, so g changes by at most slope sqrt(3)/2 s between the two;
-// with slope <= 1 / (4 sqrt 3) = 0.1443 the smaller one has g >= s / 8 and stays whole as well.
+// h_i + slope max(0, dist(c, axis_i) - reach_i - sqrt(3)/2 s). A brick stays whole when s / 4 <= g. For a cube of edge
+// s / 2 that touches it the centres are at most sqrt(3) 3/4 s apart, so g changes by at most slope sqrt(3)/2 s between
+// the two; with slope <= 1 / (4 sqrt 3) = 0.1443 the smaller one has g >= s / 8 and stays whole as well.
 #pragma once
 
 #include "core/field/convolution_field.h"
@@ -31,7 +31,8 @@ struct Sizing {
     double expected_triangles = 0.0; // a rough forecast, for refusing what cannot fit
 };
 
-// detail: cells around a vessel; cell_mm > 0 overrides it with one size everywhere. `origin`: what pieces are relative to.
+// detail: cells around a vessel; cell_mm > 0 overrides it with one size everywhere. `origin`: what pieces are relative
+// to.
 [[nodiscard]] Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm);
 
 // Of `pieces`, those that ask a brick at `centre` with edge `side_mm` for cells smaller than its own.
