@@ -32,7 +32,7 @@ struct DrawStatistics {
 
 // The largest picture: neither side beyond kLargestSide, nor more than kLargestArea pixels.
 inline constexpr int kLargestSide = 16384;
-inline constexpr std::int64_t kLargestArea = 64 * 1024 * 1024;
+inline constexpr std::int64_t kLargestArea = 36 * 1024 * 1024;
 [[nodiscard]] Result<void> check_size(std::int64_t width, std::int64_t height);
 
 inline constexpr int kPickRadius = 4; // pixels (times Frame::pixel_ratio) that a thin vessel may be missed by

@@ -1,0 +1,135 @@
+#include "render/image.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <png.h>
+#include <span>
+#include <system_error>
+#include <unistd.h>
+
+namespace ramus::render {
+
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+constexpr std::uint32_t kLargestPngSide = 32768;
+
+// Written beside its place and renamed, so that no half picture is ever there.
+Result<void> write_whole_file(const std::filesystem::path& path, std::span<const char> bytes) {
+    const std::filesystem::path beside = path.string() + ".part" + std::to_string(getpid());
+    const auto refuse = [&](const std::string& what) {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
+        return fail(what + " (" + std::strerror(errno) + ")", path.string(),
+                    "check the folder, its permissions and the space left");
+    };
+    File file(std::fopen(beside.c_str(), "wb"));
+    if (!file) return refuse("cannot be written");
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+    const bool closed = std::fclose(file.release()) == 0;
+    if (!written || !closed) return refuse("could not be written whole");
+    if (std::rename(beside.c_str(), path.c_str()) != 0) return refuse("could not be put in place");
+    return {};
+}
+
+// A channel as seen over black.
+int premultiplied(const std::uint8_t* pixel, int channel) {
+    return channel == 3 ? pixel[3] : (pixel[channel] * pixel[3] + 127) / 255;
+}
+
+int largest_difference(const std::uint8_t* a, const std::uint8_t* b) {
+    int largest = 0;
+    for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(premultiplied(a, c) - premultiplied(b, c)));
+    return largest;
+}
+
+} // namespace
+
+Result<Image> read_png(const std::filesystem::path& path) {
+    const File file(std::fopen(path.c_str(), "rb"));
+    if (!file) return fail("cannot be opened", path.string(), "check the path");
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    const auto refuse = [&] {
+        std::string message = png.message;
+        png_image_free(&png);
+        return fail("not a PNG picture (" + message + ")", path.string(), "give a PNG file");
+    };
+    if (png_image_begin_read_from_stdio(&png, file.get()) == 0) return refuse();
+    if (png.width > kLargestPngSide || png.height > kLargestPngSide) {
+        png_image_free(&png);
+        return fail("picture is too large", path.string(), "give one of at most 32768 pixels a side");
+    }
+    png.format = PNG_FORMAT_RGBA;
+    Image image(static_cast<int>(png.width), static_cast<int>(png.height));
+    if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) return refuse();
+    return image;
+}
+
+Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+    if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+        return fail("is a folder", path.string(), "name a file to write");
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(image.width);
+    png.height = static_cast<png_uint_32>(image.height);
+    png.format = PNG_FORMAT_RGBA;
+    png_alloc_size_t bytes = 0;
+    if (png_image_write_get_memory_size(png, bytes, 0, image.rgba.data(), 0, nullptr) == 0)
+        return fail(std::string("the picture could not be encoded: ") + png.message, path.string());
+    std::vector<char> encoded(bytes);
+    if (png_image_write_to_memory(&png, encoded.data(), &bytes, 0, image.rgba.data(), 0, nullptr) == 0)
+        return fail(std::string("the picture could not be encoded: ") + png.message, path.string());
+    return write_whole_file(path, {encoded.data(), bytes});
+}
+
+Result<Comparison> compare(const Image& actual, const Image& reference, int threshold) {
+    if (actual.width != reference.width || actual.height != reference.height)
+        return fail(
+            "the picture has " + std::to_string(actual.width) + "x" + std::to_string(actual.height) +
+                " pixels, the reference " + std::to_string(reference.width) + "x" + std::to_string(reference.height),
+            {}, "render with --size " + std::to_string(reference.width) + "x" + std::to_string(reference.height));
+    Comparison result;
+    result.pixels = actual.rgba.size() / 4;
+    for (std::size_t i = 0; i < actual.rgba.size(); i += 4) {
+        const int d = largest_difference(&actual.rgba[i], &reference.rgba[i]);
+        result.largest = std::max(result.largest, d);
+        result.differing += d > threshold ? 1 : 0;
+    }
+    return result;
+}
+
+Image difference(const Image& actual, const Image& reference, int threshold) {
+    Image result(std::max(actual.width, reference.width), std::max(actual.height, reference.height));
+    for (int y = 0; y < result.height; ++y) {
+        for (int x = 0; x < result.width; ++x) {
+            std::uint8_t* out = result.pixel(x, y);
+            out[3] = 255;
+            const bool in_both = x < actual.width && y < actual.height && x < reference.width && y < reference.height;
+            if (!in_both) {
+                out[0] = out[2] = 255;
+                continue;
+            }
+            const std::uint8_t* a = actual.pixel(x, y);
+            const int d = largest_difference(a, reference.pixel(x, y));
+            if (d > threshold) {
+                out[0] = 255;
+                out[1] = static_cast<std::uint8_t>(std::min(255, 2 * (d - threshold)));
+            } else {
+                const int grey = (premultiplied(a, 0) + premultiplied(a, 1) + premultiplied(a, 2)) / 6;
+                out[0] = out[1] = out[2] = static_cast<std::uint8_t>(grey);
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace ramus::render

@@ -1,0 +1,214 @@
+#include "render/overlay.h"
+
+#include "render/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kLetterSide = 64; // texels of a face's letter
+constexpr int kSubsamples = 4;  // a side: 16 rays a pixel
+
+// The six faces in RAS: outward normal, and right and up of its letter as its standard view shows it.
+struct Face {
+    char letter;
+    glm::dvec3 normal, right, up;
+    glm::dvec3 colour; // linear
+};
+const std::array<Face, 6> kFaces{{
+    {'R', {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.34, 0.20, 0.18}},
+    {'L', {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.34, 0.20, 0.18}},
+    {'A', {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0.19, 0.30, 0.21}},
+    {'P', {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0.19, 0.30, 0.21}},
+    {'S', {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.18, 0.24, 0.37}},
+    {'I', {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0.18, 0.24, 0.37}},
+}};
+
+Coverage letter_tile(char letter, const std::string& font) {
+    const Coverage drawn = draw_text(std::string(1, letter), 0.56 * kLetterSide, font);
+    int left = drawn.width, right = -1, top = drawn.height, bottom = -1;
+    for (int y = 0; y < drawn.height; ++y)
+        for (int x = 0; x < drawn.width; ++x)
+            if (drawn.at(x, y) > 8)
+                left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
+                bottom = std::max(bottom, y);
+    Coverage tile;
+    tile.width = tile.height = kLetterSide;
+    tile.values.resize(kLetterSide * kLetterSide);
+    const int dx = (left + right + 1 - kLetterSide) / 2, dy = (top + bottom + 1 - kLetterSide) / 2;
+    for (int y = 0; y < kLetterSide; ++y)
+        for (int x = 0; x < kLetterSide; ++x)
+            tile.values[static_cast<std::size_t>(y * kLetterSide + x)] = drawn.at(x + dx, y + dy);
+    return tile;
+}
+
+double sampled(const Coverage& tile, double u, double v) { // u, v in [0, 1] from the top left, linear
+    const double x = u * tile.width - 0.5, y = v * tile.height - 0.5;
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    const double fx = x - x0, fy = y - y0;
+    return ((1 - fy) * ((1 - fx) * tile.at(x0, y0) + fx * tile.at(x0 + 1, y0)) +
+            fy * ((1 - fx) * tile.at(x0, y0 + 1) + fx * tile.at(x0 + 1, y0 + 1))) /
+           255.0;
+}
+
+std::uint8_t srgb_byte(double linear) {
+    const double c = std::clamp(linear, 0.0, 1.0);
+    return static_cast<std::uint8_t>(
+        std::lround(255.0 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055)));
+}
+
+} // namespace
+
+double scale_bar_length_mm(double longest_mm) {
+    const double power = std::pow(10.0, std::floor(std::log10(longest_mm)));
+    for (const double step : {5.0, 2.0})
+        if (step * power <= longest_mm) return step * power;
+    return power;
+}
+
+std::string scale_bar_label(double length_mm) {
+    const auto text = [](double value) {
+        std::string digits = std::to_string(value);
+        while (digits.back() == '0') digits.pop_back();
+        if (digits.back() == '.') digits.pop_back();
+        return digits;
+    };
+    if (length_mm < 0.99e-3) return text(1e6 * length_mm) + " nm";
+    if (length_mm < 0.99) return text(1e3 * length_mm) + " \xb5m";
+    if (length_mm > 150.0) return text(0.1 * length_mm) + " cm";
+    return text(length_mm) + " mm";
+}
+
+Image paint_orientation_cube(const Camera& camera, int side, const std::string& font) {
+    std::array<Coverage, 6> letters;
+    for (std::size_t i = 0; i < 6; ++i) letters[i] = letter_tile(kFaces[i].letter, font);
+
+    const CameraAxes axes = axes_of(camera);
+    const glm::dvec3 light = glm::normalize(-0.35 * axes.right + 0.55 * axes.up - 0.9 * axes.forward);
+    Image image(side, side);
+    const double extent = 1.76; // half the picture in units of half the cube: a corner never leaves it
+    for (int py = 0; py < side; ++py) {
+        for (int px = 0; px < side; ++px) {
+            glm::dvec3 sum(0.0);
+            int hits = 0;
+            for (int s = 0; s < kSubsamples * kSubsamples; ++s) {
+                const double sx = px + (s % kSubsamples + 0.5) / kSubsamples,
+                             sy = py + (s / kSubsamples + 0.5) / kSubsamples;
+                const glm::dvec3 start =
+                    extent * ((2.0 * sx / side - 1.0) * axes.right + (1.0 - 2.0 * sy / side) * axes.up);
+                // Parallel rays: the nearest entry into the three slabs is the face that is seen.
+                double entry = -1e9, exit = 1e9;
+                std::size_t face = 0;
+                for (int k = 0; k < 3; ++k) {
+                    const double d = std::abs(axes.forward[k]) < 1e-12 ? 1e-12 : axes.forward[k];
+                    const double near = (-std::copysign(1.0, d) - start[k]) / d,
+                                 far = (std::copysign(1.0, d) - start[k]) / d;
+                    if (near > entry) {
+                        entry = near;
+                        face = static_cast<std::size_t>(2 * k + (d > 0.0 ? 1 : 0));
+                    }
+                    exit = std::min(exit, far);
+                }
+                if (entry > exit) continue;
+                ++hits;
+                const Face& f = kFaces[face];
+                const glm::dvec3 point = start + entry * axes.forward;
+                const double u = 0.5 + 0.5 * glm::dot(point, f.right), v = 0.5 - 0.5 * glm::dot(point, f.up);
+                const double edge = 2.0 * std::min(std::min(u, 1.0 - u), std::min(v, 1.0 - v));
+                const double lit = 0.55 + 0.60 * std::max(0.0, glm::dot(f.normal, light));
+                glm::dvec3 colour = f.colour * lit;
+                if (edge < 0.07) colour = 1.45 * colour + 0.03;
+                sum += glm::mix(colour, glm::dvec3(0.90, 0.92, 0.95) * std::min(1.0, 0.35 + 0.7 * lit),
+                                sampled(letters[face], u, v));
+            }
+            if (hits == 0) continue;
+            sum /= hits;
+            std::uint8_t* out = image.pixel(px, py);
+            for (int k = 0; k < 3; ++k) out[k] = srgb_byte(sum[k]);
+            out[3] = static_cast<std::uint8_t>(std::lround(235.0 * hits / (kSubsamples * kSubsamples)));
+        }
+    }
+    return image;
+}
+
+Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, const std::string& font) {
+    const int line = std::max(1, static_cast<int>(std::lround(1.5 * pixel_ratio))),
+              tick = std::max(3, static_cast<int>(std::lround(5.0 * pixel_ratio)));
+    const int halo = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    const int length = std::max(line, static_cast<int>(std::lround(length_pixels)));
+    const Coverage label = draw_text(scale_bar_label(length_mm), 9.5 * pixel_ratio, font);
+    const int gap = static_cast<int>(std::lround(2.0 * pixel_ratio));
+    const int width = std::max(length, label.width) + 2 * halo, height = label.height + gap + tick + line + 2 * halo;
+
+    Coverage ink;
+    ink.width = width;
+    ink.height = height;
+    ink.values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    const auto put = [&](int x, int y, std::uint8_t value) {
+        auto& old =
+            ink.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+        old = std::max(old, value);
+    };
+    const int label_left = (width - label.width) / 2, bar_left = (width - length) / 2, bar_top = height - halo - line;
+    for (int y = 0; y < label.height; ++y)
+        for (int x = 0; x < label.width; ++x) put(label_left + x, halo + y, label.at(x, y));
+    for (int x = 0; x < length; ++x)
+        for (int y = 0; y < line; ++y) put(bar_left + x, bar_top + y, 255);
+    for (int y = 0; y < tick; ++y)
+        for (int x = 0; x < line; ++x) {
+            put(bar_left + x, bar_top - y, 255);
+            put(bar_left + length - 1 - x, bar_top - y, 255);
+        }
+
+    // Light ink with a dark halo reads over vessels and over any background.
+    Image image(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            int around = 0;
+            for (int dy = -halo; dy <= halo; ++dy)
+                for (int dx = -halo; dx <= halo; ++dx) around = std::max<int>(around, ink.at(x + dx, y + dy));
+            const double light = ink.at(x, y) / 255.0, dark = 0.55 * around / 255.0,
+                         alpha = light + dark * (1.0 - light);
+            std::uint8_t* out = image.pixel(x, y);
+            for (int k = 0; k < 3; ++k)
+                out[k] =
+                    alpha > 0.0
+                        ? static_cast<std::uint8_t>(std::lround((light * 226.0 + (1.0 - light) * dark * 10.0) / alpha))
+                        : std::uint8_t{0};
+            out[3] = static_cast<std::uint8_t>(std::lround(255.0 * alpha));
+        }
+    }
+    return image;
+}
+
+std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
+    std::vector<Sprite> sprites;
+    const Overlays& o = frame.overlays;
+    const glm::ivec2 free(frame.size.x - o.inset_left - o.inset_right, frame.size.y - o.inset_top - o.inset_bottom);
+    const int least = std::min(free.x, free.y);
+    if (least < 120) return sprites;
+    const double ratio = std::clamp<double>(frame.pixel_ratio, 0.5, 8.0) * (least < 400 ? 0.8 : 1.0);
+    const int margin = static_cast<int>(std::lround(std::min(16.0 * ratio, 0.03 * least)));
+    const int bottom = frame.size.y - o.inset_bottom - margin;
+    if (o.orientation_cube) {
+        const int side = static_cast<int>(std::lround(std::min(96.0 * ratio, 0.22 * least)));
+        sprites.push_back({paint_orientation_cube(frame.camera, side, font),
+                           {frame.size.x - o.inset_right - margin - side, bottom - side}});
+    }
+    const double mm = mm_per_pixel(frame.camera, frame.size);
+    if (o.scale_bar && std::isfinite(mm) && mm > 1e-9 && mm < 1e9) {
+        const double length = scale_bar_length_mm(mm * std::min(150.0 * ratio, 0.30 * free.x));
+        Image bar = paint_scale_bar(length, length / mm, ratio, font);
+        const glm::ivec2 corner(o.inset_left + margin, bottom - bar.height);
+        sprites.push_back({std::move(bar), corner});
+    }
+    return sprites;
+}
+
+} // namespace ramus::render

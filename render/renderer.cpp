@@ -1,0 +1,585 @@
+#include "render/renderer.h"
+
+#include "render/gl_context.h"
+#include "render/gl_objects.h"
+#include "render/gpu_mesh.h"
+#include "render/overlay.h"
+#include "render/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
+#include <map>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kSamples = 4;
+constexpr int kTaps = 20, kInteractiveTaps = 9;
+constexpr double kOcclusionShare =
+    0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
+
+float linear(float srgb) { return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F); }
+glm::vec4 linear(const glm::vec3& srgb, float w) { return {linear(srgb.x), linear(srgb.y), linear(srgb.z), w}; }
+
+// The uniform blocks of view.glsl and shade.frag.
+struct ViewBlock {
+    glm::vec4 clip_to_eye{0.0F}, pixel_to_eye{0.0F}, depth_range{0.0F}, picture{0.0F};
+};
+struct LookBlock {
+    glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more;
+};
+
+Layer layer_of(BranchState state) {
+    if (state == BranchState::kHidden) return Layer::kNone;
+    return state == BranchState::kDefocused ? Layer::kGlass : Layer::kOpaque;
+}
+
+} // namespace
+
+Result<void> check_size(std::int64_t width, std::int64_t height) {
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    if (width < 1 || height < 1)
+        return fail("a picture of " + size + " pixels has no pixels", {}, "give a size such as 1600x1200");
+    if (width > kLargestSide || height > kLargestSide || width * height > kLargestArea)
+        return fail("a picture of " + size + " pixels is too large", {},
+                    "at most " + std::to_string(kLargestSide) + " pixels a side and " +
+                        std::to_string(kLargestArea / 1000000) + " million in all");
+    return {};
+}
+
+class Renderer::Impl {
+public:
+    Result<void> initialise();
+    Result<DrawStatistics> draw(const Frame& frame);
+    Image read_image() const;
+    void present(unsigned framebuffer, int x, int y) const;
+    Pick pick(double x, double y);
+    void request_pick(double x, double y);
+    std::optional<Pick> poll_pick();
+
+private:
+    // The part of the picture around a pixel that a pick looks at.
+    struct Window {
+        glm::dvec2 at{0.0};
+        int x = 0, y = 0, width = 0, height = 0; // GL's sense of y
+    };
+
+    Result<void> resize(glm::ivec2 size, int samples);
+    void make_glass_layer();
+    const GpuMesh* upload(const std::shared_ptr<const mesh::TriangleMesh>& mesh, bool& uploaded);
+    std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
+    void draw_occlusion(const Frame& frame);
+    void shade(const Frame& frame, const GpuMesh* mesh);
+    void draw_overlays(const Frame& frame);
+    void fullscreen(const Program& program) const;
+    void restore_state() const;
+    Window pick_window(double x, double y) const;
+    Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths) const;
+
+    Program geometry_, resolve_, occlude_, blur_, shade_, overlay_;
+    VertexArray no_vertices_;
+    Buffer view_block_, look_block_, branch_buffer_;
+    Texture branch_texture_;
+    std::size_t branch_capacity_ = 0;
+
+    glm::ivec2 size_{0};
+    int samples_ = 0;
+    Texture surface_, depth_, glass_surface_, glass_depth_; // multisampled
+    Texture id_normal_, opaque_depth_, picked_depth_;       // one value a pixel
+    Texture occlusion_, half_blurred_, blurred_, picture_;
+    Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
+        picture_target_;
+    bool has_glass_ = false;
+
+    struct Cached {
+        std::weak_ptr<const mesh::TriangleMesh> mesh;
+        std::unique_ptr<GpuMesh> on_gpu;
+    };
+    std::map<const mesh::TriangleMesh*, Cached> meshes_;
+
+    std::optional<Frame> last_;
+    std::vector<Layer> last_layers_;
+    ViewBlock view_;
+
+    Buffer pick_buffer_;
+    GLsizeiptr pick_buffer_size_ = 0;
+    GLsync pick_fence_ = nullptr;
+    Window pick_window_;
+    Camera pick_camera_;
+};
+
+Result<void> Renderer::Impl::initialise() {
+    const auto make = [](Program& program, std::string_view vertex, std::string_view fragment) -> Result<void> {
+        auto made = make_program(vertex, fragment);
+        if (!made) return tl::unexpected(made.error());
+        program = std::move(*made);
+        return {};
+    };
+    for (auto [program, vertex, fragment] : {std::tuple{&geometry_, "geometry.vert", "geometry.frag"},
+                                             {&resolve_, "fullscreen.vert", "resolve.frag"},
+                                             {&occlude_, "fullscreen.vert", "occlusion.frag"},
+                                             {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
+                                             {&shade_, "fullscreen.vert", "shade.frag"},
+                                             {&overlay_, "fullscreen.vert", "overlay.frag"}})
+        if (auto made = make(*program, vertex, fragment); !made) return made;
+    no_vertices_ = make_vertex_array();
+    view_block_ = make_buffer();
+    look_block_ = make_buffer();
+    glNamedBufferStorage(view_block_, sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(look_block_, sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return {};
+}
+
+Result<void> Renderer::Impl::resize(glm::ivec2 size, int samples) {
+    if (size == size_ && samples == samples_) return {};
+    if (auto fits = check_size(size.x, size.y); !fits) return fits;
+    GLint largest = 0, integer_samples = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
+    if (size.x > largest || size.y > largest)
+        return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
+                    "give a smaller size");
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    const int w = size.x, h = size.y, s = std::clamp(samples, 1, std::max(1, integer_samples));
+    surface_ = make_texture(GL_RG32UI, w, h, s);
+    depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
+    geometry_target_ = make_framebuffer({surface_}, depth_);
+    glass_surface_ = Texture();
+    glass_depth_ = Texture();
+    glass_target_ = Framebuffer();
+    if (size != size_) {
+        id_normal_ = make_texture(GL_RG32UI, w, h);
+        opaque_depth_ = make_texture(GL_R32F, w, h);
+        picked_depth_ = make_texture(GL_R32F, w, h);
+        occlusion_ = make_texture(GL_R8, w, h);
+        half_blurred_ = make_texture(GL_R8, w, h);
+        blurred_ = make_texture(GL_R8, w, h);
+        picture_ = make_texture(GL_RGBA8, w, h);
+        resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_});
+        occlusion_target_ = make_framebuffer({occlusion_});
+        half_blur_target_ = make_framebuffer({half_blurred_});
+        blur_target_ = make_framebuffer({blurred_});
+        picture_target_ = make_framebuffer({picture_});
+    }
+    size_ = size;
+    samples_ = samples;
+    view_.picture.z = static_cast<float>(s);
+    if (glGetError() != GL_NO_ERROR ||
+        glCheckNamedFramebufferStatus(geometry_target_, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        size_ = glm::ivec2(0);
+        return fail("a picture of " + std::to_string(w) + "x" + std::to_string(h) +
+                        " pixels does not fit into graphics memory",
+                    {}, "give a smaller size");
+    }
+    return {};
+}
+
+void Renderer::Impl::make_glass_layer() {
+    if (glass_target_ != 0) return;
+    const int s = static_cast<int>(view_.picture.z);
+    glass_surface_ = make_texture(GL_RG32UI, size_.x, size_.y, s);
+    glass_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_.x, size_.y, s);
+    glass_target_ = make_framebuffer({glass_surface_}, glass_depth_);
+}
+
+const GpuMesh* Renderer::Impl::upload(const std::shared_ptr<const mesh::TriangleMesh>& mesh, bool& uploaded) {
+    std::erase_if(meshes_, [](const auto& entry) { return entry.second.mesh.expired(); });
+    if (!mesh || mesh->triangles.empty()) return nullptr;
+    const auto [place, fresh] = meshes_.try_emplace(mesh.get());
+    if (fresh) {
+        place->second = {mesh, std::make_unique<GpuMesh>(*mesh)};
+        uploaded = true;
+    }
+    return place->second.on_gpu.get();
+}
+
+void Renderer::Impl::fullscreen(const Program& program) const {
+    glUseProgram(program);
+    glBindVertexArray(no_vertices_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers) {
+    const Camera& camera = frame.camera;
+    const Box box = mesh != nullptr ? mesh->bounds() : Box{};
+    const CameraAxes axes = axes_of(camera);
+    const double middle = glm::dot(box.centre() - camera.position, axes.forward), radius = 1.001 * box.radius();
+    double far = middle + radius, near = middle - radius;
+    if (!camera.orthographic) {
+        far = std::max(far, 1e-3 * radius);
+        near = std::max(near, 1e-4 * far);
+    }
+
+    // Reversed depth, 1 at the near plane and 0 at the far one: float depth is then as fine far away as near by.
+    glm::dmat4 projection = projection_matrix(camera, frame.size, near, far);
+    projection[2][2] = camera.orthographic ? 1.0 / (far - near) : near / (far - near);
+    projection[3][2] = camera.orthographic ? far / (far - near) : near * far / (far - near);
+    const glm::dmat4 view = view_matrix(camera);
+    const glm::dvec3 origin = mesh != nullptr ? mesh->origin() : glm::dvec3(0.0);
+    glm::dmat4 to_eye = view;
+    to_eye[3] = view * glm::dvec4(origin, 1.0);
+    const glm::dmat4 to_clip = projection * to_eye;
+
+    const glm::vec2 size(frame.size);
+    const bool flat = camera.orthographic;
+    const double mm_at_unit_depth =
+        flat ? mm_per_pixel(camera, frame.size) : 2.0 * std::tan(glm::radians(0.5 * camera.view_angle)) / size.y;
+    const double reach = std::max(4.0, kOcclusionShare * size.y);
+    // The depth cue spans the tree's own depth, and stays put while the tree turns in place.
+    view_.clip_to_eye = flat ? glm::vec4(0.0F, -(far - near), far / (far - near), 0.0F)
+                             : glm::vec4(0.0F, projection[2][2], projection[3][2], 0.0F);
+    view_.pixel_to_eye = {0.5F * size.x, 0.5F * size.y, mm_at_unit_depth, 0.0F};
+    view_.depth_range = {middle - radius, middle + radius, reach, reach * mm_at_unit_depth};
+    view_.picture = {size.x, size.y, view_.picture.z, flat ? 1.0F : 0.0F};
+    glNamedBufferSubData(view_block_, 0, sizeof view_, &view_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+
+    has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
+    if (has_glass_) make_glass_layer();
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glEnable(GL_MULTISAMPLE);
+    std::uint64_t triangles = 0;
+    for (const Layer layer : {Layer::kOpaque, Layer::kGlass}) {
+        if (layer == Layer::kGlass && !has_glass_) break;
+        const Framebuffer& target = layer == Layer::kOpaque ? geometry_target_ : glass_target_;
+        glBindFramebuffer(GL_FRAMEBUFFER, target);
+        const std::array<GLuint, 4> nothing{};
+        const GLfloat farthest = 0.0F;
+        glClearBufferuiv(GL_COLOR, 0, nothing.data());
+        glClearBufferfv(GL_DEPTH, 0, &farthest);
+        if (mesh == nullptr) continue;
+        glUseProgram(geometry_);
+        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip)));
+        glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view)));
+        triangles += mesh->draw(layers, layer, to_clip);
+    }
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDepthFunc(GL_LESS);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, resolve_target_);
+    glBindTextureUnit(0, surface_);
+    glBindTextureUnit(1, depth_);
+    glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
+    glBindTextureUnit(3, has_glass_ ? glass_depth_ : depth_);
+    glProgramUniform1i(resolve_, 0, has_glass_ ? 1 : 0);
+    fullscreen(resolve_);
+    return triangles;
+}
+
+void Renderer::Impl::draw_occlusion(const Frame& frame) {
+    glBindTextureUnit(0, id_normal_);
+    glBindTextureUnit(1, opaque_depth_);
+    glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
+    glProgramUniform1i(occlude_, 0, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
+    fullscreen(occlude_);
+    for (const bool across : {true, false}) {
+        glBindTextureUnit(0, across ? occlusion_ : half_blurred_);
+        glBindFramebuffer(GL_FRAMEBUFFER, across ? half_blur_target_ : blur_target_);
+        glProgramUniform2i(blur_, 0, across ? 1 : 0, across ? 0 : 1);
+        fullscreen(blur_);
+    }
+}
+
+void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
+    // One small record a branch; nothing else changes when the user points at things.
+    const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->branch_count() : 0));
+    std::vector<std::array<std::uint8_t, 4>> records(count);
+    const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
+    const auto byte = [](float v) {
+        return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const BranchState state = i < frame.states.size() ? frame.states[i] : BranchState::kNormal;
+        const bool highlighted = state == BranchState::kHighlighted;
+        const glm::vec3 own = i < frame.colours.size() ? frame.colours[i] : frame.appearance.vessel;
+        const glm::vec3 colour = highlighted ? frame.appearance.highlight : own;
+        const int flags =
+            (any_highlight && !highlighted ? 1 : 0) | (highlighted ? 2 : 0) | (int(i) == frame.hovered ? 4 : 0);
+        records[i] = {byte(colour.x), byte(colour.y), byte(colour.z), static_cast<std::uint8_t>(flags)};
+    }
+    bool any_selected = false;
+    for (const int id : frame.selected) {
+        if (id < 0 || static_cast<std::size_t>(id) >= count) continue;
+        auto& flags = records[static_cast<std::size_t>(id)][3];
+        flags = static_cast<std::uint8_t>((flags & ~1) | 8); // what is selected is never calm
+        any_selected = true;
+    }
+    if (count > branch_capacity_) {
+        branch_buffer_ = make_buffer();
+        branch_capacity_ = count;
+        glNamedBufferStorage(branch_buffer_, static_cast<GLsizeiptr>(4 * count), nullptr, GL_DYNAMIC_STORAGE_BIT);
+        GLuint texture = 0;
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &texture);
+        branch_texture_ = Texture(texture);
+        glTextureBuffer(texture, GL_RGBA8UI, branch_buffer_);
+    }
+    glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(4 * count), records.data());
+
+    const Appearance& a = frame.appearance;
+    const Background& b = frame.background;
+    const float outline = any_selected ? std::max(1.0F, 1.6F * frame.pixel_ratio) : 0.0F;
+    const LookBlock look{linear(b.top, b.transparent ? 1.0F : 0.0F), linear(b.bottom, a.depth_cue),
+                         linear(a.glass, has_glass_ ? 1.0F : 0.0F),  linear(a.selection, outline),
+                         {a.key, a.fill, a.rim, a.specular},         {a.occlusion, 0.0F, 0.0F, 0.0F}};
+    glNamedBufferSubData(look_block_, 0, sizeof look, &look);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
+    glBindTextureUnit(0, surface_);
+    glBindTextureUnit(1, depth_);
+    glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
+    glBindTextureUnit(3, has_glass_ ? glass_depth_ : depth_);
+    glBindTextureUnit(4, id_normal_);
+    glBindTextureUnit(5, blurred_);
+    glBindTextureUnit(6, branch_texture_);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
+    fullscreen(shade_);
+}
+
+void Renderer::Impl::draw_overlays(const Frame& frame) {
+    glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const Sprite& sprite : overlays_of(frame, default_font())) {
+        const Image& image = sprite.image;
+        const Texture texture = make_texture(GL_RGBA8, image.width, image.height);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+        const int x = sprite.corner.x, y = frame.size.y - sprite.corner.y - image.height;
+        glScissor(x, y, image.width, image.height);
+        glBindTextureUnit(0, texture);
+        glProgramUniform2i(overlay_, 0, x, y);
+        fullscreen(overlay_);
+    }
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+// OpenGL's own defaults, for whoever draws next into the window.
+void Renderer::Impl::restore_state() const {
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    for (GLuint unit = 0; unit < 7; ++unit) glBindTextureUnit(unit, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Result<DrawStatistics> Renderer::Impl::draw(const Frame& frame) {
+    DrawStatistics done;
+    if (last_ && *last_ == frame) return done;
+    if (auto fits = check_size(frame.size.x, frame.size.y); !fits) return tl::unexpected(fits.error());
+    const glm::ivec2 old_size = size_;
+    const int old_samples = samples_;
+    if (auto resized = resize(frame.size, frame.quality == Quality::kFull ? kSamples : 1); !resized) {
+        last_.reset();
+        return tl::unexpected(resized.error());
+    }
+    std::vector<Layer> layers(frame.states.size());
+    std::ranges::transform(frame.states, layers.begin(), layer_of);
+    while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
+
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_STENCIL_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glViewport(0, 0, size_.x, size_.y);
+    const GpuMesh* mesh = upload(frame.mesh, done.uploaded);
+    const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
+                               size_ == old_size && samples_ == old_samples && last_layers_ == layers &&
+                               (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
+    if (!same_geometry) {
+        done.triangles = draw_geometry(frame, mesh, layers);
+        if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
+        done.geometry = true;
+    }
+    shade(frame, mesh);
+    draw_overlays(frame);
+    done.shaded = true;
+    restore_state();
+    last_ = frame;
+    last_layers_ = std::move(layers);
+    if (const int errors = gl_error_count(); errors != 0 && glGetError() == GL_OUT_OF_MEMORY) {
+        last_.reset();
+        return fail("out of graphics memory", {}, "give a smaller size or a coarser --detail");
+    }
+    return done;
+}
+
+Image Renderer::Impl::read_image() const {
+    Image image(size_.x, size_.y);
+    if (size_.x == 0) return image;
+    Image upside_down(size_.x, size_.y);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTextureImage(picture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
+                      upside_down.rgba.data());
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
+    for (int y = 0; y < size_.y; ++y) std::copy_n(upside_down.pixel(0, size_.y - 1 - y), row, image.pixel(0, y));
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const int alpha = image.rgba[i + 3];
+        if (alpha == 0 || alpha == 255) continue;
+        for (std::size_t k = i; k < i + 3; ++k)
+            image.rgba[k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[k] * 255 + alpha / 2) / alpha));
+    }
+    return image;
+}
+
+void Renderer::Impl::present(unsigned framebuffer, int x, int y) const {
+    if (size_.x == 0) return;
+    glDisable(GL_SCISSOR_TEST);
+    glBlitNamedFramebuffer(picture_target_, framebuffer, 0, 0, size_.x, size_.y, x, y, x + size_.x, y + size_.y,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+}
+
+Renderer::Impl::Window Renderer::Impl::pick_window(double x, double y) const {
+    Window window;
+    window.at = {x, size_.y - y};
+    if (!last_ || !std::isfinite(x) || !std::isfinite(y)) return window;
+    const int radius = static_cast<int>(std::ceil(kPickRadius * std::max(1.0F, last_->pixel_ratio)));
+    const double px = std::floor(window.at.x), py = std::floor(window.at.y);
+    if (px < -radius || py < -radius || px > size_.x + radius || py > size_.y + radius) return window;
+    window.x = std::clamp(int(px) - radius, 0, size_.x);
+    window.y = std::clamp(int(py) - radius, 0, size_.y);
+    window.width = std::clamp(int(px) + radius + 1, 0, size_.x) - window.x;
+    window.height = std::clamp(int(py) + radius + 1, 0, size_.y) - window.y;
+    return window;
+}
+
+Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, const float* depths) const {
+    Pick result;
+    const double radius = kPickRadius * std::max(1.0F, last_->pixel_ratio) + 0.5;
+    double nearest = radius * radius;
+    for (int y = 0; y < window.height; ++y) {
+        for (int x = 0; x < window.width; ++x) {
+            const auto i = static_cast<std::size_t>(y * window.width + x);
+            if (ids[i] == 0) continue;
+            const glm::dvec2 pixel(window.x + x + 0.5, window.y + y + 0.5), away = pixel - window.at;
+            const double squared = std::max(std::abs(away.x), std::abs(away.y)) <= 0.5 ? 0.0 : glm::dot(away, away);
+            if (squared >= nearest) continue;
+            nearest = squared;
+            result.branch = static_cast<int>(ids[i]) - 1;
+            result.position = unproject(last_->camera, size_, {pixel.x, size_.y - pixel.y}, depths[i]);
+        }
+    }
+    return result;
+}
+
+Pick Renderer::Impl::pick(double x, double y) {
+    const Window window = pick_window(x, y);
+    const std::size_t count = static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
+    if (count == 0) return {};
+    std::vector<std::uint32_t> ids(count);
+    std::vector<float> depths(count);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(window.x, window.y, window.width, window.height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
+    glReadBuffer(GL_COLOR_ATTACHMENT2);
+    glReadPixels(window.x, window.y, window.width, window.height, GL_RED, GL_FLOAT, depths.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return nearest_in(window, ids.data(), depths.data());
+}
+
+void Renderer::Impl::request_pick(double x, double y) {
+    if (pick_fence_ != nullptr) glDeleteSync(pick_fence_);
+    pick_fence_ = nullptr;
+    pick_window_ = pick_window(x, y);
+    const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
+    if (bytes > 0) {
+        pick_camera_ = last_->camera;
+        if (2 * bytes > pick_buffer_size_) {
+            pick_buffer_ = make_buffer();
+            pick_buffer_size_ = 2 * bytes;
+            glNamedBufferStorage(pick_buffer_, pick_buffer_size_, nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+        }
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, pick_buffer_);
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        glReadBuffer(GL_COLOR_ATTACHMENT0);
+        glReadPixels(pick_window_.x, pick_window_.y, pick_window_.width, pick_window_.height, GL_RED_INTEGER,
+                     GL_UNSIGNED_INT, nullptr);
+        glReadBuffer(GL_COLOR_ATTACHMENT2);
+        glReadPixels(pick_window_.x, pick_window_.y, pick_window_.width, pick_window_.height, GL_RED, GL_FLOAT,
+                     reinterpret_cast<void*>(static_cast<std::uintptr_t>(bytes)));
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    }
+    pick_fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+}
+
+std::optional<Pick> Renderer::Impl::poll_pick() {
+    if (pick_fence_ == nullptr) return std::nullopt;
+    const GLenum status = glClientWaitSync(pick_fence_, 0, 0);
+    if (status == GL_TIMEOUT_EXPIRED) return std::nullopt;
+    glDeleteSync(pick_fence_);
+    pick_fence_ = nullptr;
+    const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
+    // A picture of another size or view has come in between: the answer would be about the old one.
+    if (bytes == 0 || !last_ || pick_window_.x + pick_window_.width > size_.x ||
+        pick_window_.y + pick_window_.height > size_.y)
+        return Pick{};
+    const auto* data =
+        static_cast<const std::byte*>(glMapNamedBufferRange(pick_buffer_, 0, 2 * bytes, GL_MAP_READ_BIT));
+    if (data == nullptr) return Pick{};
+    const Camera camera = std::exchange(last_->camera, pick_camera_);
+    const Pick result = nearest_in(pick_window_, reinterpret_cast<const std::uint32_t*>(data),
+                                   reinterpret_cast<const float*>(data + bytes));
+    last_->camera = camera;
+    glUnmapNamedBuffer(pick_buffer_);
+    return result;
+}
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create() {
+    auto impl = std::make_unique<Impl>();
+    if (auto ready = impl->initialise(); !ready) return tl::unexpected(ready.error());
+    return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
+}
+
+Result<DrawStatistics> Renderer::draw(const Frame& frame) { return impl_->draw(frame); }
+Image Renderer::read_image() { return impl_->read_image(); }
+void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }
+Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
+void Renderer::request_pick(double x, double y) { impl_->request_pick(x, y); }
+std::optional<Pick> Renderer::poll_pick() { return impl_->poll_pick(); }
+
+Target::Target(int width, int height) : width_(width), height_(height) {
+    glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
+    glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
+    glCreateFramebuffers(1, &framebuffer_);
+    glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+}
+
+Target::~Target() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteTextures(1, &texture_);
+}
+
+Image Target::read_image() const {
+    Image image(width_, height_), upside_down(width_, height_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTextureImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
+                      upside_down.rgba.data());
+    for (int y = 0; y < height_; ++y)
+        std::copy_n(upside_down.pixel(0, height_ - 1 - y), 4 * static_cast<std::size_t>(width_), image.pixel(0, y));
+    return image;
+}
+
+} // namespace ramus::render

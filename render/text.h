@@ -1,0 +1,30 @@
+// Letters for the pictures' own overlays, as coverage bitmaps without GL or user interface: from a TrueType font where
+// there is one, else from strokes that are built in. Deterministic for a given font.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::render {
+
+struct Coverage {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> values; // rows from the top
+    [[nodiscard]] std::uint8_t at(int x, int y) const {
+        return x < 0 || y < 0 || x >= width || y >= height
+                   ? std::uint8_t{0}
+                   : values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x)];
+    }
+};
+
+// Latin-1 letters of one line; `capital_height` in pixels. An empty or unreadable `font` means the built-in strokes
+// (digits, the unit letters and A P L R S I).
+[[nodiscard]] Coverage draw_text(std::string_view latin1, double capital_height, const std::string& font);
+
+// The font that was configured when ramus was built.
+[[nodiscard]] const std::string& default_font();
+
+} // namespace ramus::render

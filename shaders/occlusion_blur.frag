@@ -1,0 +1,29 @@
+// Removes the occlusion's noise along one axis without crossing from one vessel to another behind it.
+#version 450 core
+#include "view.glsl"
+
+layout(binding = 0) uniform sampler2D occlusion;
+layout(binding = 1) uniform sampler2D opaque_depth;
+layout(location = 0) uniform ivec2 along;
+
+layout(location = 0) out float blurred;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(opaque_depth, pixel, 0).x;
+    if (depth >= kNothing) {
+        blurred = 0.0;
+        return;
+    }
+    float tolerance = 0.5 * depth_range.w * (picture.w > 0.5 ? 1.0 : depth);
+    ivec2 last = ivec2(picture.xy) - 1;
+    float sum = 0.0, weights = 0.0;
+    for (int i = -3; i <= 3; ++i) {
+        ivec2 tap = clamp(pixel + i * along, ivec2(0), last);
+        float difference = abs(texelFetch(opaque_depth, tap, 0).x - depth);
+        float weight = (4.0 - abs(float(i))) * max(0.0, 1.0 - difference / tolerance);
+        sum += weight * texelFetch(occlusion, tap, 0).x;
+        weights += weight;
+    }
+    blurred = sum / weights;
+}

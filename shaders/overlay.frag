@@ -1,0 +1,13 @@
+// A small picture (straight alpha) laid over the picture, pixel on pixel.
+#version 450 core
+
+layout(binding = 0) uniform sampler2D sprite;
+layout(location = 0) uniform ivec2 origin; // lower left corner in pixels
+
+layout(location = 0) out vec4 colour;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy) - origin;
+    vec4 straight = texelFetch(sprite, ivec2(texel.x, textureSize(sprite, 0).y - 1 - texel.y), 0);
+    colour = vec4(straight.rgb * straight.a, straight.a);
+}

@@ -1,0 +1,40 @@
+// One value a pixel from the samples: the nearest opaque surface, else the nearest glass. Picking, outlines and the
+// occlusion read this.
+#version 450 core
+#include "view.glsl"
+
+layout(binding = 0) uniform usampler2DMS surface_samples;
+layout(binding = 1) uniform sampler2DMS depth_samples;
+layout(binding = 2) uniform usampler2DMS glass_samples;
+layout(binding = 3) uniform sampler2DMS glass_depth_samples;
+layout(location = 0) uniform bool has_glass;
+
+layout(location = 0) out uvec2 id_normal;
+layout(location = 1) out float opaque_depth; // for the occlusion: opaque surfaces only
+layout(location = 2) out float picked_depth; // of id_normal
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int samples = int(picture.z);
+    id_normal = uvec2(0u);
+    float nearest = 0.0; // reversed depth: larger is nearer
+    for (int s = 0; s < samples; ++s) {
+        float depth = texelFetch(depth_samples, pixel, s).x;
+        if (depth > nearest) {
+            nearest = depth;
+            id_normal = texelFetch(surface_samples, pixel, s).xy;
+        }
+    }
+    opaque_depth = id_normal.x == 0u ? kNothing : eye_depth(nearest);
+    picked_depth = opaque_depth;
+    if (has_glass && id_normal.x == 0u) {
+        for (int s = 0; s < samples; ++s) {
+            float depth = texelFetch(glass_depth_samples, pixel, s).x;
+            if (depth > nearest) {
+                nearest = depth;
+                id_normal = texelFetch(glass_samples, pixel, s).xy;
+            }
+        }
+        if (id_normal.x != 0u) picked_depth = eye_depth(nearest);
+    }
+}

@@ -1,0 +1,33 @@
+// What every full-screen pass knows of the view. Eye space looks along -z; depth is positive, in mm.
+layout(std140, binding = 0) uniform View {
+    vec4 clip_to_eye;   // depth buffer to depth: perspective z / (w + y), orthographic (value - z) * y
+    vec4 pixel_to_eye;  // eye xy = (pixel - xy) * z (times depth when perspective)
+    vec4 depth_range;   // near and far end of the tree in mm along the line of sight, occlusion radius in pixels, in mm
+    vec4 picture;       // width, height, samples, 1 when orthographic
+};
+
+const float kNothing = 1e30;
+
+float eye_depth(float value) {
+    return picture.w > 0.5 ? (value - clip_to_eye.z) * clip_to_eye.y : clip_to_eye.z / (value + clip_to_eye.y);
+}
+
+// Position in eye space with depth as +z.
+vec3 eye_position(vec2 pixel, float depth) {
+    vec2 xy = (pixel - pixel_to_eye.xy) * pixel_to_eye.z;
+    return vec3(picture.w > 0.5 ? xy : xy * depth, depth);
+}
+
+vec3 unpack_normal(uint bits) {
+    vec2 p = unpackSnorm2x16(bits);
+    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+    float t = max(-n.z, 0.0);
+    n.x += n.x >= 0.0 ? -t : t;
+    n.y += n.y >= 0.0 ? -t : t;
+    return normalize(n);
+}
+
+// Low-discrepancy noise over the picture (Jimenez, 2014): the same in every run.
+float noise(vec2 pixel) {
+    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+}
