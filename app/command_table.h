@@ -1,0 +1,74 @@
+// The table of everything that a user can do: name, key, help and action of each command. Menus, keys, `--commands`
+// files, the help overlay and the tests read this one table.
+//
+// An action works on a Document and, for what only a window or a renderer can do, on a Host. It checks its arguments
+// before it changes anything: a command that fails leaves the document as it was.
+#pragma once
+
+#include "app/document.h"
+#include "core/base/error.h"
+#include "render/bounds.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::app {
+
+// What a command needs from its surroundings. The window implements all of it, `ramus render` what makes sense there.
+class Host {
+public:
+    Host() = default;
+    Host(const Host&) = delete;
+    Host& operator=(const Host&) = delete;
+    virtual ~Host() = default;
+
+    [[nodiscard]] virtual glm::ivec2 picture_size() const = 0; // pixels
+    [[nodiscard]] virtual render::Box bounds() const = 0;      // of what the picture shows
+    virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
+    // Where pictures and sessions go that the user gave no name for.
+    [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;
+    virtual void camera_moved() {}                 // the command set another camera
+    virtual void say(const std::string& sentence); // what a command did, where it cannot be seen in the picture
+
+    virtual Result<void> open(const std::filesystem::path& path);
+    virtual Result<void> ask_for_file();
+    virtual Result<void> toggle(std::string_view part); // "help", "panel"
+    virtual bool dismiss() { return false; }            // closes what lies on top, if anything does
+    virtual Result<void> quit();
+};
+
+struct ActionContext {
+    Document& document;
+    Host& host;
+};
+
+using Arguments = std::span<const std::string>;
+
+struct Command {
+    std::string name;                // as in a commands file
+    std::string arguments{};         // "ID...", "[FILE]", "NAME"; empty: none
+    std::string help{};              // one sentence
+    std::string menu{};              // menu that it is in; empty: none
+    std::string label{};             // its text there
+    std::vector<std::string> keys{}; // "Ctrl+Z"; the first one is shown in the menu
+    Result<void> (*action)(ActionContext&, Arguments) = nullptr;
+    std::vector<std::string> preset{};                             // arguments that the menu and the keys give
+    bool (*enabled)(const Document&) = nullptr;                    // null: always
+    bool (*checked)(const Document&) = nullptr;                    // null: not a switch
+    [[nodiscard]] bool scripted() const { return preset.empty(); } // false: an entry that gives arguments to another
+};
+
+// In the order of menus and help. Several entries may have one name, with other presets: the views.
+[[nodiscard]] const std::vector<Command>& command_table();
+[[nodiscard]] const Command* find_command(std::string_view name);
+[[nodiscard]] const Command* command_for_key(std::string_view key); // "Ctrl+Shift+Z"
+
+// The command as a line of a commands file, in the document's and host's hands. `words[0]` is the name.
+[[nodiscard]] Result<void> run_command(ActionContext& context, std::span<const std::string> words);
+// As the menu and the keys do.
+[[nodiscard]] Result<void> run_entry(ActionContext& context, const Command& command);
+
+} // namespace ramus::app

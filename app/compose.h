@@ -1,0 +1,28 @@
+// compose(): a session and its mesh as the Frame that the renderer draws. The window and `ramus render` call the same
+// function, which is why their pictures are the same.
+#pragma once
+
+#include "app/session.h"
+#include "render/frame.h"
+
+#include <memory>
+
+namespace ramus::app {
+
+// What the picture depends on beside the session.
+struct Viewing {
+    glm::ivec2 size{1280, 960}; // pixels
+    float pixel_ratio = 1.0F;
+    int hovered = render::kNoBranch;
+    bool transparent = false;
+    render::Quality quality = render::Quality::kFull;
+};
+
+// `tree` may be null as long as the session colours by nothing; `mesh` may be null: an empty picture.
+[[nodiscard]] render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
+                                    std::shared_ptr<const mesh::TriangleMesh> mesh, const Viewing& viewing);
+
+// sRGB colour of every branch under `quantity`; empty for kNothing.
+[[nodiscard]] std::vector<glm::vec3> branch_colours(const tree::VesselTree& tree, ColourBy quantity);
+
+} // namespace ramus::app

@@ -1,0 +1,248 @@
+#include "app/session_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace ramus::app {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using render::BranchState;
+
+namespace {
+
+constexpr std::array<std::pair<BranchState, const char*>, 3> kStateNames{{{BranchState::kHighlighted, "highlighted"},
+                                                                          {BranchState::kDefocused, "defocused"},
+                                                                          {BranchState::kHidden, "hidden"}}};
+
+// One place throws and one place catches: nesting Results through every member would hide the format.
+struct Refusal {
+    std::string what;
+};
+
+void expect_only(const json& object, const std::string& name, std::initializer_list<std::string_view> known) {
+    if (!object.is_object()) throw Refusal{name + " is not an object"};
+    for (const auto& [key, value] : object.items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw Refusal{"unknown name \"" + key + "\" in " + name};
+}
+
+double number(const json& value, const std::string& name, double least, double most) {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) throw Refusal{name + " is not a number"};
+    const auto found = value.get<double>();
+    if (found < least || found > most) throw Refusal{name + " " + value.dump() + " is out of range"};
+    return found;
+}
+
+int integer(const json& value, const std::string& name, int least, int most) {
+    if (!value.is_number_integer()) throw Refusal{name + " is not a whole number"};
+    return static_cast<int>(number(value, name, least, most));
+}
+
+std::string text(const json& value, const std::string& name) {
+    if (!value.is_string()) throw Refusal{name + " is not a text"};
+    return value.get<std::string>();
+}
+
+constexpr int kMostBranches = 100'000'000;
+
+std::vector<int> ids(const json& value, const std::string& name) {
+    if (!value.is_array()) throw Refusal{name + " is not a list"};
+    std::vector<int> found;
+    for (const json& id : value) found.push_back(integer(id, "branch id in " + name, 0, kMostBranches));
+    return canonical(std::move(found));
+}
+
+json options_json(const Marks& marks) {
+    const mesh::SurfaceOptions& options = marks.options;
+    json value{{"method", options.method == mesh::Method::kTruncatedCones ? "cones" : "cs"},
+               {"smooth", options.smooth_passes},
+               {"prune", options.prune_ratio},
+               {"width", options.width},
+               {"detail", options.detail},
+               {"colour_by", std::string(name_of(marks.colour_by))}};
+    if (options.cell_mm > 0.0) value["cell"] = options.cell_mm;
+    return value;
+}
+
+void read_options(const json& value, Marks& marks) {
+    expect_only(value, "options", {"method", "smooth", "prune", "width", "detail", "cell", "colour_by"});
+    mesh::SurfaceOptions& options = marks.options;
+    if (value.contains("method")) {
+        const std::string method = text(value["method"], "method");
+        if (method != "cs" && method != "cones") throw Refusal{"unknown method \"" + method + "\""};
+        options.method = method == "cones" ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
+    }
+    if (value.contains("smooth")) options.smooth_passes = integer(value["smooth"], "smooth", 0, 1000);
+    if (value.contains("prune")) options.prune_ratio = number(value["prune"], "prune", 0.0, 1e6);
+    if (value.contains("width")) options.width = number(value["width"], "width", 0.1, 100.0);
+    if (value.contains("detail")) options.detail = integer(value["detail"], "detail", 3, 1000);
+    if (value.contains("cell")) options.cell_mm = number(value["cell"], "cell", 0.0, 1e9);
+    if (value.contains("colour_by")) {
+        const std::string wanted = text(value["colour_by"], "colour_by");
+        const auto found =
+            std::find_if(kColourings.begin(), kColourings.end(), [&](ColourBy c) { return name_of(c) == wanted; });
+        if (found == kColourings.end()) throw Refusal{"unknown colour_by \"" + wanted + "\""};
+        marks.colour_by = *found;
+    }
+}
+
+void read_states(const json& value, Marks& marks) {
+    expect_only(value, "states", {"highlighted", "defocused", "hidden"});
+    for (const auto& [state, name] : kStateNames) {
+        if (!value.contains(name)) continue;
+        const std::vector<int> found = ids(value[name], name);
+        for (const int id : found)
+            if (state_of(marks, id) != BranchState::kNormal)
+                throw Refusal{"branch " + std::to_string(id) + " has two states"};
+        set_state(marks, found, state);
+    }
+}
+
+void read_plans(const json& value, Marks& marks) {
+    for (const json& lesion : value.value("lesions", json::array())) {
+        if (!lesion.is_array() || lesion.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
+        std::array<double, 4> sphere{};
+        for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(lesion[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
+        marks.lesions.push_back(sphere);
+    }
+    for (const json& cut : value.value("cuts", json::array())) {
+        if (!cut.is_array() || cut.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
+        marks.cuts.emplace_back(integer(cut[0], "branch id of a cut", 0, kMostBranches),
+                                number(cut[1], "cut", 0.0, 1.0));
+    }
+    if (!value.contains("names")) return;
+    if (!value["names"].is_object()) throw Refusal{"names is not an object"};
+    for (const auto& [key, name] : value["names"].items()) {
+        int id = -1;
+        const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), id);
+        if (error != std::errc{} || end != key.data() + key.size() || id < 0)
+            throw Refusal{"\"" + key + "\" in names is not a branch id"};
+        marks.names[id] = text(name, "name of branch " + key);
+    }
+}
+
+fs::path written_path(const fs::path& tree, const fs::path& folder) {
+    if (tree.empty()) return {};
+    const fs::path relative =
+        fs::absolute(tree).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+    return relative.empty() || *relative.begin() == ".." ? fs::absolute(tree).lexically_normal() : relative;
+}
+
+} // namespace
+
+json to_json(const Session& session, const fs::path& folder) {
+    json states = json::object();
+    for (const auto& [state, name] : kStateNames) states[name] = branches_in_state(session.marks, state);
+    json names = json::object();
+    for (const auto& [id, name] : session.marks.names) names[std::to_string(id)] = name;
+    return {{"version", kSessionVersion},
+            {"tree", {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}}},
+            {"selection", session.marks.selection},
+            {"states", states},
+            {"lesions", session.marks.lesions},
+            {"cuts", session.marks.cuts},
+            {"names", names},
+            {"camera", render::to_json(session.camera)},
+            {"options", options_json(session.marks)}};
+}
+
+Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
+    try {
+        expect_only(value, "the session",
+                    {"version", "tree", "selection", "states", "lesions", "cuts", "names", "camera", "options"});
+        if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
+        if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
+            throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
+        SavedSession saved;
+        Session& session = saved.session;
+        if (!value.contains("tree")) throw Refusal{"no tree"};
+        expect_only(value["tree"], "tree", {"path", "checksum"});
+        if (!value["tree"].contains("path")) throw Refusal{"tree has no path"};
+        session.tree.path = (folder / text(value["tree"]["path"], "path of the tree")).lexically_normal();
+        if (value["tree"].contains("checksum")) session.tree.checksum = text(value["tree"]["checksum"], "checksum");
+        if (value.contains("selection")) session.marks.selection = ids(value["selection"], "selection");
+        if (value.contains("states")) read_states(value["states"], session.marks);
+        read_plans(value, session.marks);
+        if (value.contains("options")) read_options(value["options"], session.marks);
+        if (value.contains("camera")) {
+            auto camera = render::camera_from_json(value["camera"], where);
+            if (!camera) return tl::unexpected(camera.error());
+            session.camera = *camera;
+            saved.has_camera = true;
+        }
+        return saved;
+    } catch (const Refusal& refusal) {
+        return fail(refusal.what, where, "save the session again from the window");
+    }
+}
+
+Result<SavedSession> read_session(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (fs::is_directory(path) || !stream)
+        return fail("the session cannot be read", path.string(), "check the name and its permissions");
+    const json value = json::parse(stream, nullptr, false);
+    if (value.is_discarded()) return fail("this is not JSON", path.string(), "give a session file saved by ramus");
+    return session_from_json(value, fs::absolute(path).parent_path(), path.string());
+}
+
+Result<void> write_session(const Session& session, const fs::path& path) {
+    const fs::path folder = fs::absolute(path).parent_path();
+    const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
+    {
+        std::ofstream stream(beside, std::ios::binary);
+        stream << to_json(session, folder).dump(1) << '\n';
+        stream.close();
+        if (!stream) {
+            std::error_code ignored;
+            fs::remove(beside, ignored);
+            return fail("the session cannot be written", path.string(), "check that the folder exists and has room");
+        }
+    }
+    std::error_code error;
+    fs::rename(beside, path, error);
+    if (!error) return {};
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    return fail("the session cannot be written: " + error.message(), path.string(), "choose another name");
+}
+
+Result<std::string> checksum_of(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    std::array<char, 1 << 16> block{};
+    while (stream) {
+        stream.read(block.data(), block.size());
+        for (std::streamsize i = 0; i < stream.gcount(); ++i)
+            hash = (hash ^ static_cast<unsigned char>(block[static_cast<std::size_t>(i)])) * 0x100000001b3ULL;
+    }
+    if (!stream.eof()) return fail("the file cannot be read", path.string(), "check the name and its permissions");
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string digits(16, '0');
+    for (std::size_t i = 0; i < 16; ++i) digits[15 - i] = kDigits[(hash >> (4 * i)) & 15];
+    return digits;
+}
+
+Result<void> check_against(const Session& session, const tree::VesselTree& tree, const std::string& checksum,
+                           const std::string& where) {
+    if (!session.tree.checksum.empty() && session.tree.checksum != checksum)
+        return fail(session.tree.path.filename().string() + " has changed since the session was saved", where,
+                    "open the tree itself, or remove \"checksum\" from the session");
+    const Marks& marks = session.marks;
+    int largest = static_cast<int>(marks.states.size()) - 1;
+    if (!marks.selection.empty()) largest = std::max(largest, marks.selection.back());
+    if (!marks.names.empty()) largest = std::max(largest, marks.names.rbegin()->first);
+    for (const auto& cut : marks.cuts) largest = std::max(largest, cut.first);
+    if (largest >= static_cast<int>(tree.branches.size()))
+        return fail("there is no branch " + std::to_string(largest) + " in a tree of " +
+                        std::to_string(tree.branches.size()),
+                    where, "the session belongs to another tree");
+    return {};
+}
+
+} // namespace ramus::app

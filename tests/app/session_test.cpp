@@ -1,0 +1,165 @@
+#include "app/document.h"
+#include "app/session_file.h"
+
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+using namespace ramus;
+using namespace ramus::app;
+using render::BranchState;
+namespace fs = std::filesystem;
+
+namespace {
+
+Session lively_session(const fs::path& folder) {
+    Session session;
+    session.tree = {folder / "trees" / "liver tree.swc", "0123456789abcdef"};
+    session.marks.selection = {2, 5};
+    set_state(session.marks, std::vector<int>{1, 4}, BranchState::kHighlighted);
+    set_state(session.marks, std::vector<int>{3}, BranchState::kHidden);
+    set_state(session.marks, std::vector<int>{7}, BranchState::kDefocused);
+    session.marks.lesions = {{1.5, -2.25, 3.0, 10.0}};
+    session.marks.cuts = {{4, 0.25}};
+    session.marks.names = {{5, "right \"posterior\" branch"}};
+    session.marks.colour_by = ColourBy::kStrahler;
+    session.marks.options.detail = 24;
+    session.marks.options.prune_ratio = 0.1;
+    session.camera.position = {0.1, 1.0 / 3.0, -7e-5};
+    session.camera.orthographic = true;
+    return session;
+}
+
+} // namespace
+
+TEST_CASE("a session survives its file to the last bit") {
+    const fs::path folder = fs::temp_directory_path() / "ramus_session_test";
+    fs::create_directories(folder);
+    const Session session = lively_session(folder);
+    const fs::path file = folder / "plan.ramus.json";
+    REQUIRE(write_session(session, file));
+    const auto read = read_session(file);
+    REQUIRE_MESSAGE(read, read.error().message());
+    CHECK(read->has_camera);
+    CHECK(read->session == session);
+    fs::remove_all(folder);
+}
+
+TEST_CASE("a session and its tree move together when they lie together") {
+    const Session session = lively_session("/data");
+    CHECK(to_json(session, "/data")["tree"]["path"] == "trees/liver tree.swc");
+    CHECK(to_json(session, "/elsewhere")["tree"]["path"] == "/data/trees/liver tree.swc");
+    const auto moved = session_from_json(to_json(session, "/data"), "/moved", "s");
+    REQUIRE(moved);
+    CHECK(moved->session.tree.path == "/moved/trees/liver tree.swc");
+}
+
+TEST_CASE("a session file that is none is refused with its name and a reason") {
+    const auto message = [](const char* text) {
+        const auto session = session_from_json(nlohmann::json::parse(text), "/data", "s.json");
+        REQUIRE_FALSE(session);
+        CHECK(session.error().where == "s.json");
+        return session.error().what;
+    };
+    CHECK(message("[]") == "the session is not an object");
+    CHECK(message("{}") == "no version: this is not a session file");
+    CHECK(message(R"({"version": 2})") == "version 2 is not known to this ramus");
+    CHECK(message(R"({"version": 1})") == "no tree");
+    CHECK(message(R"({"version": 1, "tree": {"path": 3}})") == "path of the tree is not a text");
+    CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "selection": [-1]})") ==
+          "branch id in selection -1 is out of range");
+    CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "states": {"hidden": [1], "highlighted": [1]}})") ==
+          "branch 1 has two states");
+    CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "options": {"smoothing": 1}})") ==
+          "unknown name \"smoothing\" in options");
+    CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "cuts": [[1]]})") == "a cut is not [branch id, fraction]");
+    CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "names": {"one": "x"}})") ==
+          "\"one\" in names is not a branch id");
+}
+
+TEST_CASE("reading a session names what is wrong with the file") {
+    CHECK(read_session("/nowhere/s.json").error().what == "the session cannot be read");
+    CHECK(read_session(fs::temp_directory_path()).error().what == "the session cannot be read");
+    const fs::path junk = fs::temp_directory_path() / "ramus_junk.json";
+    std::ofstream(junk) << "\x7f"
+                        << "ELF";
+    CHECK(read_session(junk).error().what == "this is not JSON");
+    fs::remove(junk);
+}
+
+TEST_CASE("a session that cannot be written leaves nothing behind") {
+    CHECK_FALSE(write_session(lively_session("/data"), "/nowhere/s.json"));
+    const fs::path folder = fs::temp_directory_path() / "ramus_session_is_a_folder";
+    fs::create_directories(folder / "s.json");
+    CHECK_FALSE(write_session(lively_session(folder), folder / "s.json"));
+    CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 1);
+    fs::remove_all(folder);
+}
+
+TEST_CASE("a session of another tree is refused") {
+    tree::VesselTree small;
+    small.branches.resize(3);
+    Session session;
+    session.tree = {"/data/a.swc", "abc"};
+    CHECK(check_against(session, small, "abc", "s.json"));
+    CHECK_FALSE(check_against(session, small, "def", "s.json"));
+    session.marks.selection = {3};
+    CHECK(check_against(session, small, "abc", "s.json").error().what == "there is no branch 3 in a tree of 3");
+}
+
+TEST_CASE("the states exclude each other and equal sessions compare equal") {
+    Marks marks;
+    set_state(marks, std::vector<int>{4, 2}, BranchState::kHighlighted);
+    set_state(marks, std::vector<int>{4}, BranchState::kHidden);
+    CHECK(state_of(marks, 4) == BranchState::kHidden);
+    CHECK(state_of(marks, 2) == BranchState::kHighlighted);
+    CHECK(state_of(marks, 400) == BranchState::kNormal);
+    CHECK(branches_in_state(marks, BranchState::kHidden) == std::vector<int>{4});
+    set_state(marks, std::vector<int>{2, 4}, BranchState::kNormal);
+    CHECK(marks == Marks{});
+    CHECK(canonical({3, 1, 3, 2}) == std::vector<int>{1, 2, 3});
+}
+
+TEST_CASE("undo brings back every earlier value, and redo every later one") {
+    Document document;
+    document.open(nullptr, {});
+    std::vector<Marks> values{document.marks()};
+    for (int i = 0; i < 5; ++i) {
+        Marks next = document.marks();
+        next.selection = {i};
+        document.change(next);
+        values.push_back(next);
+    }
+    document.change(document.marks());
+    for (int i = 4; i >= 0; --i) {
+        REQUIRE(document.undo());
+        CHECK(document.marks() == values[static_cast<std::size_t>(i)]);
+    }
+    CHECK_FALSE(document.undo());
+    for (std::size_t i = 1; i <= 5; ++i) {
+        REQUIRE(document.redo());
+        CHECK(document.marks() == values[i]);
+    }
+    CHECK_FALSE(document.redo());
+
+    REQUIRE(document.undo());
+    Marks other = document.marks();
+    other.selection = {9};
+    document.change(other);
+    CHECK_FALSE(document.can_redo());
+}
+
+TEST_CASE("the camera is no step of undo") {
+    Document document;
+    document.open(nullptr, {});
+    Marks next;
+    next.selection = {1};
+    document.change(next);
+    render::Camera camera;
+    camera.view_angle = 12.0;
+    document.set_camera(camera);
+    REQUIRE(document.undo());
+    CHECK(document.session().camera == camera);
+    CHECK_FALSE(document.can_undo());
+}
