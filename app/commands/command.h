@@ -1,0 +1,30 @@
+// What a file of app/commands is: it registers one subcommand and, when that was asked for, chooses what main shall do
+// once the whole command line has been understood. An action returns the exit status, or an Error that main prints:
+//
+//   void register_info(CLI::App& app, Action& chosen);
+//
+// Exit status: 0 done, 1 failed, 2 wrong usage, 3 a comparison exceeded its tolerance.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace ramus::app {
+
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kWrongUsage = 2;
+inline constexpr int kBeyondTolerance = 3;
+
+using Action = std::function<Result<int>()>;
+
+// A subcommand with the flags that every one has.
+inline CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->set_version_flag("--version", "ramus " RAMUS_VERSION);
+    return command;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,65 @@
+#include "app/commands/surface_flags.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+// Finite numbers from `least` to `most`; CLI::Range would let NaN through.
+CLI::Validator number_between(double least, double most, const std::string& domain) {
+    return {[=](std::string& text) -> std::string {
+                double value = 0.0;
+                if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || value < least || value > most)
+                    return text + " is not " + domain;
+                return {};
+            },
+            ""};
+}
+
+} // namespace
+
+void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
+    command
+        .add_option_function<std::string>(
+            "--repair", [&flags](const std::string& what) { flags.repair = what != "none"; },
+            "What to mend in a damaged tree: all (default) or none")
+        ->type_name("WHAT")
+        ->check(CLI::IsMember({"all", "none"}));
+    command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
+}
+
+void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
+    mesh::SurfaceOptions& surface = flags.surface;
+    command.add_option("--smooth", surface.smooth_passes, "Smoothing passes over points and radii (default 1)")
+        ->type_name("N")
+        ->check(number_between(0, 100, "a whole number from 0 to 100"));
+    command
+        .add_option("--prune", surface.prune_ratio, "Drop end branches shorter than RATIO x their parent (default 0)")
+        ->type_name("RATIO")
+        ->check(number_between(0.0, kNoLimit, "a ratio of 0 or more"));
+    // Beyond these, the isovalue 2^-width leaves single precision, or the support (10 radii) covers the whole tree.
+    command
+        .add_option("--width", surface.width,
+                    "Kernel width; 5 follows the vessels (default), 1 blends as Bloomenthal did")
+        ->type_name("WIDTH")
+        ->check(number_between(0.1, 100.0, "a width from 0.1 to 100"));
+    CLI::Option* detail =
+        command.add_option("--detail", surface.detail, "Triangles around a vessel, thick or thin (default 16)")
+            ->type_name("N")
+            ->check(number_between(4, 512, "a whole number from 4 to 512"));
+    command.add_option("--cell", surface.cell_mm, "One cell size everywhere, in mm, instead of --detail")
+        ->type_name("MM")
+        ->check(number_between(std::numeric_limits<float>::min(), kNoLimit, "a length above 0"))
+        ->excludes(detail);
+    command.add_option("--threads", surface.threads, "Threads to work with (default 0: one for each core)")
+        ->type_name("N")
+        ->check(number_between(0, 1024, "a whole number from 0 to 1024"));
+    add_reading_flags(command, flags);
+}
+
+} // namespace ramus::app

@@ -1,0 +1,23 @@
+// The options that hold wherever a tree becomes a surface: on every such command and on the window alike. Values
+// outside their domain are wrong usage, found while the command line is read.
+#pragma once
+
+#include "core/mesh/surface.h"
+
+#include <CLI/CLI.hpp>
+
+namespace ramus::app {
+
+struct SurfaceFlags {
+    mesh::SurfaceOptions surface;
+    bool repair = true; // mend what can be mended in a damaged tree
+    bool verbose = false; // say on standard error what is going on
+};
+
+// Adds the options to `command`; parsing writes to `flags`, which must live as long as the command.
+void add_surface_flags(CLI::App& command, SurfaceFlags& flags);
+
+// Only those about reading a tree: --repair and --verbose.
+void add_reading_flags(CLI::App& command, SurfaceFlags& flags);
+
+} // namespace ramus::app
