@@ -1,0 +1,54 @@
+// The organ that a tree grows in: a liver, as a smooth union of ellipsoids (lobes) with hollows carved out of it
+// (hilum, caval groove, renal impression). Every seed gives a slightly different person. Coordinates are mm, RAS.
+//
+// Guarantees: the hilum, the trunks and the sector points lie inside. depth_mm() is positive inside and near the true
+// distance to the surface there, good enough to keep a margin; far outside it is only a sign.
+#pragma once
+
+#include "core/tree/grow/exact_math.h"
+
+#include <array>
+#include <vector>
+
+namespace ramus::tree::growth {
+
+class Organ {
+public:
+    // width_mm: extent from the tip of the left lobe to the right side.
+    Organ(double width_mm, Random& random);
+
+    [[nodiscard]] double depth_mm(const Vec& point) const;
+    [[nodiscard]] const Vec& low() const { return low_; }
+    [[nodiscard]] const Vec& high() const { return high_; }
+    [[nodiscard]] double volume_mm3() const { return volume_mm3_; }
+
+    // Where the portal vein comes from, outside, and where it divides, inside.
+    [[nodiscard]] const Vec& root() const { return root_; }
+    [[nodiscard]] const Vec& hilum() const { return hilum_; }
+    // The trunks that every portal vein has: each from the end of another (its index; -1: from the hilum).
+    struct Trunk {
+        int from;
+        Vec end;
+    };
+    [[nodiscard]] const std::vector<Trunk>& trunks() const { return trunks_; }
+    // Inner points of further sectors, in the order in which they want vessels.
+    [[nodiscard]] const std::vector<Vec>& sectors() const { return sectors_; }
+
+private:
+    struct Blob {
+        Vec centre;
+        Vec semi_axes;
+    };
+    std::vector<Blob> lobes_;
+    std::vector<Blob> hollows_;
+    double blend_ = 0.0; // mm over which neighbouring blobs flow into each other
+    Vec low_{0.0};
+    Vec high_{0.0};
+    Vec root_{0.0};
+    Vec hilum_{0.0};
+    std::vector<Trunk> trunks_;
+    std::vector<Vec> sectors_;
+    double volume_mm3_ = 0.0;
+};
+
+} // namespace ramus::tree::growth
