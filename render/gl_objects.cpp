@@ -22,8 +22,10 @@ std::string source_of(std::string_view name) {
     return text;
 }
 
-Result<GLuint> compile(GLenum stage, std::string_view name) {
-    const std::string text = source_of(name);
+Result<GLuint> compile(GLenum stage, std::string_view name, std::string_view defines) {
+    std::string text = source_of(name);
+    if (const std::size_t version = text.find("#version"); version != std::string::npos)
+        text.insert(text.find('\n', version) + 1, defines);
     const char* const pointer = text.c_str();
     const GLuint shader = glCreateShader(stage);
     glShaderSource(shader, 1, &pointer, nullptr);
@@ -81,10 +83,11 @@ Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth
     return Framebuffer(id);
 }
 
-Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader) {
-    const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader);
+Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
+                             std::string_view defines) {
+    const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, {});
     if (!vertex) return tl::unexpected(vertex.error());
-    const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader);
+    const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
     if (!fragment) {
         glDeleteShader(*vertex);
         return tl::unexpected(fragment.error());

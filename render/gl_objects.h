@@ -49,6 +49,8 @@ using Program = GlObject<delete_program>;
 [[nodiscard]] Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
 // From two of the embedded files; `#include "name"` lines are replaced by the file of that name.
-[[nodiscard]] Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader);
+// `defines` goes into the fragment shader, after its #version line.
+[[nodiscard]] Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
+                                           std::string_view defines = {});
 
 } // namespace ramus::render

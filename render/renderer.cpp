@@ -76,12 +76,14 @@ private:
     void draw_occlusion(const Frame& frame);
     void shade(const Frame& frame, const GpuMesh* mesh);
     void draw_overlays(const Frame& frame);
-    void fullscreen(const Program& program) const;
+    enum class Pixels { kAll, kCovered };
+    void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
     void restore_state() const;
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths) const;
 
-    Program geometry_, resolve_, occlude_, blur_, shade_, overlay_;
+    Program geometry_, resolve_, occlude_, blur_, background_, overlay_;
+    std::array<Program, 4> shade_; // with glass: + 1, with an outline: + 2
     VertexArray no_vertices_;
     Buffer view_block_, look_block_, branch_buffer_;
     Texture branch_texture_;
@@ -91,6 +93,7 @@ private:
     int samples_ = 0;
     Texture surface_, depth_, glass_surface_, glass_depth_; // multisampled
     Texture id_normal_, opaque_depth_, picked_depth_;       // one value a pixel
+    Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it
     Texture occlusion_, half_blurred_, blurred_, picture_;
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
         picture_target_;
@@ -114,8 +117,9 @@ private:
 };
 
 Result<void> Renderer::Impl::initialise() {
-    const auto make = [](Program& program, std::string_view vertex, std::string_view fragment) -> Result<void> {
-        auto made = make_program(vertex, fragment);
+    const auto make = [](Program& program, std::string_view vertex, std::string_view fragment,
+                         std::string_view defines = {}) -> Result<void> {
+        auto made = make_program(vertex, fragment, defines);
         if (!made) return tl::unexpected(made.error());
         program = std::move(*made);
         return {};
@@ -124,9 +128,12 @@ Result<void> Renderer::Impl::initialise() {
                                              {&resolve_, "fullscreen.vert", "resolve.frag"},
                                              {&occlude_, "fullscreen.vert", "occlusion.frag"},
                                              {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
-                                             {&shade_, "fullscreen.vert", "shade.frag"},
+                                             {&background_, "fullscreen.vert", "background.frag"},
                                              {&overlay_, "fullscreen.vert", "overlay.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
+    const std::array defines{"", "#define GLASS\n", "#define OUTLINE\n", "#define GLASS\n#define OUTLINE\n"};
+    for (std::size_t i = 0; i < shade_.size(); ++i)
+        if (auto made = make(shade_[i], "fullscreen.vert", "shade.frag", defines[i]); !made) return made;
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer();
     look_block_ = make_buffer();
@@ -161,11 +168,12 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, int samples) {
         half_blurred_ = make_texture(GL_R8, w, h);
         blurred_ = make_texture(GL_R8, w, h);
         picture_ = make_texture(GL_RGBA8, w, h);
-        resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_});
-        occlusion_target_ = make_framebuffer({occlusion_});
-        half_blur_target_ = make_framebuffer({half_blurred_});
-        blur_target_ = make_framebuffer({blurred_});
-        picture_target_ = make_framebuffer({picture_});
+        covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
+        resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_}, covered_);
+        occlusion_target_ = make_framebuffer({occlusion_}, covered_);
+        half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
+        blur_target_ = make_framebuffer({blurred_}, covered_);
+        picture_target_ = make_framebuffer({picture_}, covered_);
     }
     size_ = size;
     samples_ = samples;
@@ -199,10 +207,19 @@ const GpuMesh* Renderer::Impl::upload(const std::shared_ptr<const mesh::Triangle
     return place->second.on_gpu.get();
 }
 
-void Renderer::Impl::fullscreen(const Program& program) const {
+// Draws over every pixel, or only where a surface is: the early depth test is the one branch that a software rasteriser
+// really skips. The triangle lies at depth 0, the far plane.
+void Renderer::Impl::fullscreen(const Program& program, Pixels pixels) const {
+    if (pixels == Pixels::kCovered) {
+        glEnable(GL_DEPTH_TEST);
+        glDepthMask(GL_FALSE);
+        glDepthFunc(GL_LESS);
+    }
     glUseProgram(program);
     glBindVertexArray(no_vertices_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
 }
 
 std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers) {
@@ -265,11 +282,11 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view)));
         triangles += mesh->draw(layers, layer, to_clip);
     }
-    glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glDepthFunc(GL_LESS);
 
     glBindFramebuffer(GL_FRAMEBUFFER, resolve_target_);
+    glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
+    glEnable(GL_DEPTH_TEST);
     glBindTextureUnit(0, surface_);
     glBindTextureUnit(1, depth_);
     glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
@@ -284,12 +301,12 @@ void Renderer::Impl::draw_occlusion(const Frame& frame) {
     glBindTextureUnit(1, opaque_depth_);
     glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
     glProgramUniform1i(occlude_, 0, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
-    fullscreen(occlude_);
+    fullscreen(occlude_, Pixels::kCovered);
     for (const bool across : {true, false}) {
         glBindTextureUnit(0, across ? occlusion_ : half_blurred_);
         glBindFramebuffer(GL_FRAMEBUFFER, across ? half_blur_target_ : blur_target_);
         glProgramUniform2i(blur_, 0, across ? 1 : 0, across ? 0 : 1);
-        fullscreen(blur_);
+        fullscreen(blur_, Pixels::kCovered);
     }
 }
 
@@ -331,9 +348,12 @@ void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     const Appearance& a = frame.appearance;
     const Background& b = frame.background;
     const float outline = any_selected ? std::max(1.0F, 1.6F * frame.pixel_ratio) : 0.0F;
-    const LookBlock look{linear(b.top, b.transparent ? 1.0F : 0.0F), linear(b.bottom, a.depth_cue),
-                         linear(a.glass, has_glass_ ? 1.0F : 0.0F),  linear(a.selection, outline),
-                         {a.key, a.fill, a.rim, a.specular},         {a.occlusion, 0.0F, 0.0F, 0.0F}};
+    const LookBlock look{glm::vec4(b.top, b.transparent ? 1.0F : 0.0F),
+                         glm::vec4(b.bottom, a.depth_cue),
+                         linear(a.glass, has_glass_ ? 1.0F : 0.0F),
+                         linear(a.selection, outline),
+                         {a.key, a.fill, a.rim, a.specular},
+                         {a.occlusion, 0.0F, 0.0F, 0.0F}};
     glNamedBufferSubData(look_block_, 0, sizeof look, &look);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
@@ -345,7 +365,10 @@ void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     glBindTextureUnit(5, blurred_);
     glBindTextureUnit(6, branch_texture_);
     glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
-    fullscreen(shade_);
+    fullscreen(background_);
+    // An outline reaches beyond the surface it surrounds.
+    fullscreen(shade_[(has_glass_ ? 1U : 0U) + (any_selected ? 2U : 0U)],
+               any_selected ? Pixels::kAll : Pixels::kCovered);
 }
 
 void Renderer::Impl::draw_overlays(const Frame& frame) {
@@ -371,6 +394,7 @@ void Renderer::Impl::draw_overlays(const Frame& frame) {
 // OpenGL's own defaults, for whoever draws next into the window.
 void Renderer::Impl::restore_state() const {
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glDepthFunc(GL_LESS);
     glBindVertexArray(0);
     glUseProgram(0);
     for (GLuint unit = 0; unit < 7; ++unit) glBindTextureUnit(unit, 0);

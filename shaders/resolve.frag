@@ -13,28 +13,32 @@ layout(location = 0) out uvec2 id_normal;
 layout(location = 1) out float opaque_depth; // for the occlusion: opaque surfaces only
 layout(location = 2) out float picked_depth; // of id_normal
 
+// Software rasterisers execute both sides of a branch: fetch what is needed, not what might be.
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int samples = int(picture.z);
-    id_normal = uvec2(0u);
+    int samples = int(picture.z), seen = 0;
     float nearest = 0.0; // reversed depth: larger is nearer
     for (int s = 0; s < samples; ++s) {
         float depth = texelFetch(depth_samples, pixel, s).x;
-        if (depth > nearest) {
-            nearest = depth;
-            id_normal = texelFetch(surface_samples, pixel, s).xy;
-        }
+        seen = depth > nearest ? s : seen;
+        nearest = max(nearest, depth);
     }
+    id_normal = texelFetch(surface_samples, pixel, seen).xy;
     opaque_depth = id_normal.x == 0u ? kNothing : eye_depth(nearest);
     picked_depth = opaque_depth;
-    if (has_glass && id_normal.x == 0u) {
+    if (has_glass) {
+        float pane = 0.0;
+        seen = 0;
         for (int s = 0; s < samples; ++s) {
             float depth = texelFetch(glass_depth_samples, pixel, s).x;
-            if (depth > nearest) {
-                nearest = depth;
-                id_normal = texelFetch(glass_samples, pixel, s).xy;
-            }
+            seen = depth > pane ? s : seen;
+            pane = max(pane, depth);
         }
-        if (id_normal.x != 0u) picked_depth = eye_depth(nearest);
+        if (id_normal.x == 0u) {
+            id_normal = texelFetch(glass_samples, pixel, seen).xy;
+            nearest = pane;
+            if (id_normal.x != 0u) picked_depth = eye_depth(pane);
+        }
     }
+    gl_FragDepth = nearest;
 }
