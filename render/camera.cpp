@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 
 namespace ramus::render {
 
@@ -147,34 +148,52 @@ Camera looking(const Camera& camera, View view) {
     return result;
 }
 
-Camera fitted(const Camera& camera, const Box& box, glm::ivec2 size) {
+Camera fitted(const Camera& camera, std::span<const glm::vec3> points, glm::ivec2 size) {
+    Box box;
+    for (const glm::vec3& point : points) box.include(glm::dvec3(point));
     const CameraAxes axes = axes_of(camera);
     const glm::dvec3 centre = box.centre();
-    const double radius = box.radius();
-    const glm::dvec3 lower = box.empty() ? glm::dvec3(-0.5) : box.lower,
-                     upper = box.empty() ? glm::dvec3(0.5) : box.upper;
+    const double radius = box.radius(), t = tan_half_angle(camera) / kMargin, wide = aspect(size);
 
-    const double t = tan_half_angle(camera);
-    double distance = 0.0, scale = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 point(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
-                               corner & 4 ? upper.z : lower.z);
-        const glm::dvec3 v = point - centre;
-        const double half =
-            kMargin * std::max(std::abs(glm::dot(v, axes.up)), std::abs(glm::dot(v, axes.right)) / aspect(size));
-        scale = std::max(scale, half);
-        distance = std::max(distance, half / t - glm::dot(v, axes.forward));
+    // A point at (x, y) across and z along the line of sight from the centre is in the picture of an eye at (cx, cy,
+    // -d) when |x - cx| <= t wide (z + d) and |y - cy| <= t (z + d): every side of the picture asks for one maximum.
+    constexpr double kNone = std::numeric_limits<double>::lowest();
+    double right = kNone, left = kNone, top = kNone, bottom = kNone;
+    for (const glm::vec3& point : points) {
+        const glm::dvec3 v = glm::dvec3(point) - centre;
+        const double x = glm::dot(v, axes.right), y = glm::dot(v, axes.up);
+        const double z = camera.orthographic ? 0.0 : t * glm::dot(v, axes.forward);
+        right = std::max(right, x - wide * z);
+        left = std::max(left, -x - wide * z);
+        top = std::max(top, y - z);
+        bottom = std::max(bottom, -y - z);
     }
-    scale = std::max(scale, 0.05 * radius); // a straight vessel seen end-on has no height
+    if (points.empty()) right = left = top = bottom = 0.5;
+    // Half the height of what is seen in the plane through the centre.
+    const double half = std::max({0.5 * (top + bottom), 0.5 * (right + left) / wide, 0.05 * radius});
     Camera result = camera;
-    result.scale = scale;
-    if (camera.orthographic) distance = scale / t; // switching to perspective then keeps the size
-    distance = std::max(distance, 0.05 * radius / t);
-    if (camera.orthographic) distance = std::max(distance, 1.5 * radius);
-    result.focal_point = centre;
-    result.position = centre - distance * axes.forward;
+    result.scale = kMargin * half;
+    result.focal_point = centre + 0.5 * (right - left) * axes.right + 0.5 * (top - bottom) * axes.up;
+    double distance = half / t;
+    if (camera.orthographic)
+        distance = std::max(distance, 1.5 * radius); // outside the tree, should the projection change
+    result.position = result.focal_point - distance * axes.forward;
     result.view_up = axes.up;
     return result;
+}
+
+Camera fitted(const Camera& camera, const Box& box, glm::ivec2 size) {
+    const glm::vec3 lower(box.empty() ? glm::dvec3(-0.5) : box.lower), upper(box.empty() ? glm::dvec3(0.5) : box.upper);
+    std::array<glm::vec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z};
+    return fitted(camera, std::span<const glm::vec3>(corners), size);
+}
+
+Camera camera_for(std::span<const glm::vec3> points, View view, glm::ivec2 size, bool orthographic) {
+    Camera camera;
+    camera.orthographic = orthographic;
+    return fitted(looking(camera, view), points, size);
 }
 
 Camera camera_for(const Box& box, View view, glm::ivec2 size, bool orthographic) {

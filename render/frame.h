@@ -35,10 +35,10 @@ struct Background {
 // Colours in sRGB. The lights are fixed to the viewer's head: a soft key from the upper left, a cool fill from the
 // right, a rim.
 struct Appearance {
-    glm::vec3 vessel{0.80F, 0.27F, 0.22F};
+    glm::vec3 vessel{0.80F, 0.285F, 0.235F};
     glm::vec3 highlight{1.00F, 0.74F, 0.20F};
     glm::vec3 selection{0.36F, 0.80F, 1.00F};
-    glm::vec3 glass{0.62F, 0.66F, 0.72F};
+    glm::vec3 glass{0.66F, 0.70F, 0.76F};
     float key = 1.0F;
     float fill = 1.0F;
     float rim = 1.0F;

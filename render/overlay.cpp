@@ -22,12 +22,12 @@ struct Face {
     glm::dvec3 colour; // linear
 };
 const std::array<Face, 6> kFaces{{
-    {'R', {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.34, 0.20, 0.18}},
-    {'L', {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.34, 0.20, 0.18}},
-    {'A', {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0.19, 0.30, 0.21}},
-    {'P', {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0.19, 0.30, 0.21}},
-    {'S', {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.18, 0.24, 0.37}},
-    {'I', {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0.18, 0.24, 0.37}},
+    {'R', {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.155, 0.095, 0.088}},
+    {'L', {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.155, 0.095, 0.088}},
+    {'A', {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0.088, 0.128, 0.098}},
+    {'P', {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0.088, 0.128, 0.098}},
+    {'S', {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
+    {'I', {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
 }};
 
 Coverage letter_tile(char letter, const std::string& font) {
@@ -123,7 +123,7 @@ Image paint_orientation_cube(const Camera& camera, int side, const std::string& 
                 const double edge = 2.0 * std::min(std::min(u, 1.0 - u), std::min(v, 1.0 - v));
                 const double lit = 0.55 + 0.60 * std::max(0.0, glm::dot(f.normal, light));
                 glm::dvec3 colour = f.colour * lit;
-                if (edge < 0.07) colour = 1.45 * colour + 0.03;
+                if (edge < 0.07) colour = 1.5 * colour + 0.04;
                 sum += glm::mix(colour, glm::dvec3(0.90, 0.92, 0.95) * std::min(1.0, 0.35 + 0.7 * lit),
                                 sampled(letters[face], u, v));
             }

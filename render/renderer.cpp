@@ -248,11 +248,13 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
     const double mm_at_unit_depth =
         flat ? mm_per_pixel(camera, frame.size) : 2.0 * std::tan(glm::radians(0.5 * camera.view_angle)) / size.y;
     const double reach = std::max(4.0, kOcclusionShare * size.y);
-    // The depth cue spans the tree's own depth, and stays put while the tree turns in place.
+    // The depth cue spans the box's own depth.
+    const glm::dvec3 half = 0.5 * (box.empty() ? glm::dvec3(1.0) : box.upper - box.lower);
+    const double depth = std::max(glm::dot(half, glm::abs(axes.forward)), 1e-3 * radius);
     view_.clip_to_eye = flat ? glm::vec4(0.0F, -(far - near), far / (far - near), 0.0F)
                              : glm::vec4(0.0F, projection[2][2], projection[3][2], 0.0F);
     view_.pixel_to_eye = {0.5F * size.x, 0.5F * size.y, mm_at_unit_depth, 0.0F};
-    view_.depth_range = {middle - radius, middle + radius, reach, reach * mm_at_unit_depth};
+    view_.depth_range = {middle - depth, middle + depth, reach, reach * mm_at_unit_depth};
     view_.picture = {size.x, size.y, view_.picture.z, flat ? 1.0F : 0.0F};
     glNamedBufferSubData(view_block_, 0, sizeof view_, &view_);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);

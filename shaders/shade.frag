@@ -42,18 +42,18 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     if ((branch.a & kCalm) != 0u) albedo = mix(vec3(dot(albedo, vec3(0.2126, 0.7152, 0.0722))), albedo, 0.38) * 0.62;
 
     float open = 1.0 - more.x * occluded;
-    Light key = lit(n, v, kKey, 0.15, 42.0), fill = lit(n, v, kFill, 0.35, 24.0);
-    vec3 ambient = mix(vec3(0.115, 0.098, 0.100), vec3(0.235, 0.250, 0.285), 0.5 + 0.5 * n.y);
-    float shadow = mix(1.0, open, 0.65); // the key is soft: what takes the sky takes some of it as well
-    vec3 radiance = albedo * (1.85 * lights.x * key.diffuse * vec3(1.0, 0.965, 0.915) * shadow +
-                              0.42 * lights.y * fill.diffuse * vec3(0.80, 0.90, 1.0) * open + ambient * 1.25 * open * open);
-    radiance += lights.w * shadow * (0.155 * key.specular * vec3(1.0, 0.98, 0.95) + 0.03 * fill.specular);
+    Light key = lit(n, v, kKey, 0.06, 70.0), fill = lit(n, v, kFill, 0.30, 24.0);
+    vec3 ambient = mix(vec3(0.085, 0.070, 0.074), vec3(0.190, 0.205, 0.240), 0.5 + 0.5 * n.y);
+    float shadow = mix(1.0, open, 0.75); // the key is soft: what takes the sky takes some of it as well
+    vec3 radiance = albedo * (1.50 * lights.x * key.diffuse * vec3(1.0, 0.965, 0.915) * shadow +
+                              0.34 * lights.y * fill.diffuse * vec3(0.80, 0.90, 1.0) * open + ambient * open * open);
+    radiance += lights.w * shadow * (0.25 * key.specular * vec3(1.0, 0.98, 0.95) + 0.03 * fill.specular);
     float edge = pow(1.0 - facing, 3.0);
-    radiance += lights.z * edge * open * (0.16 * albedo + 0.022 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
-    if ((branch.a & kHighlighted) != 0u) radiance = radiance * 1.12 + 0.05 * albedo;
+    radiance += lights.z * edge * open * (0.14 * albedo + 0.020 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
+    if ((branch.a & kHighlighted) != 0u) radiance = radiance * 1.10 + 0.05 * albedo;
 
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
-    float cue = background_bottom.w * ((branch.a & kHighlighted) != 0u ? 0.25 : 0.55) * far * far * (3.0 - 2.0 * far);
+    float cue = background_bottom.w * ((branch.a & kHighlighted) != 0u ? 0.25 : 0.68) * far * sqrt(far);
     radiance = mix(radiance, to_linear(0.5 * (background_top.rgb + background_bottom.rgb)), cue);
     if ((branch.a & kHovered) != 0u) radiance += (0.10 + 0.55 * pow(1.0 - facing, 2.0)) * mix(albedo, vec3(0.8), 0.55);
     return radiance;
@@ -65,12 +65,12 @@ vec4 glass(uint id, vec3 n, vec3 position) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
     uvec4 branch = texelFetch(branches, int(id) - 1);
     float facing = clamp(dot(n, v), 0.0, 1.0);
-    float veil = mix(0.10, 0.62, pow(1.0 - facing, 2.0));
+    float veil = mix(0.16, 0.72, pow(1.0 - facing, 1.6));
     vec3 tint = glass_colour.rgb;
     if ((branch.a & kSelected) != 0u) tint = mix(tint, selection_colour.rgb, 0.7), veil += 0.12;
     if ((branch.a & kHovered) != 0u) tint *= 1.6, veil += 0.12;
-    vec3 radiance = tint * (0.35 + 0.65 * max(0.0, dot(n, kKey)));
-    float shine = lights.w * 0.35 * pow(max(0.0, dot(n, normalize(kKey + v))), 60.0);
+    vec3 radiance = tint * (0.55 + 0.85 * max(0.0, dot(n, kKey)));
+    float shine = lights.w * 0.40 * pow(max(0.0, dot(n, normalize(kKey + v))), 60.0);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     veil *= 1.0 - 0.5 * background_bottom.w * far;
     return vec4(radiance * veil + shine, clamp(veil + shine, 0.0, 1.0));
