@@ -9,11 +9,11 @@
 namespace ramus::mesh {
 
 struct TriangleMesh {
-    std::vector<glm::vec3> positions;    // mm
-    std::vector<glm::vec3> normals;      // unit length, outward
-    std::vector<float> radii;            // local vessel radius in mm
-    std::vector<std::int32_t> branches;  // id of the dominating branch
-    std::vector<glm::uvec3> triangles;   // counter-clockwise seen from outside
+    std::vector<glm::vec3> positions;   // mm
+    std::vector<glm::vec3> normals;     // unit length, outward
+    std::vector<float> radii;           // local vessel radius in mm
+    std::vector<std::int32_t> branches; // id of the dominating branch
+    std::vector<glm::uvec3> triangles;  // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };
 

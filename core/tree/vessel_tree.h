@@ -1,5 +1,6 @@
 // VesselTree: the skeleton of a vessel system with a radius at every point, cut into branches, with the hierarchy that
-// blood flow from the root implies. A plain value: build it with build_tree(), derive new ones with smooth() and prune().
+// blood flow from the root implies. A plain value: build it with build_tree(), derive new ones with smooth() and
+// prune().
 //
 // Guarantees (after build_tree): every branch has at least two points and positive length between consecutive points;
 // every radius is positive and finite; branch ids are indices into `branches`, stable for a given file; a branch's
@@ -36,6 +37,7 @@ struct Branch {
 
 struct VesselTree {
     std::vector<Point> points;
+    std::vector<int> labels; // per point, as the file labels them (SWC type code); empty when it does not
     std::vector<Branch> branches;
     std::vector<std::uint32_t> roots; // point index of the root of each component, in file order
     int loop_count = 0;               // independent cycles (edges - nodes + components)

@@ -1,17 +1,23 @@
-// Real trees and masks that tests look at where they lie beside the checkout, and that no clone has to have. A test
-// that misses its file says so: ctest then lists the test as skipped, never as passed.
-//   const auto file = shared_data("trees/brain_BG001.swc"); if (!file) return;
+// Real trees live beside the checkout, not in it. Tests on them say so and pass where there are none.
 #pragma once
 
+#include <doctest/doctest.h>
 #include <filesystem>
-#include <iostream>
-#include <optional>
 #include <string>
+#include <vector>
 
-// Path of a file under RAMUS_SHARED_DATA; without it, the word that tests/CMakeLists.txt makes ctest look for.
-inline std::optional<std::filesystem::path> shared_data(const std::string& name) {
-    std::filesystem::path path = std::filesystem::path(RAMUS_SHARED_DATA) / name;
-    if (std::filesystem::exists(path)) return path;
-    std::cout << "SKIPPED: " << path.string() << " is not here" << std::endl;
-    return std::nullopt;
+namespace ramus::test {
+
+// All SWC files of the shared data, sorted; empty (with a visible word) in a plain clone.
+inline std::vector<std::filesystem::path> shared_trees() {
+    const std::filesystem::path folder = std::filesystem::path(RAMUS_SHARED_DATA) / "trees";
+    std::vector<std::filesystem::path> trees;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        if (entry.path().extension() == ".swc") trees.push_back(entry.path());
+    std::sort(trees.begin(), trees.end());
+    if (trees.empty()) MESSAGE("SKIPPED: no real trees in " << folder.string());
+    return trees;
 }
+
+} // namespace ramus::test

@@ -1,0 +1,199 @@
+#include "core/tree/build_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+namespace ramus::tree {
+
+namespace {
+
+using Place = std::function<std::string(std::uint32_t)>;
+
+std::string number(double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << value;
+    return text.str();
+}
+
+std::optional<Error> find_bad_point(const Graph& graph, const Place& place) {
+    for (std::uint32_t i = 0; i < graph.points.size(); ++i) {
+        const Point& p = graph.points[i];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double c = p.position[axis];
+            if (!std::isfinite(c))
+                return Error{"a coordinate is not a finite number", place(i), "remove or correct the point"};
+            if (std::abs(c) > kMaximumCoordinate)
+                return Error{"coordinate " + number(c) + " mm is farther out than " + number(kMaximumCoordinate) +
+                                 " mm",
+                             place(i), "check the unit, or remove the point"};
+        }
+        if (!std::isfinite(p.radius)) return Error{"the radius is not a finite number", place(i), "correct the radius"};
+        if (p.radius < 0.0)
+            return Error{"radius " + number(p.radius) + " is negative", place(i),
+                         "edit the file; a radius of 0 would be repaired"};
+        if (p.radius > kMaximumRadius)
+            return Error{"radius " + number(p.radius) + " mm is larger than " + number(kMaximumRadius) + " mm",
+                         place(i), "check the unit, or correct the radius"};
+    }
+    for (const auto& [a, b] : graph.edges)
+        if (a >= graph.points.size() || b >= graph.points.size())
+            return Error{"an edge names point " + std::to_string(std::max(a, b)) + ", but there are only " +
+                             std::to_string(graph.points.size()),
+                         place(0), "edit the file"};
+    return std::nullopt;
+}
+
+// Joins the ends of edges of no length. Returns for every point the point that stands for it.
+std::vector<std::uint32_t> merge_repeated(const Graph& graph, std::vector<std::string>& repairs, const Place& place) {
+    std::vector<std::uint32_t> stands(graph.points.size());
+    std::iota(stands.begin(), stands.end(), 0U);
+    const auto find = [&](std::uint32_t p) {
+        while (stands[p] != p) p = stands[p] = stands[stands[p]];
+        return p;
+    };
+    for (const auto& [a, b] : graph.edges) {
+        if (a == b || graph.points[a].position != graph.points[b].position) continue;
+        const std::uint32_t ra = find(a);
+        const std::uint32_t rb = find(b);
+        if (ra == rb) continue;
+        stands[std::max(ra, rb)] = std::min(ra, rb);
+        repairs.push_back(place(b) + ": merged with the point before it, which lies at the same place");
+    }
+    for (std::uint32_t p = 0; p < stands.size(); ++p) stands[p] = find(p);
+    return stands;
+}
+
+// Zero radii become the mean of their neighbours' positive radii; a run of them fills up from its ends.
+bool fill_radii(std::vector<Point>& points, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+                std::vector<std::string>& repairs, const std::function<std::string(std::uint32_t)>& place) {
+    while (true) {
+        std::vector<double> sum(points.size(), 0.0);
+        std::vector<int> count(points.size(), 0);
+        bool any_zero = false;
+        for (const auto& [a, b] : edges) {
+            for (const auto& [to, from] : {std::pair(a, b), std::pair(b, a)}) {
+                if (points[to].radius > 0.0) continue;
+                any_zero = true;
+                if (points[from].radius <= 0.0) continue;
+                sum[to] += points[from].radius;
+                ++count[to];
+            }
+        }
+        if (!any_zero) return true;
+        bool filled = false;
+        for (std::uint32_t p = 0; p < points.size(); ++p) {
+            if (points[p].radius > 0.0 || count[p] == 0) continue;
+            points[p].radius = sum[p] / count[p];
+            repairs.push_back(place(p) + ": radius 0 replaced by " + number(points[p].radius) +
+                              ", the mean of its neighbours");
+            filled = true;
+        }
+        if (!filled) return false;
+    }
+}
+
+// The thickest end (or point, where there is none) of every component that has no root yet.
+std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points,
+                                          const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+                                          std::vector<std::uint32_t> roots) {
+    std::vector<std::uint32_t> component(points.size());
+    std::iota(component.begin(), component.end(), 0U);
+    const auto find = [&](std::uint32_t p) {
+        while (component[p] != p) p = component[p] = component[component[p]];
+        return p;
+    };
+    std::vector<int> degree(points.size(), 0);
+    for (const auto& [a, b] : edges) {
+        ++degree[a], ++degree[b];
+        const std::uint32_t ra = find(a);
+        const std::uint32_t rb = find(b);
+        if (ra != rb) component[std::max(ra, rb)] = std::min(ra, rb);
+    }
+    std::vector<bool> rooted(points.size(), false);
+    for (const std::uint32_t root : roots) rooted[find(root)] = true;
+    constexpr auto kUnset = static_cast<std::uint32_t>(-1);
+    std::vector<std::uint32_t> best(points.size(), kUnset);
+    for (std::uint32_t p = 0; p < points.size(); ++p) {
+        if (degree[p] == 0 || rooted[find(p)]) continue;
+        std::uint32_t& choice = best[find(p)];
+        const auto rank = [&](std::uint32_t q) { return std::pair(degree[q] == 1, points[q].radius); };
+        if (choice == kUnset || rank(p) > rank(choice)) choice = p;
+    }
+    for (const std::uint32_t choice : best)
+        if (choice != kUnset) roots.push_back(choice);
+    return roots;
+}
+
+} // namespace
+
+Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
+    if (auto error = find_bad_point(graph, place)) return tl::unexpected(std::move(*error));
+    if (std::ranges::none_of(graph.points, [](const Point& p) { return p.radius > 0.0; }))
+        return fail("no point has a positive radius", graph.points.empty() ? std::string() : place(0),
+                    "the tree needs radii; check that the radius column is filled");
+
+    std::vector<std::string> repairs;
+    const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, place);
+
+    // Edges between what is left, each once.
+    for (auto& [a, b] : graph.edges) a = stands[a], b = stands[b];
+    std::erase_if(graph.edges, [](const auto& edge) { return edge.first == edge.second; });
+    std::vector<std::size_t> order(graph.edges.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t e) { return std::minmax(graph.edges[e].first, graph.edges[e].second); };
+    std::ranges::stable_sort(order,
+                             [&](std::size_t x, std::size_t y) { return std::pair(key(x)) < std::pair(key(y)); });
+    std::vector<bool> twice(graph.edges.size(), false);
+    for (std::size_t n = 1; n < order.size(); ++n) {
+        const auto x = key(order[n - 1]);
+        const auto y = key(order[n]);
+        if (x.first != y.first || x.second != y.second) continue;
+        twice[order[n]] = true;
+        repairs.push_back(place(y.second) + ": a repeated connection was left out");
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    std::vector<bool> connected(graph.points.size(), false);
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        if (twice[e]) continue;
+        edges.push_back(graph.edges[e]);
+        connected[graph.edges[e].first] = connected[graph.edges[e].second] = true;
+    }
+    if (edges.empty())
+        return fail("the tree has no segment: a vessel needs two points at different places",
+                    graph.points.empty() ? std::string() : place(0), "check that points are connected to each other");
+    for (std::uint32_t p = 0; p < graph.points.size(); ++p)
+        if (!connected[p] && stands[p] == p)
+            repairs.push_back(place(p) + ": a point connected to nothing was left out");
+
+    if (!fill_radii(graph.points, edges, repairs, place))
+        return fail("a vessel has no positive radius anywhere", place(edges.front().first),
+                    "give at least one of its points a radius");
+    if (repair == Repair::kNone && !repairs.empty())
+        return fail("the file needs repair: " + repairs.front(), {}, "allow it with --repair all, or edit the file");
+
+    // Points that are left, renumbered in their old order.
+    std::vector<std::uint32_t> renumbered(graph.points.size(), 0);
+    std::vector<Point> points;
+    std::vector<int> labels;
+    for (std::uint32_t p = 0; p < graph.points.size(); ++p) {
+        if (!connected[p]) continue;
+        renumbered[p] = static_cast<std::uint32_t>(points.size());
+        points.push_back(graph.points[p]);
+        if (!graph.labels.empty()) labels.push_back(graph.labels[p]);
+    }
+    for (auto& [a, b] : edges) a = renumbered[a], b = renumbered[b];
+    std::vector<std::uint32_t> roots;
+    for (const std::uint32_t root : graph.roots)
+        if (root < stands.size() && connected[stands[root]]) roots.push_back(renumbered[stands[root]]);
+    roots = complete_roots(points, edges, std::move(roots));
+    VesselTree tree = assemble(std::move(points), std::move(labels), edges, roots);
+    tree.repairs = std::move(repairs);
+    return tree;
+}
+
+} // namespace ramus::tree

@@ -1,0 +1,94 @@
+#include "core/tree/prune.h"
+
+#include "core/tree/build_tree.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ramus::tree {
+
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+std::vector<int> sources_in_order(const VesselTree& tree, const std::map<Edge, int>& source_of) {
+    std::vector<int> sources;
+    sources.reserve(tree.segment_count());
+    for (const Branch& branch : tree.branches)
+        for (std::size_t i = 1; i < branch.points.size(); ++i)
+            sources.push_back(source_of.at(std::minmax(branch.points[i - 1], branch.points[i])));
+    return sources;
+}
+
+PrunedTree unpruned(const VesselTree& tree) {
+    PrunedTree result{tree, {}};
+    result.segment_source.reserve(tree.segment_count());
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        result.segment_source.insert(result.segment_source.end(), tree.branches[id].points.size() - 1,
+                                     static_cast<int>(id));
+    return result;
+}
+
+// Leaf branches of `tree` that are too short; ends that close a loop are no leaves.
+std::vector<bool> short_leaves(const VesselTree& tree, double ratio) {
+    std::vector<int> degree(tree.points.size(), 0);
+    for (const Branch& branch : tree.branches) ++degree[branch.points.front()], ++degree[branch.points.back()];
+    std::vector<bool> goes(tree.branches.size(), false);
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        const Branch& branch = tree.branches[id];
+        if (branch.parent == kNoBranch || degree[branch.points.back()] != 1) continue;
+        goes[id] =
+            length_mm(tree, branch) < ratio * length_mm(tree, tree.branches[static_cast<std::size_t>(branch.parent)]);
+    }
+    return goes;
+}
+
+} // namespace
+
+PrunedTree prune(const VesselTree& source, double ratio) {
+    PrunedTree result = unpruned(source);
+    if (!(ratio > 0.0)) return result;
+    std::map<Edge, int> source_of;
+    {
+        std::size_t ordinal = 0;
+        for (const Branch& branch : source.branches)
+            for (std::size_t i = 1; i < branch.points.size(); ++i)
+                source_of[std::minmax(branch.points[i - 1], branch.points[i])] = result.segment_source[ordinal++];
+    }
+    VesselTree tree = source;
+    while (true) {
+        const std::vector<bool> goes = short_leaves(tree, ratio);
+        if (std::ranges::none_of(goes, [](bool g) { return g; })) break;
+        std::vector<Edge> edges;
+        for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+            if (goes[id]) continue;
+            const auto& points = tree.branches[id].points;
+            for (std::size_t i = 1; i < points.size(); ++i) edges.emplace_back(points[i - 1], points[i]);
+        }
+        const std::vector<std::uint32_t> roots = tree.roots;
+        tree = assemble(std::move(tree.points), std::move(tree.labels), edges, roots);
+    }
+    result.segment_source = sources_in_order(tree, source_of);
+
+    std::vector<std::uint32_t> renumbered(tree.points.size(), 0);
+    std::vector<bool> used(tree.points.size(), false);
+    for (const Branch& branch : tree.branches)
+        for (const std::uint32_t p : branch.points) used[p] = true;
+    VesselTree compact;
+    for (std::uint32_t p = 0; p < tree.points.size(); ++p) {
+        if (!used[p]) continue;
+        renumbered[p] = static_cast<std::uint32_t>(compact.points.size());
+        compact.points.push_back(tree.points[p]);
+        if (!tree.labels.empty()) compact.labels.push_back(tree.labels[p]);
+    }
+    compact.branches = std::move(tree.branches);
+    for (Branch& branch : compact.branches)
+        for (std::uint32_t& p : branch.points) p = renumbered[p];
+    for (const std::uint32_t root : tree.roots) compact.roots.push_back(renumbered[root]);
+    compact.loop_count = source.loop_count;
+    compact.repairs = source.repairs;
+    result.tree = std::move(compact);
+    return result;
+}
+
+} // namespace ramus::tree
