@@ -1,0 +1,206 @@
+#include "core/io/output_file.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace ramus::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Unfinished files, for the signal handler. Whoever takes a name out of its slot owns it.
+constexpr std::size_t kSlots = 16;
+std::array<std::atomic<char*>, kSlots> unfinished{};
+std::atomic<bool> ending{false};
+std::atomic<unsigned> serial{0};
+
+std::atomic<char*>* remember(const std::string& path) {
+    char* name = ::strdup(path.c_str());
+    for (std::atomic<char*>& slot : unfinished) {
+        char* empty = nullptr;
+        if (slot.compare_exchange_strong(empty, name)) return &slot;
+    }
+    std::free(name);
+    return nullptr; // so many at once that this one is not seen to on a signal
+}
+
+void forget(std::atomic<char*>* slot) {
+    if (slot != nullptr) std::free(slot->exchange(nullptr));
+}
+
+tl::unexpected<Error> write_error(const fs::path& target, int code) {
+    const std::string where = target.string();
+    switch (code) {
+    case ENOSPC:
+    case EDQUOT:
+        return fail("the disk is full", where, "nothing was written; free some space or write to another disk");
+    case EFBIG:
+        return fail("the file would be larger than this system allows it to be", where,
+                    "nothing was written; raise the limit (ulimit -f) or write less");
+    case EACCES:
+    case EPERM:
+        return fail("no permission to write there", where, "choose another folder or change its permissions");
+    case EROFS:
+        return fail("the disk can only be read", where, "choose a folder on another disk");
+    case ENAMETOOLONG:
+        return fail("the file name is too long", where, "choose a shorter one");
+    default:
+        return fail("cannot be written: " + std::string(std::strerror(code)), where, "choose another place for it");
+    }
+}
+
+fs::path folder_of(const fs::path& target) {
+    const fs::path folder = target.parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+}
+
+// Where the bytes shall finally lie: a link is followed, so that it stays a link.
+fs::path final_path(const fs::path& target) {
+    std::error_code code;
+    if (!fs::is_symlink(target, code)) return fs::absolute(target, code);
+    const fs::path resolved = fs::weakly_canonical(target, code);
+    return code ? fs::absolute(target) : resolved;
+}
+
+bool is_device(const fs::path& path) {
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    return !code && fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+} // namespace
+
+struct OutputFile::State {
+    fs::path asked;        // as the user named it, for messages
+    fs::path target;       // where it goes
+    std::string temporary; // what is written until then; empty for a device
+    std::atomic<char*>* slot = nullptr;
+    int descriptor = -1;
+    int error = 0; // the first errno of a write
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (descriptor >= 0) ::close(descriptor);
+        if (!temporary.empty()) ::unlink(temporary.c_str());
+        forget(slot);
+    }
+};
+
+Result<void> check_output(const fs::path& target) {
+    const std::string where = target.string();
+    if (target.empty()) return fail("the output has no name", {}, "give a file name after -o");
+    std::error_code code;
+    if (fs::is_directory(target, code)) return fail("is a folder", where, "give the name of a file in it");
+    const fs::path place = final_path(target);
+    if (is_device(place)) return {};
+    const fs::path folder = folder_of(place);
+    if (!fs::is_directory(folder, code))
+        return fail("the folder " + folder_of(target).string() + " does not exist", where,
+                    "create it first or choose another one");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) return write_error(target, errno);
+    if (fs::exists(place, code) && ::access(place.c_str(), W_OK) != 0) return write_error(target, errno);
+    return {};
+}
+
+OutputFile::OutputFile(std::unique_ptr<State> state)
+    : state_(std::move(state)), buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
+OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
+OutputFile::~OutputFile() = default;
+
+Result<OutputFile> OutputFile::create(const fs::path& target) {
+    if (auto possible = check_output(target); !possible) return tl::unexpected(possible.error());
+    auto state = std::make_unique<State>();
+    state->asked = target;
+    state->target = final_path(target);
+
+    if (is_device(state->target)) {
+        state->descriptor = ::open(state->target.c_str(), O_WRONLY | O_CLOEXEC);
+        if (state->descriptor < 0) return write_error(target, errno);
+        return OutputFile(std::move(state));
+    }
+    // A name of fixed length, so that a long target name leaves room; others in case an earlier process left its own.
+    constexpr int kAttempts = 100;
+    int code = EEXIST;
+    for (int attempt = 0; attempt < kAttempts && code == EEXIST; ++attempt) {
+        const std::string name =
+            ".ramus-" + std::to_string(::getpid()) + "-" + std::to_string(serial.fetch_add(1)) + ".part";
+        const std::string path = (folder_of(state->target) / name).string();
+        // Remembered before it exists: a signal in between then finds it.
+        state->slot = remember(path);
+        state->descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        code = state->descriptor < 0 ? errno : 0;
+        if (code == 0)
+            state->temporary = path;
+        else
+            forget(std::exchange(state->slot, nullptr)); // not ours to remove
+    }
+    if (code != 0) return write_error(target, code);
+    if (ending.load()) return fail("interrupted", target.string());
+    // A file that is replaced keeps its permissions, as far as this user may set them.
+    struct stat old {};
+    if (::stat(state->target.c_str(), &old) == 0) [[maybe_unused]]
+        const int ignored = ::fchmod(state->descriptor, old.st_mode & 07777);
+    return OutputFile(std::move(state));
+}
+
+void OutputFile::flush(const std::byte* bytes, std::size_t count) {
+    while (count > 0 && state_->error == 0) {
+        const ssize_t done = ::write(state_->descriptor, bytes, count);
+        if (done < 0 && errno == EINTR) continue;
+        if (done <= 0) {
+            state_->error = done < 0 ? errno : ENOSPC;
+            return;
+        }
+        bytes += done;
+        count -= static_cast<std::size_t>(done);
+    }
+}
+
+void OutputFile::write_through(const void* bytes, std::size_t count) {
+    flush(buffer_.get(), std::exchange(used_, 0));
+    if (count > kBufferSize / 2) return flush(static_cast<const std::byte*>(bytes), count);
+    std::memcpy(buffer_.get(), bytes, count);
+    used_ = count;
+}
+
+Result<void> OutputFile::commit() {
+    flush(buffer_.get(), std::exchange(used_, 0));
+    const std::unique_ptr<State> state = std::move(state_);
+    const bool device = state->temporary.empty();
+    if (state->error == 0 && !device && ::fsync(state->descriptor) != 0) state->error = errno;
+    if (::close(std::exchange(state->descriptor, -1)) != 0 && state->error == 0) state->error = errno;
+    if (state->error == 0 && !device) {
+        if (::rename(state->temporary.c_str(), state->target.c_str()) == 0)
+            state->temporary.clear();
+        else
+            state->error = errno;
+    }
+    if (state->error != 0) return write_error(state->asked, state->error);
+    return {};
+}
+
+Result<void> write_file(const fs::path& target, std::string_view text) {
+    auto file = OutputFile::create(target);
+    if (!file) return tl::unexpected(file.error());
+    file->write(text);
+    return file->commit();
+}
+
+void remove_unfinished_files() noexcept {
+    ending.store(true);
+    for (std::atomic<char*>& slot : unfinished)
+        if (const char* path = slot.exchange(nullptr); path != nullptr) ::unlink(path);
+}
+
+} // namespace ramus::io
