@@ -1,15 +1,12 @@
 #include "render/image.h"
 
+#include "core/io/output_file.h"
+
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <png.h>
-#include <span>
-#include <system_error>
-#include <unistd.h>
 
 namespace ramus::render {
 
@@ -21,24 +18,6 @@ struct CloseFile {
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
 constexpr std::uint32_t kLargestPngSide = 32768;
-
-// Written beside its place and renamed, so that no half picture is ever there.
-Result<void> write_whole_file(const std::filesystem::path& path, std::span<const char> bytes) {
-    const std::filesystem::path beside = path.string() + ".part" + std::to_string(getpid());
-    const auto refuse = [&](const std::string& what) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        return fail(what + " (" + std::strerror(errno) + ")", path.string(),
-                    "check the folder, its permissions and the space left");
-    };
-    File file(std::fopen(beside.c_str(), "wb"));
-    if (!file) return refuse("cannot be written");
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-    const bool closed = std::fclose(file.release()) == 0;
-    if (!written || !closed) return refuse("could not be written whole");
-    if (std::rename(beside.c_str(), path.c_str()) != 0) return refuse("could not be put in place");
-    return {};
-}
 
 // A channel as seen over black.
 int premultiplied(const std::uint8_t* pixel, int channel) {
@@ -75,8 +54,6 @@ Result<Image> read_png(const std::filesystem::path& path) {
 }
 
 Result<void> write_png(const Image& image, const std::filesystem::path& path) {
-    if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
-        return fail("is a folder", path.string(), "name a file to write");
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(image.width);
@@ -88,7 +65,7 @@ Result<void> write_png(const Image& image, const std::filesystem::path& path) {
     std::vector<char> encoded(bytes);
     if (png_image_write_to_memory(&png, encoded.data(), &bytes, 0, image.rgba.data(), 0, nullptr) == 0)
         return fail(std::string("the picture could not be encoded: ") + png.message, path.string());
-    return write_whole_file(path, {encoded.data(), bytes});
+    return io::write_file(path, {encoded.data(), bytes});
 }
 
 Result<Comparison> compare(const Image& actual, const Image& reference, int threshold) {

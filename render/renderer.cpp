@@ -261,7 +261,6 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
 
     has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
     if (has_glass_) make_glass_layer();
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
@@ -423,6 +422,7 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& frame) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glViewport(0, 0, size_.x, size_.y);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     const GpuMesh* mesh = upload(frame.mesh, done.uploaded);
     const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
                                size_ == old_size && samples_ == old_samples && last_layers_ == layers &&

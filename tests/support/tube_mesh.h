@@ -9,9 +9,11 @@
 namespace ramus::test {
 
 // Adds a closed round cone from a to b with half-sphere ends; `around` vertices a ring.
-inline void add_capsule(mesh::TriangleMesh& mesh, glm::vec3 a, glm::vec3 b, float ra, float rb, int branch, int around = 24) {
+inline void add_capsule(mesh::TriangleMesh& mesh, glm::vec3 a, glm::vec3 b, float ra, float rb, int branch,
+                        int around = 24) {
     const glm::vec3 axis = glm::normalize(b - a);
-    const glm::vec3 side = glm::normalize(glm::cross(axis, std::abs(axis.z) < 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
+    const glm::vec3 side =
+        glm::normalize(glm::cross(axis, std::abs(axis.z) < 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
     const glm::vec3 other = glm::cross(axis, side);
     const int quarter = around / 4;
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
@@ -28,7 +30,8 @@ inline void add_capsule(mesh::TriangleMesh& mesh, glm::vec3 a, glm::vec3 b, floa
             const float latitude = kHalfPi * (end == 0 ? float(i) / float(quarter) - 1.0F : float(i) / float(quarter));
             for (int k = 0; k < around; ++k) {
                 const float angle = 4.0F * kHalfPi * float(k) / float(around);
-                const glm::vec3 n = std::cos(latitude) * (std::cos(angle) * side + std::sin(angle) * other) + std::sin(latitude) * axis;
+                const glm::vec3 n =
+                    std::cos(latitude) * (std::cos(angle) * side + std::sin(angle) * other) + std::sin(latitude) * axis;
                 add((end == 0 ? a : b) + (end == 0 ? ra : rb) * n, n, end == 0 ? ra : rb);
             }
         }

@@ -369,10 +369,10 @@ bool Colony::merge_one_fork() {
     return false;
 }
 
-// Cuts out segments with all that hangs on them; never the two that the hilum must have.
+// Cuts out segments with all that hangs on them, except the portal vein's own trunks.
 void Colony::cut_out(const std::vector<int>& segments) {
     std::vector<bool> gone(tree_.nodes.size(), false);
-    for (const int id : segments) gone[static_cast<std::size_t>(id)] = tree_.at(id).parent > kHilum;
+    for (const int id : segments) gone[static_cast<std::size_t>(id)] = true;
     const std::vector<int> order = tree_.from_root();
     for (const int id : order)
         if (id > kHilum && gone[static_cast<std::size_t>(tree_.at(id).parent)])

@@ -1,0 +1,96 @@
+#include "render/overlay.h"
+#include "render/text.h"
+
+#include <doctest/doctest.h>
+#include <numeric>
+
+using namespace ramus::render;
+
+namespace {
+
+// Bright pixels of the letter as a picture of 0 and 1 (faces are dark, letters light).
+int bright(const Image& image, int x0, int x1, int y0, int y1) {
+    int count = 0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) count += image.pixel(x, y)[1] > 165 ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("scale bars have round lengths that fit") {
+    CHECK(scale_bar_length_mm(9.99) == doctest::Approx(5.0));
+    CHECK(scale_bar_length_mm(10.0) == doctest::Approx(10.0));
+    CHECK(scale_bar_length_mm(49.0) == doctest::Approx(20.0));
+    CHECK(scale_bar_length_mm(0.0031) == doctest::Approx(0.002));
+    CHECK(scale_bar_label(20.0) == "20 mm");
+    CHECK(scale_bar_label(0.5) == "500 \xb5m");
+    CHECK(scale_bar_label(200.0) == "20 cm");
+    CHECK(scale_bar_label(1.0) == "1 mm");
+}
+
+TEST_CASE("the scale bar is as long as it says") {
+    Frame frame;
+    frame.size = {900, 700};
+    frame.camera.orthographic = true;
+    frame.camera.scale = 35.0; // 0.1 mm a pixel: at most 150 pixels, so 10 mm = 100 pixels
+    frame.overlays.orientation_cube = false;
+    const auto sprites = overlays_of(frame, default_font());
+    REQUIRE(sprites.size() == 1);
+    const Image& bar = sprites[0].image;
+    const int row = bar.height - 2; // halo below, then the line
+    int ink = 0;
+    for (int x = 0; x < bar.width; ++x) ink += bar.pixel(x, row)[0] > 200 ? 1 : 0;
+    CHECK(ink == 100);
+}
+
+TEST_CASE("every letter that overlays need has ink in both fonts, and they differ from each other") {
+    for (const std::string& font : {default_font(), std::string(), std::string("/no/such/font.ttf")}) {
+        CAPTURE(font);
+        std::vector<Coverage> drawn;
+        for (const char c : std::string("0123456789.mcn\xb5RLAPSI")) {
+            drawn.push_back(draw_text(std::string(1, c), 24.0, font));
+            CHECK(std::accumulate(drawn.back().values.begin(), drawn.back().values.end(), 0) > 255 * 8);
+        }
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) CHECK(drawn[i].values != drawn[j].values);
+        CHECK(draw_text("20 mm", 10.0, font).width > draw_text("2 mm", 10.0, font).width);
+    }
+}
+
+TEST_CASE("the cube shows one face head-on in an anatomical view, and three from a corner") {
+    for (const std::string& font : {default_font(), std::string()}) {
+        std::vector<Image> faces;
+        for (const View view : kViews) {
+            const Image cube = paint_orientation_cube(looking(Camera{}, view), 96, font);
+            CHECK(bright(cube, 0, 96, 0, 96) > 60);
+            for (const Image& other : faces) CHECK(compare(cube, other, 60)->differing > 40);
+            faces.push_back(cube);
+        }
+        // An L has its foot at the lower right and its stem at the left: neither mirrored nor upside down.
+        const Image left = paint_orientation_cube(looking(Camera{}, View::kLeft), 96, font);
+        CHECK(bright(left, 0, 48, 0, 96) > bright(left, 48, 96, 0, 96));
+        CHECK(bright(left, 0, 96, 48, 96) > bright(left, 0, 96, 0, 48));
+        // A P has its bowl at the upper right.
+        const Image back = paint_orientation_cube(looking(Camera{}, View::kPosterior), 96, font);
+        CHECK(bright(back, 49, 96, 0, 48) > bright(back, 49, 96, 50, 96) + 5);
+    }
+    const Image corner =
+        paint_orientation_cube(turned(looking(Camera{}, View::kAnterior), 35.0, 30.0), 96, default_font());
+    CHECK(corner.pixel(0, 0)[3] == 0); // round about the cube nothing
+    CHECK(corner.pixel(48, 48)[3] > 200);
+}
+
+TEST_CASE("overlays keep clear of the insets and leave small pictures alone") {
+    Frame frame;
+    frame.size = {1000, 800};
+    frame.overlays.inset_left = 200, frame.overlays.inset_right = 150, frame.overlays.inset_bottom = 90;
+    for (const Sprite& sprite : overlays_of(frame, "")) {
+        CHECK(sprite.corner.x >= 200);
+        CHECK(sprite.corner.x + sprite.image.width <= 850);
+        CHECK(sprite.corner.y + sprite.image.height <= 710);
+    }
+    frame.size = {90, 60};
+    frame.overlays = {};
+    CHECK(overlays_of(frame, "").empty());
+}
