@@ -41,6 +41,7 @@ struct VesselTree {
     std::vector<Branch> branches;
     std::vector<std::uint32_t> roots; // point index of the root of each component, in file order
     int loop_count = 0;               // independent cycles (edges - nodes + components)
+    std::string source;               // name of the file it came from first; empty when that is not known
     std::vector<std::string> repairs; // what reading changed, one sentence each; empty when nothing was
 
     [[nodiscard]] std::size_t segment_count() const;

@@ -1,7 +1,5 @@
 #include "core/tree/grow/centerlines.h"
 
-#include "core/tree/grow/touching.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +57,9 @@ std::vector<Shape> shapes(const Skeleton& tree, double tortuosity, std::uint64_t
 }
 
 // Cubic from node to node plus the bends, which leave ends and tangents as they are; bending 0 is the straight segment.
-std::vector<Vec> sample(const Skeleton& tree, int id, const Shape& shape, double bending, double spacing_mm) {
+// Coordinates are rounded to 1 / decimal mm: files need not carry digits that mean nothing.
+std::vector<Vec> sample(const Skeleton& tree, int id, const Shape& shape, double bending, double spacing_mm,
+                        double decimal) {
     const Vec& a = tree.at(tree.at(id).parent).position;
     const Vec& b = tree.at(id).position;
     const double length = glm::length(b - a);
@@ -92,6 +92,7 @@ std::vector<Vec> sample(const Skeleton& tree, int id, const Shape& shape, double
         line.push_back(at((static_cast<double>(i - 1) + part) / fine));
     }
     line.push_back(b);
+    for (Vec& point : line) point = glm::floor(point * decimal + 0.5) / decimal;
     return line;
 }
 
@@ -110,42 +111,50 @@ BentTree bend(const Skeleton& tree, const Organ& organ, double spacing_mm, doubl
     std::vector<bool> stale(tree.nodes.size(), true);
     BentTree result;
     result.lines.resize(tree.nodes.size());
-    for (int round = 0; round <= kRounds; ++round) {
-        std::vector<bool> unfit(tree.nodes.size(), false);
-        for (int id = 1; id < tree.size(); ++id) {
+    std::vector<bool> unfit(tree.nodes.size(), false);
+    double decimal = 1.0;
+    while (2e6 > decimal * (organ.high().x - organ.low().x)) decimal *= 10.0;
+    const auto draw = [&](int id) {
+        const auto at = static_cast<std::size_t>(id);
+        auto& line = result.lines[at];
+        line = sample(tree, id, shape[at], bending[at], spacing_mm, decimal);
+        unfit[at] = kinked(line);
+        if (tree.at(id).parent == 0) return; // the stem comes from outside
+        for (const Vec& point : line)
+            if (organ.depth_mm(point) < tree.radius_mm(id)) unfit[at] = true;
+    };
+    for (int id = 1; id < tree.size(); ++id) draw(id);
+    Touching touching(tree, result.lines, organ, joint_reach);
+
+    std::vector<bool> changed(tree.nodes.size(), false);
+    const std::vector<bool> all(tree.nodes.size(), true);
+    std::vector<std::pair<int, int>> pairs = touching.find(result.lines, changed, all);
+    for (int round = 1; round <= kRounds; ++round) {
+        std::fill(changed.begin(), changed.end(), false);
+        const auto calm = [&](int id) {
             const auto at = static_cast<std::size_t>(id);
-            if (!stale[at]) continue;
-            result.lines[at] = sample(tree, id, shape[at], bending[at], spacing_mm);
-            unfit[at] = kinked(result.lines[at]);
-            if (tree.at(id).parent == 0) continue; // the stem comes from outside
-            for (const Vec& point : result.lines[at])
-                if (organ.depth_mm(point) < tree.radius_mm(id)) unfit[at] = true;
-        }
-        // What touches though straight is known only when the last round looks at all.
-        if (round == kRounds) std::fill(stale.begin(), stale.end(), true);
-        const auto pairs = touching(tree, result.lines, stale, organ, spacing_mm, joint_reach);
-        std::fill(stale.begin(), stale.end(), false);
-        std::vector<int> to_calm;
+            if (changed[at] || bending[at] == 0.0) return;
+            bending[at] = round < kRounds ? 0.55 * bending[at] : 0.0;
+            changed[at] = true;
+        };
         for (const auto& [a, b] : pairs) {
-            to_calm.push_back(a);
-            to_calm.push_back(b);
-            if (round == kRounds) result.misplaced.push_back(tree.at(a).flow < tree.at(b).flow ? a : b);
+            calm(a);
+            calm(b);
         }
         for (int id = 1; id < tree.size(); ++id)
-            if (unfit[static_cast<std::size_t>(id)]) to_calm.push_back(id);
-        if (round == kRounds)
-            for (int id = 2; id < tree.size(); ++id)
-                for (const Vec& point : result.lines[static_cast<std::size_t>(id)])
-                    if (organ.depth_mm(point) < 0.0) result.misplaced.push_back(id);
-        if (to_calm.empty() || round == kRounds) break;
-        for (const int id : to_calm) {
-            const auto at = static_cast<std::size_t>(id);
-            if (stale[at] || bending[at] == 0.0) continue;
-            bending[at] = round + 1 < kRounds - 1 ? 0.55 * bending[at] : 0.0;
-            stale[at] = true;
-        }
-        if (std::find(stale.begin(), stale.end(), true) == stale.end()) round = kRounds - 1;
+            if (unfit[static_cast<std::size_t>(id)]) calm(id);
+        if (std::find(changed.begin(), changed.end(), true) == changed.end()) break;
+        for (int id = 1; id < tree.size(); ++id)
+            if (changed[static_cast<std::size_t>(id)]) draw(id);
+        pairs = touching.find(result.lines, changed, changed);
     }
+    // Straight ones that touch were not looked at again.
+    std::fill(changed.begin(), changed.end(), false);
+    pairs = touching.find(result.lines, changed, all);
+    for (const auto& [a, b] : pairs) result.misplaced.push_back(tree.at(a).flow < tree.at(b).flow ? a : b);
+    for (int id = 2; id < tree.size(); ++id)
+        for (const Vec& point : result.lines[static_cast<std::size_t>(id)])
+            if (organ.depth_mm(point) < 0.0) result.misplaced.push_back(id);
     return result;
 }
 

@@ -5,13 +5,11 @@
 
 #include "core/tree/grow/organ.h"
 #include "core/tree/grow/skeleton.h"
+#include "core/tree/grow/touching.h"
 
 #include <vector>
 
 namespace ramus::tree::growth {
-
-// The samples of segment i of the skeleton from its parent's node to its own, both included; empty for the root.
-using Centerlines = std::vector<std::vector<Vec>>;
 
 struct BentTree {
     Centerlines lines;

@@ -369,10 +369,10 @@ bool Colony::merge_one_fork() {
     return false;
 }
 
-// Cuts out segments with all that hangs on them, except the portal vein's own trunks.
+// Cuts out segments with all that hangs on them; never the two that the hilum must have.
 void Colony::cut_out(const std::vector<int>& segments) {
     std::vector<bool> gone(tree_.nodes.size(), false);
-    for (const int id : segments) gone[static_cast<std::size_t>(id)] = true;
+    for (const int id : segments) gone[static_cast<std::size_t>(id)] = tree_.at(id).parent > kHilum;
     const std::vector<int> order = tree_.from_root();
     for (const int id : order)
         if (id > kHilum && gone[static_cast<std::size_t>(tree_.at(id).parent)])

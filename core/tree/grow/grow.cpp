@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace ramus::tree {
 
@@ -13,25 +12,11 @@ namespace {
 
 using namespace growth;
 
-std::optional<Error> check(const GrowOptions& options) {
-    const auto bad = [](std::string what, std::string hint) { return Error{std::move(what), {}, std::move(hint)}; };
-    if (options.branches < 1 || options.branches == 2 || options.branches > kMaxGrownBranches)
-        return bad("a tree of " + std::to_string(options.branches) + " branches cannot be grown",
-                   "ask for 1, or for 3 to " + std::to_string(kMaxGrownBranches));
-    const auto sound = [](double value, double low, double high) { return value >= low && value <= high; };
-    if (!sound(options.organ_width_mm, 1.0, 1e5)) return bad("the organ's size is not from 1 to 100,000 mm", {});
-    if (!sound(options.root_radius_mm, 1e-4 * options.organ_width_mm, 0.05 * options.organ_width_mm))
-        return bad("the root's radius does not suit the organ", "use 0.01 % to 5 % of the organ's size");
-    if (!sound(options.spacing_mm, 1e-4 * options.organ_width_mm, options.organ_width_mm))
-        return bad("the spacing of the points does not suit the organ", "use 0.01 % to 100 % of the organ's size");
-    if (!sound(options.tortuosity, 0.0, 3.0)) return bad("the tortuosity is not from 0 to 3", {});
-    return std::nullopt;
-}
-
 // Parents before children; of siblings the one with more blood first.
 GrownTree assemble(const Skeleton& tree, const Centerlines& lines) {
     GrownTree grown;
-    grown.points.push_back({tree.nodes.front().position, tree.radius_mm(0)});
+    const auto stem = static_cast<std::size_t>(tree.nodes.front().children.front());
+    grown.points.push_back({lines[stem].front(), tree.radius_mm(0)});
     grown.parents.push_back(-1);
     std::vector<int> point_of(tree.nodes.size(), 0);
     std::vector<int> stack{0};
@@ -65,8 +50,23 @@ GrownTree assemble(const Skeleton& tree, const Centerlines& lines) {
 
 } // namespace
 
+std::optional<Error> wrong_with(const GrowOptions& options) {
+    const auto bad = [](std::string what, std::string hint) { return Error{std::move(what), {}, std::move(hint)}; };
+    if (options.branches < 1 || options.branches == 2 || options.branches > kMaxGrownBranches)
+        return bad("a tree of " + std::to_string(options.branches) + " branches cannot be grown",
+                   "ask for 1, or for 3 to " + std::to_string(kMaxGrownBranches));
+    const auto sound = [](double value, double low, double high) { return value >= low && value <= high; };
+    if (!sound(options.organ_width_mm, 1.0, 1e5)) return bad("the organ's size is not from 1 to 100,000 mm", {});
+    if (!sound(options.root_radius_mm, 1e-4 * options.organ_width_mm, 0.05 * options.organ_width_mm))
+        return bad("the root's radius does not suit the organ", "use 0.01 % to 5 % of the organ's size");
+    if (!sound(options.spacing_mm, 1e-4 * options.organ_width_mm, options.organ_width_mm))
+        return bad("the spacing of the points does not suit the organ", "use 0.01 % to 100 % of the organ's size");
+    if (!sound(options.tortuosity, 0.0, 3.0)) return bad("the tortuosity is not from 0 to 3", {});
+    return std::nullopt;
+}
+
 Result<GrownTree> grow(const GrowOptions& options, Job& job) {
-    if (const auto error = check(options)) return tl::unexpected<Error>(*error);
+    if (const auto error = wrong_with(options)) return tl::unexpected<Error>(*error);
     Random random(options.seed);
     const Organ organ(options.organ_width_mm, random);
     BentTree bent;

@@ -15,6 +15,7 @@
 #include "core/tree/vessel_tree.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ramus::tree {
@@ -38,6 +39,10 @@ struct GrownTree {
     double terminal_radius_mm = 0.0; // mean over the leaves
 };
 
+// What is wrong with the options, if anything.
+[[nodiscard]] std::optional<Error> wrong_with(const GrowOptions& options);
+
+// Fails on wrong options, on an organ too small for so many branches, and when cancelled.
 [[nodiscard]] Result<GrownTree> grow(const GrowOptions& options, Job& job);
 
 // Depth of a point below the surface of the organ that these options grow in: positive inside (mm).
