@@ -1,5 +1,6 @@
 // The command line: one CLI::App, one file of app/commands for each subcommand, and the window without one.
 #include "app/commands/command.h"
+#include "app/commands/grow.h"
 #include "app/commands/render.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
     SurfaceFlags window_flags;
     app.add_option("FILE", files, "Vessel trees to open in the window; without one, the demo tree")->type_name("");
     add_surface_flags(app, window_flags);
+    register_grow(app, chosen);
 
     register_render(app, chosen);
 

@@ -1,0 +1,97 @@
+#include "app/commands/grow.h"
+
+#include "core/io/output_file.h"
+#include "core/io/tree_writer.h"
+#include "core/tree/build_tree.h"
+#include "core/tree/grow/grow.h"
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace ramus::app {
+
+namespace {
+
+struct Flags {
+    tree::GrowOptions grow;
+    std::filesystem::path output;
+    bool verbose = false;
+};
+
+tree::VesselTree as_vessel_tree(tree::GrownTree grown) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(grown.points.size());
+    for (std::uint32_t point = 1; point < grown.points.size(); ++point)
+        edges.emplace_back(static_cast<std::uint32_t>(grown.parents[point]), point);
+    return tree::assemble(std::move(grown.points), {}, edges, {0});
+}
+
+// The command line that grows this tree again; options that are as they are by default are left out.
+std::string command_line(const tree::GrowOptions& options) {
+    const tree::GrowOptions usual;
+    std::ostringstream line;
+    line.precision(17);
+    line << "ramus grow --branches " << options.branches << " --seed " << options.seed;
+    if (options.organ_width_mm != usual.organ_width_mm) line << " --organ-size " << options.organ_width_mm;
+    if (options.root_radius_mm != usual.root_radius_mm) line << " --root-radius " << options.root_radius_mm;
+    if (options.spacing_mm != usual.spacing_mm) line << " --spacing " << options.spacing_mm;
+    if (options.tortuosity != usual.tortuosity) line << " --tortuosity " << options.tortuosity;
+    return line.str();
+}
+
+Result<int> grow(const Flags& flags) {
+    if (const auto writable = io::check_tree_output(flags.output); !writable) return tl::unexpected(writable.error());
+    const auto start = std::chrono::steady_clock::now();
+    Job job;
+    Result<tree::GrownTree> grown = tree::grow(flags.grow, job);
+    if (!grown) return tl::unexpected(grown.error());
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double litres = grown->organ_volume_mm3 * 1e-6;
+    const double terminal_mm = grown->terminal_radius_mm;
+    const tree::VesselTree tree = as_vessel_tree(std::move(*grown));
+    if (flags.verbose)
+        std::cerr << "grew " << tree.branches.size() << " branches of " << tree.points.size() << " points in "
+                  << seconds.count() << " s; the organ holds " << litres << " l, the mean terminal radius is "
+                  << terminal_mm << " mm\n";
+    if (const auto written = io::write_tree(tree, flags.output, {command_line(flags.grow)}); !written)
+        return tl::unexpected(written.error());
+    return kDone;
+}
+
+} // namespace
+
+void register_grow(CLI::App& app, Action& chosen) {
+    CLI::App* command = add_command(app, "grow", "Grow a synthetic organ tree: a portal vein inside a liver");
+    command->footer("Terminals fill the organ evenly; at every fork the parent's radius cubed is the sum of the "
+                    "children's cubed.\nA tree of twofold forks has an odd number of branches; for an even one, one "
+                    "fork is threefold.\nThe same options give the same tree on every machine.");
+    auto flags = std::make_shared<Flags>();
+    tree::GrowOptions& options = flags->grow;
+    command->add_option("-o,--output", flags->output, "Tree file to write: .swc or .json")
+        ->type_name("TREE")
+        ->required();
+    command
+        ->add_option("--branches", options.branches, "Branches of the tree, exactly: 1, or 3 and more (default 1504)")
+        ->type_name("N");
+    command->add_option("--seed", options.seed, "Another number, another organ and tree (default 1)")->type_name("S");
+    command
+        ->add_option("--organ-size", options.organ_width_mm, "Width of the organ, left to right (default 214: 1.5 l)")
+        ->type_name("MM");
+    command
+        ->add_option("--root-radius", options.root_radius_mm,
+                     "Radius of the stem; the others follow from it (default 6)")
+        ->type_name("MM");
+    command->add_option("--spacing", options.spacing_mm, "Distance of centerline points (default 1)")->type_name("MM");
+    command->add_option("--tortuosity", options.tortuosity, "0: straight between forks, 1: gently winding (default 1)")
+        ->type_name("X");
+    command->add_flag("--verbose", flags->verbose, "Say on standard error what has grown");
+    command->callback([flags, &chosen] {
+        if (const auto wrong = tree::wrong_with(flags->grow)) throw CLI::ValidationError(wrong->message());
+        chosen = [flags] { return grow(*flags); };
+    });
+}
+
+} // namespace ramus::app
