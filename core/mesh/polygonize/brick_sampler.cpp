@@ -14,6 +14,10 @@ constexpr int kPointsPerFineStep = 2; // the lattice axes run in quarter cells
 // Half the box around a cell's centre, in cells, that its vertex must stay in. A little beyond the cell: where the mean
 // of the crossings lies off a bent surface the nearest point of it may be just outside.
 constexpr float kVertexReach = 0.62F;
+// First guesses keep this far, in edges, from corners: where the surface runs through a corner, the vertices of all
+// cells around it would otherwise meet there.
+constexpr float kCrossingMargin = 0.05F;
+constexpr float kSharedReach = 0.3F; // about its first guess, where a cell has several
 
 // ln F is nearly quadratic in the distance from the axis, so linear interpolation in it lands close to the surface.
 // A base-2 logarithm to 0.01 is enough: Newton's method has the last word.
@@ -306,9 +310,14 @@ void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<c
     }
 }
 
-void BrickSampler::add_vertex(glm::vec3 guess, int x, int y, int z) {
+void BrickSampler::add_vertex(glm::vec3 guess, int x, int y, int z, int loops) {
     const glm::vec3 centre = (glm::vec3(x, y, z) + 0.5F) * cell_mm_;
-    projection_.add(guess, centre, kVertexReach * cell_mm_);
+    // Where a cell has several loops, each vertex keeps to the neighbourhood of its own crossings: in one common box
+    // two of them could end up at the same corner.
+    if (loops == 1)
+        projection_.add(guess, centre, kVertexReach * cell_mm_);
+    else
+        projection_.add(guess, guess, kSharedReach * cell_mm_);
 }
 
 void BrickSampler::add_table_vertices(int x, int y, int z, const CornerCase& corner_case) {
@@ -324,12 +333,13 @@ void BrickSampler::add_table_vertices(int x, int y, int z, const CornerCase& cor
         const float a = logs[kCornerOffset[edge.from]];
         const float b = logs[kCornerOffset[edge.to]];
         glm::vec3 at(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
-        at[static_cast<int>(e / 4)] = std::clamp((log_iso - a) / (b - a), 0.0F, 1.0F);
+        at[static_cast<int>(e / 4)] = std::clamp((log_iso - a) / (b - a), kCrossingMargin, 1.0F - kCrossingMargin);
         sum[loop] += at;
         ++count[loop];
     }
     for (std::size_t n = 0; n < corner_case.loop_count; ++n)
-        add_vertex((glm::vec3(x, y, z) + sum[n] / static_cast<float>(count[n])) * cell_mm_, x, y, z);
+        add_vertex((glm::vec3(x, y, z) + sum[n] / static_cast<float>(count[n])) * cell_mm_, x, y, z,
+                   corner_case.loop_count);
 }
 
 glm::vec3 BrickSampler::crossing(int fine_a, int fine_b, glm::vec3 a, glm::vec3 b) const {
@@ -342,7 +352,7 @@ glm::vec3 BrickSampler::crossing(int fine_a, int fine_b, glm::vec3 a, glm::vec3 
     };
     const float la = value(fine_a);
     const float lb = value(fine_b);
-    return a + std::clamp((log_field(isovalue_) - la) / (lb - la), 0.0F, 1.0F) * (b - a);
+    return a + std::clamp((log_field(isovalue_) - la) / (lb - la), kCrossingMargin, 1.0F - kCrossingMargin) * (b - a);
 }
 
 void BrickSampler::add_recorded_vertices(int x, int y, int z, const CellLoops& loops, const Neighbourhood& neighbours,
@@ -377,7 +387,8 @@ void BrickSampler::add_recorded_vertices(int x, int y, int z, const CellLoops& l
         sum[loop] += at[static_cast<std::size_t>(m)];
         ++count[loop];
     }
-    for (std::size_t n = 0; n < sum.size(); ++n) add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, x, y, z);
+    for (std::size_t n = 0; n < sum.size(); ++n)
+        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, x, y, z, loops.loop_count);
 
     // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
     record.arcs_begin = static_cast<std::uint32_t>(chunk.arc_vertices.size());
@@ -392,7 +403,7 @@ void BrickSampler::add_recorded_vertices(int x, int y, int z, const CellLoops& l
             neighbours.kind[static_cast<std::size_t>(direction_index(d[0], d[1], d[2]))] == Neighbour::kCoarser;
         if (side == 0 && !beyond_is_coarser) continue;
         const auto vertex = static_cast<std::uint16_t>(projection_.size());
-        add_vertex(0.5F * (at[arc.first] + at[arc.second]) * cell_mm_, x, y, z);
+        add_vertex(0.5F * (at[arc.first] + at[arc.second]) * cell_mm_, x, y, z, 2);
         chunk.arc_vertices.push_back({arc.face, arc.first, vertex});
         chunk.arc_vertices.push_back({arc.face, arc.second, vertex});
     }

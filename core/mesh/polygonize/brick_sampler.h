@@ -31,7 +31,7 @@ private:
     void add_recorded_vertices(int x, int y, int z, const CellLoops& loops, const Neighbourhood& neighbours,
                                BrickCells& cells, BrickChunk& chunk, CellRecord& record);
     [[nodiscard]] glm::vec3 crossing(int fine_a, int fine_b, glm::vec3 a, glm::vec3 b) const;
-    void add_vertex(glm::vec3 guess, int x, int y, int z);
+    void add_vertex(glm::vec3 guess, int x, int y, int z, int loops);
 
     float isovalue_ = 0.0F;
     float cell_mm_ = 0.0F;
