@@ -1,0 +1,10 @@
+# The demo tree is what the command in its first line grows, to the byte: cmake -DRAMUS= -DASSET= -DFOLDER= -P
+file(STRINGS ${ASSET} head LIMIT_COUNT 1)
+string(REGEX REPLACE "^# ramus " "" arguments "${head}")
+separate_arguments(arguments UNIX_COMMAND "${arguments}")
+file(MAKE_DIRECTORY ${FOLDER})
+execute_process(COMMAND ${RAMUS} ${arguments} -o ${FOLDER}/again.swc COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${ASSET} ${FOLDER}/again.swc RESULT_VARIABLE differs)
+if(differs)
+  message(FATAL_ERROR "`ramus ${arguments}` grew ${FOLDER}/again.swc, which is not ${ASSET}")
+endif()
