@@ -1,6 +1,10 @@
 // The command line: one CLI::App, one file of app/commands for each subcommand, and the window without one.
 #include "app/commands/command.h"
+#include "app/commands/convert.h"
 #include "app/commands/grow.h"
+#include "app/commands/info.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/mesh.h"
 #include "app/commands/render.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
@@ -41,6 +45,9 @@ int run(int argc, char** argv) {
     register_grow(app, chosen);
 
     register_render(app, chosen);
+    register_mesh(app, chosen);
+    register_info(app, chosen);
+    register_convert(app, chosen);
 
     try {
         app.parse(argc, argv);
@@ -55,6 +62,7 @@ int run(int argc, char** argv) {
         return run_window(files, window_flags.surface);
     }
 
+    handle_interrupts(); // not before: the window closes in its own way
     const Result<int> status = chosen();
     if (!status) return complain(status.error().message());
     // A full disk behind a redirection shows here at the latest.

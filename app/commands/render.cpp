@@ -124,7 +124,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!flags.reference.empty())
         if (auto can = render::read_png(flags.reference); !can) return tl::unexpected(can.error());
 
-    auto read = io::read_tree(flags.file, {flags.common.repair ? tree::Repair::kAll : tree::Repair::kNone});
+    auto read = io::read_tree(flags.file, flags.common.read);
     if (!read) return tl::unexpected(read.error());
     for (const std::string& repair : read->repairs) say(flags.file.string() + ": " + repair);
     const auto tree = std::make_shared<const tree::VesselTree>(std::move(*read));

@@ -26,7 +26,10 @@ CLI::Validator number_between(double least, double most, const std::string& doma
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
     command
         .add_option_function<std::string>(
-            "--repair", [&flags](const std::string& what) { flags.repair = what != "none"; },
+            "--repair",
+            [&flags](const std::string& what) {
+                flags.read.repair = what == "none" ? tree::Repair::kNone : tree::Repair::kAll;
+            },
             "What to mend in a damaged tree: all (default) or none")
         ->type_name("WHAT")
         ->check(CLI::IsMember({"all", "none"}));

@@ -2,6 +2,7 @@
 // outside their domain are wrong usage, found while the command line is read.
 #pragma once
 
+#include "core/io/tree_reader.h"
 #include "core/mesh/surface.h"
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,7 @@ namespace ramus::app {
 
 struct SurfaceFlags {
     mesh::SurfaceOptions surface;
-    bool repair = true; // mend what can be mended in a damaged tree
+    io::ReadOptions read;
     bool verbose = false; // say on standard error what is going on
 };
 

@@ -1,0 +1,126 @@
+#include "app/commands/info.h"
+
+#include "app/commands/load_tree.h"
+#include "app/commands/surface_flags.h"
+#include "core/measure/tree_statistics.h"
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct InfoFlags {
+    SurfaceFlags surface;
+    std::string file;
+    bool json = false;
+    bool branches = false;
+};
+
+ordered_json range_json(const measure::Range& range) {
+    return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
+}
+
+ordered_json point_json(const tree::Point& point) { return {point.position.x, point.position.y, point.position.z}; }
+
+ordered_json branch_list(const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
+    ordered_json list = ordered_json::array();
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        const tree::Branch& branch = tree.branches[id];
+        const measure::BranchStatistics& figures = statistics.branches[id];
+        list.push_back({{"id", id},
+                        {"parent", branch.parent == tree::kNoBranch ? ordered_json() : ordered_json(branch.parent)},
+                        {"children", branch.children},
+                        {"generation", branch.generation},
+                        {"strahler", branch.strahler},
+                        {"length_mm", figures.length_mm},
+                        {"diameter_mm", range_json(figures.diameter_mm)},
+                        {"first", point_json(tree.points[branch.points.front()])},
+                        {"last", point_json(tree.points[branch.points.back()])}});
+    }
+    return list;
+}
+
+void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& statistics, bool branches) {
+    ordered_json report = {{"branches", tree.branches.size()},
+                           {"segments", tree.segment_count()},
+                           {"roots", tree.roots.size()},
+                           {"loops", tree.loop_count},
+                           {"length_mm", statistics.length_mm},
+                           {"volume_mm3", statistics.volume_mm3},
+                           {"radius_mm", range_json(statistics.radius_mm)},
+                           {"generations", statistics.generations},
+                           {"repairs", tree.repairs}};
+    if (branches) report["branch_list"] = branch_list(tree, statistics);
+    // File names in repairs may hold bytes that are not UTF-8.
+    std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
+void print_branches(const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
+    const int widths[] = {8, 8, 6, 9, 11, 12, 10, 10};
+    const auto row = [&](std::initializer_list<std::string> cells) {
+        const int* width = widths;
+        for (const std::string& cell : cells) std::cout << std::setw(*width++) << cell;
+        std::cout << '\n';
+    };
+    std::cout << '\n';
+    row({"branch", "parent", "gen.", "Strahler", "length mm", "diameter mm", "min", "max"});
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        const tree::Branch& branch = tree.branches[id];
+        const measure::BranchStatistics& figures = statistics.branches[id];
+        row({std::to_string(id), branch.parent == tree::kNoBranch ? "-" : std::to_string(branch.parent),
+             std::to_string(branch.generation), std::to_string(branch.strahler), rounded(figures.length_mm),
+             rounded(figures.diameter_mm.mean), rounded(figures.diameter_mm.min), rounded(figures.diameter_mm.max)});
+    }
+}
+
+void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
+    const auto line = [](const std::string& name, const std::string& value) {
+        std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
+    };
+    std::cout << flags.file << '\n';
+    line("branches", grouped(tree.branches.size()) + " (" +
+                         counted(static_cast<std::uint64_t>(statistics.leaves), "end", "ends") + ")");
+    line("segments", grouped(tree.segment_count()));
+    line("roots", grouped(tree.roots.size()));
+    line("loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
+    line("generations", std::to_string(statistics.generations) + " (Strahler order " +
+                            std::to_string(statistics.highest_strahler) + ")");
+    line("length", rounded(statistics.length_mm) + " mm");
+    line("volume", rounded(statistics.volume_mm3) + " mm3");
+    line("radius", rounded(statistics.radius_mm.min) + " to " + rounded(statistics.radius_mm.max) + " mm, mean " +
+                       rounded(statistics.radius_mm.mean) + " mm");
+    line("repairs", tree.repairs.empty() ? "none" : grouped(tree.repairs.size()));
+    for (const std::string& sentence : tree.repairs) std::cout << "  " << sentence << '\n';
+    if (flags.branches) print_branches(tree, statistics);
+}
+
+Result<int> run_info(const InfoFlags& flags) {
+    const auto tree = io::read_tree(flags.file, flags.surface.read);
+    if (!tree) return tl::unexpected(tree.error());
+    const measure::TreeStatistics statistics = measure::tree_statistics(*tree);
+    if (flags.json)
+        print_json(*tree, statistics, flags.branches);
+    else
+        print_text(flags, *tree, statistics);
+    return kDone;
+}
+
+} // namespace
+
+void register_info(CLI::App& app, Action& chosen) {
+    CLI::App* command = add_command(app, "info", "Say what a vessel tree consists of");
+    const auto flags = std::make_shared<InfoFlags>();
+    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
+    command->add_flag("--json", flags->json, "Print one JSON object");
+    command->add_flag("--branches", flags->branches, "List every branch too");
+    add_reading_flags(*command, flags->surface);
+    command->callback([flags, &chosen] { chosen = [flags] { return run_info(*flags); }; });
+}
+
+} // namespace ramus::app

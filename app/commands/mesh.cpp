@@ -1,0 +1,101 @@
+#include "app/commands/mesh.h"
+
+#include "app/commands/interrupt.h"
+#include "app/commands/load_tree.h"
+#include "app/commands/progress_bar.h"
+#include "app/commands/surface_flags.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/output_file.h"
+#include "core/measure/mesh_components.h"
+
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+struct MeshFlags {
+    SurfaceFlags surface;
+    std::string file;
+    std::string output;
+    bool json = false;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<int> run_mesh(const MeshFlags& flags) {
+    // What would fail at the end shall fail at the beginning.
+    if (auto format = io::mesh_format(flags.output); !format) return tl::unexpected(format.error());
+    if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
+
+    auto start = std::chrono::steady_clock::now();
+    const auto tree = load_tree(flags.file, flags.surface);
+    if (!tree) return tl::unexpected(tree.error());
+    const double load_s = seconds_since(start);
+
+    start = std::chrono::steady_clock::now();
+    Job job;
+    auto surface = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        return mesh::make_surface(*tree, flags.surface.surface, job);
+    }();
+    if (job.cancelled()) return fail("cancelled; nothing was written");
+    if (!surface) return tl::unexpected(surface.error());
+    const double mesh_s = seconds_since(start);
+    const mesh::TriangleMesh& mesh = surface->mesh;
+    say(flags.surface, counted(surface->statistics.evaluations, "evaluation", "evaluations") + " of the field in " +
+                           rounded(mesh_s) + " s");
+
+    start = std::chrono::steady_clock::now();
+    if (auto written = io::write_mesh(mesh, flags.output); !written) return tl::unexpected(written.error());
+    const double write_s = seconds_since(start);
+    const int components = measure::component_count(mesh);
+
+    if (flags.json) {
+        const nlohmann::ordered_json report = {{"vertices", mesh.positions.size()},
+                                               {"triangles", mesh.triangles.size()},
+                                               {"components", components},
+                                               {"evaluations", surface->statistics.evaluations},
+                                               {"load_s", load_s},
+                                               {"mesh_s", mesh_s},
+                                               {"write_s", write_s}};
+        std::cout << report.dump(2) << '\n';
+    } else {
+        std::cout << flags.output << ": " << counted(mesh.triangles.size(), "triangle", "triangles") << ", "
+                  << counted(mesh.positions.size(), "vertex", "vertices") << ", "
+                  << counted(static_cast<std::uint64_t>(components), "component", "components") << " in "
+                  << rounded(load_s + mesh_s + write_s) << " s\n";
+    }
+    return kDone;
+}
+
+} // namespace
+
+void register_mesh(CLI::App& app, Action& chosen) {
+    CLI::App* command = add_command(app, "mesh", "Write the surface of a vessel tree as .ply, .stl or .obj");
+    const auto flags = std::make_shared<MeshFlags>();
+    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
+    command->add_option("-o,--output", flags->output, "Mesh to write: .ply, .stl or .obj")
+        ->type_name("MESH")
+        ->required();
+    static const std::map<std::string, mesh::Method> kMethods = {{"cs", mesh::Method::kConvolutionSurface},
+                                                                 {"cones", mesh::Method::kTruncatedCones}};
+    command
+        ->add_option_function<std::string>(
+            "--method", [flags](const std::string& name) { flags->surface.surface.method = kMethods.at(name); },
+            "cs: convolution surface (default); cones: truncated cones")
+        ->type_name("METHOD")
+        ->check(CLI::IsMember({"cs", "cones"}));
+    command->add_flag("--json", flags->json, "Print the figures as one JSON object");
+    add_surface_flags(*command, flags->surface);
+    command->callback([flags, &chosen] { chosen = [flags] { return run_mesh(*flags); }; });
+}
+
+} // namespace ramus::app
