@@ -142,8 +142,7 @@ void Project(const ConvolutionField& field, const std::uint32_t* list, std::size
         const V reach = hn::LoadU(d, points.reach.data() + n);
         V gx, gy, gz, best, best_scale;
         VI best_segment;
-        constexpr int kSteps = 3;
-        for (int step = 0; step < kSteps; ++step) {
+        for (int step = 0; step < kProjectionSteps; ++step) {
             gx = gy = gz = hn::Zero(d);
             V sum = hn::Zero(d);
             best = hn::Set(d, -1.0F);
@@ -333,7 +332,7 @@ std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32
     HWY_DYNAMIC_DISPATCH(Project)(field, list.data(), list.size(), points);
     for (auto* array : {&points.x, &points.y, &points.z, &points.cx, &points.cy, &points.cz, &points.reach})
         array->resize(count);
-    return 3 * static_cast<std::uint64_t>(count) * list.size();
+    return static_cast<std::uint64_t>(kProjectionSteps) * count * list.size();
 }
 
 CullingArrays::CullingArrays(const ConvolutionField& field) : origin(0.5 * (field.lower() + field.upper())) {

@@ -53,7 +53,8 @@ struct Projection {
     void clear();
     void add(glm::vec3 guess, glm::vec3 centre, float half_extent);
 };
-// Returns the number of kernel evaluations it took.
+inline constexpr int kProjectionSteps = 3;
+// Returns the number of kernel evaluations it took: kProjectionSteps for every point and segment.
 std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32_t> list, Projection& points);
 
 // Bounds of F over the ball around `centre`, from the segments in `list`; `kept` receives those of the list whose

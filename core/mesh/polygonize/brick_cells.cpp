@@ -73,6 +73,7 @@ std::uint32_t SurfaceCells::vertex_of_whole_edge(std::uint32_t brick, int cell, 
 void append_projected(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
                       field::Projection& projection, BrickChunk& chunk) {
     chunk.evaluations += field::project(field, list, projection);
+    chunk.samples += field::kProjectionSteps * projection.size();
     for (std::size_t n = 0; n < projection.size(); ++n) {
         chunk.positions.emplace_back(projection.origin + glm::dvec3(projection.x[n], projection.y[n], projection.z[n]));
         chunk.normals.emplace_back(projection.nx[n], projection.ny[n], projection.nz[n]);

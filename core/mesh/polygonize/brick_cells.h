@@ -86,7 +86,8 @@ struct BrickChunk {
     std::vector<std::int32_t> branches;
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
-    std::uint64_t evaluations = 0;
+    std::uint64_t evaluations = 0; // kernels, one per segment and point
+    std::uint64_t samples = 0;     // points at which the field was taken
 };
 
 struct SurfaceCells {

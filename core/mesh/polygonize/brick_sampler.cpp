@@ -155,6 +155,7 @@ void BrickSampler::sample(const field::ConvolutionField& field, const BrickSet& 
     const auto list = set.segments_of(brick);
     cells.inside = field::sample_grid(field, list, grid, values_);
     chunk.evaluations += static_cast<std::uint64_t>(list.size()) * field::kGridPoints;
+    chunk.samples += field::kGridPoints;
 
     half_crossed_ = 0;
     hanging_ = std::ranges::find(neighbours.kind, Neighbour::kFiner) != neighbours.kind.end();
@@ -173,6 +174,7 @@ void BrickSampler::sample_hanging(const field::ConvolutionField& field, std::spa
     point_values_.resize(points_.size());
     field::sample_lattice(field, list, axes_, points_, point_values_);
     chunk.evaluations += static_cast<std::uint64_t>(list.size()) * points_.size();
+    chunk.samples += points_.size();
     for (std::size_t n = 0; n < points_.size(); ++n) {
         const int x = points_[n].i / kPointsPerFineStep;
         const int y = points_[n].j / kPointsPerFineStep;
@@ -284,6 +286,7 @@ void BrickSampler::trace_cells(const field::ConvolutionField& field, std::span<c
     point_values_.resize(points_.size());
     field::sample_lattice(field, list, axes_, points_, point_values_);
     chunk.evaluations += static_cast<std::uint64_t>(list.size()) * points_.size();
+    chunk.samples += points_.size();
 
     // Pass two: vertices in the order of the cells.
     cells.recorded = recorded;

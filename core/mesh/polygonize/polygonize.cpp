@@ -48,7 +48,7 @@ Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const Poly
 
     start = std::chrono::steady_clock::now();
     bricks::SurfaceCells cells = bricks::fill_bricks(field, set, job);
-    for (const auto& chunk : cells.chunks) figures.evaluations += chunk.evaluations;
+    for (const auto& chunk : cells.chunks) figures.evaluations += chunk.evaluations, figures.samples += chunk.samples;
     figures.cells_s = seconds_since(start);
 
     start = std::chrono::steady_clock::now();

@@ -26,6 +26,7 @@ struct PolygonizeOptions {
 
 struct PolygonizeStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
+    std::uint64_t samples = 0;     // points at which the field was taken
     std::uint64_t bricks = 0;
     double bricks_s = 0.0, cells_s = 0.0, join_s = 0.0;
 };
