@@ -56,8 +56,9 @@ struct Overlays {
     bool operator==(const Overlays&) const = default;
 };
 
-// kInteractive trades antialiasing and occlusion samples for speed while the view moves; draw the same frame with kFull
-// as soon as it rests. Pictures that are kept are always kFull.
+// kInteractive draws half as many pixels a side and, of a large mesh, a coarse version: several times faster with a
+// software rasteriser, needless where full frames come fast enough (DrawStatistics and a clock tell). Draw the same
+// frame with kFull as soon as the view rests. Pictures that are kept are always kFull.
 enum class Quality : std::uint8_t { kFull, kInteractive };
 
 struct Frame {

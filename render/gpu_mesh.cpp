@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <unordered_map>
 
 namespace ramus::render {
 
 namespace {
 
-struct Vertex {
-    glm::vec3 position;
-    std::array<std::int16_t, 4> normal; // signed normalised
-    std::int32_t branch;
-};
-static_assert(sizeof(Vertex) == 24);
+constexpr std::size_t kCoarseFrom = 150'000; // triangles: below, even a software rasteriser keeps up
 
 std::int16_t normalised(float v) {
     return static_cast<std::int16_t>(std::lround(std::clamp(v, -1.0F, 1.0F) * 32767.0F));
@@ -35,10 +32,43 @@ std::vector<glm::vec3> normals_of(const mesh::TriangleMesh& mesh) {
 }
 
 // The corner that gives the triangle its branch (OpenGL's provoking vertex) comes last: one of the majority's.
-glm::uvec3 majority_last(const glm::uvec3& t, const std::vector<Vertex>& vertices) {
+glm::uvec3 majority_last(const glm::uvec3& t, const std::vector<GpuVertex>& vertices) {
     const auto branch = [&](int i) { return vertices[t[i]].branch; };
     if (branch(2) == branch(0) || branch(2) == branch(1)) return t;
     return branch(0) == branch(1) ? glm::uvec3(t.z, t.x, t.y) : t;
+}
+
+struct Key {
+    std::int32_t x, y, z, level, branch;
+    bool operator==(const Key&) const = default;
+};
+
+struct HashKey {
+    std::size_t operator()(const Key& k) const {
+        std::uint64_t h = 0x9E3779B97F4A7C15ULL;
+        for (const std::int32_t v : {k.x, k.y, k.z, k.level, k.branch})
+            h = (h ^ static_cast<std::uint32_t>(v)) * 0xD6E8FEB86659FD93ULL, h ^= h >> 32;
+        return h;
+    }
+};
+
+// Every vertex becomes the first one of its cell; what is no triangle any more goes.
+std::vector<glm::uvec3> coarse_triangles(const mesh::TriangleMesh& mesh, const std::vector<GpuVertex>& vertices) {
+    std::unordered_map<Key, std::uint32_t, HashKey> cells;
+    cells.reserve(vertices.size() / 4);
+    std::vector<std::uint32_t> stand_in(vertices.size());
+    for (std::uint32_t i = 0; i < stand_in.size(); ++i) {
+        const int level = std::ilogb(std::max(mesh.radii[i], 1e-6F));
+        const glm::vec3 cell = glm::floor(vertices[i].position * std::ldexp(1.0F, -level));
+        stand_in[i] =
+            cells.try_emplace({int(cell.x), int(cell.y), int(cell.z), level, vertices[i].branch}, i).first->second;
+    }
+    std::vector<glm::uvec3> triangles;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::uvec3 c(stand_in[t.x], stand_in[t.y], stand_in[t.z]);
+        if (c.x != c.y && c.y != c.z && c.z != c.x) triangles.push_back(c);
+    }
+    return triangles;
 }
 
 // Outside means: all corners of the box beyond one plane of the clip volume.
@@ -57,24 +87,16 @@ bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4
 
 } // namespace
 
-GpuMesh::GpuMesh(const mesh::TriangleMesh& mesh) : bounds_(bounds_of(mesh)), origin_(bounds_.centre()) {
-    const std::vector<glm::vec3> normals = normals_of(mesh);
-    const bool has_branches = mesh.branches.size() == mesh.positions.size();
-    std::vector<Vertex> vertices(mesh.positions.size());
-    std::int32_t largest = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        vertices[i].position = glm::vec3(glm::dvec3(mesh.positions[i]) - origin_);
-        vertices[i].normal = {normalised(normals[i].x), normalised(normals[i].y), normalised(normals[i].z), 0};
-        vertices[i].branch = has_branches ? std::max(mesh.branches[i], 0) : 0;
-        largest = std::max(largest, vertices[i].branch);
-    }
-
-    // Counting sort of the triangles by branch keeps their order within each, and with it the vertices' locality.
-    ranges_.resize(mesh.positions.empty() ? 0 : static_cast<std::size_t>(largest) + 1);
-    std::vector<glm::uvec3> turned(mesh.triangles.size()), sorted(mesh.triangles.size());
+// Appends the triangles by branch to `sorted`: a counting sort keeps their order within each branch, and with it the
+// vertices' locality.
+std::vector<GpuMesh::Range> GpuMesh::append_by_branch(const std::vector<glm::uvec3>& triangles,
+                                                      const std::vector<GpuVertex>& vertices, std::size_t branch_count,
+                                                      std::vector<glm::uvec3>& sorted) {
+    std::vector<Range> ranges(branch_count);
+    std::vector<glm::uvec3> turned(triangles.size());
     for (std::size_t i = 0; i < turned.size(); ++i) {
-        turned[i] = majority_last(mesh.triangles[i], vertices);
-        Range& range = ranges_[static_cast<std::size_t>(vertices[turned[i].z].branch)];
+        turned[i] = majority_last(triangles[i], vertices);
+        Range& range = ranges[static_cast<std::size_t>(vertices[turned[i].z].branch)];
         for (int corner = 0; corner < 3; ++corner) {
             const glm::vec3 p = vertices[turned[i][corner]].position;
             const bool first = range.count == 0 && corner == 0;
@@ -83,41 +105,64 @@ GpuMesh::GpuMesh(const mesh::TriangleMesh& mesh) : bounds_(bounds_of(mesh)), ori
         }
         ++range.count;
     }
-    std::uint32_t next = 0;
-    for (Range& range : ranges_) {
+    auto next = static_cast<std::uint32_t>(sorted.size());
+    for (Range& range : ranges) {
         range.first = next;
         next += range.count;
         range.count = 0;
     }
+    sorted.resize(next);
     for (const glm::uvec3& t : turned) {
-        Range& range = ranges_[static_cast<std::size_t>(vertices[t.z].branch)];
+        Range& range = ranges[static_cast<std::size_t>(vertices[t.z].branch)];
         sorted[range.first + range.count++] = t;
     }
+    return ranges;
+}
+
+GpuMesh::GpuMesh(const mesh::TriangleMesh& mesh) : bounds_(bounds_of(mesh)), origin_(bounds_.centre()) {
+    const std::vector<glm::vec3> normals = normals_of(mesh);
+    const bool has_branches = mesh.branches.size() == mesh.positions.size();
+    std::vector<GpuVertex> vertices(mesh.positions.size());
+    std::int32_t largest = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        vertices[i].position = glm::vec3(glm::dvec3(mesh.positions[i]) - origin_);
+        vertices[i].normal = {normalised(normals[i].x), normalised(normals[i].y), normalised(normals[i].z), 0};
+        vertices[i].branch = has_branches ? std::max(mesh.branches[i], 0) : 0;
+        largest = std::max(largest, vertices[i].branch);
+    }
+
+    const std::size_t branch_count = mesh.positions.empty() ? 0 : static_cast<std::size_t>(largest) + 1;
+    std::vector<glm::uvec3> sorted;
+    ranges_ = append_by_branch(mesh.triangles, vertices, branch_count, sorted);
+    if (mesh.triangles.size() > kCoarseFrom && mesh.radii.size() == mesh.positions.size())
+        coarse_ranges_ = append_by_branch(coarse_triangles(mesh, vertices), vertices, branch_count, sorted);
 
     vertex_array_ = make_vertex_array();
     if (sorted.empty()) return;
     vertices_ = make_buffer();
     indices_ = make_buffer();
-    glNamedBufferStorage(vertices_, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), 0);
+    glNamedBufferStorage(vertices_, static_cast<GLsizeiptr>(vertices.size() * sizeof(GpuVertex)), vertices.data(), 0);
     glNamedBufferStorage(indices_, static_cast<GLsizeiptr>(sorted.size() * sizeof(glm::uvec3)), sorted.data(), 0);
-    glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(Vertex));
+    glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(GpuVertex));
     glVertexArrayElementBuffer(vertex_array_, indices_);
-    glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
-    glVertexArrayAttribFormat(vertex_array_, 1, 3, GL_SHORT, GL_TRUE, offsetof(Vertex, normal));
-    glVertexArrayAttribIFormat(vertex_array_, 2, 1, GL_INT, offsetof(Vertex, branch));
+    glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
+    glVertexArrayAttribFormat(vertex_array_, 1, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
+    glVertexArrayAttribIFormat(vertex_array_, 2, 1, GL_INT, offsetof(GpuVertex, branch));
     for (GLuint i = 0; i < 3; ++i) {
         glVertexArrayAttribBinding(vertex_array_, i, 0);
         glEnableVertexArrayAttrib(vertex_array_, i);
     }
 }
 
-std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
+std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip,
+                            bool coarse) const {
+    const std::vector<Range>& ranges = coarse && !coarse_ranges_.empty() ? coarse_ranges_ : ranges_;
     std::vector<GLsizei> counts;
     std::vector<const void*> offsets;
     std::uint64_t triangles = 0;
     std::uint32_t end = 0; // of the last range, to join neighbours
-    for (std::size_t i = 0; i < ranges_.size(); ++i) {
-        const Range& range = ranges_[i];
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const Range& range = ranges[i];
         if (range.count == 0 || (i < layers.size() ? layers[i] : Layer::kOpaque) != layer) continue;
         if (!in_picture(range.lower, range.upper, to_clip)) continue;
         triangles += range.count;

@@ -19,7 +19,8 @@ namespace ramus::render {
 namespace {
 
 constexpr int kSamples = 4;
-constexpr int kTaps = 20, kInteractiveTaps = 9;
+constexpr int kTaps = 20, kInteractiveTaps = 10;
+constexpr int kInteractiveDivisor = 2; // of width and height
 constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
 
@@ -66,10 +67,11 @@ private:
     // The part of the picture around a pixel that a pick looks at.
     struct Window {
         glm::dvec2 at{0.0};
+        double reach = 0.0;
         int x = 0, y = 0, width = 0, height = 0; // GL's sense of y
     };
 
-    Result<void> resize(glm::ivec2 size, int samples);
+    Result<void> resize(glm::ivec2 size, Quality quality);
     void make_glass_layer();
     const GpuMesh* upload(const std::shared_ptr<const mesh::TriangleMesh>& mesh, bool& uploaded);
     std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
@@ -80,7 +82,7 @@ private:
     void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
     void restore_state() const;
     Window pick_window(double x, double y) const;
-    Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths) const;
+    Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
     Program geometry_, resolve_, occlude_, blur_, background_, overlay_;
     std::array<Program, 4> shade_; // with glass: + 1, with an outline: + 2
@@ -89,14 +91,14 @@ private:
     Texture branch_texture_;
     std::size_t branch_capacity_ = 0;
 
-    glm::ivec2 size_{0};
-    int samples_ = 0;
+    glm::ivec2 size_{0};                                    // of the picture
+    glm::ivec2 inner_{0};                                   // of what is drawn, smaller while the view moves
     Texture surface_, depth_, glass_surface_, glass_depth_; // multisampled
     Texture id_normal_, opaque_depth_, picked_depth_;       // one value a pixel
     Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it
-    Texture occlusion_, half_blurred_, blurred_, picture_;
+    Texture occlusion_, half_blurred_, blurred_, lit_, picture_;
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
-        picture_target_;
+        lit_target_, picture_target_;
     bool has_glass_ = false;
 
     struct Cached {
@@ -142,9 +144,10 @@ Result<void> Renderer::Impl::initialise() {
     return {};
 }
 
-Result<void> Renderer::Impl::resize(glm::ivec2 size, int samples) {
-    if (size == size_ && samples == samples_) return {};
-    if (auto fits = check_size(size.x, size.y); !fits) return fits;
+Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
+    const int divisor = quality == Quality::kFull ? 1 : kInteractiveDivisor;
+    const glm::ivec2 inner = (size + divisor - 1) / divisor;
+    if (size == size_ && inner == inner_) return {};
     GLint largest = 0, integer_samples = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
@@ -153,35 +156,39 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, int samples) {
                     "give a smaller size");
     while (glGetError() != GL_NO_ERROR) {
     }
-    const int w = size.x, h = size.y, s = std::clamp(samples, 1, std::max(1, integer_samples));
-    surface_ = make_texture(GL_RG32UI, w, h, s);
-    depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
-    geometry_target_ = make_framebuffer({surface_}, depth_);
-    glass_surface_ = Texture();
-    glass_depth_ = Texture();
-    glass_target_ = Framebuffer();
-    if (size != size_) {
+    if (inner != inner_) {
+        const int w = inner.x, h = inner.y, s = std::clamp(integer_samples, 1, kSamples);
+        surface_ = make_texture(GL_RG32UI, w, h, s);
+        depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
+        covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
         id_normal_ = make_texture(GL_RG32UI, w, h);
         opaque_depth_ = make_texture(GL_R32F, w, h);
         picked_depth_ = make_texture(GL_R32F, w, h);
         occlusion_ = make_texture(GL_R8, w, h);
         half_blurred_ = make_texture(GL_R8, w, h);
         blurred_ = make_texture(GL_R8, w, h);
-        picture_ = make_texture(GL_RGBA8, w, h);
-        covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
+        lit_ = make_texture(GL_RGBA8, w, h);
+        geometry_target_ = make_framebuffer({surface_}, depth_);
         resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_}, covered_);
         occlusion_target_ = make_framebuffer({occlusion_}, covered_);
         half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
         blur_target_ = make_framebuffer({blurred_}, covered_);
-        picture_target_ = make_framebuffer({picture_}, covered_);
+        lit_target_ = make_framebuffer({lit_}, covered_);
+        glass_surface_ = Texture();
+        glass_depth_ = Texture();
+        glass_target_ = Framebuffer();
+        view_.picture.z = static_cast<float>(s);
+    }
+    if (size != size_) {
+        picture_ = make_texture(GL_RGBA8, size.x, size.y);
+        picture_target_ = make_framebuffer({picture_});
     }
     size_ = size;
-    samples_ = samples;
-    view_.picture.z = static_cast<float>(s);
+    inner_ = inner;
     if (glGetError() != GL_NO_ERROR ||
         glCheckNamedFramebufferStatus(geometry_target_, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        size_ = glm::ivec2(0);
-        return fail("a picture of " + std::to_string(w) + "x" + std::to_string(h) +
+        size_ = inner_ = glm::ivec2(0);
+        return fail("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
                         " pixels does not fit into graphics memory",
                     {}, "give a smaller size");
     }
@@ -191,8 +198,8 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, int samples) {
 void Renderer::Impl::make_glass_layer() {
     if (glass_target_ != 0) return;
     const int s = static_cast<int>(view_.picture.z);
-    glass_surface_ = make_texture(GL_RG32UI, size_.x, size_.y, s);
-    glass_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size_.x, size_.y, s);
+    glass_surface_ = make_texture(GL_RG32UI, inner_.x, inner_.y, s);
+    glass_depth_ = make_texture(GL_DEPTH_COMPONENT32F, inner_.x, inner_.y, s);
     glass_target_ = make_framebuffer({glass_surface_}, glass_depth_);
 }
 
@@ -243,10 +250,10 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
     to_eye[3] = view * glm::dvec4(origin, 1.0);
     const glm::dmat4 to_clip = projection * to_eye;
 
-    const glm::vec2 size(frame.size);
+    const glm::vec2 size(inner_);
     const bool flat = camera.orthographic;
     const double mm_at_unit_depth =
-        flat ? mm_per_pixel(camera, frame.size) : 2.0 * std::tan(glm::radians(0.5 * camera.view_angle)) / size.y;
+        flat ? mm_per_pixel(camera, inner_) : 2.0 * std::tan(glm::radians(0.5 * camera.view_angle)) / size.y;
     const double reach = std::max(4.0, kOcclusionShare * size.y);
     // The depth cue spans the box's own depth.
     const glm::dvec3 half = 0.5 * (box.empty() ? glm::dvec3(1.0) : box.upper - box.lower);
@@ -281,7 +288,7 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
         glUseProgram(geometry_);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip)));
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view)));
-        triangles += mesh->draw(layers, layer, to_clip);
+        triangles += mesh->draw(layers, layer, to_clip, frame.quality == Quality::kInteractive);
     }
     glDisable(GL_CULL_FACE);
 
@@ -348,7 +355,10 @@ void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
 
     const Appearance& a = frame.appearance;
     const Background& b = frame.background;
-    const float outline = any_selected ? std::max(1.0F, 1.6F * frame.pixel_ratio) : 0.0F;
+    const float outline =
+        any_selected
+            ? std::max(1.0F, 1.6F * frame.pixel_ratio * static_cast<float>(inner_.y) / static_cast<float>(size_.y))
+            : 0.0F;
     const LookBlock look{glm::vec4(b.top, b.transparent ? 1.0F : 0.0F),
                          glm::vec4(b.bottom, a.depth_cue),
                          linear(a.glass, has_glass_ ? 1.0F : 0.0F),
@@ -365,7 +375,7 @@ void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     glBindTextureUnit(4, id_normal_);
     glBindTextureUnit(5, blurred_);
     glBindTextureUnit(6, branch_texture_);
-    glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
+    glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
     fullscreen(background_);
     // An outline reaches beyond the surface it surrounds.
     fullscreen(shade_[(has_glass_ ? 1U : 0U) + (any_selected ? 2U : 0U)],
@@ -373,6 +383,10 @@ void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
 }
 
 void Renderer::Impl::draw_overlays(const Frame& frame) {
+    glBlitNamedFramebuffer(lit_target_, picture_target_, 0, 0, inner_.x, inner_.y, 0, 0, size_.x, size_.y,
+                           GL_COLOR_BUFFER_BIT, inner_ == size_ ? GL_NEAREST : GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
+    glViewport(0, 0, size_.x, size_.y);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -406,9 +420,8 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& frame) {
     DrawStatistics done;
     if (last_ && *last_ == frame) return done;
     if (auto fits = check_size(frame.size.x, frame.size.y); !fits) return tl::unexpected(fits.error());
-    const glm::ivec2 old_size = size_;
-    const int old_samples = samples_;
-    if (auto resized = resize(frame.size, frame.quality == Quality::kFull ? kSamples : 1); !resized) {
+    const glm::ivec2 old_size = size_, old_inner = inner_;
+    if (auto resized = resize(frame.size, frame.quality); !resized) {
         last_.reset();
         return tl::unexpected(resized.error());
     }
@@ -421,11 +434,12 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& frame) {
     glDisable(GL_STENCIL_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    glViewport(0, 0, size_.x, size_.y);
+    glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     const GpuMesh* mesh = upload(frame.mesh, done.uploaded);
     const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
-                               size_ == old_size && samples_ == old_samples && last_layers_ == layers &&
+                               size_ == old_size && inner_ == old_inner && last_->quality == frame.quality &&
+                               last_layers_ == layers &&
                                (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
     if (!same_geometry) {
         done.triangles = draw_geometry(frame, mesh, layers);
@@ -473,22 +487,23 @@ void Renderer::Impl::present(unsigned framebuffer, int x, int y) const {
 
 Renderer::Impl::Window Renderer::Impl::pick_window(double x, double y) const {
     Window window;
-    window.at = {x, size_.y - y};
     if (!last_ || !std::isfinite(x) || !std::isfinite(y)) return window;
-    const int radius = static_cast<int>(std::ceil(kPickRadius * std::max(1.0F, last_->pixel_ratio)));
+    window.at = glm::dvec2(x, size_.y - y) * glm::dvec2(inner_) / glm::dvec2(size_);
+    window.reach = kPickRadius * std::max(1.0, double(last_->pixel_ratio)) * inner_.y / size_.y + 0.5;
+    const int radius = static_cast<int>(std::ceil(window.reach));
     const double px = std::floor(window.at.x), py = std::floor(window.at.y);
-    if (px < -radius || py < -radius || px > size_.x + radius || py > size_.y + radius) return window;
-    window.x = std::clamp(int(px) - radius, 0, size_.x);
-    window.y = std::clamp(int(py) - radius, 0, size_.y);
-    window.width = std::clamp(int(px) + radius + 1, 0, size_.x) - window.x;
-    window.height = std::clamp(int(py) + radius + 1, 0, size_.y) - window.y;
+    if (px < -radius || py < -radius || px > inner_.x + radius || py > inner_.y + radius) return window;
+    window.x = std::clamp(int(px) - radius, 0, inner_.x);
+    window.y = std::clamp(int(py) - radius, 0, inner_.y);
+    window.width = std::clamp(int(px) + radius + 1, 0, inner_.x) - window.x;
+    window.height = std::clamp(int(py) + radius + 1, 0, inner_.y) - window.y;
     return window;
 }
 
-Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, const float* depths) const {
+Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, const float* depths,
+                                const Camera& camera) const {
     Pick result;
-    const double radius = kPickRadius * std::max(1.0F, last_->pixel_ratio) + 0.5;
-    double nearest = radius * radius;
+    double nearest = window.reach * window.reach;
     for (int y = 0; y < window.height; ++y) {
         for (int x = 0; x < window.width; ++x) {
             const auto i = static_cast<std::size_t>(y * window.width + x);
@@ -497,8 +512,9 @@ Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, 
             const double squared = std::max(std::abs(away.x), std::abs(away.y)) <= 0.5 ? 0.0 : glm::dot(away, away);
             if (squared >= nearest) continue;
             nearest = squared;
+            const glm::dvec2 in_picture = pixel * glm::dvec2(size_) / glm::dvec2(inner_);
             result.branch = static_cast<int>(ids[i]) - 1;
-            result.position = unproject(last_->camera, size_, {pixel.x, size_.y - pixel.y}, depths[i]);
+            result.position = unproject(camera, size_, {in_picture.x, size_.y - in_picture.y}, depths[i]);
         }
     }
     return result;
@@ -517,7 +533,7 @@ Pick Renderer::Impl::pick(double x, double y) {
     glReadBuffer(GL_COLOR_ATTACHMENT2);
     glReadPixels(window.x, window.y, window.width, window.height, GL_RED, GL_FLOAT, depths.data());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    return nearest_in(window, ids.data(), depths.data());
+    return nearest_in(window, ids.data(), depths.data(), last_->camera);
 }
 
 void Renderer::Impl::request_pick(double x, double y) {
@@ -556,16 +572,14 @@ std::optional<Pick> Renderer::Impl::poll_pick() {
     pick_fence_ = nullptr;
     const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
     // A picture of another size or view has come in between: the answer would be about the old one.
-    if (bytes == 0 || !last_ || pick_window_.x + pick_window_.width > size_.x ||
-        pick_window_.y + pick_window_.height > size_.y)
+    if (bytes == 0 || !last_ || pick_window_.x + pick_window_.width > inner_.x ||
+        pick_window_.y + pick_window_.height > inner_.y)
         return Pick{};
     const auto* data =
         static_cast<const std::byte*>(glMapNamedBufferRange(pick_buffer_, 0, 2 * bytes, GL_MAP_READ_BIT));
     if (data == nullptr) return Pick{};
-    const Camera camera = std::exchange(last_->camera, pick_camera_);
     const Pick result = nearest_in(pick_window_, reinterpret_cast<const std::uint32_t*>(data),
-                                   reinterpret_cast<const float*>(data + bytes));
-    last_->camera = camera;
+                                   reinterpret_cast<const float*>(data + bytes), pick_camera_);
     glUnmapNamedBuffer(pick_buffer_);
     return result;
 }
