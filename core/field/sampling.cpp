@@ -6,6 +6,7 @@
 #include "core/field/kernel-inl.h"
 #include "core/field/sampling.h"
 
+#include <algorithm>
 #include <cstring>
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
@@ -303,14 +304,9 @@ void sample_lattice(const ConvolutionField& field, std::span<const std::uint32_t
     (field, list.data(), list.size(), axes, points.data(), points.size(), values.data());
 }
 
-void Projection::clear() {
-    for (auto* array : {&x, &y, &z, &cx, &cy, &cz, &reach}) array->clear();
-}
-
-void Projection::add(glm::vec3 guess, glm::vec3 centre, float half_extent) {
-    x.push_back(guess.x), y.push_back(guess.y), z.push_back(guess.z);
-    cx.push_back(centre.x), cy.push_back(centre.y), cz.push_back(centre.z);
-    reach.push_back(half_extent);
+void Projection::grow(std::size_t capacity) {
+    for (auto* array : {&x, &y, &z, &cx, &cy, &cz, &reach, &nx, &ny, &nz, &radius}) array->resize(capacity);
+    segment.resize(capacity);
 }
 
 std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32_t> list, Projection& points) {
@@ -318,10 +314,10 @@ std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32
     if (count == 0 || list.empty()) return 0;
     constexpr std::size_t kLanes = 16; // the widest vector there is
     const std::size_t padded = (count + kLanes - 1) / kLanes * kLanes;
+    if (points.x.size() < padded) points.grow(padded);
     for (auto* array : {&points.x, &points.y, &points.z, &points.cx, &points.cy, &points.cz, &points.reach})
-        array->resize(padded, array->back());
-    for (auto* array : {&points.nx, &points.ny, &points.nz, &points.radius}) array->resize(padded);
-    points.segment.resize(padded);
+        std::fill(array->begin() + static_cast<std::ptrdiff_t>(count),
+                  array->begin() + static_cast<std::ptrdiff_t>(padded), (*array)[count - 1]);
     const SegmentArrays& s = field.segments();
     points.local.resize(3 * list.size());
     for (std::size_t m = 0; m < list.size(); ++m) {
@@ -330,8 +326,6 @@ std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32
         points.local[2 * list.size() + m] = static_cast<float>(s.az[list[m]] - points.origin.z);
     }
     HWY_DYNAMIC_DISPATCH(Project)(field, list.data(), list.size(), points);
-    for (auto* array : {&points.x, &points.y, &points.z, &points.cx, &points.cy, &points.cz, &points.reach})
-        array->resize(count);
     return static_cast<std::uint64_t>(kProjectionSteps) * count * list.size();
 }
 

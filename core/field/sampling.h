@@ -38,20 +38,29 @@ void sample_lattice(const ConvolutionField& field, std::span<const std::uint32_t
                     std::span<const LatticePoint> points, std::span<float> values);
 
 // Points to be moved onto the surface. Positions are relative to `origin`, in mm; each stays within `reach` of its
-// centre along every axis. Arrays are padded by pad() to whole vectors.
+// centre along every axis. The arrays are longer than size(): they are kept from use to use and padded to whole
+// vectors.
 struct Projection {
     glm::dvec3 origin{0.0};
-    std::vector<float> x, y, z;              // in: first guess; out: point on the surface
-    std::vector<float> cx, cy, cz, reach;    // box that a point must not leave
-    std::vector<float> nx, ny, nz;           // out: unit normal, outward
-    std::vector<float> radius;               // out: local radius, mm
-    std::vector<std::int32_t> segment;       // out: strongest contributor
-    std::vector<std::uint32_t> segment_list; // scratch
-    std::vector<float> local;                // scratch: segment starts relative to origin
+    std::vector<float> x, y, z;           // in: first guess; out: point on the surface
+    std::vector<float> cx, cy, cz, reach; // box that a point must not leave
+    std::vector<float> nx, ny, nz;        // out: unit normal, outward
+    std::vector<float> radius;            // out: local radius, mm
+    std::vector<std::int32_t> segment;    // out: strongest contributor
+    std::vector<float> local;             // scratch: segment starts relative to origin
 
-    [[nodiscard]] std::size_t size() const { return x.size(); }
-    void clear();
-    void add(glm::vec3 guess, glm::vec3 centre, float half_extent);
+    [[nodiscard]] std::size_t size() const { return size_; }
+    void clear() { size_ = 0; }
+    void add(glm::vec3 guess, glm::vec3 centre, float half_extent) {
+        if (size_ == x.size()) grow(2 * size_ + 64);
+        x[size_] = guess.x, y[size_] = guess.y, z[size_] = guess.z;
+        cx[size_] = centre.x, cy[size_] = centre.y, cz[size_] = centre.z;
+        reach[size_++] = half_extent;
+    }
+    void grow(std::size_t capacity);
+
+private:
+    std::size_t size_ = 0;
 };
 inline constexpr int kProjectionSteps = 3;
 // Returns the number of kernel evaluations it took: kProjectionSteps for every point and segment.

@@ -74,11 +74,18 @@ void append_projected(const field::ConvolutionField& field, std::span<const std:
                       field::Projection& projection, BrickChunk& chunk) {
     chunk.evaluations += field::project(field, list, projection);
     chunk.samples += field::kProjectionSteps * projection.size();
-    for (std::size_t n = 0; n < projection.size(); ++n) {
-        chunk.positions.emplace_back(projection.origin + glm::dvec3(projection.x[n], projection.y[n], projection.z[n]));
-        chunk.normals.emplace_back(projection.nx[n], projection.ny[n], projection.nz[n]);
-        chunk.radii.push_back(projection.radius[n]);
-        chunk.branches.push_back(field.segments().branch[static_cast<std::size_t>(projection.segment[n])]);
+    const std::size_t first = chunk.positions.size();
+    const std::size_t count = projection.size();
+    chunk.positions.resize(first + count);
+    chunk.normals.resize(first + count);
+    chunk.radii.insert(chunk.radii.end(), projection.radius.begin(),
+                       projection.radius.begin() + static_cast<std::ptrdiff_t>(count));
+    chunk.branches.resize(first + count);
+    for (std::size_t n = 0; n < count; ++n) {
+        chunk.positions[first + n] =
+            glm::vec3(projection.origin + glm::dvec3(projection.x[n], projection.y[n], projection.z[n]));
+        chunk.normals[first + n] = {projection.nx[n], projection.ny[n], projection.nz[n]};
+        chunk.branches[first + n] = field.segments().branch[static_cast<std::size_t>(projection.segment[n])];
     }
 }
 

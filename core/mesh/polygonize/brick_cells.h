@@ -84,6 +84,7 @@ struct BrickChunk {
     std::vector<glm::vec3> positions, normals;
     std::vector<float> radii;
     std::vector<std::int32_t> branches;
+    std::size_t vertex_count = 0; // when the arrays above have gone into the mesh
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
     std::uint64_t evaluations = 0; // kernels, one per segment and point

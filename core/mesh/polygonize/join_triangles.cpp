@@ -336,6 +336,7 @@ void gather_vertices(SurfaceCells& surface, TriangleMesh& mesh) {
     tbb::parallel_for(std::size_t{0}, surface.chunks.size(), [&](std::size_t c) {
         BrickChunk& chunk = surface.chunks[c];
         copy_vertices(chunk, first[c], mesh);
+        chunk.vertex_count = chunk.positions.size();
         chunk.positions = {}, chunk.normals = {}, chunk.radii = {}, chunk.branches = {};
         for (std::size_t b = c * kChunkBricks; b < std::min(surface.cells.size(), (c + 1) * kChunkBricks); ++b)
             surface.cells[b].first_vertex += static_cast<std::uint32_t>(first[c]);
@@ -352,6 +353,7 @@ TriangleMesh join_triangles(const field::ConvolutionField& field, const BrickSet
     tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t c) {
         if (job.cancelled()) return;
         Joiner joiner(field, set, surface, mesh);
+        joined[c].triangles.reserve(2 * surface.chunks[c].vertex_count + 64); // Euler: two triangles a vertex, nearly
         for (std::size_t b = c * kChunkBricks; b < std::min(set.bricks.size(), (c + 1) * kChunkBricks); ++b)
             joiner.join_brick(static_cast<std::uint32_t>(b), joined[c]);
         job.report(0.8F + 0.2F * static_cast<float>(++done) / static_cast<float>(joined.size()));
