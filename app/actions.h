@@ -14,6 +14,8 @@ RAMUS_ACTION(undo);
 RAMUS_ACTION(redo);
 RAMUS_ACTION(select);
 RAMUS_ACTION(select_add);
+RAMUS_ACTION(select_subtree);
+RAMUS_ACTION(select_toggle);
 RAMUS_ACTION(select_none);
 RAMUS_ACTION(select_dependents);
 RAMUS_ACTION(select_upstream);

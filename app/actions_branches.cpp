@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <numeric>
 
 namespace ramus::app::actions {
@@ -36,6 +37,21 @@ void select_these(Document& document, std::vector<int> ids) {
     Marks next = document.marks();
     next.selection = canonical(std::move(ids));
     document.change(std::move(next));
+}
+
+// Every branch is visited once: subtree() of each of them would cost their product.
+std::vector<int> with_dependents(const Document& document, std::vector<int> open) {
+    std::vector<char> found(static_cast<std::size_t>(document.branch_count()), 0);
+    std::vector<int> ids;
+    while (!open.empty()) {
+        const int id = open.back();
+        open.pop_back();
+        if (std::exchange(found[static_cast<std::size_t>(id)], 1) != 0) continue;
+        ids.push_back(id);
+        const auto& children = document.tree()->branches[static_cast<std::size_t>(id)].children;
+        open.insert(open.end(), children.begin(), children.end());
+    }
+    return ids;
 }
 
 std::vector<int> everything(const Document& document) {
@@ -75,25 +91,30 @@ Result<void> select_add(ActionContext& context, Arguments arguments) {
     return {};
 }
 
+Result<void> select_subtree(ActionContext& context, Arguments arguments) {
+    const auto ids = branch_ids(context.document, arguments);
+    if (!ids) return tl::unexpected(ids.error());
+    select_these(context.document, with_dependents(context.document, *ids));
+    return {};
+}
+
+Result<void> select_toggle(ActionContext& context, Arguments arguments) {
+    const auto ids = branch_ids(context.document, arguments);
+    if (!ids) return tl::unexpected(ids.error());
+    std::vector<int> next;
+    const std::vector<int> toggled = canonical(*ids);
+    std::ranges::set_symmetric_difference(context.document.marks().selection, toggled, std::back_inserter(next));
+    select_these(context.document, std::move(next));
+    return {};
+}
+
 Result<void> select_none(ActionContext& context, Arguments) {
     select_these(context.document, {});
     return {};
 }
 
 Result<void> select_dependents(ActionContext& context, Arguments) {
-    // Marked and handed down in one pass over the tree: subtree() of every selected branch would cost their product.
-    std::vector<int> open = context.document.marks().selection;
-    std::vector<char> found(static_cast<std::size_t>(context.document.branch_count()), 0);
-    std::vector<int> ids;
-    while (!open.empty()) {
-        const int id = open.back();
-        open.pop_back();
-        if (std::exchange(found[static_cast<std::size_t>(id)], 1) != 0) continue;
-        ids.push_back(id);
-        const auto& children = context.document.tree()->branches[static_cast<std::size_t>(id)].children;
-        open.insert(open.end(), children.begin(), children.end());
-    }
-    select_these(context.document, std::move(ids));
+    select_these(context.document, with_dependents(context.document, context.document.marks().selection));
     return {};
 }
 

@@ -24,6 +24,21 @@ std::optional<double> number_in(const std::string& word, double least, double mo
     return value;
 }
 
+// All that is not hidden, from where `camera` looks.
+render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
+    const auto mesh = context.host.picture_mesh();
+    if (!mesh) return camera;
+    const glm::ivec2 size = context.host.picture_size();
+    const Marks& marks = context.document.marks();
+    if (branches_in_state(marks, render::BranchState::kHidden).empty() ||
+        mesh->branches.size() != mesh->positions.size())
+        return render::fitted(camera, mesh->positions, size);
+    std::vector<glm::vec3> visible;
+    for (std::size_t i = 0; i < mesh->positions.size(); ++i)
+        if (state_of(marks, mesh->branches[i]) != render::BranchState::kHidden) visible.push_back(mesh->positions[i]);
+    return visible.empty() ? camera : render::fitted(camera, visible, size);
+}
+
 void move_camera(ActionContext& context, const render::Camera& camera) {
     context.document.set_camera(camera);
     context.host.camera_moved();
@@ -67,14 +82,14 @@ Result<void> view(ActionContext& context, Arguments arguments) {
     const auto view = arguments.size() == 1 ? render::view_named(arguments[0]) : std::nullopt;
     if (!view)
         return fail("view takes the name of a view", {}, "anterior, posterior, left, right, superior or inferior");
-    const render::Camera turned = render::looking(context.document.session().camera, *view);
-    move_camera(context, render::fitted(turned, context.host.bounds(), context.host.picture_size()));
+    move_camera(context, fitted_to_picture(context, render::looking(context.document.session().camera, *view)));
+
     return {};
 }
 
 Result<void> fit(ActionContext& context, Arguments) {
-    move_camera(context,
-                render::fitted(context.document.session().camera, context.host.bounds(), context.host.picture_size()));
+    move_camera(context, fitted_to_picture(context, context.document.session().camera));
+
     return {};
 }
 
@@ -102,7 +117,7 @@ Result<void> colour_by(ActionContext& context, Arguments arguments) {
 Result<void> surface(ActionContext& context, Arguments arguments) {
     const auto refused =
         fail("surface takes a name and a value", {},
-             "smooth 0 to 1000, prune 0 to 1000000, width 0.1 to 100, detail 3 to 1000, method cs or cones");
+             "smooth 0 to 100, prune 0 to 1000000, width 0.1 to 100, detail 4 to 512, method cs or cones");
     if (arguments.size() != 2) return refused;
     Marks next = context.document.marks();
     mesh::SurfaceOptions& options = next.options;
@@ -111,10 +126,10 @@ Result<void> surface(ActionContext& context, Arguments arguments) {
         if (arguments[1] != "cs" && arguments[1] != "cones") return refused;
         options.method = arguments[1] == "cs" ? mesh::Method::kConvolutionSurface : mesh::Method::kTruncatedCones;
     } else {
-        const auto value = option == "smooth"   ? number_in(arguments[1], 0.0, 1000.0)
+        const auto value = option == "smooth"   ? number_in(arguments[1], 0.0, 100.0)
                            : option == "prune"  ? number_in(arguments[1], 0.0, 1e6)
                            : option == "width"  ? number_in(arguments[1], 0.1, 100.0)
-                           : option == "detail" ? number_in(arguments[1], 3.0, 1000.0)
+                           : option == "detail" ? number_in(arguments[1], 4.0, 512.0)
                                                 : std::nullopt;
         const bool whole = option == "smooth" || option == "detail";
         if (!value || (whole && *value != static_cast<int>(*value))) return refused;

@@ -7,7 +7,6 @@
 
 #include "app/document.h"
 #include "core/base/error.h"
-#include "render/bounds.h"
 
 #include <filesystem>
 #include <span>
@@ -26,7 +25,8 @@ public:
     virtual ~Host() = default;
 
     [[nodiscard]] virtual glm::ivec2 picture_size() const = 0; // pixels
-    [[nodiscard]] virtual render::Box bounds() const = 0;      // of what the picture shows
+    // What the picture shows; null: nothing.
+    [[nodiscard]] virtual std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const = 0;
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
     // Where pictures and sessions go that the user gave no name for.
     [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;

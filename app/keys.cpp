@@ -19,4 +19,9 @@ KeyPress parse_key(std::string_view text) {
     return press;
 }
 
+std::string spelling(const KeyPress& press) {
+    return std::string(press.ctrl ? "Ctrl+" : "") + (press.shift ? "Shift+" : "") + (press.alt ? "Alt+" : "") +
+           press.key;
+}
+
 } // namespace ramus::app

@@ -20,4 +20,6 @@ struct KeyPress {
 // "Ctrl+Shift+Z" as a KeyPress.
 [[nodiscard]] KeyPress parse_key(std::string_view text);
 
+[[nodiscard]] std::string spelling(const KeyPress& press); // the other way
+
 } // namespace ramus::app

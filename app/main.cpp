@@ -24,6 +24,33 @@ int complain(const std::string& message) {
     return kFailed;
 }
 
+void add_window_flags(CLI::App& app, WindowOptions& window) {
+    const char* group = "Window";
+    app.add_option("--session", window.session, "Open this session")->type_name("FILE")->group(group);
+    app.add_option("--commands", window.commands, "Run these commands as soon as the surface is ready")
+        ->type_name("FILE")
+        ->group(group);
+    app.add_option("--ui-scale", window.scale, "Pixels per point; without it, what the display says")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(0.5, 4.0))
+        ->group(group);
+    app.add_option_function<std::string>(
+           "--size",
+           [&window](const std::string& text) {
+               char end = '\0';
+               if (std::sscanf(text.c_str(), "%dx%d%c", &window.size.x, &window.size.y, &end) != 2 ||
+                   window.size.x < 480 || window.size.y < 360 || window.size.x > 16384 || window.size.y > 16384)
+                   throw CLI::ValidationError("--size", text + " is not a size like 1440x900 (from 480x360)");
+           },
+           "Size of the window, in points (default 1440x900)")
+        ->type_name("WxH")
+        ->group(group);
+    app.add_option("--status", window.status,
+                   "Keep a JSON file that says what the window shows, for scripts that drive it")
+        ->type_name("FILE")
+        ->group(group);
+}
+
 // A word that is no file and looks like none was meant as a command.
 bool meant_as_command(const std::string& word) {
     std::error_code ignored;
@@ -38,11 +65,13 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);
 
     Action chosen;
-    std::vector<std::string> files;
+    WindowOptions window;
     SurfaceFlags window_flags;
-    app.add_option("FILE", files, "Vessel trees to open in the window; without one, the demo tree")->type_name("");
+    app.add_option("FILE", window.files, "Vessel tree or session to open in the window; without one, the demo tree")
+        ->type_name("");
     add_surface_flags(app, window_flags);
     register_grow(app, chosen);
+    add_window_flags(app, window);
 
     register_render(app, chosen);
     register_mesh(app, chosen);
@@ -55,11 +84,13 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;
     }
     if (!chosen) {
-        if (!files.empty() && meant_as_command(files.front())) {
-            complain(files.front() + ": neither a command nor a file; ramus --help lists the commands");
+        if (!window.files.empty() && meant_as_command(window.files.front())) {
+            complain(window.files.front() + ": neither a command nor a file; ramus --help lists the commands");
             return kWrongUsage;
         }
-        return run_window(files, window_flags.surface);
+        window.surface = window_flags.surface;
+        window.read = window_flags.read;
+        return run_window(window);
     }
 
     handle_interrupts(); // not before: the window closes in its own way

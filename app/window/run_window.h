@@ -1,14 +1,28 @@
-// The window: opens `files` (the demo tree when there are none) and stays until the person closes it. Returns the exit
-// status. Without a display it says so and points at `ramus render`.
+// The window: opens a tree or a session (the demo tree when none is given) and stays until the person closes it.
+// Returns the exit status. Without a display it says so and points at `ramus render`.
 #pragma once
 
+#include "core/io/tree_reader.h"
 #include "core/mesh/surface.h"
 
+#include <filesystem>
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
 namespace ramus::app {
 
-int run_window(const std::vector<std::string>& files, const mesh::SurfaceOptions& options);
+struct WindowOptions {
+    std::vector<std::string> files;
+    std::string session;  // a session file; instead of a tree
+    std::string commands; // a commands file, run when the surface is ready
+    std::string status;   // a file that says in JSON, at every change, what the window shows: for scripts that drive it
+    mesh::SurfaceOptions surface;
+    io::ReadOptions read;
+    float scale = 0.0F;         // pixels per point; 0: the display's
+    glm::ivec2 size{1440, 900}; // points
+};
+
+int run_window(const WindowOptions& options);
 
 } // namespace ramus::app

@@ -34,7 +34,8 @@ std::shared_ptr<const tree::VesselTree> small_tree() {
 class TestHost final : public Host {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
-    [[nodiscard]] render::Box bounds() const override { return {{-10.0, -20.0, -30.0}, {10.0, 20.0, 30.0}}; }
+    [[nodiscard]] std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const override { return mesh; }
+    std::shared_ptr<const mesh::TriangleMesh> mesh;
     Result<void> write_picture(const std::filesystem::path& path) override {
         pictures.push_back(path);
         return {};

@@ -1,0 +1,33 @@
+// What a person wants to know of a branch, computed once for a whole tree: tooltips, the panel and colours look it up.
+#pragma once
+
+#include "core/tree/vessel_tree.h"
+
+#include <vector>
+
+namespace ramus::app {
+
+struct BranchFacts {
+    double length_mm = 0.0;
+    double mean_diameter_mm = 0.0; // along the centerline
+    double min_diameter_mm = 0.0;
+    double max_diameter_mm = 0.0;
+    int dependents = 0; // branches that are reached only through this one
+};
+
+struct TreeFacts {
+    std::vector<BranchFacts> branches; // by id
+    double length_mm = 0.0;
+    double volume_mm3 = 0.0; // of the cones between the points
+    double min_diameter_mm = 0.0;
+    double max_diameter_mm = 0.0;
+    int generations = 0;
+    int leaves = 0;
+};
+
+[[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);
+
+// From the root to `branch`, both included.
+[[nodiscard]] std::vector<int> path_to(const tree::VesselTree& tree, int branch);
+
+} // namespace ramus::app

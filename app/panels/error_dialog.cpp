@@ -1,0 +1,50 @@
+// What went wrong with a file: what, where, and what to do. What was open stays open.
+#include "app/panels/interface.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <cctype>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+// Messages are written to stand in the middle of a line.
+std::string sentence(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    if (!text.empty() && text.back() != '.') text += '.';
+    return text;
+}
+
+} // namespace
+
+void draw_error_dialog(InterfaceContext& context) {
+    auto& errors = context.interface.errors;
+    if (errors.empty() || !widgets::begin_dialog("error", 520.0F, 0.0F)) return;
+    const Error& error = errors.front();
+    widgets::heading("This file cannot be opened");
+    ImGui::Dummy({0.0F, 2.0F * theme::scale()});
+    ImGui::TextWrapped("%s", sentence(error.what).c_str());
+    if (!error.hint.empty()) ImGui::TextWrapped("%s", sentence(error.hint).c_str());
+    if (!error.where.empty()) widgets::quiet_wrapped(error.where.c_str());
+    ImGui::Dummy({0.0F, 6.0F * theme::scale()});
+    const float width = 90.0F * theme::scale();
+    const float other = 150.0F * theme::scale();
+    bool another = false;
+    widgets::align_right(width + other + ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::Button("Open another...", {other, 0.0F})) another = true;
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
+    const bool closed =
+        ImGui::Button("Close", {width, 0.0F}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+    ImGui::PopStyleColor();
+    if (closed || another) {
+        errors.pop_front();
+        ImGui::CloseCurrentPopup();
+        if (another) context.perform("open", {});
+    }
+    widgets::end_dialog();
+}
+
+} // namespace ramus::app

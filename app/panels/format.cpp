@@ -1,0 +1,27 @@
+#include "app/panels/format.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ramus::app {
+
+std::string digits(double value, int significant) {
+    if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "?";
+    const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", std::clamp(significant - 1 - magnitude, 0, 9), value);
+    return text;
+}
+
+std::string count(std::uint64_t value) {
+    std::string text = std::to_string(value);
+    for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+    return text;
+}
+
+std::string seconds_text(double seconds) {
+    return seconds < 0.9995 ? digits(1000.0 * seconds, 2) + " ms" : digits(seconds) + " s";
+}
+
+} // namespace ramus::app

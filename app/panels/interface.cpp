@@ -1,0 +1,90 @@
+#include "app/panels/interface.h"
+
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+constexpr float kBarHeight = 34.0F; // points
+constexpr float kStatusHeight = 28.0F;
+constexpr float kPanelWidth = 296.0F;
+constexpr float kLeastViewWidth = 320.0F; // the panel gives way in a narrow window
+
+// What to do when there is nothing to see.
+void draw_empty_view(InterfaceContext& context) {
+    if (context.workspace.shown().mesh) return;
+    const bool busy = context.workspace.busy();
+    const char* title = busy ? "Reading..." : "No vessel tree";
+    const char* hint = busy ? "" : "Drop an SWC file here, or press Ctrl+O";
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const ImVec2 centre(
+        static_cast<float>(context.layout.view_at.x) + 0.5F * static_cast<float>(context.layout.view_size.x),
+        static_cast<float>(context.layout.view_at.y) + 0.5F * static_cast<float>(context.layout.view_size.y));
+    ImGui::PushFont(theme::title_font());
+    const ImVec2 size = ImGui::CalcTextSize(title);
+    list->AddText({std::round(centre.x - 0.5F * size.x), std::round(centre.y - size.y)},
+                  ImGui::GetColorU32(theme::kText), title);
+    ImGui::PopFont();
+    const ImVec2 hint_size = ImGui::CalcTextSize(hint);
+    list->AddText({std::round(centre.x - 0.5F * hint_size.x), std::round(centre.y + 6.0F * theme::scale())},
+                  ImGui::GetColorU32(theme::kQuiet), hint);
+}
+
+} // namespace
+
+Layout layout_of(glm::ivec2 window, float scale, bool panel_open) {
+    const auto pixels = [&](float points) { return static_cast<int>(std::round(points * scale)); };
+    Layout layout;
+    layout.window = window;
+    layout.bar_height = pixels(kBarHeight);
+    layout.status_height = pixels(kStatusHeight);
+    if (panel_open && window.x - pixels(kPanelWidth) >= pixels(kLeastViewWidth))
+        layout.panel_width = pixels(kPanelWidth);
+    layout.view_at = {0, layout.bar_height};
+    layout.view_size =
+        glm::max(window - glm::ivec2(layout.panel_width, layout.bar_height + layout.status_height), glm::ivec2(1));
+    return layout;
+}
+
+bool Interface::dismiss() {
+    if (!errors.empty())
+        errors.pop_front();
+    else if (open_dialog.open)
+        open_dialog.open = false;
+    else if (help_open)
+        help_open = false;
+    else
+        return false;
+    return true;
+}
+
+void InterfaceContext::perform(const Command& command) {
+    ActionContext action{workspace.document, host};
+    if (const auto done = run_entry(action, command); !done) interface.tell(done.error().message(), now, true);
+}
+
+void InterfaceContext::perform(std::string_view name, const std::vector<std::string>& arguments) {
+    std::vector<std::string> words{std::string(name)};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    ActionContext action{workspace.document, host};
+    if (const auto done = run_command(action, words); !done) interface.tell(done.error().message(), now, true);
+}
+
+void draw_interface(InterfaceContext& context) {
+    context.interface.listed = tree::kNoBranch;
+    draw_empty_view(context);
+    draw_menu_bar(context);
+    draw_side_panel(context);
+    draw_status_bar(context);
+    draw_tooltip(context);
+    draw_help(context);
+    draw_open_dialog(context);
+    draw_error_dialog(context);
+}
+
+} // namespace ramus::app

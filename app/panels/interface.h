@@ -1,0 +1,76 @@
+// Interface: everything drawn around the picture with ImGui, and what it remembers between frames beside the session.
+// It needs an ImGui context and nothing of a window: `ramus render --ui` draws the same one.
+#pragma once
+
+#include "app/command_table.h"
+#include "app/panels/open_dialog.h"
+#include "app/workspace.h"
+
+#include <array>
+#include <deque>
+#include <glm/vec2.hpp>
+#include <string>
+
+namespace ramus::app {
+
+// Where things are, in pixels from the top left.
+struct Layout {
+    glm::ivec2 window{0};
+    int bar_height = 0;
+    int status_height = 0;
+    int panel_width = 0;                 // 0 when it is closed
+    glm::ivec2 view_at{0}, view_size{1}; // the picture
+};
+[[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open);
+
+struct Notice {
+    std::string text;
+    double until = 0.0; // in the seconds of draw_interface()
+    bool trouble = false;
+};
+
+struct Interface {
+    bool panel_open = true;
+    bool help_open = false;
+    std::array<char, 64> help_search{};
+    OpenDialog open_dialog;
+    std::deque<Error> errors; // of files, shown one after the other in a dialog
+    Notice notice;
+    int hovered = tree::kNoBranch; // under the pointer in the picture
+    bool tooltip = false;          // the pointer rests on the picture
+    int listed = tree::kNoBranch;  // under the pointer in the list of branches
+    std::vector<int> list_order;   // of the list of branches
+    const TreeFacts* list_of = nullptr;
+    int shown_selection = tree::kNoBranch; // the list was scrolled to it
+
+    void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
+    [[nodiscard]] bool dialog_open() const { return help_open || open_dialog.open || !errors.empty(); }
+    bool dismiss(); // closes what lies on top; false: nothing does
+};
+
+struct InterfaceContext {
+    Interface& interface;
+    Workspace& workspace;
+    Host& host;
+    const Layout& layout;
+    double now; // seconds, any origin
+
+    // As the menus do; a refusal becomes a notice.
+    void perform(const Command& command);
+    void perform(std::string_view name, const std::vector<std::string>& arguments);
+};
+
+// Between ImGui::NewFrame() and ImGui::Render().
+void draw_interface(InterfaceContext& context);
+
+// The parts, one file each.
+void draw_menu_bar(InterfaceContext& context);
+void draw_side_panel(InterfaceContext& context);
+void draw_branch_list(InterfaceContext& context);
+void draw_status_bar(InterfaceContext& context);
+void draw_tooltip(InterfaceContext& context);
+void draw_help(InterfaceContext& context);
+void draw_open_dialog(InterfaceContext& context);
+void draw_error_dialog(InterfaceContext& context);
+
+} // namespace ramus::app

@@ -1,0 +1,103 @@
+// Menus from the command table at the left, buttons for the anatomical views at the right.
+#include "app/panels/interface.h"
+#include "app/panels/recent_files.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+void draw_entry(InterfaceContext& context, const Command& command) {
+    const Document& document = context.workspace.document;
+    const bool enabled = command.enabled == nullptr || command.enabled(document);
+    const bool checked = command.checked != nullptr && command.checked(document);
+    if (ImGui::MenuItem(command.label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked,
+                        enabled))
+        context.perform(command);
+}
+
+void draw_recent(InterfaceContext& context) {
+    const auto& files = recent_files();
+    if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
+    std::filesystem::path chosen;
+    for (const auto& file : files) {
+        ImGui::PushID(file.c_str());
+        if (ImGui::MenuItem(file.filename().c_str())) chosen = file;
+        widgets::tooltip(file.c_str());
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+    if (!chosen.empty()) context.perform("open", {chosen.string()});
+}
+
+void draw_menus(InterfaceContext& context) {
+    std::vector<std::string> menus;
+    for (const Command& command : command_table())
+        if (!command.menu.empty() && std::find(menus.begin(), menus.end(), command.menu) == menus.end())
+            menus.push_back(command.menu);
+    for (const std::string& menu : menus) {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});
+        if (ImGui::BeginMenu(menu.c_str())) {
+            for (const Command& command : command_table()) {
+                if (command.menu != menu) continue;
+                if (command.name == "quit" || command.name == "fit" || command.name == "panel") ImGui::Separator();
+                draw_entry(context, command);
+                if (command.name == "open") draw_recent(context);
+            }
+            ImGui::EndMenu();
+        }
+        ImGui::PopStyleVar(2);
+    }
+}
+
+// A P L R S I in one row, and Fit.
+void draw_views(InterfaceContext& context) {
+    const float scale = theme::scale();
+    const float side = 26.0F * scale;
+    const float gap = 2.0F * scale;
+    const float wide = 44.0F * scale;
+    const float total = 6.0F * side + 7.0F * gap + wide + 8.0F * scale;
+    const float at = static_cast<float>(context.layout.window.x) - total - 8.0F * scale;
+    if (at < ImGui::GetCursorPosX() + 12.0F * scale) return; // a narrow window keeps the menus
+    const bool enabled = context.workspace.document.branch_count() > 0;
+    ImGui::SetCursorPosX(std::round(at));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, 0.0F});
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(1.0F, 1.0F, 1.0F, 0.05F));
+    ImGui::BeginDisabled(!enabled);
+    const auto button = [&](const Command& command, const char* text, float width) {
+        ImGui::SetCursorPosY(std::round(0.5F * (static_cast<float>(context.layout.bar_height) - side)));
+        if (ImGui::Button(text, {width, side})) context.perform(command);
+        widgets::tooltip(command.label.c_str(), command.keys.front().c_str());
+    };
+    for (const Command& command : command_table())
+        if (command.name == "view" && !command.scripted()) button(command, command.keys.front().c_str(), side);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 6.0F * scale);
+    button(*find_command("fit"), "Fit", wide);
+    ImGui::EndDisabled();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+} // namespace
+
+void draw_menu_bar(InterfaceContext& context) {
+    // The main menu bar is as high as its frames: pad those to the bar of the layout.
+    const float padding = 0.5F * (static_cast<float>(context.layout.bar_height) - ImGui::GetFontSize());
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {10.0F * theme::scale(), padding});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    const bool shown = ImGui::BeginMainMenuBar();
+    ImGui::PopStyleVar(2);
+    if (!shown) return;
+    draw_menus(context);
+    draw_views(context);
+    ImGui::EndMainMenuBar();
+}
+
+} // namespace ramus::app

@@ -1,0 +1,213 @@
+#include "app/panels/open_dialog.h"
+
+#include "app/panels/format.h"
+#include "app/panels/interface.h"
+#include "app/panels/recent_files.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace fs = std::filesystem;
+
+bool can_be_opened(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".swc" || ending == ".json";
+}
+
+void OpenDialog::show(const fs::path& start) {
+    open = true;
+    filter.fill('\0');
+    std::error_code ignored;
+    fs::path where = start;
+    if (where.empty() || !fs::is_directory(where, ignored)) where = fs::current_path(ignored);
+    enter(where);
+}
+
+void OpenDialog::enter(const fs::path& where) {
+    std::error_code error;
+    folder = fs::absolute(where, error).lexically_normal();
+    if (folder.has_parent_path() && folder.filename().empty()) folder = folder.parent_path(); // "a/" is "a"
+    entries.clear();
+    problem.clear();
+    marked = -1;
+    filter.fill('\0');
+    const std::string text = folder.string();
+    typed.fill('\0');
+    std::memcpy(typed.data(), text.data(), std::min(text.size(), typed.size() - 1));
+    fs::directory_iterator each(folder, fs::directory_options::skip_permission_denied, error);
+    if (error) {
+        problem = error.message();
+        return;
+    }
+    for (; each != fs::directory_iterator(); each.increment(error)) {
+        if (error) break;
+        std::error_code ignored;
+        Entry entry{each->path().filename().string(), each->is_directory(ignored), 0};
+        if (entry.name.starts_with(".")) continue;
+        if (!entry.folder) entry.bytes = each->file_size(ignored);
+        entries.push_back(std::move(entry));
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+}
+
+namespace {
+
+bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
+    if (!entry.folder && !dialog.every_file && !can_be_opened(entry.name)) return false;
+    const std::string_view wanted = dialog.filter.data();
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    return std::search(entry.name.begin(), entry.name.end(), wanted.begin(), wanted.end(), same) != entry.name.end();
+}
+
+std::string size_text(std::uintmax_t bytes) {
+    if (bytes < 1000) return std::to_string(bytes) + " B";
+    return bytes < 1'000'000 ? digits(static_cast<double>(bytes) / 1e3) + " kB"
+                             : digits(static_cast<double>(bytes) / 1e6) + " MB";
+}
+
+// Where the user may want to go: recent files and a few folders. Returns what was chosen.
+fs::path draw_places(float width) {
+    fs::path chosen;
+    ImGui::BeginChild("places", {width, 0.0F});
+    widgets::quiet("Places");
+    const auto place = [&](const char* label, const fs::path& path) {
+        if (ImGui::Selectable(label)) chosen = path;
+        widgets::tooltip(path.c_str());
+    };
+    if (const char* home = std::getenv("HOME"); home != nullptr) place("Home", home);
+    std::error_code ignored;
+    place("Here", fs::current_path(ignored));
+    place("Computer", "/");
+    if (!recent_files().empty()) {
+        ImGui::Dummy({0.0F, 6.0F * theme::scale()});
+        widgets::quiet("Recent");
+    }
+    for (const auto& file : recent_files()) {
+        ImGui::PushID(file.c_str());
+        place(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+    return chosen;
+}
+
+fs::path draw_entries(OpenDialog& dialog, float height) {
+    fs::path chosen;
+    ImGui::BeginChild("entries", {0.0F, height});
+    if (!dialog.problem.empty()) widgets::quiet_wrapped(("This folder cannot be listed: " + dialog.problem).c_str());
+    bool any = false;
+    if (ImGui::BeginTable("files", 2, ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, 76.0F * theme::scale());
+        for (std::size_t i = 0; i < dialog.entries.size(); ++i) {
+            const OpenDialog::Entry& entry = dialog.entries[i];
+            if (!matches(dialog, entry)) continue;
+            any = true;
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::PushID(static_cast<int>(i));
+            const std::string label = entry.folder ? entry.name + "/" : entry.name;
+            if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+            if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
+                                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
+                dialog.marked = static_cast<int>(i);
+                if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+                    chosen = dialog.folder / entry.name;
+            }
+            if (entry.folder) ImGui::PopStyleColor();
+            ImGui::PopID();
+            ImGui::TableNextColumn();
+            if (entry.folder) continue;
+            const std::string size = size_text(entry.bytes);
+            widgets::align_right(ImGui::CalcTextSize(size.c_str()).x);
+            widgets::quiet(size.c_str());
+        }
+        ImGui::EndTable();
+    }
+    if (!any && dialog.problem.empty())
+        widgets::quiet_wrapped(dialog.every_file
+                                   ? "Nothing here."
+                                   : "No SWC or JSON files here. Choose another folder, or show all files.");
+    ImGui::EndChild();
+    return chosen;
+}
+
+} // namespace
+
+void draw_open_dialog(InterfaceContext& context) {
+    OpenDialog& dialog = context.interface.open_dialog;
+    if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
+    const float scale = theme::scale();
+    fs::path chosen;
+    widgets::heading("Open a vessel tree or a session");
+    ImGui::Dummy({0.0F, 2.0F * scale});
+
+    const float places_width = 190.0F * scale;
+    if (const fs::path place = draw_places(places_width); !place.empty()) chosen = place;
+    ImGui::SameLine(0.0F, 16.0F * scale);
+    ImGui::BeginGroup();
+    const float up_width = 44.0F * scale;
+    const float filter_width = 150.0F * scale;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    if (ImGui::Button("Up", {up_width, 0.0F})) chosen = dialog.folder.parent_path();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - filter_width - gap);
+    if (ImGui::InputText("##path", dialog.typed.data(), dialog.typed.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        chosen = dialog.typed.data();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(filter_width);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool filtered = ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
+                                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    if (filtered) { // Enter takes the first that is left
+        for (const OpenDialog::Entry& entry : dialog.entries) {
+            if (!matches(dialog, entry)) continue;
+            chosen = dialog.folder / entry.name;
+            break;
+        }
+    }
+    ImGui::Dummy({0.0F, 2.0F * scale});
+    const float buttons = ImGui::GetFrameHeight() + 10.0F * scale;
+    if (const fs::path entry = draw_entries(dialog, -buttons); !entry.empty()) chosen = entry;
+    ImGui::Dummy({0.0F, 2.0F * scale});
+
+    ImGui::Checkbox("All files", &dialog.every_file);
+    ImGui::SameLine();
+    const float button_width = 90.0F * scale;
+    widgets::align_right(2.0F * button_width + gap);
+    const bool cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
+    ImGui::SameLine();
+    const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
+    ImGui::BeginDisabled(!can_open);
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
+    if (ImGui::Button("Open", {button_width, 0.0F}))
+        chosen = dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    ImGui::EndGroup();
+
+    std::error_code ignored;
+    if (!chosen.empty() && fs::is_directory(chosen, ignored))
+        dialog.enter(chosen);
+    else if (!chosen.empty()) {
+        dialog.open = false;
+        context.perform("open", {chosen.string()});
+    }
+    if (cancelled) dialog.open = false;
+    if (!dialog.open) ImGui::CloseCurrentPopup();
+    widgets::end_dialog();
+}
+
+} // namespace ramus::app

@@ -1,0 +1,35 @@
+// OpenDialog: a folder, its sub-folders and the files ramus can read, and what the user is typing. Listing reads the
+// folder once; drawing never touches the disk.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+struct OpenDialog {
+    struct Entry {
+        std::string name;
+        bool folder = false;
+        std::uintmax_t bytes = 0;
+    };
+    bool open = false;
+    bool every_file = false; // not only those with a known ending
+    std::filesystem::path folder;
+    std::vector<Entry> entries; // folders first, then files, by name
+    std::string problem;        // why the folder cannot be listed
+    std::array<char, 256> filter{};
+    std::array<char, 4096> typed{}; // the path field
+    int marked = -1;                // index into entries
+
+    void show(const std::filesystem::path& start);
+    void enter(const std::filesystem::path& where); // lists another folder
+};
+
+// Endings of files that may be trees or sessions, with the dot, lower case.
+[[nodiscard]] bool can_be_opened(const std::filesystem::path& path);
+
+} // namespace ramus::app

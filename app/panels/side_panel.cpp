@@ -1,0 +1,219 @@
+// The panel at the right: the tree, its surface, what is selected, and the list of branches.
+#include "app/panels/format.h"
+#include "app/panels/interface.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <type_traits>
+
+namespace ramus::app {
+
+namespace {
+
+void section(const char* title) {
+    const float scale = theme::scale();
+    ImGui::Dummy({0.0F, 5.0F * scale});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y},
+                                        ImGui::GetColorU32(theme::kLine));
+    ImGui::Dummy({0.0F, 4.0F * scale});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kText);
+    ImGui::TextUnformatted(title);
+    ImGui::PopStyleColor();
+    ImGui::Dummy({0.0F, 1.0F * scale});
+}
+
+std::string range(double least, double most) {
+    const std::string a = digits(least);
+    const std::string b = digits(most);
+    return (a == b ? a : a + " \xE2\x80\x93 " + b) + " mm";
+}
+
+void draw_tree(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    const TreeFacts& facts = *context.workspace.facts();
+    const tree::VesselTree& tree = *document.tree();
+    const std::string name = document.session().tree.path.filename().string();
+    ImGui::PushFont(theme::title_font());
+    const std::string shown = widgets::fitted(name, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopFont();
+    widgets::tooltip(document.session().tree.path.c_str());
+    ImGui::Dummy({0.0F, 1.0F});
+    widgets::fact("Branches", count(tree.branches.size()));
+    widgets::fact("Generations", count(static_cast<std::uint64_t>(facts.generations)));
+    widgets::fact("Length", digits(facts.length_mm, 4) + " mm");
+    widgets::fact("Volume", digits(facts.volume_mm3) + " mm\xC2\xB3");
+    widgets::fact("Diameter", range(facts.min_diameter_mm, facts.max_diameter_mm));
+    if (tree.roots.size() > 1) widgets::fact("Roots", count(tree.roots.size()));
+    if (tree.loop_count > 0) widgets::fact("Loops", count(static_cast<std::uint64_t>(tree.loop_count)));
+    if (!tree.repairs.empty()) {
+        widgets::fact("Repairs", count(tree.repairs.size()));
+        std::string all;
+        for (std::size_t i = 0; i < std::min<std::size_t>(tree.repairs.size(), 12); ++i)
+            all += (i > 0 ? "\n" : "") + tree.repairs[i];
+        if (tree.repairs.size() > 12) all += "\n\xE2\x80\xA6";
+        widgets::tooltip(all.c_str());
+    }
+}
+
+// A slider that changes the session once, when it is let go: every step would be a surface and a step of undo.
+template <class T> struct Slider {
+    T value{};
+    bool held = false;
+};
+
+void draw_options(InterfaceContext& context) {
+    const mesh::SurfaceOptions& options = context.workspace.document.marks().options;
+    static Slider<int> smooth, detail;
+    static Slider<float> prune, width;
+    const float label_width = 70.0F * theme::scale();
+    const auto row = [&](const char* label, const char* name, const char* help, auto& slider, auto current, auto draw) {
+        using T = decltype(slider.value);
+        if (!slider.held) slider.value = static_cast<T>(current);
+        ImGui::AlignTextToFramePadding();
+        widgets::quiet(label);
+        widgets::tooltip(help);
+        ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + label_width);
+        ImGui::SetNextItemWidth(-1.0F);
+        ImGui::PushID(name);
+        draw(slider.value);
+        slider.held = ImGui::IsItemActive();
+        if (ImGui::IsItemDeactivatedAfterEdit()) {
+            std::string text;
+            if constexpr (std::is_same_v<T, int>)
+                text = std::to_string(slider.value);
+            else
+                text = digits(slider.value, 4);
+            context.perform("surface", {name, text});
+        }
+        ImGui::PopID();
+    };
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+    row("Smooth", "smooth", "Binomial passes over points and radii", smooth, options.smooth_passes,
+        [&](int& value) { ImGui::SliderInt("##slider", &value, 0, 10, "%d", flags); });
+    row("Prune", "prune", "Leaf branches shorter than this many lengths of their parent go", prune, options.prune_ratio,
+        [&](float& value) {
+            ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, value > 0.0F ? "%.2f" : "off", flags);
+        });
+    row("Width", "width", "Kernel width: 5 follows the vessels closely, 1 blends them broadly", width, options.width,
+        [&](float& value) { ImGui::SliderFloat("##slider", &value, 1.0F, 10.0F, "%.1f", flags); });
+    row("Detail", "detail", "Triangles around a vessel", detail, options.detail,
+        [&](int& value) { ImGui::SliderInt("##slider", &value, 6, 48, "%d", flags); });
+}
+
+void draw_surface(InterfaceContext& context) {
+    section("Surface");
+    draw_options(context);
+    const std::string& problem = context.workspace.surface_problem();
+    if (problem.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
+    ImGui::TextWrapped("%s", problem == "cancelled" ? "Cancelled. Shown are the cones or an older surface."
+                                                    : problem.c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::Button("Compute again")) context.workspace.retry_surface();
+}
+
+const char* state_text(render::BranchState state) {
+    switch (state) {
+    case render::BranchState::kNormal:
+        return "normal";
+    case render::BranchState::kHighlighted:
+        return "highlighted";
+    case render::BranchState::kDefocused:
+        return "defocused";
+    case render::BranchState::kHidden:
+        return "hidden";
+    }
+    return "";
+}
+
+void draw_one(const Document& document, const TreeFacts& facts, int id) {
+    const auto index = static_cast<std::size_t>(id);
+    const BranchFacts& own = facts.branches[index];
+    const tree::Branch& branch = document.tree()->branches[index];
+    const auto name = document.marks().names.find(id);
+    widgets::fact("Branch",
+                  name == document.marks().names.end() ? std::to_string(id) : std::to_string(id) + "  " + name->second);
+    widgets::fact("Diameter", digits(own.mean_diameter_mm) + " mm");
+    widgets::fact("  from \xE2\x80\x93 to", range(own.min_diameter_mm, own.max_diameter_mm));
+    widgets::fact("Length", digits(own.length_mm) + " mm");
+    widgets::fact("Generation", std::to_string(branch.generation));
+    widgets::fact("Strahler order", std::to_string(branch.strahler));
+    widgets::fact("Dependents", count(static_cast<std::uint64_t>(own.dependents)));
+    widgets::fact("State", state_text(state_of(document.marks(), id)));
+}
+
+void draw_many(const Document& document, const TreeFacts& facts) {
+    double length = 0.0;
+    double least = 1e300;
+    double most = 0.0;
+    for (const int id : document.marks().selection) {
+        const BranchFacts& own = facts.branches[static_cast<std::size_t>(id)];
+        length += own.length_mm;
+        least = std::min(least, own.mean_diameter_mm);
+        most = std::max(most, own.mean_diameter_mm);
+    }
+    const auto selected = document.marks().selection.size();
+    widgets::fact("Branches", count(selected) + " of " + count(static_cast<std::uint64_t>(document.branch_count())));
+    widgets::fact("Length", digits(length, 4) + " mm");
+    widgets::fact("Mean diameters", range(least, most));
+}
+
+void draw_actions(InterfaceContext& context) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x * 0.5F;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * theme::scale(), 4.0F * theme::scale()});
+    int column = 0;
+    for (const char* name : {"select-dependents", "select-upstream", "highlight", "defocus", "hide", "show"}) {
+        const Command& command = *find_command(name);
+        if (column++ % 3 != 0) ImGui::SameLine();
+        const std::string label = command.name == "show" ? "Show" : command.label;
+        if (ImGui::Button(label.c_str(), {width, 0.0F})) context.perform(command);
+        widgets::tooltip(command.help.c_str(), command.keys.front().c_str());
+    }
+    ImGui::PopStyleVar(2);
+}
+
+void draw_selection(InterfaceContext& context) {
+    section("Selection");
+    const Document& document = context.workspace.document;
+    const auto& selection = document.marks().selection;
+    if (selection.empty()) {
+        widgets::quiet_wrapped("Click a vessel to select it; Alt+click takes all that depends on it.");
+        return;
+    }
+    if (selection.size() == 1)
+        draw_one(document, *context.workspace.facts(), selection.front());
+    else
+        draw_many(document, *context.workspace.facts());
+    ImGui::Dummy({0.0F, 2.0F * theme::scale()});
+    draw_actions(context);
+}
+
+} // namespace
+
+void draw_side_panel(InterfaceContext& context) {
+    const Layout& layout = context.layout;
+    if (layout.panel_width == 0) return;
+    const auto width = static_cast<float>(layout.panel_width);
+    widgets::begin_fixed("side panel", static_cast<float>(layout.window.x) - width,
+                         static_cast<float>(layout.bar_height), width,
+                         static_cast<float>(layout.window.y - layout.bar_height - layout.status_height));
+    if (context.workspace.document.tree() && context.workspace.facts()) {
+        draw_tree(context);
+        draw_surface(context);
+        draw_selection(context);
+        section("Branches");
+        draw_branch_list(context);
+    } else {
+        widgets::quiet_wrapped("What ramus knows of a tree appears here.");
+    }
+    ImGui::End();
+}
+
+} // namespace ramus::app

@@ -1,0 +1,145 @@
+// The line at the bottom: the way from the root to the branch at hand at the left, progress or what the picture is made
+// of at the right.
+#include "app/panels/format.h"
+#include "app/panels/interface.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr const char* kStep = "  \xE2\x80\xBA  "; // an angle quote
+
+// The branch that the path is about: the hovered one, or the only selected one.
+int branch_at_hand(const InterfaceContext& context) {
+    if (context.interface.hovered != tree::kNoBranch) return context.interface.hovered;
+    const auto& selection = context.workspace.document.marks().selection;
+    return selection.size() == 1 ? selection.front() : tree::kNoBranch;
+}
+
+void draw_path(InterfaceContext& context, float right_edge) {
+    const int branch = branch_at_hand(context);
+    const auto& tree = context.workspace.document.tree();
+    if (branch == tree::kNoBranch || !tree) {
+        if (tree) widgets::quiet("Drag to turn, wheel to zoom, click to select, F1 for all keys");
+        return;
+    }
+    const std::vector<int> path = path_to(*tree, branch);
+    // The end of the path matters most: leave out the middle when there is no room for all.
+    const float step_width = ImGui::CalcTextSize(kStep).x;
+    float room = right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale();
+    std::size_t shown_from = path.size();
+    for (std::size_t i = path.size(); i-- > 1;) {
+        room -= ImGui::CalcTextSize(std::to_string(path[i]).c_str()).x + step_width;
+        if (room < 3.0F * step_width + 2.0F * ImGui::CalcTextSize("00000").x) break;
+        shown_from = i;
+    }
+    const auto link = [&](int id, bool last) {
+        ImGui::PushID(id);
+        const auto name = context.workspace.document.marks().names.find(id);
+        const std::string text =
+            name == context.workspace.document.marks().names.end() ? std::to_string(id) : name->second;
+        ImGui::PushStyleColor(ImGuiCol_Text, last ? theme::kText : theme::kQuiet);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) context.interface.listed = id;
+        if (ImGui::IsItemClicked()) context.perform("select", {std::to_string(id)});
+        ImGui::PopID();
+    };
+    widgets::quiet("Path");
+    ImGui::SameLine(0.0F, 12.0F * theme::scale());
+    link(path.front(), path.size() == 1);
+    if (shown_from > 1 && path.size() > 1) {
+        ImGui::SameLine(0.0F, 0.0F);
+        widgets::quiet((std::string(kStep) + "\xE2\x80\xA6").c_str());
+    }
+    for (std::size_t i = std::max<std::size_t>(shown_from, 1); i < path.size(); ++i) {
+        ImGui::SameLine(0.0F, 0.0F);
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+        ImGui::TextUnformatted(kStep);
+        ImGui::PopStyleColor();
+        ImGui::SameLine(0.0F, 0.0F);
+        link(path[i], i + 1 == path.size());
+    }
+}
+
+void draw_notice(const Notice& notice, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, notice.trouble ? theme::kTrouble : theme::kText);
+    const std::string shown = widgets::fitted(notice.text, width);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    if (shown != notice.text) widgets::tooltip(notice.text.c_str());
+}
+
+float draw_progress(InterfaceContext& context) {
+    const float scale = theme::scale();
+    const std::string text = context.workspace.activity();
+    const float bar_width = 140.0F * scale;
+    const float button_width = 60.0F * scale;
+    const float text_width = ImGui::CalcTextSize(text.c_str()).x;
+    const float start = static_cast<float>(context.layout.window.x) - 14.0F * scale - button_width - bar_width -
+                        text_width - 24.0F * scale;
+    ImGui::SetCursorPosX(start);
+    widgets::quiet(text.c_str());
+    ImGui::SameLine(0.0F, 12.0F * scale);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = 4.0F * scale;
+    const float top = std::round(at.y + 0.5F * (ImGui::GetTextLineHeight() - height));
+    const float done = std::clamp(context.workspace.progress(), 0.0F, 1.0F);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled({at.x, top}, {at.x + bar_width, top + height}, ImGui::GetColorU32(theme::kLine), 0.5F * height);
+    if (done > 0.0F)
+        list->AddRectFilled({at.x, top}, {at.x + std::max(height, bar_width * done), top + height},
+                            ImGui::GetColorU32(theme::kAccent), 0.5F * height);
+    ImGui::Dummy({bar_width, ImGui::GetTextLineHeight()});
+    ImGui::SameLine(0.0F, 12.0F * scale);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6.0F * scale, 0.0F});
+    if (ImGui::Button("Cancel", {button_width, 0.0F})) context.workspace.cancel_work();
+    ImGui::PopStyleVar();
+    return start;
+}
+
+float draw_facts(InterfaceContext& context) {
+    const ReadySurface& shown = context.workspace.shown();
+    std::string text;
+    if (shown.mesh) {
+        const bool cones = shown.options.method == mesh::Method::kTruncatedCones;
+        text = std::string(cones ? "Cones" : "Convolution surface") + "   " + count(shown.mesh->triangles.size()) +
+               " triangles   " + seconds_text(shown.seconds);
+    }
+    const float start =
+        static_cast<float>(context.layout.window.x) - 14.0F * theme::scale() - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(start);
+    widgets::quiet(text.c_str());
+    return start;
+}
+
+} // namespace
+
+void draw_status_bar(InterfaceContext& context) {
+    const Layout& layout = context.layout;
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kBar);
+    const float padding = std::floor(0.5F * (static_cast<float>(layout.status_height) - ImGui::GetFontSize()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0F * theme::scale(), padding});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+    widgets::begin_fixed("status bar", 0.0F, static_cast<float>(layout.window.y - layout.status_height),
+                         static_cast<float>(layout.window.x), static_cast<float>(layout.status_height),
+                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
+    const ImVec2 left = ImGui::GetCursorPos();
+    const float edge = context.workspace.busy() ? draw_progress(context) : draw_facts(context);
+    ImGui::SetCursorPos(left);
+    if (context.now < context.interface.notice.until)
+        draw_notice(context.interface.notice, edge - left.x - 24.0F * theme::scale());
+    else
+        draw_path(context, edge);
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+} // namespace ramus::app

@@ -1,0 +1,100 @@
+#include "app/panels/widgets.h"
+
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramus::app::widgets {
+
+void begin_fixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos({x, y});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::Begin(name, nullptr,
+                 flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs);
+    ImGui::PopStyleVar(2);
+}
+
+bool begin_dialog(const char* name, float width, float height) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float scale = theme::scale();
+    const float margin = 24.0F * scale;
+    if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+    ImGui::SetNextWindowPos({std::round(0.5F * window.x), std::round(0.5F * window.y)}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(width * scale, window.x - margin),
+                              height > 0.0F ? std::min(height * scale, window.y - margin) : 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20.0F * scale, 18.0F * scale});
+    const bool shown = ImGui::BeginPopupModal(name, nullptr,
+                                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
+    return shown;
+}
+
+void end_dialog() { ImGui::EndPopup(); }
+
+void heading(const char* text) {
+    ImGui::PushFont(theme::title_font());
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+void align_right(float width) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x - width));
+}
+
+void fact(const char* label, const std::string& value) {
+    quiet(label);
+    ImGui::SameLine();
+    const std::string shown = fitted(value, ImGui::GetContentRegionAvail().x);
+    align_right(ImGui::CalcTextSize(shown.c_str()).x);
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown != value) tooltip(value.c_str());
+}
+
+void quiet(const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void quiet_wrapped(const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    ImGui::TextWrapped("%s", text);
+    ImGui::PopStyleColor();
+}
+
+void tooltip(const char* text, const char* key) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F * theme::scale(), 7.0F * theme::scale()});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(320.0F * theme::scale());
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    if (key != nullptr) {
+        ImGui::SameLine();
+        quiet(key);
+    }
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+std::string fitted(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const auto starts_character = [&](std::size_t at) { return at >= text.size() || (text[at] & 0xC0) != 0x80; };
+    for (std::size_t kept = text.size() - 1; kept > 2; --kept) {
+        std::size_t head = kept / 2;
+        std::size_t tail = text.size() - (kept - kept / 2);
+        while (head > 0 && !starts_character(head)) --head;
+        while (tail < text.size() && !starts_character(tail)) ++tail;
+        std::string shorter = text.substr(0, head) + "\xE2\x80\xA6" + text.substr(tail);
+        if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
+    }
+    return text.substr(0, 1);
+}
+
+} // namespace ramus::app::widgets

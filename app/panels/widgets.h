@@ -1,0 +1,26 @@
+// The few widgets that the panels share, so that they align and look alike.
+#pragma once
+
+#include <imgui.h>
+#include <string>
+
+namespace ramus::app::widgets {
+
+// A window glued to a place, without title, border, or a way to move it. End with ImGui::End().
+void begin_fixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags = 0);
+// A dialog in the middle of `window`, dimming what lies behind. Returns false when ImGui does not show it yet.
+[[nodiscard]] bool begin_dialog(const char* name, float width, float height);
+void end_dialog();
+
+void heading(const char* text);
+// A label and its value, values aligned at the right edge.
+void fact(const char* label, const std::string& value);
+void quiet(const char* text);         // one line in the colour of labels
+void quiet_wrapped(const char* text); // several
+// Puts the cursor so that `width` ends at the right edge.
+void align_right(float width);
+void tooltip(const char* text, const char* key = nullptr);
+// `text` shortened in the middle to fit `width`.
+[[nodiscard]] std::string fitted(const std::string& text, float width);
+
+} // namespace ramus::app::widgets

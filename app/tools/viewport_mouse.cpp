@@ -1,0 +1,48 @@
+#include "app/tools/viewport_mouse.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ramus::app {
+
+void ViewportMouse::press(MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+    if (held_) return; // one button at a time: the first one decides
+    held_ = button;
+    modifiers_ = modifiers;
+    pressed_at_ = last_ = at;
+    dragging_ = false;
+}
+
+std::optional<Click> ViewportMouse::release(MouseButton button, glm::dvec2 at, double seconds) {
+    if (held_ != button) return {};
+    held_.reset();
+    if (dragging_ || button != MouseButton::kLeft) return {};
+    const bool second = seconds - last_click_seconds_ < kDoubleClickSeconds &&
+                        glm::distance(at, last_click_at_) < kDragThreshold * pixel_ratio_;
+    last_click_seconds_ = second ? -1e9 : seconds; // a third click begins anew
+    last_click_at_ = at;
+    if (second) return Click{Click::Kind::kCentre, at};
+    if (modifiers_.alt) return Click{Click::Kind::kSelectWithDependents, at};
+    if (modifiers_.ctrl) return Click{Click::Kind::kToggle, at};
+    if (modifiers_.shift) return {};
+    return Click{Click::Kind::kSelect, at};
+}
+
+std::optional<render::Camera> ViewportMouse::move(const render::Camera& camera, glm::ivec2 size, glm::dvec2 to) {
+    if (!held_ || to == last_) return {};
+    if (!dragging_) {
+        if (glm::distance(to, pressed_at_) < kDragThreshold * pixel_ratio_) return {};
+        dragging_ = true;
+    }
+    const glm::dvec2 from = last_;
+    last_ = to;
+    if (*held_ == MouseButton::kRight) return render::zoomed_by_drag(camera, size, from, to);
+    if (*held_ == MouseButton::kMiddle || modifiers_.shift) return render::panned(camera, size, from, to);
+    return render::rotated(camera, size, from, to);
+}
+
+render::Camera ViewportMouse::wheel(const render::Camera& camera, glm::ivec2 size, glm::dvec2 at, double notches) {
+    return render::zoomed_to(camera, size, at, std::pow(kWheelStep, notches));
+}
+
+} // namespace ramus::app

@@ -1,0 +1,57 @@
+// ViewportMouse: presses, moves and releases of the mouse over the picture become camera changes and clicks, as in 3D
+// Slicer: left-drag rotates, middle-drag or Shift+left-drag pans, right-drag or the wheel zooms. A drag is never a
+// click: it begins when the pointer has moved kDragThreshold. No window, no picking, no clock of its own.
+#pragma once
+
+#include "render/camera.h"
+
+#include <optional>
+
+namespace ramus::app {
+
+enum class MouseButton { kLeft, kMiddle, kRight };
+
+struct Modifiers {
+    bool ctrl = false, shift = false, alt = false;
+};
+
+struct Click {
+    enum class Kind {
+        kSelect,               // the branch, or nothing on the background
+        kSelectWithDependents, // Alt
+        kToggle,               // Ctrl
+        kCentre,               // the second click of a double-click
+    };
+    Kind kind;
+    glm::dvec2 at;
+};
+
+class ViewportMouse {
+public:
+    static constexpr double kDragThreshold = 4.0;       // pixels at a pixel ratio of 1
+    static constexpr double kDoubleClickSeconds = 0.35; // between the presses
+    static constexpr double kWheelStep = 1.15;          // magnification of one notch
+
+    void set_pixel_ratio(double ratio) { pixel_ratio_ = ratio; }
+    void press(MouseButton button, Modifiers modifiers, glm::dvec2 at);
+    [[nodiscard]] std::optional<Click> release(MouseButton button, glm::dvec2 at, double seconds);
+    // The camera after the pointer moved, when that changed it.
+    [[nodiscard]] std::optional<render::Camera> move(const render::Camera& camera, glm::ivec2 size, glm::dvec2 to);
+    [[nodiscard]] static render::Camera wheel(const render::Camera& camera, glm::ivec2 size, glm::dvec2 at,
+                                              double notches);
+    void abandon() { held_.reset(); } // the window lost the pointer
+
+    [[nodiscard]] bool held() const { return held_.has_value(); }
+    [[nodiscard]] bool dragging() const { return held_ && dragging_; }
+
+private:
+    std::optional<MouseButton> held_;
+    Modifiers modifiers_;
+    glm::dvec2 pressed_at_{0.0}, last_{0.0};
+    bool dragging_ = false;
+    double pixel_ratio_ = 1.0;
+    double last_click_seconds_ = -1e9;
+    glm::dvec2 last_click_at_{0.0};
+};
+
+} // namespace ramus::app

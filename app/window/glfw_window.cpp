@@ -1,0 +1,217 @@
+#include "app/window/glfw_window.h"
+
+// GL comes through glad, in render.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+Modifiers modifiers_of(int bits) {
+    return {.ctrl = (bits & GLFW_MOD_CONTROL) != 0,
+            .shift = (bits & GLFW_MOD_SHIFT) != 0,
+            .alt = (bits & GLFW_MOD_ALT) != 0};
+}
+
+// The name that the command table gives a key; empty: none. Letters and digits follow the keyboard's layout.
+std::string name_of_key(int number, int scancode) {
+    if (number >= GLFW_KEY_F1 && number <= GLFW_KEY_F12) return "F" + std::to_string(number - GLFW_KEY_F1 + 1);
+    if (number >= GLFW_KEY_KP_0 && number <= GLFW_KEY_KP_9) return std::to_string(number - GLFW_KEY_KP_0);
+    if (number >= GLFW_KEY_0 && number <= GLFW_KEY_9) return std::to_string(number - GLFW_KEY_0);
+    switch (number) {
+    case GLFW_KEY_ESCAPE:
+        return "Escape";
+    case GLFW_KEY_TAB:
+        return "Tab";
+    case GLFW_KEY_DELETE:
+        return "Delete";
+    default:
+        break;
+    }
+    const char* name = glfwGetKeyName(number, scancode);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') {
+        // A layout without Latin letters: the key's place on a US keyboard.
+        return number >= GLFW_KEY_A && number <= GLFW_KEY_Z
+                   ? std::string(1, static_cast<char>('A' + number - GLFW_KEY_A))
+                   : "";
+    }
+    const auto letter = static_cast<unsigned char>(name[0]);
+    return std::isalnum(letter) != 0 ? std::string(1, static_cast<char>(std::toupper(letter))) : "";
+}
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text == nullptr ? "" : text;
+}
+
+} // namespace
+
+Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, float scale) {
+    const std::string remedy = "draw a picture without one: ramus render FILE -o PNG";
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    if (!set("DISPLAY") && !set("WAYLAND_DISPLAY")) return fail(kNoDisplay, {}, remedy);
+    if (glfwInit() != GLFW_TRUE) return fail(kNoDisplay, {}, remedy);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has framebuffers of its own
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale == 0.0F ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "ramus");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "ramus");
+    const float factor = scale == 0.0F ? 1.0F : scale;
+    glm::ivec2 size(std::lround(static_cast<float>(size_points.x) * factor),
+                    std::lround(static_cast<float>(size_points.y) * factor));
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
+        int x = 0, y = 0, width = 0, height = 0;
+        glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+        if (width > 0 && height > 0) size = glm::min(size, glm::ivec2(width, height));
+    }
+    GLFWwindow* handle = glfwCreateWindow(size.x, size.y, "ramus", nullptr, nullptr);
+    if (handle == nullptr) {
+        const std::string why = last_error();
+        glfwTerminate();
+        return fail("the display gives no OpenGL 4.5 window" + (why.empty() ? "" : " (" + why + ")"), {}, remedy);
+    }
+    std::unique_ptr<GlfwWindow> window(new GlfwWindow(handle, scale));
+    if (auto current = window->make_current(); !current) return tl::unexpected(current.error());
+    glfwSwapInterval(1);
+    glfwSetWindowSizeLimits(handle, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(handle, window.get());
+    window->connect();
+    return window;
+}
+
+GlfwWindow::~GlfwWindow() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+Result<void> GlfwWindow::make_current() {
+    glfwMakeContextCurrent(window_);
+    return render::load_gl([](const char* name) { return glfwGetProcAddress(name); });
+}
+
+namespace {
+
+GlfwWindow* self(GLFWwindow* window) { return static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window)); }
+
+} // namespace
+
+void GlfwWindow::attach(Viewer* viewer) { viewer_ = viewer; }
+
+glm::dvec2 GlfwWindow::pixels(double x, double y) const {
+    int width = 1, height = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    return glm::dvec2(x, y) * glm::dvec2(framebuffer_size()) / glm::dvec2(std::max(width, 1), std::max(height, 1));
+}
+
+void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
+    if (viewer_ == nullptr) return;
+    const Modifiers held = modifiers_of(modifiers);
+    std::optional<KeyPress> press;
+    const std::string name = action == GLFW_PRESS ? name_of_key(number, scancode) : "";
+    if (!name.empty()) press = KeyPress{name, held.ctrl, held.shift, held.alt};
+    viewer_->key(number, action != GLFW_RELEASE, press, held);
+}
+
+void GlfwWindow::resized() {
+    const glm::ivec2 size = framebuffer_size();
+    if (viewer_ != nullptr && size.x > 0 && size.y > 0) viewer_->resize(size, scale()); // 0: minimised
+}
+
+void GlfwWindow::connect() {
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        if (Viewer* viewer = self(window)->viewer_) viewer->mouse_moved(self(window)->pixels(x, y));
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+        Viewer* viewer = self(window)->viewer_;
+        if (viewer != nullptr && entered == GLFW_FALSE) viewer->mouse_left();
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
+        Viewer* viewer = self(window)->viewer_;
+        if (viewer == nullptr || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+        double x = 0.0, y = 0.0;
+        glfwGetCursorPos(window, &x, &y);
+        viewer->mouse_moved(self(window)->pixels(x, y));
+        constexpr std::array kButtons{MouseButton::kLeft, MouseButton::kRight, MouseButton::kMiddle};
+        viewer->mouse_button(kButtons[static_cast<std::size_t>(button)], action == GLFW_PRESS, modifiers_of(modifiers),
+                             glfwGetTime());
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double dx, double dy) {
+        if (Viewer* viewer = self(window)->viewer_) viewer->mouse_wheel({dx, dy});
+    });
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int number, int scancode, int action, int modifiers) {
+        self(window)->key(number, scancode, action, modifiers);
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned codepoint) {
+        if (Viewer* viewer = self(window)->viewer_) viewer->character(codepoint);
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        Viewer* viewer = self(window)->viewer_;
+        if (viewer != nullptr && count > 0) viewer->dropped(paths[0]);
+    });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { self(window)->resized(); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { self(window)->resized(); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
+        if (Viewer* viewer = self(window)->viewer_) viewer->exposed();
+    });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) {
+        if (Viewer* viewer = self(window)->viewer_) viewer->shake();
+    });
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = window_;
+    io.GetClipboardTextFn = [](void* window) { return glfwGetClipboardString(static_cast<GLFWwindow*>(window)); };
+    io.SetClipboardTextFn = [](void* window, const char* text) {
+        glfwSetClipboardString(static_cast<GLFWwindow*>(window), text);
+    };
+}
+
+void GlfwWindow::show() { glfwShowWindow(window_); }
+
+void GlfwWindow::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+glm::ivec2 GlfwWindow::framebuffer_size() const {
+    glm::ivec2 size(1);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+float GlfwWindow::scale() const {
+    if (fixed_scale_ > 0.0F) return fixed_scale_;
+    float x = 1.0F, y = 1.0F;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(x, 0.75F, 4.0F);
+}
+
+bool GlfwWindow::close_wanted() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+void GlfwWindow::swap() { glfwSwapBuffers(window_); }
+
+void GlfwWindow::wait(double seconds) {
+    if (seconds <= 0.0)
+        glfwPollEvents();
+    else if (std::isinf(seconds))
+        glfwWaitEvents();
+    else
+        glfwWaitEventsTimeout(seconds);
+}
+
+void wake_window() { glfwPostEmptyEvent(); }
+
+} // namespace ramus::app

@@ -1,0 +1,48 @@
+// A GLFW window with an OpenGL 4.5 core context, its events handed to a Viewer in framebuffer pixels. One at a time.
+#pragma once
+
+#include "app/window/viewer.h"
+#include "core/base/error.h"
+#include "render/gl_context.h"
+
+#include <memory>
+#include <string>
+
+struct GLFWwindow;
+
+namespace ramus::app {
+
+class GlfwWindow final : public render::GlContext {
+public:
+    // Fails without a display (what == kNoDisplay) or without OpenGL 4.5. The context is current afterwards.
+    static constexpr const char* kNoDisplay = "there is no display to open a window on";
+    [[nodiscard]] static Result<std::unique_ptr<GlfwWindow>> create(glm::ivec2 size_points, float scale);
+    ~GlfwWindow() override;
+
+    Result<void> make_current() override;
+    void attach(Viewer* viewer); // null: events go nowhere
+    void show();
+    void set_title(const std::string& title);
+    [[nodiscard]] glm::ivec2 framebuffer_size() const;
+    [[nodiscard]] float scale() const; // pixels per point
+    [[nodiscard]] bool close_wanted() const;
+    void swap();
+    void wait(double seconds); // for events; infinite is allowed, 0 only looks
+
+private:
+    GlfwWindow(GLFWwindow* window, float scale) : window_(window), fixed_scale_(scale) {}
+    void connect();
+    void resized();
+    [[nodiscard]] glm::dvec2 pixels(double x, double y) const;
+    void key(int number, int scancode, int action, int modifiers);
+
+    GLFWwindow* window_;
+    float fixed_scale_; // 0: the display's
+    Viewer* viewer_ = nullptr;
+    std::string title_;
+};
+
+// May be called from any thread: wait() returns.
+void wake_window();
+
+} // namespace ramus::app

@@ -1,0 +1,205 @@
+#include "app/window/imgui_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <glad/gl.h>
+#include <string>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr const char* kVertexShader = R"(#version 450 core
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 uv;
+layout(location = 2) in vec4 colour;
+layout(location = 0) uniform vec4 window; // x, y, width, height in ImGui's coordinates
+out vec2 vertex_uv;
+out vec4 vertex_colour;
+void main() {
+    vec2 at = (position - window.xy) / window.zw;
+    gl_Position = vec4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, 0.0, 1.0);
+    vertex_uv = uv;
+    vertex_colour = colour;
+})";
+
+constexpr const char* kFragmentShader = R"(#version 450 core
+in vec2 vertex_uv;
+in vec4 vertex_colour;
+layout(binding = 0) uniform sampler2D image;
+out vec4 colour;
+void main() { colour = vertex_colour * texture(image, vertex_uv); })";
+
+Result<unsigned> compile(unsigned kind, const char* source) {
+    const unsigned shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    int compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled != 0) return shader;
+    std::array<char, 1024> log{};
+    glGetShaderInfoLog(shader, static_cast<int>(log.size()), nullptr, log.data());
+    glDeleteShader(shader);
+    return fail("the interface's shader does not compile: " + std::string(log.data()));
+}
+
+void grow(unsigned& buffer, std::int64_t& bytes, std::int64_t needed) {
+    if (needed <= bytes) return;
+    bytes = std::max(needed, 2 * bytes);
+    glDeleteBuffers(1, &buffer);
+    glCreateBuffers(1, &buffer);
+    glNamedBufferStorage(buffer, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+} // namespace
+
+Result<std::unique_ptr<ImguiRenderer>> ImguiRenderer::create() {
+    const auto vertex = compile(GL_VERTEX_SHADER, kVertexShader);
+    if (!vertex) return tl::unexpected(vertex.error());
+    const auto fragment = compile(GL_FRAGMENT_SHADER, kFragmentShader);
+    if (!fragment) return tl::unexpected(fragment.error());
+    std::unique_ptr<ImguiRenderer> renderer(new ImguiRenderer);
+    renderer->program_ = glCreateProgram();
+    for (const unsigned shader : {*vertex, *fragment}) glAttachShader(renderer->program_, shader);
+    glLinkProgram(renderer->program_);
+    for (const unsigned shader : {*vertex, *fragment}) glDeleteShader(shader);
+    int linked = 0;
+    glGetProgramiv(renderer->program_, GL_LINK_STATUS, &linked);
+    if (linked == 0) return fail("the interface's shaders do not link");
+
+    glCreateVertexArrays(1, &renderer->vertex_array_);
+    const auto attribute = [&](unsigned index, int size, unsigned type, bool normalised, std::size_t offset) {
+        glEnableVertexArrayAttrib(renderer->vertex_array_, index);
+        glVertexArrayAttribFormat(renderer->vertex_array_, index, size, type, normalised ? GL_TRUE : GL_FALSE,
+                                  static_cast<unsigned>(offset));
+        glVertexArrayAttribBinding(renderer->vertex_array_, index, 0);
+    };
+    attribute(0, 2, GL_FLOAT, false, offsetof(ImDrawVert, pos));
+    attribute(1, 2, GL_FLOAT, false, offsetof(ImDrawVert, uv));
+    attribute(2, 4, GL_UNSIGNED_BYTE, true, offsetof(ImDrawVert, col));
+    renderer->upload_fonts();
+    return renderer;
+}
+
+ImguiRenderer::~ImguiRenderer() {
+    glDeleteProgram(program_);
+    glDeleteVertexArrays(1, &vertex_array_);
+    const std::array<unsigned, 2> buffers{vertices_, indices_};
+    glDeleteBuffers(2, buffers.data());
+    glDeleteTextures(1, &font_);
+}
+
+void ImguiRenderer::upload_fonts() {
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    fonts.GetTexDataAsAlpha8(&pixels, &width, &height);
+    glDeleteTextures(1, &font_);
+    glCreateTextures(GL_TEXTURE_2D, 1, &font_);
+    glTextureStorage2D(font_, 1, GL_R8, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(font_, 0, 0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, pixels);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    const std::array<int, 4> white_with_alpha{GL_ONE, GL_ONE, GL_ONE, GL_RED};
+    glTextureParameteriv(font_, GL_TEXTURE_SWIZZLE_RGBA, white_with_alpha.data());
+    glTextureParameteri(font_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(font_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_)));
+}
+
+void ImguiRenderer::draw(const ImDrawData& data) {
+    const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
+    const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
+    if (width <= 0 || height <= 0 || data.TotalVtxCount == 0) return;
+
+    std::int64_t vertex_bytes = 0;
+    std::int64_t index_bytes = 0;
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        vertex_bytes += data.CmdLists[i]->VtxBuffer.size_in_bytes();
+        index_bytes += data.CmdLists[i]->IdxBuffer.size_in_bytes();
+    }
+    grow(vertices_, vertex_bytes_, vertex_bytes);
+    grow(indices_, index_bytes_, index_bytes);
+
+    glViewport(0, 0, width, height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(program_);
+    glUniform4f(0, data.DisplayPos.x, data.DisplayPos.y, data.DisplaySize.x, data.DisplaySize.y);
+    glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(ImDrawVert));
+    glVertexArrayElementBuffer(vertex_array_, indices_);
+    glBindVertexArray(vertex_array_);
+
+    std::int64_t first_vertex = 0;
+    std::int64_t first_index = 0;
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        glNamedBufferSubData(vertices_, first_vertex * static_cast<std::int64_t>(sizeof(ImDrawVert)),
+                             list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data);
+        glNamedBufferSubData(indices_, first_index * static_cast<std::int64_t>(sizeof(ImDrawIdx)),
+                             list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data);
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            if (command.UserCallback != nullptr) {
+                if (command.UserCallback != ImDrawCallback_ResetRenderState) command.UserCallback(&list, &command);
+                continue;
+            }
+            const auto pixel = [](float value, float origin, float scale) {
+                return static_cast<int>((value - origin) * scale);
+            };
+            const int left = std::max(pixel(command.ClipRect.x, data.DisplayPos.x, data.FramebufferScale.x), 0);
+            const int top = std::max(pixel(command.ClipRect.y, data.DisplayPos.y, data.FramebufferScale.y), 0);
+            const int right = std::min(pixel(command.ClipRect.z, data.DisplayPos.x, data.FramebufferScale.x), width);
+            const int bottom = std::min(pixel(command.ClipRect.w, data.DisplayPos.y, data.FramebufferScale.y), height);
+            if (right <= left || bottom <= top) continue;
+            glScissor(left, height - bottom, right - left, bottom - top);
+            glBindTextureUnit(0, static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+            const auto offset = (first_index + command.IdxOffset) * static_cast<std::int64_t>(sizeof(ImDrawIdx));
+            glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<int>(command.ElemCount),
+                                     sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                                     reinterpret_cast<const void*>(offset),
+                                     static_cast<int>(first_vertex + command.VtxOffset));
+        }
+        first_vertex += list.VtxBuffer.Size;
+        first_index += list.IdxBuffer.Size;
+    }
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+std::uint64_t fingerprint(const ImDrawData& data) {
+    std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
+    const auto mix = [&](const void* bytes, std::size_t count) {
+        const auto* at = static_cast<const unsigned char*>(bytes);
+        for (; count >= 8; count -= 8, at += 8) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, at, 8);
+            hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
+            hash ^= hash >> 32;
+        }
+        for (; count > 0; --count, ++at) hash = (hash ^ *at) * 0x100000001b3ULL;
+    };
+    mix(&data.DisplaySize, sizeof data.DisplaySize);
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        mix(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+        mix(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            mix(&command.ClipRect, sizeof command.ClipRect);
+            const ImTextureID texture = command.GetTexID();
+            mix(&texture, sizeof texture);
+            mix(&command.ElemCount, sizeof command.ElemCount);
+        }
+    }
+    return hash;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,33 @@
+#include "app/window/status_file.h"
+
+#include "app/session_file.h"
+#include "core/io/output_file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ramus::app {
+
+void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
+    if (path_.empty()) return;
+    const Layout& layout = viewer.layout();
+    const Interface& interface = viewer.interface();
+    nlohmann::json status = to_json(workspace.document.session(), "/");
+    status["window"] = {layout.window.x, layout.window.y};
+    status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
+    status["surface_ready"] = workspace.surface_ready();
+    status["triangles"] = workspace.shown().mesh ? workspace.shown().mesh->triangles.size() : 0;
+    status["problem"] = workspace.surface_problem();
+    status["resting"] = viewer.resting();
+    status["hovered"] = interface.hovered;
+    status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
+    status["help"] = interface.help_open;
+    status["open_dialog"] = interface.open_dialog.open;
+    status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
+    status["notice"] = interface.notice.text;
+    std::string text = status.dump() + "\n";
+    if (text == written_) return;
+    written_ = std::move(text);
+    (void)io::write_file(path_, written_); // a script that misses its file will say so
+}
+
+} // namespace ramus::app

@@ -1,0 +1,214 @@
+#include "app/window/viewer.h"
+
+#include "app/panels/recent_files.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <glad/gl.h>
+#include <imgui.h>
+#include <limits>
+
+namespace ramus::app {
+
+Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Renderer& renderer, float scale) {
+    std::unique_ptr<Viewer> viewer(new Viewer(workspace, renderer));
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // nothing of the interface is worth a file in the user's folder
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.ConfigInputTextCursorBlink = false; // a caret that blinks would redraw the window twice a second
+    map_keys(io);
+    viewer->scale_ = scale;
+    theme::apply(scale);
+    auto imgui = ImguiRenderer::create();
+    if (!imgui) return tl::unexpected(imgui.error());
+    viewer->imgui_ = std::move(*imgui);
+    return viewer;
+}
+
+void Viewer::resize(glm::ivec2 window, float scale) {
+    if (scale != scale_) {
+        theme::apply(scale);
+        imgui_->upload_fonts();
+        scale_ = scale;
+    }
+    mouse_.set_pixel_ratio(scale);
+    layout_ = layout_of(window, scale_, interface_.panel_open);
+    shake();
+}
+
+bool Viewer::over_picture(glm::dvec2 at) const {
+    const glm::dvec2 in = in_picture(at);
+    return in.x >= 0.0 && in.y >= 0.0 && in.x < layout_.view_size.x && in.y < layout_.view_size.y &&
+           !interface_.dialog_open() && !ImGui::GetIO().WantCaptureMouse;
+}
+
+Viewing Viewer::viewing() const {
+    Viewing viewing{.size = layout_.view_size, .pixel_ratio = scale_, .hovered = interface_.hovered};
+    if (interface_.listed != tree::kNoBranch) viewing.hovered = interface_.listed;
+    if (mouse_.dragging() && now_ - moved_at_ < kRestSeconds) viewing.quality = render::Quality::kInteractive;
+    return viewing;
+}
+
+void Viewer::take_news() {
+    if (workspace_.update()) shake();
+    if (const auto opened = workspace_.take_opened()) {
+        if (!opened->has_camera && picture_mesh())
+            workspace_.document.set_camera(
+                render::camera_for(picture_mesh()->positions, render::View::kAnterior, layout_.view_size));
+        interface_.hovered = tree::kNoBranch;
+        interface_.shown_selection = tree::kNoBranch;
+        remember_file(opened->path);
+        pick_wanted_ = true;
+        shake();
+    }
+    while (const auto error = workspace_.take_error()) tell(*error);
+}
+
+void Viewer::take_pick() {
+    if (!pick_pending_) return;
+    const auto pick = renderer_.poll_pick();
+    if (!pick) return;
+    pick_pending_ = false;
+    const int hovered = pointer_over_picture_ && !mouse_.dragging() ? pick->branch : tree::kNoBranch;
+    if (hovered != interface_.hovered) shake();
+    interface_.hovered = hovered;
+}
+
+void Viewer::ask_pick() {
+    if (!pick_wanted_ || mouse_.held()) return;
+    pick_wanted_ = false;
+    pointer_over_picture_ = over_picture(pointer_);
+    interface_.tooltip = pointer_over_picture_;
+    if (!pointer_over_picture_) {
+        if (interface_.hovered != tree::kNoBranch) shake();
+        interface_.hovered = tree::kNoBranch;
+        return;
+    }
+    const glm::dvec2 at = in_picture(pointer_);
+    renderer_.request_pick(at.x, at.y);
+    pick_pending_ = true;
+}
+
+bool Viewer::draw(double now, unsigned framebuffer) {
+    now_ = now;
+    layout_ = layout_of(layout_.window, scale_, interface_.panel_open);
+    take_news();
+    take_pick();
+
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(layout_.window.x), static_cast<float>(layout_.window.y)};
+    io.DeltaTime = 1.0F / 60.0F;
+    interface_waits_ = !input_.apply(io);
+    ImGui::NewFrame();
+    const int listed = interface_.listed;
+    InterfaceContext context{interface_, workspace_, *this, layout_, now};
+    draw_interface(context);
+    ImGui::Render();
+    if (listed != interface_.listed) shake();
+    if (frames_left_ > 0) --frames_left_;
+
+    const render::Frame frame =
+        compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
+    const auto drawn = renderer_.draw(frame);
+    if (!drawn) {
+        say(drawn.error().message());
+        return false;
+    }
+    quality_ = frame.quality;
+    if (drawn->shaded) pick_wanted_ = true;
+    ask_pick();
+
+    const std::uint64_t looks = fingerprint(*ImGui::GetDrawData());
+    if (!drawn->shaded && looks == drawn_) return false;
+    drawn_ = looks;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(theme::kPanel.x, theme::kPanel.y, theme::kPanel.z, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    renderer_.present(framebuffer, layout_.view_at.x, layout_.window.y - layout_.view_at.y - layout_.view_size.y);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    imgui_->draw(*ImGui::GetDrawData());
+    return true;
+}
+
+double Viewer::wait_seconds(double now) const {
+    if (frames_left_ > 0 || interface_waits_ || pick_wanted_) return 0.0;
+    double wait = std::numeric_limits<double>::infinity();
+    if (pick_pending_) wait = std::min(wait, kPollSeconds);
+    if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
+    if (quality_ != render::Quality::kFull) wait = std::min(wait, std::max(0.0, moved_at_ + kRestSeconds - now) + 1e-3);
+    if (now < interface_.notice.until) wait = std::min(wait, interface_.notice.until - now + 1e-3);
+    return wait;
+}
+
+bool Viewer::resting() const {
+    return !workspace_.busy() && frames_left_ == 0 && !interface_waits_ && !pick_wanted_ && !pick_pending_ &&
+           quality_ == render::Quality::kFull;
+}
+
+std::string Viewer::title() const {
+    const Document& document = workspace_.document;
+    std::string text =
+        document.tree() ? document.session().tree.path.filename().string() + " \xE2\x80\x93 ramus" : "ramus";
+    if (document.tree() && document.modified()) text.insert(0, "*");
+    return text;
+}
+
+std::shared_ptr<const mesh::TriangleMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
+
+Result<void> Viewer::write_picture(const std::filesystem::path& path) {
+    // As `ramus render` draws the session: without what the pointer is doing.
+    const render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
+                                        {.size = layout_.view_size, .pixel_ratio = scale_});
+    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+    shake();
+    drawn_ = 0;
+    return render::write_png(renderer_.read_image(), path);
+}
+
+std::filesystem::path Viewer::suggested_file(std::string_view extension) const {
+    const std::string stem = workspace_.document.session().tree.path.stem().string();
+    std::error_code ignored;
+    const std::filesystem::path folder = std::filesystem::current_path(ignored);
+    std::filesystem::path file = folder / (stem + std::string(extension));
+    // Pictures never replace one another; a session is saved over the last one.
+    for (int i = 2; extension == ".png" && std::filesystem::exists(file, ignored); ++i)
+        file = folder / (stem + "-" + std::to_string(i) + std::string(extension));
+    return file;
+}
+
+void Viewer::say(const std::string& sentence) {
+    interface_.tell(sentence, now_);
+    shake();
+}
+
+Result<void> Viewer::open(const std::filesystem::path& path) {
+    workspace_.open(path);
+    interface_.errors.clear();
+    interface_.open_dialog.open = false;
+    shake();
+    return {};
+}
+
+Result<void> Viewer::ask_for_file() {
+    interface_.help_open = false;
+    interface_.open_dialog.show(workspace_.document.session().tree.path.parent_path());
+    shake();
+    return {};
+}
+
+Result<void> Viewer::toggle(std::string_view part) {
+    if (part == "help")
+        interface_.help_open = !interface_.help_open;
+    else
+        interface_.panel_open = !interface_.panel_open;
+    shake();
+    return {};
+}
+
+Result<void> Viewer::quit() {
+    closing_ = true;
+    return {};
+}
+
+} // namespace ramus::app

@@ -1,0 +1,110 @@
+// Viewer: the picture and the interface over it, drawn with whatever GL context is current, and what the mouse and the
+// keys do to them. It knows no window: run_window.cpp feeds it GLFW's events, headless_interface.h none at all. Places
+// are framebuffer pixels from the top left, times are seconds of any one clock.
+//
+// Nothing is drawn while nothing changes: draw() says whether there is something new to show, wait_seconds() how long
+// nothing will happen by itself.
+#pragma once
+
+#include "app/compose.h"
+#include "app/keys.h"
+#include "app/panels/interface.h"
+#include "app/tools/viewport_mouse.h"
+#include "app/window/imgui_input.h"
+#include "app/window/imgui_renderer.h"
+#include "app/workspace.h"
+#include "render/renderer.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace ramus::app {
+
+class Viewer final : public Host {
+public:
+    // An ImGui context must be current. All references outlive the viewer.
+    [[nodiscard]] static Result<std::unique_ptr<Viewer>> create(Workspace& workspace, render::Renderer& renderer,
+                                                                float scale);
+
+    void resize(glm::ivec2 window, float scale);
+    [[nodiscard]] const Layout& layout() const { return layout_; }
+
+    void mouse_moved(glm::dvec2 at);
+    void mouse_left();
+    void mouse_button(MouseButton button, bool down, Modifiers modifiers, double now);
+    void mouse_wheel(glm::dvec2 notches);
+    // `number` is GLFW's; `press` is empty for releases and for keys without a name.
+    void key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers);
+    void character(unsigned codepoint);
+    void dropped(const std::filesystem::path& path);
+    void shake() { frames_left_ = kFramesAfterEvent; } // something outside changed
+
+    void exposed() { // the window's own pixels are lost
+        drawn_ = 0;
+        shake();
+    }
+
+    // Takes results of workers and picks. Then draws into `framebuffer` what changed; false: it looks as before.
+    bool draw(double now, unsigned framebuffer);
+    [[nodiscard]] double wait_seconds(double now) const; // infinite: until an event
+    [[nodiscard]] bool closing() const { return closing_; }
+
+    [[nodiscard]] const Interface& interface() const { return interface_; }
+    [[nodiscard]] bool resting() const; // the picture is the final one of what is known now
+    [[nodiscard]] std::string title() const;
+    void tell(const Error& error) { interface_.errors.push_back(error); }
+
+    // Host
+    [[nodiscard]] glm::ivec2 picture_size() const override { return layout_.view_size; }
+    [[nodiscard]] std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const override;
+    Result<void> write_picture(const std::filesystem::path& path) override;
+    [[nodiscard]] std::filesystem::path suggested_file(std::string_view extension) const override;
+    void say(const std::string& sentence) override;
+    Result<void> open(const std::filesystem::path& path) override;
+    Result<void> ask_for_file() override;
+    Result<void> toggle(std::string_view part) override;
+    bool dismiss() override { return interface_.dismiss(); }
+    Result<void> quit() override;
+
+private:
+    // ImGui needs a few frames until popups and their sizes have settled.
+    static constexpr int kFramesAfterEvent = 3;
+    static constexpr double kRestSeconds = 0.12; // a drag that pauses is drawn in full quality
+    static constexpr double kPollSeconds = 0.004;
+    static constexpr double kProgressSeconds = 0.1;
+    static constexpr double kCaretSeconds = 0.25;
+
+    Viewer(Workspace& workspace, render::Renderer& renderer) : workspace_(workspace), renderer_(renderer) {}
+    [[nodiscard]] bool over_picture(glm::dvec2 at) const;
+    [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(layout_.view_at); }
+    [[nodiscard]] Viewing viewing() const;
+    void take_news();
+    void take_pick();
+    void ask_pick();
+    void clicked(const Click& click);
+    void move_camera(const render::Camera& camera);
+    void run(const Command& command);
+
+    Workspace& workspace_;
+    render::Renderer& renderer_;
+    std::unique_ptr<ImguiRenderer> imgui_;
+    ImguiInput input_;
+    Interface interface_;
+    Layout layout_;
+    ViewportMouse mouse_;
+    float scale_ = 1.0F;
+    double now_ = 0.0;
+    glm::dvec2 pointer_{-1.0};
+    bool pointer_over_picture_ = false;
+    bool pick_wanted_ = false, pick_pending_ = false;
+    bool camera_moved_ = false;
+    double moved_at_ = -1e9;
+    render::Quality quality_ = render::Quality::kFull; // of the last picture
+    int frames_left_ = kFramesAfterEvent;
+    bool interface_waits_ = false;
+    std::uint64_t drawn_ = 0; // fingerprint of the last interface
+    bool closing_ = false;
+};
+
+} // namespace ramus::app

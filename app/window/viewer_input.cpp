@@ -1,0 +1,123 @@
+// What the mouse and the keys do in a Viewer.
+#include "app/window/viewer.h"
+
+#include <imgui.h>
+
+namespace ramus::app {
+
+void Viewer::mouse_moved(glm::dvec2 at) {
+    pointer_ = at;
+    input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
+    if (mouse_.held()) {
+        const auto camera = mouse_.move(workspace_.document.session().camera, layout_.view_size, in_picture(at));
+        if (camera) move_camera(*camera);
+        if (mouse_.dragging()) {
+            interface_.hovered = tree::kNoBranch;
+            interface_.tooltip = false;
+        }
+    }
+    pick_wanted_ = true;
+    shake();
+}
+
+void Viewer::mouse_left() {
+    pointer_ = {-1.0, -1.0};
+    input_.leave();
+    pick_wanted_ = true;
+    shake();
+}
+
+void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
+    now_ = now;
+    const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
+    if (down && over_picture(pointer_))
+        mouse_.press(button, modifiers, in_picture(pointer_));
+    else if (!down && mouse_.held()) {
+        if (const auto click = mouse_.release(button, in_picture(pointer_), now)) clicked(*click);
+        pick_wanted_ = true;
+    }
+    // A press on the picture is also ImGui's: an open menu closes.
+    input_.button(index, down);
+    shake();
+}
+
+void Viewer::mouse_wheel(glm::dvec2 notches) {
+    if (over_picture(pointer_) && notches.y != 0.0)
+        move_camera(ViewportMouse::wheel(workspace_.document.session().camera, layout_.view_size, in_picture(pointer_),
+                                         notches.y));
+    else
+        input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
+    pick_wanted_ = true;
+    shake();
+}
+
+void Viewer::move_camera(const render::Camera& camera) {
+    workspace_.document.set_camera(camera);
+    moved_at_ = now_;
+}
+
+void Viewer::clicked(const Click& click) {
+    if (!workspace_.document.tree()) return;
+    const render::Pick pick = renderer_.pick(click.at.x, click.at.y);
+    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
+    const bool hit = pick.branch >= 0 && pick.branch < workspace_.document.branch_count();
+    const std::vector<std::string> id{std::to_string(pick.branch)};
+    switch (click.kind) {
+    case Click::Kind::kSelect:
+        if (hit)
+            context.perform("select", id);
+        else
+            context.perform("select-none", {});
+        break;
+    case Click::Kind::kSelectWithDependents:
+        if (hit) context.perform("select-subtree", id);
+        break;
+    case Click::Kind::kToggle:
+        if (hit) context.perform("select-toggle", id);
+        break;
+    case Click::Kind::kCentre:
+        if (hit) move_camera(render::centred_on(workspace_.document.session().camera, pick.position));
+        break;
+    }
+}
+
+void Viewer::run(const Command& command) {
+    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
+    context.perform(command);
+    shake();
+}
+
+void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers) {
+    input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
+    input_.key(number, down);
+    shake();
+    if (!down || !press) return;
+    const Command* command = command_for_key(spelling(*press));
+    if (command == nullptr) return;
+    const bool typing = ImGui::GetIO().WantTextInput;
+    const bool plain = !press->ctrl && press->key.size() <= 1;
+    if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y"))
+        return;
+    // Under a dialog only what closes it works.
+    if (interface_.dialog_open() && command->name != "dismiss" && !(command->name == "help" && interface_.help_open))
+        return;
+    run(*command);
+}
+
+void Viewer::character(unsigned codepoint) {
+    input_.character(codepoint);
+    shake();
+    if (codepoint >= 128 || ImGui::GetIO().WantTextInput || interface_.dialog_open()) return;
+    const char letter = static_cast<char>(codepoint);
+    // Letters and digits came as keys already, with their modifiers.
+    if ((letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z'))
+        return;
+    if (const Command* command = command_for_key(std::string(1, letter))) run(*command);
+}
+
+void Viewer::dropped(const std::filesystem::path& path) {
+    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
+    context.perform("open", {path.string()});
+}
+
+} // namespace ramus::app

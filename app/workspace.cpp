@@ -1,0 +1,165 @@
+#include "app/workspace.h"
+
+#include "app/session_file.h"
+#include "app/tree_source.h"
+
+#include <chrono>
+
+namespace ramus::app {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<ReadySurface> make_ready(const tree::VesselTree& tree, const mesh::SurfaceOptions& options, Job& job) {
+    const auto start = std::chrono::steady_clock::now();
+    auto made = mesh::make_surface(tree, options, job);
+    if (!made) return tl::unexpected(made.error());
+    const double seconds = seconds_since(start);
+    auto mesh = std::make_shared<const mesh::TriangleMesh>(std::move(made->mesh));
+    return ReadySurface{options, std::move(mesh), seconds};
+}
+
+} // namespace
+
+Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
+                        Job& job) {
+    const auto start = std::chrono::steady_clock::now();
+    LoadedTree loaded;
+    Session& session = loaded.session;
+    const bool from_session = is_session_file(path);
+    if (from_session) {
+        auto saved = read_session(path);
+        if (!saved) return tl::unexpected(saved.error());
+        session = std::move(saved->session);
+        loaded.has_camera = saved->has_camera;
+    } else {
+        session.tree.path = std::filesystem::absolute(path).lexically_normal();
+        session.marks.options = like.options;
+        session.marks.colour_by = like.colour_by;
+    }
+    auto tree = io::read_tree(session.tree.path, reading);
+    if (!tree) return tl::unexpected(tree.error());
+    auto checksum = checksum_of(session.tree.path);
+    if (!checksum) return tl::unexpected(checksum.error());
+    if (from_session)
+        if (auto fits = check_against(session, *tree, *checksum, path.string()); !fits)
+            return tl::unexpected(fits.error());
+    session.tree.checksum = *checksum;
+    loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
+    loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    loaded.seconds = seconds_since(start);
+
+    mesh::SurfaceOptions options = session.marks.options;
+    options.method = mesh::Method::kTruncatedCones;
+    auto cones = make_ready(*loaded.tree, options, job);
+    if (!cones) return tl::unexpected(cones.error());
+    loaded.cones = std::move(*cones);
+    return loaded;
+}
+
+Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake) {}
+
+void Workspace::open(const std::filesystem::path& path) {
+    loader_.start("Reading " + path.filename().string(),
+                  [this, path, like = document.marks(), how = reading](Job& job, const Worker::Post& post) {
+                      auto loaded = load(path, like, how, job);
+                      if (job.cancelled()) return;
+                      // std::function wants something to copy.
+                      auto result = std::make_shared<Result<LoadedTree>>(std::move(loaded));
+                      post([this, path, result] {
+                          if (*result)
+                              adopt(std::move(**result), path);
+                          else
+                              errors_.push_back(result->error());
+                          changed_ = true;
+                      });
+                  });
+    changed_ = true;
+}
+
+void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path, std::optional<ReadySurface> surface) {
+    mesher_.cancel();
+    wanted_.reset();
+    problem_.clear();
+    kept_.clear();
+    facts_ = std::move(loaded.facts);
+    document.open(std::move(loaded.tree), std::move(loaded.session));
+    shown_ = std::move(loaded.cones);
+    opened_ = Opened{path, loaded.has_camera};
+    if (surface) keep(std::move(*surface));
+    changed_ = true;
+}
+
+void Workspace::keep(ReadySurface surface) {
+    kept_.push_front(surface);
+    if (kept_.size() > kKeptSurfaces) kept_.pop_back();
+    shown_ = std::move(surface);
+}
+
+void Workspace::start_surface() {
+    const mesh::SurfaceOptions options = document.marks().options;
+    if (!document.tree() || wanted_ == options) return;
+    wanted_ = options;
+    problem_.clear();
+    mesher_.cancel();
+    changed_ = true;
+    if (shown_.mesh && shown_.options == options) return;
+    for (const ReadySurface& surface : kept_) {
+        if (surface.options != options) continue;
+        shown_ = surface;
+        return;
+    }
+    mesher_.start("Computing the surface", [this, options, tree = document.tree()](Job& job, const Worker::Post& post) {
+        auto made = make_ready(*tree, options, job);
+        if (job.cancelled()) return;
+        post([this, made] {
+            if (made)
+                keep(*made);
+            else
+                problem_ = made.error().message();
+            changed_ = true;
+        });
+    });
+}
+
+void Workspace::cancel_work() {
+    if (loader_.busy())
+        loader_.cancel();
+    else if (mesher_.busy()) {
+        mesher_.cancel();
+        problem_ = "cancelled";
+    }
+    changed_ = true;
+}
+
+void Workspace::retry_surface() {
+    wanted_.reset();
+    changed_ = true;
+}
+
+bool Workspace::update() {
+    const bool was_busy = busy();
+    loader_.drain();
+    mesher_.drain();
+    start_surface();
+    return std::exchange(changed_, false) || was_busy != busy();
+}
+
+std::string Workspace::activity() const {
+    if (loader_.busy()) return loader_.title();
+    return mesher_.busy() ? mesher_.title() : std::string{};
+}
+
+float Workspace::progress() const { return loader_.busy() ? loader_.progress() : mesher_.progress(); }
+
+std::optional<Error> Workspace::take_error() {
+    if (errors_.empty()) return {};
+    Error error = std::move(errors_.front());
+    errors_.pop_front();
+    return error;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,95 @@
+// Workspace: a document and the work that goes on behind it. Files are read and surfaces computed on worker threads;
+// results arrive in update(), on the owner's thread, which never waits. The cones are there as soon as the tree is; the
+// surface of the session's options replaces them when it is ready. A file that cannot be read leaves everything as it
+// was. No GL, no window.
+#pragma once
+
+#include "app/branch_facts.h"
+#include "app/document.h"
+#include "app/worker.h"
+#include "core/base/error.h"
+#include "core/io/tree_reader.h"
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace ramus::app {
+
+// A surface that was computed, and what it cost.
+struct ReadySurface {
+    mesh::SurfaceOptions options;
+    std::shared_ptr<const mesh::TriangleMesh> mesh;
+
+    double seconds = 0.0;
+};
+
+// A tree, read and measured, with its cones for the first picture.
+struct LoadedTree {
+    std::shared_ptr<const tree::VesselTree> tree;
+    std::shared_ptr<const TreeFacts> facts;
+    Session session;
+    bool has_camera = false;
+    ReadySurface cones;
+    double seconds = 0.0; // reading
+};
+
+// A tree file, or a session (.json with a version) and its tree. For a tree, `options` and `colour_by` of `like` stay.
+[[nodiscard]] Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like,
+                                      const io::ReadOptions& reading, Job& job);
+
+class Workspace {
+public:
+    // `wake` is called from other threads when update() has something to do.
+    explicit Workspace(std::function<void()> wake);
+
+    void open(const std::filesystem::path& path);
+    // What was loaded elsewhere, at once; `surface` when it is ready already.
+    void adopt(LoadedTree loaded, const std::filesystem::path& path, std::optional<ReadySurface> surface = {});
+    io::ReadOptions reading; // of files that are opened from now on
+
+    void cancel_work();
+    // Takes what the workers finished and starts what the session needs. True when something changed.
+    bool update();
+
+    Document document;
+
+    [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; }
+    [[nodiscard]] const ReadySurface& shown() const { return shown_; }
+    [[nodiscard]] bool surface_ready() const { return shown_.mesh && shown_.options == document.marks().options; }
+
+    [[nodiscard]] bool busy() const { return loader_.busy() || mesher_.busy(); }
+    [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
+    [[nodiscard]] float progress() const;       // of that, 0 to 1
+
+    // Set when a tree came in since the last call: the window fits its camera then.
+    struct Opened {
+        std::filesystem::path path; // as it was asked for: a session's own name
+        bool has_camera = false;
+    };
+    [[nodiscard]] std::optional<Opened> take_opened() { return std::exchange(opened_, std::nullopt); }
+    [[nodiscard]] std::optional<Error> take_error();
+    // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
+    // shown. Empty otherwise.
+    [[nodiscard]] const std::string& surface_problem() const { return problem_; }
+    void retry_surface();
+
+private:
+    static constexpr std::size_t kKeptSurfaces = 3;
+
+    void keep(ReadySurface surface);
+    void start_surface();
+
+    std::shared_ptr<const TreeFacts> facts_;
+    ReadySurface shown_;
+    std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
+    std::optional<mesh::SurfaceOptions> wanted_;
+    std::string problem_;
+    std::optional<Opened> opened_;
+    std::deque<Error> errors_;
+    bool changed_ = false;
+    Worker loader_, mesher_; // last: their threads end first
+};
+
+} // namespace ramus::app
