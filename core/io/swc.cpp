@@ -123,6 +123,10 @@ Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& nam
         const char* layout = "a line is: id type x y z radius parent";
         if (line.fields.size() < 7)
             return fail("expected 7 columns, found " + std::to_string(line.fields.size()), here(), layout);
+        // Some programs add columns of their own, but a comma in one too many is more likely half a number.
+        if (line.fields.size() > 7 && content.substr(0, content.find('#')).find(',') != std::string_view::npos)
+            return fail("expected 7 columns, found " + std::to_string(line.fields.size()) + " columns between commas",
+                        here(), std::string(layout) + "; numbers take a decimal point");
         Row row;
         row.line = number;
         const auto id = to_whole(line.fields[0]);

@@ -1,0 +1,54 @@
+"""Real trees beside the checkout (RAMUS_SHARED_DATA): their counts are known from an independent program."""
+
+import os
+import pathlib
+import unittest
+
+from ramus import CommandLineTest
+
+TREES = pathlib.Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "trees"
+
+# name: segments, branches, roots, loops, largest radius, length in mm
+COUNTS = {
+    "brain_BG001": (2809, 197, 1, 0, 2.629, 6058.6),
+    "brain_BG0002": (3513, 211, 1, 0, 2.17, 7498.6),
+    "brain_BG0003": (3469, 219, 1, 0, 3.1, 7909.4),
+    "brain_BG04": (3307, 191, 1, 0, 2.809, 7394.3),
+    "brain_BG05": (3195, 195, 1, 0, 3.1, 7363.7),
+    "brain_unjoined_7001": (2309, 86, 86, 0, 6.858, 7099.4),
+    "mouse_airways_m01": (1849, 1849, 1, 0, 0.9326, 678.9),
+    "mouse_airways_m04": (994, 994, 1, 0, 0.9121, 464.4),
+    "mouse_airways_m10": (1339, 1339, 1, 0, 0.653, 539.1),
+    "mouse_airways_m19": (2285, 2285, 1, 0, 0.8817, 730.5),
+    "airways_from_mask": (4474, 490, 1, 0, 9.639, 4543.5),
+    "kidney_77922_segments": (77922, 5861, 1, 0, 0.9354, 2363.7),
+}
+
+
+class RealTrees(CommandLineTest):
+    def test_counts(self):
+        for name, (segments, branches, roots, loops, thickest, length) in COUNTS.items():
+            with self.subTest(name):
+                info = self.json("info", TREES / (name + ".swc"), "--json")
+                found = (info["segments"], info["branches"], info["roots"], info["loops"])
+                self.assertEqual(found, (segments, branches, roots, loops))
+                self.assertAlmostEqual(info["length_mm"], length, delta=0.06)
+                self.assertAlmostEqual(info["radius_mm"]["max"], thickest, delta=5e-4)
+                self.assertEqual(len(info["repairs"]), 1 if name == "brain_BG0002" else 0)
+
+    def test_there_and_back_again(self):
+        for name in COUNTS:
+            with self.subTest(name):
+                self.expect_done("convert", TREES / (name + ".swc"), "-o", "a.json")
+                self.expect_done("convert", "a.json", "-o", "b.swc")
+                first = self.json("info", TREES / (name + ".swc"), "--json", "--branches")
+                again = self.json("info", "b.swc", "--json", "--branches")
+                del first["repairs"], again["repairs"]  # made once, on the way in
+                self.assertEqual(first, again)
+
+
+if __name__ == "__main__":
+    if not TREES.is_dir():
+        print(f"SKIPPED: {TREES} is not here")
+    else:
+        unittest.main()
