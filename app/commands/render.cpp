@@ -1,5 +1,8 @@
 #include "app/commands/render.h"
 
+#include "app/commands/interrupt.h"
+#include "app/commands/load_tree.h"
+#include "app/commands/progress_bar.h"
 #include "app/commands/surface_flags.h"
 #include "app/compose.h"
 #include "core/io/output_file.h"
@@ -109,9 +112,7 @@ Result<void> run_benchmark(render::Renderer& renderer, render::Frame frame, cons
 }
 
 Result<int> run_render(const RenderFlags& flags) {
-    const auto say = [&](const std::string& text) {
-        if (flags.common.verbose) std::cerr << "ramus: " << text << '\n';
-    };
+    const auto say = [&](const std::string& line) { app::say(flags.common, line); };
     // What can be wrong is found before the long work.
     std::optional<render::Camera> camera;
     if (!flags.camera.empty()) {
@@ -124,16 +125,21 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!flags.reference.empty())
         if (auto can = render::read_png(flags.reference); !can) return tl::unexpected(can.error());
 
-    auto read = io::read_tree(flags.file, flags.common.read);
+    auto read = load_tree(flags.file.string(), flags.common);
     if (!read) return tl::unexpected(read.error());
-    for (const std::string& repair : read->repairs) say(flags.file.string() + ": " + repair);
     const auto tree = std::make_shared<const tree::VesselTree>(std::move(*read));
 
     Job job;
-    auto surface = mesh::make_surface(*tree, flags.common.surface, job);
+    auto surface = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        return mesh::make_surface(*tree, flags.common.surface, job);
+    }();
+    if (job.cancelled()) return fail("cancelled; nothing was written");
     if (!surface) return tl::unexpected(surface.error());
     const auto mesh = std::make_shared<const mesh::TriangleMesh>(std::move(surface->mesh));
-    say(std::to_string(mesh->triangles.size()) + " triangles in " + std::to_string(surface->statistics.seconds) + " s");
+    say(counted(mesh->triangles.size(), "triangle", "triangles") + " in " + rounded(surface->statistics.seconds) +
+        " s");
 
     Session session;
     session.tree.path = flags.file;

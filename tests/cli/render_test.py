@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""`ramus render` through the command line: render_test.py RAMUS FOLDER. Pictures, exit status, messages."""
+import json
+import os
+import struct
+import subprocess
+import sys
+
+ramus, folder = sys.argv[1:3]
+os.makedirs(folder, exist_ok=True)
+os.chdir(folder)
+for name in os.listdir("."):
+    os.remove(name)
+with open("tree.swc", "w") as file:
+    file.write("1 1 0 0 -20 3 -1\n2 1 0 0 0 2.5 1\n3 1 -15 3 12 1.5 2\n4 1 14 -2 15 1.2 2\n")
+
+
+def run(*arguments, status=0):
+    done = subprocess.run([ramus, "render", *arguments], capture_output=True, text=True)
+    assert done.returncode == status, f"{arguments}: exit status {done.returncode}, not {status}\n{done.stderr}"
+    return done
+
+
+def size_of(png):
+    with open(png, "rb") as picture:
+        head = picture.read(24)
+    assert head[:8] == b"\x89PNG\r\n\x1a\n", png
+    return struct.unpack(">II", head[16:24])
+
+
+done = run("tree.swc", "-o", "a.png", "--size", "320x240")
+assert size_of("a.png") == (320, 240) and done.stdout == ""
+# The same picture again, whatever the number of threads; the camera that it reports makes it once more.
+report = json.loads(run("tree.swc", "-o", "b.png", "--size", "320x240", "--threads", "1", "--json").stdout)
+assert open("a.png", "rb").read() == open("b.png", "rb").read()
+with open("camera.json", "w") as file:
+    json.dump(report["camera"], file)
+for camera in ("camera.json", json.dumps(report["camera"])):
+    run("tree.swc", "-o", "c.png", "--size", "320x240", "--camera", camera, "--reference", "a.png", "--tolerance", "0")
+# Another view is another picture: status 3, and the difference beside it.
+done = run("tree.swc", "-o", "left.png", "--size", "320x240", "--view", "left", "--reference", "a.png", status=3)
+assert size_of("left.difference.png") == (320, 240) and "left.difference.png" in done.stderr
+run("tree.swc", "-o", "left.png", "--size", "320x240", "--view", "left", "--reference", "a.png", "--tolerance", "1")
+run("tree.swc", "-o", "small.png", "--size", "100x80", "--reference", "a.png", status=3)
+for more in (["--method", "cones"], ["--orthographic"], ["--transparent"], ["--view", "superior"]):
+    run("tree.swc", "-o", "other.png", "--size", "320x240", *more, "--reference", "a.png", "--tolerance", "0", status=3)
+report = json.loads(run("tree.swc", "--size", "160x120", "--benchmark", "3", "--json").stdout)
+assert report["frames"] == 3 and report["fps"] > 0 and report["triangles"] > 100
+
+# Wrong usage.
+for wrong in (["--size", "0x10"], ["--size", "100"], ["--size", "99999x99999"], ["--size", "10x10x10"], ["--view", "front"],
+              ["--tolerance", "0.1"], ["--camera", "{}", "--view", "left"], ["--method", "magic"]):
+    run("tree.swc", "-o", "wrong.png", *wrong, status=2)
+run("tree.swc", status=2)
+# Failures say where, and leave nothing behind.
+for failing, word in ((["missing.swc", "-o", "f.png"], "missing.swc"), (["tree.swc", "-o", "no/such/f.png"], "no/such"),
+                      (["tree.swc", "-o", "f.png", "--camera", "{\"position\": 3}"], "position"),
+                      (["tree.swc", "-o", "f.png", "--camera", "none.json"], "none.json"),
+                      (["tree.swc", "-o", "f.png", "--reference", "tree.swc"], "tree.swc")):
+    assert word in run(*failing, status=1).stderr
+assert not os.path.exists("f.png") and not os.path.exists("wrong.png")
