@@ -88,7 +88,11 @@ HWY_INLINE Foot find_foot(D d, const Segment& s, V sqrt_w, V px, V py, V pz) {
     f.px = px, f.py = py, f.pz = pz;
     f.t = hn::MulAdd(pz, s.uz, hn::MulAdd(py, s.uy, hn::Mul(px, s.ux)));
     const V clamped = hn::Max(hn::Min(f.t, s.length), hn::Zero(d));
-    f.scale = hn::Div(sqrt_w, hn::MulAdd(s.slope, clamped, s.radius));
+    // One step of Newton's method makes the quick reciprocal exact to single precision, at a third of a division's
+    // time.
+    const V radius = hn::MulAdd(s.slope, clamped, s.radius);
+    const V guess = hn::ApproximateReciprocal(radius);
+    f.scale = hn::Mul(sqrt_w, hn::Mul(guess, hn::NegMulAdd(radius, guess, hn::Set(d, 2.0F))));
     // The offset vector, not |p|^2 - t^2: beside a long segment the difference of squares would lose all digits.
     f.qx = hn::NegMulAdd(f.t, s.ux, px);
     f.qy = hn::NegMulAdd(f.t, s.uy, py);

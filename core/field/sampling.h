@@ -62,7 +62,7 @@ struct Projection {
 private:
     std::size_t size_ = 0;
 };
-inline constexpr int kProjectionSteps = 3;
+inline constexpr int kProjectionSteps = 2;
 // Returns the number of kernel evaluations it took: kProjectionSteps for every point and segment.
 std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32_t> list, Projection& points);
 
