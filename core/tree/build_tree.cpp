@@ -68,33 +68,50 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, std::vector<std::s
     return stands;
 }
 
-// Zero radii become the mean of their neighbours' positive radii; a run of them fills up from its ends.
-bool fill_radii(std::vector<Point>& points, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                std::vector<std::string>& repairs, const std::function<std::string(std::uint32_t)>& place) {
-    while (true) {
-        std::vector<double> sum(points.size(), 0.0);
-        std::vector<int> count(points.size(), 0);
-        bool any_zero = false;
-        for (const auto& [a, b] : edges) {
-            for (const auto& [to, from] : {std::pair(a, b), std::pair(b, a)}) {
-                if (points[to].radius > 0.0) continue;
-                any_zero = true;
-                if (points[from].radius <= 0.0) continue;
-                sum[to] += points[from].radius;
-                ++count[to];
-            }
-        }
-        if (!any_zero) return true;
-        bool filled = false;
-        for (std::uint32_t p = 0; p < points.size(); ++p) {
-            if (points[p].radius > 0.0 || count[p] == 0) continue;
-            points[p].radius = sum[p] / count[p];
-            repairs.push_back(place(p) + ": radius 0 replaced by " + number(points[p].radius) +
-                              ", the mean of its neighbours");
-            filled = true;
-        }
-        if (!filled) return false;
+// Zero radii become the mean of their neighbours' positive radii; a run of them fills up from its ends, one layer at a
+// time, and each layer looks at its own points only. Returns a point that no positive radius reaches, if there is one.
+std::optional<std::uint32_t> fill_radii(std::vector<Point>& points,
+                                        const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+                                        std::vector<std::string>& repairs, const Place& place) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // (point of radius 0, neighbour), sorted
+    for (const auto& [a, b] : edges) {
+        if (points[a].radius <= 0.0) around.emplace_back(a, b);
+        if (points[b].radius <= 0.0) around.emplace_back(b, a);
     }
+    std::ranges::sort(around);
+    const auto neighbours = [&](std::uint32_t p) {
+        return std::ranges::equal_range(around, p, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
+    };
+    std::vector<std::uint32_t> layer;
+    for (const auto& [p, neighbour] : around)
+        if (points[neighbour].radius > 0.0 && (layer.empty() || layer.back() != p)) layer.push_back(p);
+    while (!layer.empty()) {
+        std::vector<double> radius;
+        std::vector<std::uint32_t> next;
+        for (const std::uint32_t p : layer) {
+            double sum = 0.0;
+            int count = 0;
+            for (const auto& [self, neighbour] : neighbours(p)) {
+                if (points[neighbour].radius > 0.0)
+                    sum += points[neighbour].radius, ++count;
+                else
+                    next.push_back(neighbour);
+            }
+            radius.push_back(sum / count);
+        }
+        for (std::size_t n = 0; n < layer.size(); ++n) {
+            points[layer[n]].radius = radius[n];
+            repairs.push_back(place(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
+                              ", the mean of its neighbours");
+        }
+        std::ranges::sort(next);
+        next.erase(std::ranges::unique(next).begin(), next.end());
+        std::erase_if(next, [&](std::uint32_t p) { return points[p].radius > 0.0; });
+        layer = std::move(next);
+    }
+    for (const auto& [p, neighbour] : around)
+        if (points[p].radius <= 0.0) return p;
+    return std::nullopt;
 }
 
 // The thickest end (or point, where there is none) of every component that has no root yet.
@@ -170,8 +187,8 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
         if (!connected[p] && stands[p] == p)
             repairs.push_back(place(p) + ": a point connected to nothing was left out");
 
-    if (!fill_radii(graph.points, edges, repairs, place))
-        return fail("a vessel has no positive radius anywhere", place(edges.front().first),
+    if (const auto unfilled = fill_radii(graph.points, edges, repairs, place))
+        return fail("the vessel of this point has no positive radius anywhere", place(*unfilled),
                     "give at least one of its points a radius");
     if (repair == Repair::kNone && !repairs.empty())
         return fail("the file needs repair: " + repairs.front(), {}, "allow it with --repair all, or edit the file");

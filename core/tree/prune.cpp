@@ -86,6 +86,7 @@ PrunedTree prune(const VesselTree& source, double ratio) {
         for (std::uint32_t& p : branch.points) p = renumbered[p];
     for (const std::uint32_t root : tree.roots) compact.roots.push_back(renumbered[root]);
     compact.loop_count = source.loop_count;
+    compact.source = source.source;
     compact.repairs = source.repairs;
     result.tree = std::move(compact);
     return result;
