@@ -1,7 +1,9 @@
 #include "app/commands/surface_flags.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace ramus::app {
@@ -21,18 +23,38 @@ CLI::Validator number_between(double least, double most, const std::string& doma
             ""};
 }
 
+std::string repair_names() {
+    std::string names;
+    for (const auto& [repair, name] : tree::kRepairNames) names += (names.empty() ? "" : ",") + std::string(name);
+    return names;
+}
+
+std::optional<tree::Repair> repairs_in(const std::string& list) {
+    if (list == "all") return tree::Repair::kAll;
+    if (list == "none") return tree::Repair::kNone;
+    tree::Repair chosen = tree::Repair::kNone;
+    for (const std::string& word : CLI::detail::split(list, ',')) {
+        const auto* const known =
+            std::ranges::find_if(tree::kRepairNames, [&](const auto& entry) { return word == entry.second; });
+        if (known == std::end(tree::kRepairNames)) return std::nullopt;
+        chosen = chosen | known->first;
+    }
+    return chosen;
+}
+
 } // namespace
 
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
     command
         .add_option_function<std::string>(
-            "--repair",
-            [&flags](const std::string& what) {
-                flags.read.repair = what == "none" ? tree::Repair::kNone : tree::Repair::kAll;
+            "--repair", [&flags](const std::string& list) { flags.read.repair = *repairs_in(list); },
+            "What to mend in a damaged tree: all (default), none, or some of " + repair_names())
+        ->type_name("LIST")
+        ->check(CLI::Validator(
+            [](std::string& list) -> std::string {
+                return repairs_in(list) ? "" : list + " is not all, none, or a list of " + repair_names();
             },
-            "What to mend in a damaged tree: all (default) or none")
-        ->type_name("WHAT")
-        ->check(CLI::IsMember({"all", "none"}));
+            ""));
     command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
 }
 

@@ -13,6 +13,25 @@ namespace {
 
 using Place = std::function<std::string(std::uint32_t)>;
 
+// Sentences about what was repaired, and the first one about what should not have been.
+struct Repairs {
+    Repair allowed;
+    std::vector<std::string> done;
+    std::optional<Error> refused;
+
+    void add(Repair kind, std::string sentence) {
+        if (!allows(allowed, kind) && !refused) {
+            std::string name;
+            for (const auto& [repair, text] : kRepairNames)
+                if (repair == kind) name = text;
+            refused = Error{"the file needs repair: " + sentence,
+                            {},
+                            "allow it with --repair all or --repair " + name + ", or edit the file"};
+        }
+        done.push_back(std::move(sentence));
+    }
+};
+
 std::string number(double value) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -49,7 +68,7 @@ std::optional<Error> find_bad_point(const Graph& graph, const Place& place) {
 }
 
 // Joins the ends of edges of no length. Returns for every point the point that stands for it.
-std::vector<std::uint32_t> merge_repeated(const Graph& graph, std::vector<std::string>& repairs, const Place& place) {
+std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, const Place& place) {
     std::vector<std::uint32_t> stands(graph.points.size());
     std::iota(stands.begin(), stands.end(), 0U);
     const auto find = [&](std::uint32_t p) {
@@ -62,7 +81,8 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, std::vector<std::s
         const std::uint32_t rb = find(b);
         if (ra == rb) continue;
         stands[std::max(ra, rb)] = std::min(ra, rb);
-        repairs.push_back(place(b) + ": merged with the point before it, which lies at the same place");
+        repairs.add(Repair::kRepeatedPoints,
+                    place(b) + ": merged with the point before it, which lies at the same place");
     }
     for (std::uint32_t p = 0; p < stands.size(); ++p) stands[p] = find(p);
     return stands;
@@ -72,7 +92,7 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, std::vector<std::s
 // time, and each layer looks at its own points only. Returns a point that no positive radius reaches, if there is one.
 std::optional<std::uint32_t> fill_radii(std::vector<Point>& points,
                                         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                                        std::vector<std::string>& repairs, const Place& place) {
+                                        Repairs& repairs, const Place& place) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // (point of radius 0, neighbour), sorted
     for (const auto& [a, b] : edges) {
         if (points[a].radius <= 0.0) around.emplace_back(a, b);
@@ -101,8 +121,8 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points,
         }
         for (std::size_t n = 0; n < layer.size(); ++n) {
             points[layer[n]].radius = radius[n];
-            repairs.push_back(place(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
-                              ", the mean of its neighbours");
+            repairs.add(Repair::kZeroRadii, place(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
+                                                ", the mean of its neighbours");
         }
         std::ranges::sort(next);
         next.erase(std::ranges::unique(next).begin(), next.end());
@@ -154,7 +174,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
         return fail("no point has a positive radius", graph.points.empty() ? std::string() : place(0),
                     "the tree needs radii; check that the radius column is filled");
 
-    std::vector<std::string> repairs;
+    Repairs repairs{repair, {}, {}};
     const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, place);
 
     // Edges between what is left, each once.
@@ -171,7 +191,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
         const auto y = key(order[n]);
         if (x.first != y.first || x.second != y.second) continue;
         twice[order[n]] = true;
-        repairs.push_back(place(y.second) + ": a repeated connection was left out");
+        repairs.add(Repair::kRepeatedPoints, place(y.second) + ": a repeated connection was left out");
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     std::vector<bool> connected(graph.points.size(), false);
@@ -185,13 +205,12 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
                     graph.points.empty() ? std::string() : place(0), "check that points are connected to each other");
     for (std::uint32_t p = 0; p < graph.points.size(); ++p)
         if (!connected[p] && stands[p] == p)
-            repairs.push_back(place(p) + ": a point connected to nothing was left out");
+            repairs.add(Repair::kLonelyPoints, place(p) + ": a point connected to nothing was left out");
 
     if (const auto unfilled = fill_radii(graph.points, edges, repairs, place))
         return fail("the vessel of this point has no positive radius anywhere", place(*unfilled),
                     "give at least one of its points a radius");
-    if (repair == Repair::kNone && !repairs.empty())
-        return fail("the file needs repair: " + repairs.front(), {}, "allow it with --repair all, or edit the file");
+    if (repairs.refused) return tl::unexpected(std::move(*repairs.refused));
 
     // Points that are left, renumbered in their old order.
     std::vector<std::uint32_t> renumbered(graph.points.size(), 0);
@@ -209,7 +228,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
         if (root < stands.size() && connected[stands[root]]) roots.push_back(renumbered[stands[root]]);
     roots = complete_roots(points, edges, std::move(roots));
     VesselTree tree = assemble(std::move(points), std::move(labels), edges, roots);
-    tree.repairs = std::move(repairs);
+    tree.repairs = std::move(repairs.done);
     return tree;
 }
 

@@ -12,7 +12,25 @@
 
 namespace ramus::tree {
 
-enum class Repair { kAll, kNone };
+// What may be mended, as a set.
+enum class Repair : unsigned {
+    kNone = 0,
+    kZeroRadii = 1,      // a radius of 0 becomes the mean of its neighbours' positive radii
+    kRepeatedPoints = 2, // connected points at one place become one; connections named twice count once
+    kLonelyPoints = 4,   // points connected to nothing are left out
+    kAll = 7
+};
+[[nodiscard]] constexpr Repair operator|(Repair a, Repair b) {
+    return static_cast<Repair>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+[[nodiscard]] constexpr bool allows(Repair set, Repair one) {
+    return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
+}
+
+// The names that people use for single repairs.
+inline constexpr std::pair<Repair, const char*> kRepairNames[] = {{Repair::kZeroRadii, "zero-radii"},
+                                                                  {Repair::kRepeatedPoints, "repeated-points"},
+                                                                  {Repair::kLonelyPoints, "lonely-points"}};
 
 struct Graph {
     std::vector<Point> points;
@@ -27,8 +45,7 @@ inline constexpr double kMaximumRadius = 1e6;
 
 // `place(point)` says where a point came from, for messages ("liver.swc:41"). Fails on points that are not finite or
 // too far out, radii that are negative, too large, or zero everywhere, edges to points that do not exist, and graphs
-// without a segment; with Repair::kNone also on all that would be repaired (zero radii, repeated points, points by
-// themselves).
+// without a segment; and on the first thing that needs a repair which `repair` does not allow.
 [[nodiscard]] Result<VesselTree> build_tree(Graph graph, Repair repair,
                                             const std::function<std::string(std::uint32_t)>& place);
 

@@ -121,6 +121,19 @@ class Repairs(CommandLineTest):
             self.expect_failure(*command, "--repair", "none", says=["tree.swc:2", "--repair all"])
         self.assertEqual(self.names(), ["tree.swc"])
 
+    def test_a_list_allows_some_repairs(self):
+        # A radius of 0 in line 2, a point twice in line 4, a point by itself in line 5.
+        tree = self.write("tree.swc", "1 2 0 0 0 1 -1\n2 2 0 0 5 0 1\n3 2 0 0 10 2 2\n4 2 0 0 10 2 3\n5 2 9 9 9 1 -1\n")
+        self.assertEqual(len(self.json("info", tree, "--json")["repairs"]), 3)
+        kinds = {"zero-radii": "tree.swc:2", "repeated-points": "tree.swc:4", "lonely-points": "tree.swc:5"}
+        for kind, place in kinds.items():
+            others = ",".join(other for other in kinds if other != kind)
+            with self.subTest(kind):
+                self.expect_failure("info", tree, "--repair", others, says=[place, "--repair " + kind])
+        self.expect_done("info", tree, "--repair", ",".join(kinds))
+        self.expect_failure("info", tree, "--repair", "zero-radii,magic", says=["--repair", "magic"], status=2)
+        self.expect_failure("info", tree, "--repair", "", says=["--repair"], status=2)
+
 
 if __name__ == "__main__":
     unittest.main()

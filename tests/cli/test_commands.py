@@ -124,6 +124,16 @@ class Mesh(CommandLineTest):
         fine = self.json("mesh", tree, "-o", "out.ply", "--cell", "0.1", "--json")
         self.assertGreater(fine["triangles"], 4 * coarse["triangles"])
 
+    def test_pruning_keeps_the_branch_ids_of_the_file(self):
+        # The twig (branch 2) goes; what is left is one run, but its two halves keep their ids.
+        tree = self.write("twig.swc", "1 0 0 0 0 2 -1\n2 0 0 0 20 2 1\n3 0 0 0 40 2 2\n4 0 3 0 20 1 2\n")
+        for ratio, kept in (("0", {0, 1, 2}), ("0.5", {0, 1})):
+            figures = self.json("mesh", tree, "-o", "out.ply", "--prune", ratio, "--json")
+            content = (self.folder / "out.ply").read_bytes()
+            at = content.index(b"end_header\n") + len(b"end_header\n")
+            vertices = struct.iter_unpack("<7fi", content[at:at + 32 * figures["vertices"]])
+            self.assertEqual({vertex[7] for vertex in vertices}, kept)
+
     def test_two_components(self):
         tree = self.write("tree.swc", GOOD + "11 2 50 0 0 1 -1\n12 2 50 0 9 1 11\n")
         figures = self.json("mesh", tree, "-o", "out.ply", "--json")
