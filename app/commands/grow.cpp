@@ -1,6 +1,7 @@
 #include "app/commands/grow.h"
 
-#include "core/io/output_file.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/progress_bar.h"
 #include "core/io/tree_writer.h"
 #include "core/tree/build_tree.h"
 #include "core/tree/grow/grow.h"
@@ -42,11 +43,17 @@ std::string command_line(const tree::GrowOptions& options) {
     return line.str();
 }
 
+Result<tree::GrownTree> grow_with_progress(const tree::GrowOptions& options) {
+    Job job;
+    const CancelOnInterrupt cancel(job);
+    const ProgressBar bar("tree", job);
+    return tree::grow(options, job);
+}
+
 Result<int> grow(const Flags& flags) {
     if (const auto writable = io::check_tree_output(flags.output); !writable) return tl::unexpected(writable.error());
     const auto start = std::chrono::steady_clock::now();
-    Job job;
-    Result<tree::GrownTree> grown = tree::grow(flags.grow, job);
+    Result<tree::GrownTree> grown = grow_with_progress(flags.grow);
     if (!grown) return tl::unexpected(grown.error());
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const double litres = grown->organ_volume_mm3 * 1e-6;
