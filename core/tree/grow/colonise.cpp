@@ -25,6 +25,7 @@ constexpr double kFavourShort = 0.5;  // a terminal's segment longer than the di
 constexpr double kGridSlack = 1.5;    // radii grow between two renewals of the grid
 constexpr int kPatience = 40;         // throws before the distance asked for is eased
 
+constexpr int kLastMiss = 4000; // throws in a row after which there is no room; 250 were seen to be needed
 constexpr int kLastSweeps = 4;
 constexpr int kRepairs = 40;
 constexpr int kFirstTerminals = 4; // as many as the organ's own trunks end in
@@ -428,8 +429,8 @@ bool Colony::grow_to(int terminals, Job& job) {
     int refresh_at = terminal_count_ + 1;
     std::size_t sector = terminal_count_ <= kFirstTerminals ? 0 : organ_.sectors().size();
     int misses = 0;
-    for (int throws_left = 4000 + 400 * (terminals - terminal_count_); terminal_count_ < terminals; --throws_left) {
-        if (job.cancelled() || throws_left < 0) return false;
+    while (terminal_count_ < terminals) {
+        if (job.cancelled() || misses > kLastMiss) return false;
         spacing_mm_ = spacing_for(terminal_count_ + 1);
         // A wide range of flows, small ones more often: terminals are not all alike.
         const double u = random_.unit();
@@ -477,7 +478,12 @@ Vec Colony::anywhere_inside() {
 
 Result<Skeleton> colonise(const Organ& organ, double root_radius_mm, int branches, Random& random,
                           const std::function<std::vector<int>(const Skeleton&)>& misplaced, Job& job) {
-    return Colony(organ, root_radius_mm, random).run(branches, misplaced, job);
+    // Thick first trunks may happen to bar each other's way; other throws need not.
+    constexpr int kAttempts = 4;
+    for (int attempt = 1;; ++attempt) {
+        Result<Skeleton> tree = Colony(organ, root_radius_mm, random).run(branches, misplaced, job);
+        if (tree || job.cancelled() || attempt == kAttempts) return tree;
+    }
 }
 
 } // namespace ramus::tree::growth
