@@ -1,0 +1,90 @@
+// The renderer's inside, shared by the files that implement it: renderer_passes.cpp draws, renderer_picking.cpp answers
+// what lies under a pixel, renderer.cpp is the public face.
+#pragma once
+
+#include "render/gl_context.h"
+#include "render/gl_objects.h"
+#include "render/gpu_mesh.h"
+#include "render/renderer.h"
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ramus::render {
+
+// The uniform block of view.glsl.
+struct ViewBlock {
+    glm::vec4 clip_to_eye{0.0F}, pixel_to_eye{0.0F}, depth_range{0.0F}, picture{0.0F};
+};
+
+class Renderer::Impl {
+public:
+    Result<void> initialise();
+    Result<DrawStatistics> draw(const Frame& frame);
+    Image read_image() const;
+    void present(unsigned framebuffer, int x, int y) const;
+    Pick pick(double x, double y);
+    void request_pick(double x, double y);
+    std::optional<Pick> poll_pick();
+
+private:
+    // The part of the picture around a pixel that a pick looks at.
+    struct Window {
+        glm::dvec2 at{0.0};
+        double reach = 0.0;
+        int x = 0, y = 0, width = 0, height = 0; // GL's sense of y
+    };
+
+    Result<void> resize(glm::ivec2 size, Quality quality);
+    void make_glass_layer();
+    const GpuMesh* upload(const std::shared_ptr<const mesh::TriangleMesh>& mesh, bool& uploaded);
+    std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
+    void draw_occlusion(const Frame& frame);
+    void shade(const Frame& frame, const GpuMesh* mesh);
+    void draw_overlays(const Frame& frame);
+    enum class Pixels { kAll, kCovered };
+    void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
+    void restore_state() const;
+    Window pick_window(double x, double y) const;
+    Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
+
+    Program geometry_, resolve_, occlude_, blur_, background_, overlay_;
+    std::array<Program, 4> shade_; // with glass: + 1, with an outline: + 2
+    VertexArray no_vertices_;
+    Buffer view_block_, look_block_, branch_buffer_;
+    Texture branch_texture_;
+    std::size_t branch_capacity_ = 0;
+
+    glm::ivec2 size_{0};                                    // of the picture
+    glm::ivec2 inner_{0};                                   // of what is drawn, smaller while the view moves
+    Texture surface_, depth_, glass_surface_, glass_depth_; // multisampled
+    Texture id_normal_, opaque_depth_, picked_depth_;       // one value a pixel
+    Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it
+    Texture occlusion_, half_blurred_, blurred_, lit_, picture_;
+    Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
+        lit_target_, picture_target_;
+    bool has_glass_ = false;
+
+    struct Cached {
+        std::weak_ptr<const mesh::TriangleMesh> mesh;
+        std::unique_ptr<GpuMesh> on_gpu;
+    };
+    std::map<const mesh::TriangleMesh*, Cached> meshes_;
+
+    std::optional<Frame> last_;
+    std::vector<Layer> last_layers_;
+    ViewBlock view_;
+
+    Buffer pick_buffer_;
+    GLsizeiptr pick_buffer_size_ = 0;
+    GLsync pick_fence_ = nullptr;
+    Window pick_window_;
+    Camera pick_camera_;
+};
+
+} // namespace ramus::render

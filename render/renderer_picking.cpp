@@ -1,0 +1,108 @@
+#include "render/renderer_impl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ramus::render {
+
+Renderer::Impl::Window Renderer::Impl::pick_window(double x, double y) const {
+    Window window;
+    if (!last_ || !std::isfinite(x) || !std::isfinite(y)) return window;
+    window.at = glm::dvec2(x, size_.y - y) * glm::dvec2(inner_) / glm::dvec2(size_);
+    window.reach = kPickRadius * std::max(1.0, double(last_->pixel_ratio)) * inner_.y / size_.y + 0.5;
+    const int radius = static_cast<int>(std::ceil(window.reach));
+    const double px = std::floor(window.at.x), py = std::floor(window.at.y);
+    if (px < -radius || py < -radius || px > inner_.x + radius || py > inner_.y + radius) return window;
+    window.x = std::clamp(int(px) - radius, 0, inner_.x);
+    window.y = std::clamp(int(py) - radius, 0, inner_.y);
+    window.width = std::clamp(int(px) + radius + 1, 0, inner_.x) - window.x;
+    window.height = std::clamp(int(py) + radius + 1, 0, inner_.y) - window.y;
+    return window;
+}
+
+Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, const float* depths,
+                                const Camera& camera) const {
+    Pick result;
+    double nearest = window.reach * window.reach;
+    for (int y = 0; y < window.height; ++y) {
+        for (int x = 0; x < window.width; ++x) {
+            const auto i = static_cast<std::size_t>(y * window.width + x);
+            if (ids[i] == 0) continue;
+            const glm::dvec2 pixel(window.x + x + 0.5, window.y + y + 0.5), away = pixel - window.at;
+            const double squared = std::max(std::abs(away.x), std::abs(away.y)) <= 0.5 ? 0.0 : glm::dot(away, away);
+            if (squared >= nearest) continue;
+            nearest = squared;
+            const glm::dvec2 in_picture = pixel * glm::dvec2(size_) / glm::dvec2(inner_);
+            result.branch = static_cast<int>(ids[i]) - 1;
+            result.position = unproject(camera, size_, {in_picture.x, size_.y - in_picture.y}, depths[i]);
+        }
+    }
+    return result;
+}
+
+Pick Renderer::Impl::pick(double x, double y) {
+    const Window window = pick_window(x, y);
+    const std::size_t count = static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
+    if (count == 0) return {};
+    std::vector<std::uint32_t> ids(count);
+    std::vector<float> depths(count);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(window.x, window.y, window.width, window.height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
+    glReadBuffer(GL_COLOR_ATTACHMENT2);
+    glReadPixels(window.x, window.y, window.width, window.height, GL_RED, GL_FLOAT, depths.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return nearest_in(window, ids.data(), depths.data(), last_->camera);
+}
+
+void Renderer::Impl::request_pick(double x, double y) {
+    if (pick_fence_ != nullptr) glDeleteSync(pick_fence_);
+    pick_fence_ = nullptr;
+    pick_window_ = pick_window(x, y);
+    const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
+    if (bytes > 0) {
+        pick_camera_ = last_->camera;
+        if (2 * bytes > pick_buffer_size_) {
+            pick_buffer_ = make_buffer();
+            pick_buffer_size_ = 2 * bytes;
+            glNamedBufferStorage(pick_buffer_, pick_buffer_size_, nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+        }
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, pick_buffer_);
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        glReadBuffer(GL_COLOR_ATTACHMENT0);
+        glReadPixels(pick_window_.x, pick_window_.y, pick_window_.width, pick_window_.height, GL_RED_INTEGER,
+                     GL_UNSIGNED_INT, nullptr);
+        glReadBuffer(GL_COLOR_ATTACHMENT2);
+        glReadPixels(pick_window_.x, pick_window_.y, pick_window_.width, pick_window_.height, GL_RED, GL_FLOAT,
+                     reinterpret_cast<void*>(static_cast<std::uintptr_t>(bytes)));
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    }
+    pick_fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+}
+
+std::optional<Pick> Renderer::Impl::poll_pick() {
+    if (pick_fence_ == nullptr) return std::nullopt;
+    const GLenum status = glClientWaitSync(pick_fence_, 0, 0);
+    if (status == GL_TIMEOUT_EXPIRED) return std::nullopt;
+    glDeleteSync(pick_fence_);
+    pick_fence_ = nullptr;
+    const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
+    // A picture of another size or view has come in between: the answer would be about the old one.
+    if (bytes == 0 || !last_ || pick_window_.x + pick_window_.width > inner_.x ||
+        pick_window_.y + pick_window_.height > inner_.y)
+        return Pick{};
+    const auto* data =
+        static_cast<const std::byte*>(glMapNamedBufferRange(pick_buffer_, 0, 2 * bytes, GL_MAP_READ_BIT));
+    if (data == nullptr) return Pick{};
+    const Pick result = nearest_in(pick_window_, reinterpret_cast<const std::uint32_t*>(data),
+                                   reinterpret_cast<const float*>(data + bytes), pick_camera_);
+    glUnmapNamedBuffer(pick_buffer_);
+    return result;
+}
+
+} // namespace ramus::render
