@@ -12,7 +12,7 @@ Kernel::Kernel(double width)
     : w(width * std::numbers::ln2), sqrt_w(std::sqrt(w)), isovalue(std::exp(-w)),
       support_radii(1.7 * std::sqrt(5.0 / width)) {}
 
-ConvolutionField::ConvolutionField(const mesh::PreparedTree& prepared, double width) : kernel_(width) {
+ConvolutionField::ConvolutionField(const tree::PreparedTree& prepared, double width) : kernel_(width) {
     const tree::VesselTree& tree = prepared.tree;
     const std::size_t count = tree.segment_count();
     for (auto* array : {&segments_.ax, &segments_.ay, &segments_.az}) array->reserve(count);

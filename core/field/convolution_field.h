@@ -8,7 +8,7 @@
 // sqrt(5 / width)) from the segment, so that distant segments can be left out without a trace.
 #pragma once
 
-#include "core/mesh/surface.h"
+#include "core/tree/prepared_tree.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -43,7 +43,7 @@ struct SegmentArrays {
 
 class ConvolutionField {
 public:
-    ConvolutionField(const mesh::PreparedTree& prepared, double width);
+    ConvolutionField(const tree::PreparedTree& prepared, double width);
 
     [[nodiscard]] const SegmentArrays& segments() const { return segments_; }
     [[nodiscard]] const Kernel& kernel() const { return kernel_; }

@@ -5,8 +5,9 @@
 namespace ramus::mesh {
 
 PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options) {
-    tree::PrunedTree pruned = tree::prune(source, options.prune_ratio);
-    return {tree::smooth(std::move(pruned.tree), options.smooth_passes), std::move(pruned.segment_source)};
+    PreparedTree prepared = tree::prune(source, options.prune_ratio);
+    prepared.tree = tree::smooth(std::move(prepared.tree), options.smooth_passes);
+    return prepared;
 }
 
 } // namespace ramus::mesh

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/mesh/triangle_mesh.h"
-#include "core/tree/vessel_tree.h"
+#include "core/tree/prepared_tree.h"
 
 #include <cstdint>
 
@@ -34,13 +34,9 @@ struct Surface {
     SurfaceStatistics statistics;
 };
 
+using tree::PreparedTree;
+
 // The tree as the surface sees it: pruned first, then smoothed.
-struct PreparedTree {
-    tree::VesselTree tree;
-    // Branch id in the source tree for every segment of `tree` (branches in order, segments along each): pruning joins
-    // branches where a twig went, and ids must stay those of the file.
-    std::vector<int> segment_source;
-};
 [[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
 
 // Surface of `source` under `options`; vertex branch ids are those of `source`. Fails when the options cannot be met

@@ -20,8 +20,8 @@ std::vector<int> sources_in_order(const VesselTree& tree, const std::map<Edge, i
     return sources;
 }
 
-PrunedTree unpruned(const VesselTree& tree) {
-    PrunedTree result{tree, {}};
+PreparedTree unpruned(const VesselTree& tree) {
+    PreparedTree result{tree, {}};
     result.segment_source.reserve(tree.segment_count());
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
         result.segment_source.insert(result.segment_source.end(), tree.branches[id].points.size() - 1,
@@ -45,8 +45,8 @@ std::vector<bool> short_leaves(const VesselTree& tree, double ratio) {
 
 } // namespace
 
-PrunedTree prune(const VesselTree& source, double ratio) {
-    PrunedTree result = unpruned(source);
+PreparedTree prune(const VesselTree& source, double ratio) {
+    PreparedTree result = unpruned(source);
     if (!(ratio > 0.0)) return result;
     std::map<Edge, int> source_of;
     {

@@ -90,7 +90,7 @@ double all_segments_seconds(const field::ConvolutionField& field, const mesh::Tr
 void measure(const std::string& name, const tree::VesselTree& tree, const BenchOptions& options) {
     mesh::SurfaceOptions surface_options;
     surface_options.smooth_passes = options.smooth;
-    const mesh::PreparedTree prepared = mesh::prepare_tree(tree, surface_options);
+    const tree::PreparedTree prepared = mesh::prepare_tree(tree, surface_options);
     const field::ConvolutionField field(prepared, surface_options.width);
     mesh::PolygonizeOptions polygonize_options;
     polygonize_options.detail = options.detail;

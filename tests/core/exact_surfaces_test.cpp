@@ -17,8 +17,8 @@ struct Vessel {
     double radius;
 };
 
-mesh::PreparedTree tree_of(const std::vector<Vessel>& vessels) {
-    mesh::PreparedTree prepared;
+tree::PreparedTree tree_of(const std::vector<Vessel>& vessels) {
+    tree::PreparedTree prepared;
     for (const Vessel& v : vessels) {
         const auto first = static_cast<std::uint32_t>(prepared.tree.points.size());
         prepared.tree.points.push_back({v.from, v.radius});

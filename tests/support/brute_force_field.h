@@ -21,7 +21,7 @@ public:
         std::size_t strongest = 0;
     };
 
-    BruteForceField(const mesh::PreparedTree& prepared, double width) : w_(width * std::numbers::ln2) {
+    BruteForceField(const tree::PreparedTree& prepared, double width) : w_(width * std::numbers::ln2) {
         for (const tree::Branch& branch : prepared.tree.branches) {
             for (std::size_t i = 1; i < branch.points.size(); ++i) {
                 const tree::Point& a = prepared.tree.points[branch.points[i - 1]];

@@ -260,31 +260,32 @@ private:
                         n3 = mesh_.normals[v[3]];
         const glm::vec3 d02 = p2 - p0;
         const glm::vec3 d13 = p3 - p1;
-        const glm::vec3 facing = n0 + n1 + n2 + n3;
-        // The area vectors of the four triangles that the two diagonals make.
-        const glm::vec3 e01 = p1 - p0;
-        const glm::vec3 a012 = glm::cross(e01, d02);
-        const glm::vec3 a023 = glm::cross(d02, p3 - p0);
-        const glm::vec3 a123 = glm::cross(p2 - p1, d13);
-        const glm::vec3 a130 = glm::cross(d13, -e01);
-        const float scale = glm::dot(d02, d02) * glm::dot(d13, d13) * glm::dot(facing, facing);
-        // Signed squares, to leave out the roots: a triangle that faces away, or nearly, or has no area to speak of.
-        const auto score = [&](const glm::vec3& area) {
-            const float along = glm::dot(area, facing);
-            return along * std::abs(along);
-        };
-        const float worst_02 = std::min(score(a012), score(a023));
-        const float worst_13 = std::min(score(a123), score(a130));
-        constexpr float kThin = 0.01F; // a tenth of the area of a square on the diagonals; tuned on real trees
-        if (std::min(worst_02, worst_13) < kThin * scale) return worst_02 >= worst_13;
-        const float off_02 = std::abs(glm::dot(d02, n2 - n0));
-        const float off_13 = std::abs(glm::dot(d13, n3 - n1));
-        // On a flat stretch both are nothing, and the shorter diagonal makes the rounder triangles.
+        // On a flat stretch both chords are on the surface, and the shorter diagonal makes the rounder triangles.
         constexpr float kFlat = 0.02F;
         const float l02 = glm::dot(d02, d02);
         const float l13 = glm::dot(d13, d13);
         const float size = std::sqrt(std::max(l02, l13));
-        return off_02 * size + kFlat * l02 < off_13 * size + kFlat * l13;
+        const bool closer_02 = std::abs(glm::dot(d02, n2 - n0)) * size + kFlat * l02 <
+                               std::abs(glm::dot(d13, n3 - n1)) * size + kFlat * l13;
+        // Signed squares of the triangles' areas as seen from outside: one that faces away, or nearly, is negative or
+        // small. The worse of a diagonal's two triangles counts.
+        const glm::vec3 facing = n0 + n1 + n2 + n3;
+        const auto score = [&](const glm::vec3& area) {
+            const float along = glm::dot(area, facing);
+            return along * std::abs(along);
+        };
+        const auto worst_02 = [&] {
+            return std::min(score(glm::cross(p1 - p0, d02)), score(glm::cross(d02, p3 - p0)));
+        };
+        const auto worst_13 = [&] {
+            return std::min(score(glm::cross(p2 - p1, d13)), score(glm::cross(d13, p0 - p1)));
+        };
+        constexpr float kThin = 0.01F; // a tenth of the area of a square on the diagonals; tuned on real trees
+        const float enough = kThin * l02 * l13 * glm::dot(facing, facing);
+        const float worst = closer_02 ? worst_02() : worst_13();
+        if (worst >= enough) return closer_02;
+        const float other = closer_02 ? worst_13() : worst_02();
+        return (other > worst) != closer_02;
     }
 
     // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can

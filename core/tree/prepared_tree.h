@@ -1,0 +1,15 @@
+// A tree made ready for a surface (pruned, smoothed), whose segments still know the branch of the file they come from:
+// pruning joins branches where a twig went, and the ids that people see must stay those of the file.
+#pragma once
+
+#include "core/tree/vessel_tree.h"
+
+namespace ramus::tree {
+
+struct PreparedTree {
+    VesselTree tree;
+    // Branch id in the file's tree for every segment of `tree` (branches in order, segments along each).
+    std::vector<int> segment_source;
+};
+
+} // namespace ramus::tree
