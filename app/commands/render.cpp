@@ -1,10 +1,12 @@
 #include "app/commands/render.h"
 
-#include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
-#include "app/commands/progress_bar.h"
+#include "app/commands/picture_stage.h"
 #include "app/commands/surface_flags.h"
-#include "app/compose.h"
+#include "app/headless_interface.h"
+#include "app/panels/interface.h"
+#include "app/script.h"
+#include "app/session_file.h"
 #include "core/io/output_file.h"
 #include "core/io/tree_reader.h"
 #include "render/gl_context.h"
@@ -25,10 +27,10 @@ namespace {
 struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
-    std::string camera;
+    std::string camera, session, commands;
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
-    bool orthographic = false, transparent = false, json = false;
+    bool view_given = false, orthographic = false, transparent = false, interface = false, json = false;
     double tolerance = 0.001; // of the pixels
     int benchmark = 0;        // frames
 };
@@ -111,6 +113,46 @@ Result<void> run_benchmark(render::Renderer& renderer, render::Frame frame, cons
     return {};
 }
 
+// The session that was asked for, of the tree that was asked for, and whether it has a camera.
+Result<bool> open_document(const RenderFlags& flags, Document& document) {
+    SavedSession saved;
+    if (!flags.session.empty()) {
+        auto read = read_session(flags.session);
+        if (!read) return tl::unexpected(read.error());
+        saved = std::move(*read);
+    } else {
+        saved.session.marks.options = flags.common.surface;
+    }
+    Session& session = saved.session;
+    if (!flags.file.empty()) session.tree.path = std::filesystem::absolute(flags.file).lexically_normal();
+    auto tree = load_tree(flags.file.empty() ? session.tree.path.string() : flags.file.string(), flags.common);
+    if (!tree) return tl::unexpected(tree.error());
+    const auto checksum = checksum_of(session.tree.path);
+    if (!checksum) return tl::unexpected(checksum.error());
+    if (auto fits = check_against(session, *tree, *checksum, flags.session); !fits) return tl::unexpected(fits.error());
+    session.tree.checksum = *checksum;
+    document.open(std::make_shared<const tree::VesselTree>(std::move(*tree)), std::move(session));
+    return saved.has_camera;
+}
+
+// The window with all that is around the picture.
+Result<render::Image> draw_interface(const RenderFlags& flags, const Document& document, const PictureStage& stage,
+                                     render::Renderer& renderer,
+                                     const std::function<Result<void>(ActionContext&)>& run) {
+    Workspace workspace({});
+    LoadedTree loaded;
+    loaded.tree = document.tree();
+    loaded.facts = std::make_shared<const TreeFacts>(facts_of(*document.tree()));
+    loaded.session = document.session();
+    loaded.has_camera = true;
+    loaded.cones = ReadySurface{document.marks().options, stage.mesh(), stage.mesh_seconds()};
+    workspace.adopt(std::move(loaded), document.session().tree.path);
+    return picture_with_interface(workspace, renderer, flags.size, 1.0F, [&](Host& host) {
+        ActionContext context{workspace.document, host};
+        return run(context);
+    });
+}
+
 Result<int> run_render(const RenderFlags& flags) {
     const auto say = [&](const std::string& line) { app::say(flags.common, line); };
     // What can be wrong is found before the long work.
@@ -120,66 +162,68 @@ Result<int> run_render(const RenderFlags& flags) {
         if (!read) return tl::unexpected(read.error());
         camera = *read;
     }
+    std::vector<ScriptLine> script;
+    if (!flags.commands.empty()) {
+        auto read = read_script(flags.commands);
+        if (!read) return tl::unexpected(read.error());
+        script = std::move(*read);
+    }
     if (!flags.output.empty())
         if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
     if (!flags.reference.empty())
         if (auto can = render::read_png(flags.reference); !can) return tl::unexpected(can.error());
 
-    auto read = load_tree(flags.file.string(), flags.common);
-    if (!read) return tl::unexpected(read.error());
-    const auto tree = std::make_shared<const tree::VesselTree>(std::move(*read));
-
-    Job job;
-    auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        return mesh::make_surface(*tree, flags.common.surface, job);
-    }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!surface) return tl::unexpected(surface.error());
-    const auto mesh = std::make_shared<const mesh::TriangleMesh>(std::move(surface->mesh));
-    say(counted(mesh->triangles.size(), "triangle", "triangles") + " in " + rounded(surface->statistics.seconds) +
-        " s");
-
-    Session session;
-    session.tree.path = flags.file;
-    session.marks.options = flags.common.surface;
-    session.camera = camera ? *camera : render::camera_for(mesh->positions, flags.view, flags.size, flags.orthographic);
-    if (camera && flags.orthographic) session.camera = render::with_projection(session.camera, true);
-
+    Document document;
+    const auto has_camera = open_document(flags, document);
+    if (!has_camera) return tl::unexpected(has_camera.error());
     Viewing viewing;
-    viewing.size = flags.size;
+    viewing.size = flags.interface ? layout_of(flags.size, 1.0F, true).view_size : flags.size;
     viewing.transparent = flags.transparent;
-    const render::Frame frame = compose(session, tree, mesh, viewing);
+    PictureStage stage(document, flags.common, viewing);
+    if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
+    if (!camera && (!*has_camera || flags.view_given))
+        camera = render::camera_for(stage.mesh()->positions, flags.view, viewing.size, flags.orthographic);
+    if (camera) document.set_camera(*camera);
+    if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 
     const auto context = render::make_osmesa_context();
     if (!context) return tl::unexpected(context.error());
     say(render::gl_description());
     const auto renderer = render::Renderer::create();
     if (!renderer) return tl::unexpected(renderer.error());
-    const auto start = std::chrono::steady_clock::now();
-    const auto done = (*renderer)->draw(frame);
-    if (!done) return tl::unexpected(done.error());
-    const render::Image image = (*renderer)->read_image();
+    stage.draw_with(**renderer);
+    const auto run = [&](ActionContext& where) { return run_script(where, script, flags.commands); };
+    ActionContext here{document, stage};
+    if (!flags.interface)
+        if (auto ran = run(here); !ran) return tl::unexpected(ran.error());
 
-    nlohmann::json report{{"size", {image.width, image.height}},
+    const auto frame = stage.frame();
+    if (!frame) return tl::unexpected(frame.error());
+    const auto start = std::chrono::steady_clock::now();
+    const auto done = (*renderer)->draw(*frame);
+    if (!done) return tl::unexpected(done.error());
+    auto image = flags.interface ? draw_interface(flags, document, stage, **renderer, run)
+                                 : Result<render::Image>((*renderer)->read_image());
+    if (!image) return tl::unexpected(image.error());
+
+    nlohmann::json report{{"size", {image->width, image->height}},
                           {"triangles", done->triangles},
-                          {"mesh_s", surface->statistics.seconds},
+                          {"mesh_s", stage.mesh_seconds()},
                           {"draw_s", seconds_since(start)},
-                          {"camera", render::to_json(session.camera)}};
+                          {"camera", render::to_json(document.session().camera)}};
     int status = kDone;
     if (!flags.output.empty()) {
-        if (auto written = render::write_png(image, flags.output); !written) return tl::unexpected(written.error());
+        if (auto written = render::write_png(*image, flags.output); !written) return tl::unexpected(written.error());
         report["picture"] = flags.output.string();
         say("wrote " + flags.output.string());
     }
     if (!flags.reference.empty()) {
-        const auto verdict = judge(image, flags, report);
+        const auto verdict = judge(*image, flags, report);
         if (!verdict) return tl::unexpected(verdict.error());
         status = *verdict;
     }
     if (flags.benchmark > 0)
-        if (auto ran = run_benchmark(**renderer, frame, flags, report); !ran) return tl::unexpected(ran.error());
+        if (auto ran = run_benchmark(**renderer, *frame, flags, report); !ran) return tl::unexpected(ran.error());
     if (flags.json) std::cout << report.dump(2) << '\n';
     return status;
 }
@@ -189,7 +233,7 @@ Result<int> run_render(const RenderFlags& flags) {
 void register_render(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<RenderFlags>();
     CLI::App* command = add_command(app, "render", "Make the window's picture without a window");
-    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
+    command->add_option("FILE", flags->file, "Vessel tree; may be left out with --session")->type_name("");
     command->add_option("-o,--output", flags->output, "PNG to write")->type_name("PNG");
     command
         ->add_option_function<std::string>(
@@ -206,6 +250,12 @@ void register_render(CLI::App& app, Action& chosen) {
         command->add_option("--view", flags->view, "anterior (default), posterior, left, right, superior or inferior")
             ->type_name("NAME")
             ->transform(CLI::CheckedTransformer(views).description(""));
+    command->add_option("--session", flags->session, "Draw this session: its tree, states, camera and surface options")
+        ->type_name("FILE");
+    command
+        ->add_option("--commands", flags->commands, "Run these commands first, one a line (`select 12`, `hide`, ...)")
+        ->type_name("FILE");
+    command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
     command->add_option("--camera", flags->camera, "Camera as JSON, or a file with it, named as in a session file")
         ->type_name("JSON|FILE")
         ->excludes(view);
@@ -233,8 +283,11 @@ void register_render(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1, 1000000).description(""));
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
-    command->callback([flags, &chosen] {
-        if (flags->output.empty() && (flags->benchmark == 0 || !flags->reference.empty()))
+    command->callback([flags, view, &chosen] {
+        if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
+        flags->view_given = view->count() > 0;
+        const bool other_result = flags->benchmark > 0 || !flags->commands.empty();
+        if (flags->output.empty() && (!other_result || !flags->reference.empty() || flags->interface))
             throw CLI::RequiredError("-o");
         chosen = [flags] { return run_render(*flags); };
     });

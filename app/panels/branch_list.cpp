@@ -77,6 +77,29 @@ void draw_row(InterfaceContext& context, int id) {
     number_cell(count(static_cast<std::uint64_t>(facts.dependents)), hidden);
 }
 
+// As ImGui::TableHeadersRow(), but over numbers that end at the right.
+void draw_headers() {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+    for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
+        ImGui::TableSetColumnIndex(column);
+        const char* name = ImGui::TableGetColumnName(column);
+        if (column == 0) {
+            ImGui::TableHeader(name);
+            continue;
+        }
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        float right = at.x + ImGui::GetContentRegionAvail().x;
+        const bool sorted = specs != nullptr && specs->SpecsCount > 0 && specs->Specs[0].ColumnIndex == column;
+        if (sorted) right -= ImGui::GetFontSize(); // its arrow
+        ImGui::PushID(column);
+        ImGui::TableHeader("##header");
+        ImGui::PopID();
+        ImGui::GetWindowDrawList()->AddText({std::round(right - ImGui::CalcTextSize(name).x), at.y},
+                                            ImGui::GetColorU32(ImGuiCol_Text), name);
+    }
+}
+
 // A selection made in the picture comes into sight in the list.
 void scroll_to_selection(Interface& interface, const Document& document, float row_height) {
     const auto& selection = document.marks().selection;
@@ -84,7 +107,9 @@ void scroll_to_selection(Interface& interface, const Document& document, float r
     if (wanted == std::exchange(interface.shown_selection, wanted) || wanted == tree::kNoBranch) return;
     const auto row =
         std::find(interface.list_order.begin(), interface.list_order.end(), wanted) - interface.list_order.begin();
-    ImGui::SetScrollY(std::max(0.0F, (static_cast<float>(row) + 1.5F) * row_height - 0.5F * ImGui::GetWindowHeight()));
+    // In the middle, with whole rows under the header.
+    const float rows_above = std::floor(0.5F * ImGui::GetWindowHeight() / row_height) - 1.0F;
+    ImGui::SetScrollY(std::max(0.0F, static_cast<float>(row) - rows_above) * row_height);
 }
 
 } // namespace
@@ -110,7 +135,7 @@ void draw_branch_list(InterfaceContext& context) {
         column("Length", kLength, 1.2F, ImGuiTableColumnFlags_PreferSortDescending);
         column("Deps", kDependents, 1.0F, ImGuiTableColumnFlags_PreferSortDescending);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-        ImGui::TableHeadersRow();
+        draw_headers();
         ImGui::PopStyleColor();
         ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
         if (specs != nullptr && (specs->SpecsDirty || interface.list_of != facts.get())) {

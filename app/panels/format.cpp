@@ -9,6 +9,8 @@ namespace ramus::app {
 std::string digits(double value, int significant) {
     if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "?";
     const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+    if (std::abs(value) >= 999.5)
+        return (value < 0.0 ? "-" : "") + count(static_cast<std::uint64_t>(std::llround(std::abs(value))));
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", std::clamp(significant - 1 - magnitude, 0, 9), value);
     return text;

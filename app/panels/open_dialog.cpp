@@ -179,7 +179,7 @@ void draw_open_dialog(InterfaceContext& context) {
         }
     }
     ImGui::Dummy({0.0F, 2.0F * scale});
-    const float buttons = ImGui::GetFrameHeight() + 10.0F * scale;
+    const float buttons = ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().ItemSpacing.y + 2.0F * scale;
     if (const fs::path entry = draw_entries(dialog, -buttons); !entry.empty()) chosen = entry;
     ImGui::Dummy({0.0F, 2.0F * scale});
 

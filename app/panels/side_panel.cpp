@@ -46,7 +46,8 @@ void draw_tree(InterfaceContext& context) {
     widgets::fact("Branches", count(tree.branches.size()));
     widgets::fact("Generations", count(static_cast<std::uint64_t>(facts.generations)));
     widgets::fact("Length", digits(facts.length_mm, 4) + " mm");
-    widgets::fact("Volume", digits(facts.volume_mm3) + " mm\xC2\xB3");
+    widgets::fact("Volume", facts.volume_mm3 < 1000.0 ? digits(facts.volume_mm3) + " mm\xC2\xB3"
+                                                      : digits(facts.volume_mm3 / 1000.0) + " ml");
     widgets::fact("Diameter", range(facts.min_diameter_mm, facts.max_diameter_mm));
     if (tree.roots.size() > 1) widgets::fact("Roots", count(tree.roots.size()));
     if (tree.loop_count > 0) widgets::fact("Loops", count(static_cast<std::uint64_t>(tree.loop_count)));
@@ -71,18 +72,24 @@ void draw_options(InterfaceContext& context) {
     static Slider<int> smooth, detail;
     static Slider<float> prune, width;
     const float label_width = 70.0F * theme::scale();
-    const auto row = [&](const char* label, const char* name, const char* help, auto& slider, auto current, auto draw) {
+    const auto row = [&](const char* label, const char* name, const char* help, auto& slider, auto current, auto draw,
+                         auto as_text) {
         using T = decltype(slider.value);
         if (!slider.held) slider.value = static_cast<T>(current);
         ImGui::AlignTextToFramePadding();
         widgets::quiet(label);
         widgets::tooltip(help);
         ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + label_width);
-        ImGui::SetNextItemWidth(-1.0F);
+        ImGui::SetNextItemWidth(-40.0F * theme::scale());
         ImGui::PushID(name);
         draw(slider.value);
         slider.held = ImGui::IsItemActive();
-        if (ImGui::IsItemDeactivatedAfterEdit()) {
+        const bool changed = ImGui::IsItemDeactivatedAfterEdit();
+        ImGui::SameLine();
+        const std::string shown = as_text(slider.value);
+        widgets::align_right(ImGui::CalcTextSize(shown.c_str()).x);
+        ImGui::TextUnformatted(shown.c_str());
+        if (changed) {
             std::string text;
             if constexpr (std::is_same_v<T, int>)
                 text = std::to_string(slider.value);
@@ -93,16 +100,21 @@ void draw_options(InterfaceContext& context) {
         ImGui::PopID();
     };
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    row("Smooth", "smooth", "Binomial passes over points and radii", smooth, options.smooth_passes,
-        [&](int& value) { ImGui::SliderInt("##slider", &value, 0, 10, "%d", flags); });
-    row("Prune", "prune", "Leaf branches shorter than this many lengths of their parent go", prune, options.prune_ratio,
-        [&](float& value) {
-            ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, value > 0.0F ? "%.2f" : "off", flags);
-        });
-    row("Width", "width", "Kernel width: 5 follows the vessels closely, 1 blends them broadly", width, options.width,
-        [&](float& value) { ImGui::SliderFloat("##slider", &value, 1.0F, 10.0F, "%.1f", flags); });
-    row("Detail", "detail", "Triangles around a vessel", detail, options.detail,
-        [&](int& value) { ImGui::SliderInt("##slider", &value, 6, 48, "%d", flags); });
+    const auto whole = [](int value) { return std::to_string(value); };
+    row(
+        "Smooth", "smooth", "Binomial passes over points and radii", smooth, options.smooth_passes,
+        [&](int& value) { ImGui::SliderInt("##slider", &value, 0, 10, "", flags); }, whole);
+    row(
+        "Prune", "prune", "Leaf branches shorter than this many lengths of their parent go", prune, options.prune_ratio,
+        [&](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", flags); },
+        [](float value) { return value > 0.0F ? digits(value, 2) : std::string("off"); });
+    row(
+        "Width", "width", "Kernel width: 5 follows the vessels closely, 1 blends them broadly", width, options.width,
+        [&](float& value) { ImGui::SliderFloat("##slider", &value, 1.0F, 10.0F, "", flags); },
+        [](float value) { return digits(value, 2); });
+    row(
+        "Detail", "detail", "Triangles around a vessel", detail, options.detail,
+        [&](int& value) { ImGui::SliderInt("##slider", &value, 6, 48, "", flags); }, whole);
 }
 
 void draw_surface(InterfaceContext& context) {

@@ -30,7 +30,8 @@ bool begin_dialog(const char* name, float width, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20.0F * scale, 18.0F * scale});
     const bool shown = ImGui::BeginPopupModal(name, nullptr,
                                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+                                                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                                                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     return shown;
 }

@@ -143,9 +143,7 @@ void GlfwWindow::connect() {
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
         Viewer* viewer = self(window)->viewer_;
         if (viewer == nullptr || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-        double x = 0.0, y = 0.0;
-        glfwGetCursorPos(window, &x, &y);
-        viewer->mouse_moved(self(window)->pixels(x, y));
+        // Where the pointer is now may be far from where the button went down: the moves before it said that.
         constexpr std::array kButtons{MouseButton::kLeft, MouseButton::kRight, MouseButton::kMiddle};
         viewer->mouse_button(kButtons[static_cast<std::size_t>(button)], action == GLFW_PRESS, modifiers_of(modifiers),
                              glfwGetTime());

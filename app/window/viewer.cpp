@@ -106,6 +106,10 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     ImGui::Render();
     if (listed != interface_.listed) shake();
     if (frames_left_ > 0) --frames_left_;
+    if (std::exchange(dialog_was_open_, interface_.dialog_open()) != interface_.dialog_open()) {
+        frames_left_ = kDialogFrames;
+        pick_wanted_ = true; // what is under a dialog is not under the pointer
+    }
 
     const render::Frame frame =
         compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());

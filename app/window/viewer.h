@@ -70,6 +70,7 @@ public:
 private:
     // ImGui needs a few frames until popups and their sizes have settled.
     static constexpr int kFramesAfterEvent = 3;
+    static constexpr int kDialogFrames = 14;     // what lies behind a dialog fades
     static constexpr double kRestSeconds = 0.12; // a drag that pauses is drawn in full quality
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.1;
@@ -102,7 +103,8 @@ private:
     double moved_at_ = -1e9;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     int frames_left_ = kFramesAfterEvent;
-    bool interface_waits_ = false;
+    bool interface_waits_ = false, dialog_was_open_ = false;
+
     std::uint64_t drawn_ = 0; // fingerprint of the last interface
     bool closing_ = false;
 };

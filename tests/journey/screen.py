@@ -1,0 +1,126 @@
+"""A virtual screen with one ramus window on it, driven with xdotool and watched through --status. Standard library only.
+
+Nothing sleeps for a fixed time: every step waits until the window says that it happened.
+"""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+PATIENCE = 120.0  # seconds; software rendering on a busy machine is slow
+
+
+class Failure(Exception):
+    pass
+
+
+def missing_tools():
+    return [tool for tool in ("Xvfb", "xdotool", "import", "convert") if shutil.which(tool) is None]
+
+
+class Screen:
+    """Xvfb at 24 bit with GLX, on a number that it chooses itself."""
+
+    def __init__(self, width, height):
+        read, write = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp",
+             "+extension", "GLX", "-noreset"],
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as answer:
+            number = answer.readline().strip()
+        if not number:
+            raise Failure("Xvfb did not start")
+        self.display = ":" + number
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+class Window:
+    def __init__(self, program, screen, folder, arguments):
+        self.folder = Path(folder)
+        self.status_file = self.folder / "status.json"
+        self.status_file.unlink(missing_ok=True)
+        self.environment = dict(os.environ, DISPLAY=screen.display, XDG_STATE_HOME=str(self.folder / "state"),
+                                LIBGL_ALWAYS_SOFTWARE="1")
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        self.process = subprocess.Popen([program, "--status", str(self.status_file), *map(str, arguments)],
+                                        cwd=self.folder, env=self.environment)
+
+    def status(self):
+        try:
+            return json.loads(self.status_file.read_text())
+        except FileNotFoundError:
+            return None
+
+    def wait(self, what, condition):
+        """Until `condition(status)` holds and the window rests; returns the status."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                raise Failure(f"ramus ended with {self.process.returncode} while waiting for: {what}")
+            status = self.status()
+            if status and status["resting"] and condition(status):
+                return status
+            time.sleep(0.02)
+        raise Failure(f"waited {PATIENCE} s for: {what}\n{json.dumps(self.status())}")
+
+    def xdotool(self, *words):
+        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+
+    def pixels(self, x, y, width, height):
+        """A part of the screen as bytes, three a pixel."""
+        return subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
+                              env=self.environment, check=True, stdout=subprocess.PIPE).stdout
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+
+
+def picture_pixels(path):
+    return subprocess.run(["convert", str(path), "-alpha", "off", "-depth", "8", "rgb:-"], check=True,
+                          stdout=subprocess.PIPE).stdout
+
+
+def differing(first, second, threshold=8):
+    """The share of pixels with a channel that differs by more than `threshold`."""
+    if len(first) != len(second) or not first:
+        raise Failure(f"pictures of {len(first)} and {len(second)} bytes")
+    if first == second:
+        return 0.0
+    apart = [abs(a - b) > threshold for a, b in zip(first, second)]
+    return sum(map(any, zip(apart[0::3], apart[1::3], apart[2::3]))) / (len(first) // 3)
+
+
+def project(status, point):
+    """Where the status's camera (perspective) shows a point, in pixels of the screen."""
+    def minus(a, b): return [p - q for p, q in zip(a, b)]
+    def dot(a, b): return sum(p * q for p, q in zip(a, b))
+    def cross(a, b): return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    def unit(a): return [p / math.sqrt(dot(a, a)) for p in a]
+
+    camera = status["camera"]
+    forward = unit(minus(camera["focal_point"], camera["position"]))
+    right = unit(cross(forward, camera["view_up"]))
+    up = cross(right, forward)
+    to_point = minus(point, camera["position"])
+    left, top, width, height = status["viewport"]
+    per_unit = height / 2 / math.tan(math.radians(camera["view_angle"] / 2)) / dot(to_point, forward)
+    return (round(left + width / 2 + dot(to_point, right) * per_unit),
+            round(top + height / 2 - dot(to_point, up) * per_unit))
+
+
+def looks_along(status):
+    camera = status["camera"]
+    way = [f - p for f, p in zip(camera["focal_point"], camera["position"])]
+    length = math.sqrt(sum(w * w for w in way))
+    return [round(w / length, 6) + 0.0 for w in way]

@@ -1,0 +1,176 @@
+"""What a person does in the first minute: look, turn, point, select, highlight, ask for help, save. And the picture in
+the window is the picture that `ramus render` makes of the saved session.
+
+Usage: window_journey.py PROGRAM
+"""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from screen import Failure, Screen, Window, differing, looks_along, missing_tools, picture_pixels, project
+
+# A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
+TREE = """\
+# id type x y z radius parent
+1 3 0 0 -40 5 -1
+2 3 0 0 -20 5 1
+3 3 0 0 0 5 2
+4 3 -20 0 15 3.5 3
+5 3 -40 0 25 3 4
+6 3 20 5 15 3.5 3
+7 3 30 8 25 3 6
+8 3 35 10 45 2 7
+9 3 55 10 30 2 7
+"""
+
+
+def check(truth, what):
+    if not truth:
+        raise Failure(what)
+    print("ok:", what, flush=True)
+
+
+def explore(program, screen, folder):
+    tree = folder / "small tree.swc"
+    tree.write_text(TREE)
+    window = Window(program, screen, folder, [tree, "--size", "1100x760"])
+    try:
+        status = window.wait("the surface", lambda s: s["surface_ready"])
+        check(status["triangles"] > 1000 and status["problem"] == "", "the surface is ready")
+        x, y, width, height = status["viewport"]
+        check(width > 600 and height > 600, "the picture has most of the window")
+
+        at = project(status, [25, 6.5, 20])
+        before = window.pixels(at[0], at[1], 200, 140)
+        window.xdotool("mousemove", *at)
+        status = window.wait("the branch under the pointer", lambda s: s["tooltip"])
+        branch = status["hovered"]
+        after = window.pixels(at[0], at[1], 200, 140)
+        check(differing(before, after) > 0.2, "a tooltip appears beside the pointer")
+
+        window.xdotool("click", 1)
+        window.wait("the selection", lambda s: s["selection"] == [branch])
+        check(True, "a click selects the branch under the pointer")
+        window.xdotool("keydown", "alt", "click", 1, "keyup", "alt")
+        status = window.wait("what depends on it", lambda s: len(s["selection"]) == 3)
+        dependents = status["selection"]
+        check(branch in dependents, "Alt+click selects the branch and all that depends on it")
+        window.xdotool("key", "h")
+        window.wait("the highlight", lambda s: s["states"]["highlighted"] == dependents)
+        check(True, "H highlights the selection")
+        window.xdotool("key", "ctrl+z")
+        window.wait("undo", lambda s: s["states"]["highlighted"] == [])
+        window.xdotool("key", "ctrl+shift+z")
+        window.wait("redo", lambda s: s["states"]["highlighted"] == dependents)
+        check(True, "undo takes the highlight back, redo brings it again")
+
+        empty = (x + 40, y + 200)
+        window.xdotool("mousemove", *empty)
+        window.xdotool("mousedown", 1)
+        window.xdotool("mousemove", empty[0] + 60, empty[1] + 20)
+        window.xdotool("mousemove", empty[0] + 120, empty[1] + 40)
+        window.xdotool("mouseup", 1)
+        # 120 pixels of a picture 804 wide are 30 degrees: sin 30 = 0.5 of the way is along x; 40 pixels are 10 degrees.
+        status = window.wait("the turn", lambda s: abs(looks_along(s)[0]) > 0.3 and abs(looks_along(s)[2]) > 0.1)
+        check(status["selection"] == dependents, "a drag on the background turns both ways, and is not a click")
+
+        save_and_compare(program, window, folder, status)
+
+        for key, way in (("l", [1, 0, 0]), ("s", [0, 0, -1]), ("r", [-1, 0, 0]), ("i", [0, 0, 1]), ("p", [0, 1, 0]),
+                         ("a", [0, -1, 0])):
+            window.xdotool("key", key)
+            window.wait(f"the view of key {key}", lambda s: looks_along(s) == way)
+        check(True, "the keys A P L R S I look from there")
+
+        window.xdotool("mousemove", *empty)
+        window.xdotool("click", 1)
+        window.wait("nothing selected", lambda s: s["selection"] == [])
+        check(True, "a click on the background selects nothing")
+
+        window.xdotool("key", "question")
+        window.wait("help", lambda s: s["help"])
+        window.xdotool("type", "highlight")
+        window.xdotool("key", "Escape")
+        status = window.wait("no help", lambda s: not s["help"])
+        check(status["states"]["highlighted"] == dependents, "? shows help, typing there searches, Escape closes it")
+        window.xdotool("key", "ctrl+o")
+        window.wait("the open dialog", lambda s: s["open_dialog"])
+        window.xdotool("key", "Escape")
+        window.wait("no open dialog", lambda s: not s["open_dialog"])
+        check(True, "Ctrl+O asks for a file, Escape does not want one")
+
+        window.xdotool("key", "ctrl+q")
+        check(window.process.wait(timeout=60) == 0, "Ctrl+Q closes the window")
+    finally:
+        window.end()
+
+
+def save_and_compare(program, window, folder, status):
+    x, y, width, height = status["viewport"]
+    window.xdotool("mousemove", x + width // 2, y + height + 10)  # on the status bar
+    window.wait("nothing under the pointer", lambda s: s["hovered"] == -1)
+    window.xdotool("key", "ctrl+s")
+    session = folder / "small tree.ramus.json"
+    window.wait("the session file", lambda s: session.exists())
+    seen = window.pixels(x, y, width, height)
+    picture = folder / "headless.png"
+    subprocess.run([program, "render", "--session", session, "--size", f"{width}x{height}", "-o", picture], check=True)
+    share = differing(seen, picture_pixels(picture))
+    if share > 0.001:  # both stay where the test ran
+        subprocess.run(["convert", "-size", f"{width}x{height}", "-depth", "8", "rgb:-", "window.png"], input=seen, check=True)
+        shutil.copy(picture, "headless.png")
+    check(share <= 0.001, f"window and headless picture are the same ({100 * share:.4f} % of the pixels differ)")
+    window.xdotool("key", "F12")
+    shot = folder / "small tree.png"
+    window.wait("the picture file", lambda s: shot.exists())
+    check(differing(seen, picture_pixels(shot)) <= 0.001, "F12 saves what the window shows")
+
+
+def bad_file(program, screen, folder):
+    bad = folder / "junk.swc"
+    bad.write_bytes(bytes(range(256)))
+    window = Window(program, screen, folder, [bad, "--size", "800x600"])
+    try:
+        status = window.wait("the message", lambda s: s["error"])
+        check("junk.swc" in status["error"], "a bad file gives a message that names it")
+        window.xdotool("mousemove", 400, 300, "key", "Escape")
+        window.wait("no message", lambda s: not s["error"])
+        window.xdotool("key", "ctrl+q")
+        check(window.process.wait(timeout=60) == 0, "and the window goes on")
+    finally:
+        window.end()
+
+
+def without_display(program, folder):
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(folder)}
+    result = subprocess.run([program], env=environment, stderr=subprocess.PIPE, text=True)
+    check(result.returncode == 1 and "display" in result.stderr and "ramus render" in result.stderr,
+          "without a display ramus says so and points at ramus render")
+
+
+def main():
+    program = str(Path(sys.argv[1]).resolve())
+    missing = missing_tools()
+    if missing:
+        print("SKIPPED: not installed:", ", ".join(missing))
+        return 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        without_display(program, folder)
+        screen = Screen(1200, 800)
+        try:
+            explore(program, screen, folder)
+            bad_file(program, screen, folder)
+        except Failure as failure:
+            print("FAILED:", failure, flush=True)
+            return 1
+        finally:
+            screen.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
