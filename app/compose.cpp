@@ -67,6 +67,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     render::Frame frame;
     frame.mesh = std::move(mesh);
     frame.camera = session.camera;
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh != nullptr; // nothing to measure
     frame.size = viewing.size;
     frame.pixel_ratio = viewing.pixel_ratio;
     frame.states = session.marks.states;

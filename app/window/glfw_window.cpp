@@ -22,7 +22,8 @@ Modifiers modifiers_of(int bits) {
 
 // The name that the command table gives a key; empty: none. Letters and digits follow the keyboard's layout.
 std::string name_of_key(int number, int scancode) {
-    if (number >= GLFW_KEY_F1 && number <= GLFW_KEY_F12) return "F" + std::to_string(number - GLFW_KEY_F1 + 1);
+    if (number >= GLFW_KEY_F1 && number <= GLFW_KEY_F12)
+        return std::string("F").append(std::to_string(number - GLFW_KEY_F1 + 1));
     if (number >= GLFW_KEY_KP_0 && number <= GLFW_KEY_KP_9) return std::to_string(number - GLFW_KEY_KP_0);
     if (number >= GLFW_KEY_0 && number <= GLFW_KEY_9) return std::to_string(number - GLFW_KEY_0);
     switch (number) {

@@ -40,7 +40,7 @@ void colours(ImGuiStyle& style) {
     colour[ImGuiCol_TextDisabled] = ImVec4(0.42F, 0.45F, 0.50F, 1.0F);
     colour[ImGuiCol_WindowBg] = kPanel;
     colour[ImGuiCol_ChildBg] = ImVec4(0.0F, 0.0F, 0.0F, 0.0F);
-    colour[ImGuiCol_PopupBg] = grey(0.115F, 0.985F);
+    colour[ImGuiCol_PopupBg] = grey(0.115F);
     colour[ImGuiCol_Border] = kLine;
     colour[ImGuiCol_FrameBg] = grey(0.150F);
     colour[ImGuiCol_FrameBgHovered] = grey(0.185F);

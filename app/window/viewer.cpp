@@ -152,9 +152,10 @@ bool Viewer::resting() const {
 
 std::string Viewer::title() const {
     const Document& document = workspace_.document;
-    std::string text =
-        document.tree() ? document.session().tree.path.filename().string() + " \xE2\x80\x93 ramus" : "ramus";
-    if (document.tree() && document.modified()) text.insert(0, "*");
+    if (!document.tree()) return "ramus";
+    std::string text(document.modified() ? "*" : "");
+    text += document.session().tree.path.filename().string();
+    text += " \xE2\x80\x93 ramus";
     return text;
 }
 

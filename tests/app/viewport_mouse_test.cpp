@@ -1,0 +1,86 @@
+#include "app/tools/viewport_mouse.h"
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+const glm::ivec2 kSize{400, 300};
+} // namespace
+
+TEST_CASE("a press and a release in one place is a click, with what the modifiers make of it") {
+    const auto click = [](Modifiers modifiers) {
+        ViewportMouse mouse;
+        mouse.press(MouseButton::kLeft, modifiers, {50, 60});
+        return mouse.release(MouseButton::kLeft, {51, 60}, 10.0);
+    };
+    REQUIRE(click({}));
+    CHECK(click({})->kind == Click::Kind::kSelect);
+    CHECK(click({})->at == glm::dvec2(51, 60));
+    CHECK(click({.alt = true})->kind == Click::Kind::kSelectWithDependents);
+    CHECK(click({.ctrl = true})->kind == Click::Kind::kToggle);
+    CHECK_FALSE(click({.shift = true})); // the beginning of a pan
+}
+
+TEST_CASE("a drag moves the camera and is no click, a tremor is a click and moves nothing") {
+    const render::Camera camera;
+    ViewportMouse mouse;
+    mouse.press(MouseButton::kLeft, {}, {50, 60});
+    CHECK_FALSE(mouse.move(camera, kSize, {53, 60}));
+    CHECK_FALSE(mouse.dragging());
+    const auto turned = mouse.move(camera, kSize, {70, 60});
+    REQUIRE(turned);
+    CHECK(mouse.dragging());
+    CHECK(turned->focal_point == camera.focal_point);
+    CHECK(glm::distance(turned->position, turned->focal_point) == doctest::Approx(500.0));
+    CHECK_FALSE(mouse.release(MouseButton::kLeft, {50, 60}, 1.0)); // back where it began: still a drag
+    CHECK_FALSE(mouse.held());
+
+    mouse.set_pixel_ratio(2.0);
+    mouse.press(MouseButton::kLeft, {}, {50, 60});
+    CHECK_FALSE(mouse.move(camera, kSize, {57, 60})); // 3.5 points
+    CHECK(mouse.release(MouseButton::kLeft, {57, 60}, 5.0));
+}
+
+TEST_CASE("buttons are those of 3D Slicer") {
+    const render::Camera camera;
+    const auto drag = [&](MouseButton button, Modifiers modifiers) {
+        ViewportMouse mouse;
+        mouse.press(button, modifiers, {200, 150});
+        return mouse.move(camera, kSize, {220, 120}).value();
+    };
+    const auto direction = [](const render::Camera& c) { return glm::normalize(c.focal_point - c.position); };
+    CHECK(direction(drag(MouseButton::kLeft, {})) != direction(camera));
+    for (const render::Camera& panned : {drag(MouseButton::kMiddle, {}), drag(MouseButton::kLeft, {.shift = true})}) {
+        CHECK(glm::distance(direction(panned), direction(camera)) < 1e-12);
+        CHECK(panned.focal_point != camera.focal_point);
+    }
+    const render::Camera nearer = drag(MouseButton::kRight, {}); // upward
+    CHECK(nearer.focal_point == camera.focal_point);
+    CHECK(glm::distance(nearer.position, nearer.focal_point) < 500.0);
+    CHECK(glm::distance(ViewportMouse::wheel(camera, kSize, {200, 150}, 1.0).position, camera.focal_point) < 500.0);
+}
+
+TEST_CASE("the second click of two quick ones centres, a third begins anew") {
+    ViewportMouse mouse;
+    const auto click = [&](double seconds, glm::dvec2 at) {
+        mouse.press(MouseButton::kLeft, {}, at);
+        return mouse.release(MouseButton::kLeft, at, seconds)->kind;
+    };
+    CHECK(click(1.0, {50, 60}) == Click::Kind::kSelect);
+    CHECK(click(1.2, {51, 60}) == Click::Kind::kCentre);
+    CHECK(click(1.4, {50, 60}) == Click::Kind::kSelect);
+    CHECK(click(3.0, {50, 60}) == Click::Kind::kSelect); // too slow
+    CHECK(click(3.2, {90, 60}) == Click::Kind::kSelect); // elsewhere
+}
+
+TEST_CASE("while one button is held another changes nothing") {
+    ViewportMouse mouse;
+    mouse.press(MouseButton::kLeft, {}, {50, 60});
+    mouse.press(MouseButton::kRight, {}, {50, 60});
+    CHECK_FALSE(mouse.release(MouseButton::kRight, {50, 60}, 1.0));
+    CHECK(mouse.held());
+    CHECK(mouse.release(MouseButton::kLeft, {50, 60}, 1.0));
+}

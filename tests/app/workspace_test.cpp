@@ -1,0 +1,141 @@
+#include "app/session_file.h"
+#include "app/tree_source.h"
+#include "app/worker.h"
+#include "app/workspace.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+#include <unistd.h>
+
+using namespace ramus;
+using namespace ramus::app;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("ramus_workspace_test_" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path / name) << text;
+        return path / name;
+    }
+};
+
+constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
+
+// Waits as the window does, without its waiting.
+template <class Condition> bool settle(Workspace& workspace, const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (std::chrono::steady_clock::now() < end) {
+        workspace.update();
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("a worker's results come in drain(), in order, and the newest task wins") {
+    std::atomic<int> wakes{0};
+    Worker worker([&] { ++wakes; });
+    std::vector<int> seen;
+    worker.start("first", [&](Job& job, const Worker::Post& post) {
+        post([&] { seen.push_back(1); });
+        while (!job.cancelled()) std::this_thread::yield();
+        post([&] { seen.push_back(2); }); // too late
+    });
+    while (wakes == 0) std::this_thread::yield();
+    CHECK(seen.empty());
+    worker.drain();
+    CHECK(seen == std::vector<int>{1});
+    CHECK(worker.busy());
+    worker.start("second", [&](Job& job, const Worker::Post& post) {
+        job.report(0.5F);
+        post([&] { seen.push_back(3); });
+        post([&] { seen.push_back(4); });
+    });
+    CHECK(worker.title() == "second");
+    while (worker.busy()) worker.drain();
+    CHECK(seen == std::vector<int>{1, 3, 4});
+}
+
+TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface that was") {
+    const Folder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.document.tree() != nullptr; }));
+    CHECK(workspace.shown().options.method == mesh::Method::kTruncatedCones);
+    REQUIRE(workspace.take_opened());
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    const auto first = workspace.shown().mesh;
+    CHECK(first->triangles.size() > 100);
+
+    Marks finer = workspace.document.marks();
+    finer.options.detail = 24;
+    workspace.document.change(finer);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    CHECK(workspace.shown().mesh->triangles.size() > first->triangles.size());
+    REQUIRE(workspace.document.undo());
+    workspace.update();
+    CHECK(workspace.shown().mesh == first);
+}
+
+TEST_CASE("a file that cannot be read leaves the old tree as it was") {
+    const Folder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    const auto tree = workspace.document.tree();
+    const auto mesh = workspace.shown().mesh;
+    workspace.open(folder.write("bad.swc", "1 3 0 0 0 nan -1\n"));
+    std::optional<Error> error;
+    REQUIRE(settle(workspace, [&] { return (error = workspace.take_error()).has_value(); }));
+    CHECK(error->message().find("bad.swc") != std::string::npos);
+    CHECK(workspace.document.tree() == tree);
+    CHECK(workspace.shown().mesh == mesh);
+}
+
+TEST_CASE("a session opens with its tree; one of another tree is refused") {
+    const Folder folder;
+    const fs::path tree = folder.write("fork.swc", kFork);
+    Session session;
+    session.tree = {tree, checksum_of(tree).value()};
+    session.marks.selection = {1};
+    REQUIRE(write_session(session, folder.path / "s.json"));
+    CHECK(is_session_file(folder.path / "s.json"));
+    CHECK_FALSE(is_session_file(tree));
+    CHECK_FALSE(is_session_file(folder.write("other.json", R"({"points": []})")));
+    CHECK_FALSE(is_session_file(folder.write("junk.json", "{")));
+    Job job;
+    const auto loaded = load(folder.path / "s.json", {}, {}, job);
+    REQUIRE(loaded);
+    CHECK(loaded->session == session);
+    CHECK(loaded->has_camera);
+
+    folder.write("fork.swc", std::string(kFork) + "5 3 0 0 60 1 3\n");
+    CHECK_FALSE(load(folder.path / "s.json", {}, {}, job));
+}
+
+TEST_CASE("facts of a fork are those of its geometry") {
+    const Folder folder;
+    Job job;
+    const auto loaded = load(folder.write("fork.swc", kFork), {}, {}, job);
+    REQUIRE(loaded);
+    const TreeFacts& facts = *loaded->facts;
+    REQUIRE(facts.branches.size() == 3);
+    CHECK(facts.branches[0].dependents == 2);
+    CHECK(facts.branches[0].length_mm == doctest::Approx(20.0));
+    CHECK(facts.branches[0].mean_diameter_mm == doctest::Approx(4.0));
+    CHECK(facts.leaves == 2);
+    CHECK(facts.generations == 2);
+    CHECK(facts.length_mm == doctest::Approx(20.0 + 2.0 * std::sqrt(200.0)));
+    CHECK(path_to(*loaded->tree, 2) == std::vector<int>{0, 2});
+}
