@@ -17,9 +17,11 @@ std::optional<Click> ViewportMouse::release(MouseButton button, glm::dvec2 at, d
     if (held_ != button) return {};
     held_.reset();
     if (dragging_ || button != MouseButton::kLeft) return {};
-    const bool second = seconds - last_click_seconds_ < kDoubleClickSeconds &&
+    // Only plain clicks make a double-click: a quick Alt+click after a click still takes all that depends on it.
+    const bool plain = !modifiers_.alt && !modifiers_.ctrl && !modifiers_.shift;
+    const bool second = plain && seconds - last_click_seconds_ < kDoubleClickSeconds &&
                         glm::distance(at, last_click_at_) < kDragThreshold * pixel_ratio_;
-    last_click_seconds_ = second ? -1e9 : seconds; // a third click begins anew
+    last_click_seconds_ = plain && !second ? seconds : -1e9; // a third click begins anew
     last_click_at_ = at;
     if (second) return Click{Click::Kind::kCentre, at};
     if (modifiers_.alt) return Click{Click::Kind::kSelectWithDependents, at};

@@ -76,6 +76,19 @@ TEST_CASE("the second click of two quick ones centres, a third begins anew") {
     CHECK(click(3.2, {90, 60}) == Click::Kind::kSelect); // elsewhere
 }
 
+TEST_CASE("a click with a key held is never half of a double-click") {
+    ViewportMouse mouse;
+    const auto click = [&](double seconds, Modifiers modifiers) {
+        mouse.press(MouseButton::kLeft, modifiers, {50, 60});
+        return mouse.release(MouseButton::kLeft, {50, 60}, seconds)->kind;
+    };
+    CHECK(click(1.0, {}) == Click::Kind::kSelect);
+    CHECK(click(1.1, {.alt = true}) == Click::Kind::kSelectWithDependents);
+    CHECK(click(1.2, {.ctrl = true}) == Click::Kind::kToggle);
+    CHECK(click(1.3, {}) == Click::Kind::kSelect);
+    CHECK(click(1.4, {}) == Click::Kind::kCentre);
+}
+
 TEST_CASE("while one button is held another changes nothing") {
     ViewportMouse mouse;
     mouse.press(MouseButton::kLeft, {}, {50, 60});
