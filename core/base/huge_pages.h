@@ -12,15 +12,19 @@
 
 namespace ramus {
 
+inline void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef __linux__
+    constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
 // Like array.resize(count) for an empty array, on large pages where they pay.
 template <class T> void resize_large(std::vector<T>& array, std::size_t count) {
     array.reserve(count);
-#ifdef __linux__
-    constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(array.data()) + kPage - 1) / kPage * kPage;
-    const auto end = reinterpret_cast<std::uintptr_t>(array.data() + array.capacity()) / kPage * kPage;
-    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#endif
+    prefer_huge_pages(array.data(), array.capacity() * sizeof(T));
     array.resize(count);
 }
 

@@ -24,14 +24,14 @@ using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
 // exp(-q) for q in [0, 80].
-HWY_INLINE V exp_negative(D d, V q) {
-    const hn::RebindToSigned<D> di;
-    const V scaled = hn::Mul(q, hn::Set(d, -1.44269504F));
-    const V whole = hn::Round(scaled);
+template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec exp_negative(Tag d, Vec q) {
+    const hn::RebindToSigned<Tag> di;
+    const Vec scaled = hn::Mul(q, hn::Set(d, -1.44269504F));
+    const Vec whole = hn::Round(scaled);
     // ln 2 in two parts keeps the reduced argument exact.
-    V f = hn::NegMulAdd(whole, hn::Set(d, 0.693359375F), hn::Neg(q));
+    Vec f = hn::NegMulAdd(whole, hn::Set(d, 0.693359375F), hn::Neg(q));
     f = hn::NegMulAdd(whole, hn::Set(d, -2.12194440e-4F), f);
-    V p = hn::MulAdd(f, hn::Set(d, 1.0F / 720.0F), hn::Set(d, 1.0F / 120.0F));
+    Vec p = hn::MulAdd(f, hn::Set(d, 1.0F / 720.0F), hn::Set(d, 1.0F / 120.0F));
     p = hn::MulAdd(p, f, hn::Set(d, 1.0F / 24.0F));
     p = hn::MulAdd(p, f, hn::Set(d, 1.0F / 6.0F));
     p = hn::MulAdd(p, f, hn::Set(d, 0.5F));
@@ -41,12 +41,14 @@ HWY_INLINE V exp_negative(D d, V q) {
     return hn::Mul(p, hn::BitCast(d, exponent));
 }
 
+inline constexpr float kErrorFunctionEnd = 3.5F;
+
 // erf(x) as x times a polynomial in x^2 (degree 12, interpolated at the Chebyshev nodes of [0, 3.5^2]); beyond 3.5 the
 // function is constant to 7.4e-7.
-HWY_INLINE V error_function(D d, V x) {
-    const V c = hn::Max(hn::Min(x, hn::Set(d, 3.5F)), hn::Set(d, -3.5F));
-    const V z = hn::MulSub(hn::Mul(c, c), hn::Set(d, 0.16326530612244897F), hn::Set(d, 1.0F));
-    V p = hn::Set(d, 0.0017147183F);
+template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec error_function(Tag d, Vec x) {
+    const Vec c = hn::Max(hn::Min(x, hn::Set(d, kErrorFunctionEnd)), hn::Set(d, -kErrorFunctionEnd));
+    const Vec z = hn::MulSub(hn::Mul(c, c), hn::Set(d, 0.16326530612244897F), hn::Set(d, 1.0F));
+    Vec p = hn::Set(d, 0.0017147183F);
     p = hn::MulAdd(p, z, hn::Set(d, -0.00413279235F));
     p = hn::MulAdd(p, z, hn::Set(d, 0.00384824956F));
     p = hn::MulAdd(p, z, hn::Set(d, -0.00686586695F));
@@ -105,10 +107,10 @@ HWY_INLINE Foot find_foot(D d, const Segment& s, V sqrt_w, V px, V py, V pz) {
 }
 
 // Smooth step from 1 at kFadeBegin to exactly 0 at kFadeEnd, and its derivative with respect to rho.
-HWY_INLINE V fade(D d, V rho) {
-    const V x = hn::Mul(hn::Sub(hn::Set(d, static_cast<float>(kFadeEnd)), rho),
-                        hn::Set(d, static_cast<float>(1.0 / (kFadeEnd - kFadeBegin))));
-    const V c = hn::Max(hn::Min(x, hn::Set(d, 1.0F)), hn::Zero(d));
+template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec fade(Tag d, Vec rho) {
+    const Vec x = hn::Mul(hn::Sub(hn::Set(d, static_cast<float>(kFadeEnd)), rho),
+                          hn::Set(d, static_cast<float>(1.0 / (kFadeEnd - kFadeBegin))));
+    const Vec c = hn::Max(hn::Min(x, hn::Set(d, 1.0F)), hn::Zero(d));
     return hn::Mul(hn::Mul(c, c), hn::NegMulAdd(hn::Set(d, 2.0F), c, hn::Set(d, 3.0F)));
 }
 
@@ -121,22 +123,6 @@ HWY_INLINE V fade_slope(D d, V rho) {
 }
 
 HWY_INLINE M inside_support(D d, V rho) { return hn::Lt(rho, hn::Set(d, static_cast<float>(kFadeEnd))); }
-
-// The bracket of eq. 10, halved: between 0 and 1.
-HWY_INLINE V end_filter(D d, const Segment& s, const Foot& f, V saturated) {
-    const V a = hn::Mul(f.t, f.scale);
-    const V b = hn::Mul(hn::Sub(s.length, f.t), f.scale);
-    // Far from both ends, as most points of a long segment are. `saturated` is error_function(3.5) to the last bit, so
-    // that a point gets the same value whatever its neighbours in the vector are.
-    if (hn::AllTrue(d, hn::Ge(hn::Min(a, b), hn::Set(d, 3.5F)))) return saturated;
-    return hn::Mul(hn::Set(d, 0.5F), hn::Add(error_function(d, a), error_function(d, b)));
-}
-
-// h at the foot; zero outside the support.
-HWY_INLINE V kernel_value(D d, const Segment& s, const Foot& f, V saturated) {
-    const V q = hn::Min(f.q, hn::Set(d, 40.0F));
-    return hn::Mul(hn::Mul(exp_negative(d, q), fade(d, f.rho)), end_filter(d, s, f, saturated));
-}
 
 // h and its gradient: grad h = radial * (qx, qy, qz) + axial * u.
 struct KernelGradient {

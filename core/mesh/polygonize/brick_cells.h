@@ -2,8 +2,9 @@
 // find them from outside. Filled brick by brick (fill_bricks), read by the pass that joins vertices into triangles.
 #pragma once
 
-#include "core/mesh/polygonize/brick_set.h"
+#include "core/field/projection.h"
 #include "core/mesh/polygonize/cell_loops.h"
+#include "core/mesh/polygonize/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>
@@ -15,18 +16,6 @@ namespace ramus::mesh::bricks {
 
 inline constexpr int kCellsPerBrick = kBrickCells * kBrickCells * kBrickCells;
 constexpr int cell_index(int x, int y, int z) { return x + 4 * y + 16 * z; }
-constexpr int direction_index(int x, int y, int z) { return (x + 1) + 3 * (y + 1) + 9 * (z + 1); }
-inline constexpr int kDirections = 27;
-inline constexpr int kSelf = 13;
-
-enum class Neighbour : std::uint8_t { kAbsent, kSame, kCoarser, kFiner };
-
-// The 26 places around a brick: absent means free of surface, finer that cubes of a lower level are
-// there, though some of them, or all that touch, may be free of surface.
-struct Neighbourhood {
-    std::array<std::uint32_t, kDirections> brick{}; // kNone unless same or coarser
-    std::array<Neighbour, kDirections> kind{};
-};
 
 // A vertex on an arc between two cells that would otherwise be joined twice.
 struct ArcVertex {
@@ -35,7 +24,7 @@ struct ArcVertex {
     std::uint16_t vertex = 0;
 };
 
-// Cells that corner signs alone do not describe.
+// Cells that have more than one vertex, or may have.
 struct CellRecord {
     std::array<std::uint8_t, kQuarterPoints> loop_of{};
     std::uint32_t arcs_begin = 0; // into BrickChunk::arc_vertices
@@ -66,13 +55,12 @@ inline constexpr std::array<GridBits, 3> kEdgeStarts{grid_points_below(4, 5, 5),
 inline constexpr GridBits kCellCorners = grid_points_below(4, 4, 4);
 
 struct BrickCells {
-    std::array<std::uint8_t, kCellsPerBrick> mask{};   // corner signs of each cell
-    std::array<std::uint16_t, kCellsPerBrick> first{}; // first vertex of each cell within the brick, or kNoVertex
-    std::array<std::uint64_t, 2> inside{};             // sign of each of the 125 grid points
-    std::uint64_t recorded = 0;                        // bit per cell: described by a record
-    std::uint32_t first_record = 0;                    // in the chunk
-    std::uint32_t first_vertex = 0;                    // in the chunk, later in the mesh
-    bool crossed = false;
+    std::array<std::uint16_t, kCellsPerBrick> first; // first vertex of each cell within the brick, or kNoVertex
+    std::array<std::uint64_t, 2> inside;             // sign of each of the 125 grid points
+    std::uint64_t recorded;                          // bit per cell: described by a record; others have one vertex
+    std::uint32_t first_record;                      // in the chunk
+    std::uint32_t first_vertex;                      // in the chunk, later in the mesh
+    bool crossed;                                    // if not, all but this and `inside` is left unset
 
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
 };
@@ -92,8 +80,8 @@ struct BrickChunk {
 };
 
 struct SurfaceCells {
-    std::vector<Neighbourhood> neighbours; // by brick
-    std::vector<BrickCells> cells;         // by brick
+    UnsetArray<Neighbourhood> neighbours; // by brick
+    UnsetArray<BrickCells> cells;         // by brick
     std::vector<BrickChunk> chunks;
 
     [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
@@ -102,12 +90,12 @@ struct SurfaceCells {
     [[nodiscard]] const CellRecord& record(std::uint32_t brick, int cell) const;
     // Vertex (within the mesh once first_vertex is) of the loop through a minimal edge, named by its midpoint.
     [[nodiscard]] std::uint32_t vertex(std::uint32_t brick, int cell, int edge_midpoint) const;
-    [[nodiscard]] std::uint32_t vertex_of_whole_edge(std::uint32_t brick, int cell, int edge) const;
 };
 
 // Samples every brick, finds the loops of its cells and places their vertices on the surface. Incomplete when
 // cancelled.
-[[nodiscard]] SurfaceCells fill_bricks(const field::ConvolutionField& field, const BrickSet& set, Job& job);
+[[nodiscard]] SurfaceCells fill_bricks(const field::ConvolutionField& field, const Octree& octree,
+                                       UnsetArray<Neighbourhood> neighbours, Job& job);
 
 // Moves the points of a brick's `projection` onto the surface and appends them to the chunk's vertices.
 void append_projected(const field::ConvolutionField& field, std::span<const std::uint32_t> list,

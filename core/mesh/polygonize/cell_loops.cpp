@@ -16,40 +16,6 @@ Point3 midpoint(const Point3& a, const Point3& b) {
     return {{(a.c[0] + b.c[0]) / 2, (a.c[1] + b.c[1]) / 2, (a.c[2] + b.c[2]) / 2}};
 }
 
-bool is_inside(const CellShape& shape, const Point3& p) {
-    return (shape.inside >> (p.c[0] / 2 + 3 * (p.c[1] / 2) + 9 * (p.c[2] / 2)) & 1U) != 0;
-}
-
-std::array<EdgeGeometry, 12> make_edges() {
-    std::array<EdgeGeometry, 12> edges{};
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int side = 0; side < 4; ++side) {
-            Point3 from{};
-            from.c[(axis + 1) % 3] = side & 1;
-            from.c[(axis + 2) % 3] = side >> 1;
-            Point3 to = from;
-            to.c[axis] = 1;
-            Point3 mid{{4 * from.c[0], 4 * from.c[1], 4 * from.c[2]}};
-            mid.c[axis] = 2;
-            const auto corner = [](const Point3& p) {
-                return static_cast<std::uint8_t>(p.c[0] + 2 * p.c[1] + 4 * p.c[2]);
-            };
-            edges[static_cast<std::size_t>(4 * axis + side)] = {corner(from), corner(to),
-                                                                static_cast<std::uint8_t>(index_of(mid))};
-        }
-    }
-    return edges;
-}
-
-// The ring of points around a minimal face, and the face's centre.
-struct Ring {
-    int size = 0;
-    std::array<Point3, 8> points{};
-    Point3 centre{};
-    int face = 0;
-    bool whole = true;
-};
-
 int edge_between(const Point3& a, const Point3& b) {
     for (int axis = 0; axis < 3; ++axis) {
         if (a.c[axis] == b.c[axis]) continue;
@@ -58,42 +24,66 @@ int edge_between(const Point3& a, const Point3& b) {
     return -1;
 }
 
-void collect_rings(const CellShape& shape, std::array<Ring, 24>& rings, int& count) {
-    count = 0;
+// A point on the ring around a face, as a bit of CellShape::inside, and the minimal edge from it to the next.
+struct RingPoint {
+    std::uint8_t bit, midpoint;
+};
+// A side of a whole face: one edge, or two where it is split.
+struct RingSide {
+    std::uint8_t edge;
+    RingPoint whole;
+    std::array<RingPoint, 2> halves;
+};
+// A face of a cell, counter-clockwise seen from outside for its upper side, and its four quarters.
+struct FaceRings {
+    std::array<RingSide, 4> sides;
+    std::uint8_t centre;
+    std::array<std::array<RingPoint, 4>, 4> quarters;
+    std::array<std::uint8_t, 4> quarter_centres;
+};
+
+std::array<FaceRings, 6> make_faces() {
+    const auto bit_of = [](const Point3& p) {
+        return static_cast<std::uint8_t>(p.c[0] / 2 + 3 * (p.c[1] / 2) + 9 * (p.c[2] / 2));
+    };
+    const auto point = [&](const Point3& from, const Point3& to) {
+        return RingPoint{bit_of(from), static_cast<std::uint8_t>(index_of(midpoint(from, to)))};
+    };
     constexpr int kCorner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    std::array<FaceRings, 6> faces{};
     for (int face = 0; face < 6; ++face) {
-        const int axis = face / 2;
-        const int u = (axis + 1) % 3;
-        const int v = (axis + 2) % 3;
-        const bool split = (shape.split_faces >> face & 1) != 0;
-        const int pieces = split ? 4 : 1;
-        for (int piece = 0; piece < pieces; ++piece) {
-            Ring& ring = rings[static_cast<std::size_t>(count++)];
-            ring = {};
-            ring.face = face;
-            ring.whole = !split;
-            const int edge = split ? 2 : 4;
-            Point3 base{};
-            base.c[axis] = face & 1 ? 4 : 0;
-            base.c[u] = split ? 2 * (piece & 1) : 0;
-            base.c[v] = split ? 2 * (piece >> 1) : 0;
-            ring.centre = base;
-            ring.centre.c[u] += edge / 2;
-            ring.centre.c[v] += edge / 2;
-            for (int n = 0; n < 4; ++n) {
-                Point3 a = base;
-                a.c[u] += edge * kCorner[n][0];
-                a.c[v] += edge * kCorner[n][1];
-                Point3 b = base;
-                b.c[u] += edge * kCorner[(n + 1) % 4][0];
-                b.c[v] += edge * kCorner[(n + 1) % 4][1];
-                ring.points[static_cast<std::size_t>(ring.size++)] = a;
-                if (!split && (shape.split_edges >> edge_between(a, b) & 1) != 0)
-                    ring.points[static_cast<std::size_t>(ring.size++)] = midpoint(a, b);
+        const int u = (face / 2 + 1) % 3;
+        const int v = (face / 2 + 2) % 3;
+        const auto at = [&](int along_u, int along_v) {
+            Point3 p{};
+            p.c[face / 2] = (face & 1) != 0 ? 4 : 0;
+            p.c[u] = along_u;
+            p.c[v] = along_v;
+            return p;
+        };
+        FaceRings& rings = faces[static_cast<std::size_t>(face)];
+        rings.centre = static_cast<std::uint8_t>(index_of(at(2, 2)));
+        for (int n = 0; n < 4; ++n) {
+            const auto i = static_cast<std::size_t>(n);
+            const int* from = kCorner[n];
+            const int* to = kCorner[(n + 1) % 4];
+            const Point3 a = at(4 * from[0], 4 * from[1]);
+            const Point3 b = at(4 * to[0], 4 * to[1]);
+            const Point3 m = midpoint(a, b);
+            rings.sides[i] = {static_cast<std::uint8_t>(edge_between(a, b)), point(a, b), {point(a, m), point(m, b)}};
+            for (int quarter = 0; quarter < 4; ++quarter) {
+                const int du = 2 * (quarter & 1);
+                const int dv = 2 * (quarter >> 1);
+                const auto q = static_cast<std::size_t>(quarter);
+                rings.quarters[q][i] =
+                    point(at(du + 2 * from[0], dv + 2 * from[1]), at(du + 2 * to[0], dv + 2 * to[1]));
+                rings.quarter_centres[q] = static_cast<std::uint8_t>(index_of(at(du + 1, dv + 1)));
             }
         }
     }
+    return faces;
 }
+const std::array<FaceRings, 6> kFaces = make_faces();
 
 struct Arc {
     std::uint8_t first, second;
@@ -101,80 +91,94 @@ struct Arc {
     bool shared; // one of several on a whole face
 };
 
+struct Arcs {
+    std::array<Arc, 48> arc;
+    int count = 0;
+};
+
 // Pairs up the crossings of one ring. Crossings alternate between leaving and entering the inside; with four or more
 // the centre decides whether the inside or the outside is connected across the face.
-void add_arcs(const CellShape& shape, const Ring& ring, const std::function<bool(int)>& inside_at,
-              std::array<Arc, 48>& arcs, int& arc_count) {
-    std::array<std::uint8_t, 8> edge{};
-    std::array<bool, 8> leaving{};
-    int crossings = 0;
-    for (int n = 0; n < ring.size; ++n) {
-        const Point3& a = ring.points[static_cast<std::size_t>(n)];
-        const Point3& b = ring.points[static_cast<std::size_t>((n + 1) % ring.size)];
-        const bool ia = is_inside(shape, a);
-        if (ia == is_inside(shape, b)) continue;
-        edge[static_cast<std::size_t>(crossings)] = static_cast<std::uint8_t>(index_of(midpoint(a, b)));
-        leaving[static_cast<std::size_t>(crossings++)] = ia;
+template <std::size_t N>
+void add_arcs(std::uint32_t inside, const std::array<RingPoint, N>& ring, std::size_t size, std::uint8_t centre,
+              std::uint8_t face, bool whole, FaceCentres& centres, Arcs& arcs) {
+    std::array<std::uint8_t, N> edge;
+    std::size_t crossings = 0;
+    bool first_leaves = false;
+    bool sign = (inside >> ring[0].bit & 1U) != 0;
+    for (std::size_t n = 0; n < size; ++n) {
+        const bool next = (inside >> ring[n + 1 < size ? n + 1 : 0].bit & 1U) != 0;
+        if (sign != next) {
+            if (crossings == 0) first_leaves = sign;
+            edge[crossings++] = ring[n].midpoint;
+        }
+        sign = next;
     }
     if (crossings == 0) return;
     // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
-    const bool start_leaving = crossings == 2 ? leaving[0] : inside_at(index_of(ring.centre));
-    const int start = leaving[0] == start_leaving ? 0 : 1;
-    for (int n = 0; n < crossings; n += 2) {
-        const auto first = static_cast<std::size_t>((start + n) % crossings);
-        const auto second = static_cast<std::size_t>((start + n + 1) % crossings);
-        arcs[static_cast<std::size_t>(arc_count++)] = {edge[first], edge[second], static_cast<std::uint8_t>(ring.face),
-                                                       ring.whole && crossings > 2};
+    bool start_leaving = first_leaves;
+    if (crossings > 2) {
+        start_leaving = (centres.inside >> centres.count & 1U) != 0;
+        centres.centre[static_cast<std::size_t>(centres.count++)] = centre;
     }
+    const std::size_t start = first_leaves == start_leaving ? 0 : 1;
+    for (std::size_t n = 0; n < crossings; n += 2)
+        arcs.arc[static_cast<std::size_t>(arcs.count++)] = {
+            edge[(start + n) % crossings], edge[(start + n + 1) % crossings], face, whole && crossings > 2};
 }
 
-std::array<CornerCase, 256> make_corner_cases() {
-    std::array<CornerCase, 256> cases{};
+Arcs collect_arcs(const CellShape& shape, FaceCentres& centres) {
+    Arcs arcs;
+    centres.count = 0;
+    for (std::uint8_t face = 0; face < 6; ++face) {
+        const FaceRings& rings = kFaces[face];
+        if ((shape.split_faces >> face & 1) != 0) {
+            for (std::size_t quarter = 0; quarter < 4; ++quarter)
+                add_arcs(shape.inside, rings.quarters[quarter], 4, rings.quarter_centres[quarter], face, false, centres,
+                         arcs);
+            continue;
+        }
+        std::array<RingPoint, 8> ring;
+        std::size_t size = 0;
+        for (const RingSide& side : rings.sides) {
+            if ((shape.split_edges >> side.edge & 1) != 0) {
+                ring[size++] = side.halves[0];
+                ring[size++] = side.halves[1];
+            } else {
+                ring[size++] = side.whole;
+            }
+        }
+        add_arcs(shape.inside, ring, size, rings.centre, face, true, centres, arcs);
+    }
+    return arcs;
+}
+
+std::array<bool, 256> find_plain_cells() {
+    std::array<bool, 256> plain{};
     for (unsigned mask = 0; mask < 256; ++mask) {
-        CornerCase& entry = cases[mask];
         CellShape shape;
         for (unsigned corner = 0; corner < 8; ++corner)
             if (mask >> corner & 1U)
                 shape.inside |= 1U << (2 * (corner & 1) + 6 * (corner >> 1 & 1) + 18 * (corner >> 2));
-        bool ambiguous = false;
-        const CellLoops loops = trace_loops(shape, [&](int centre) {
-            ambiguous = true;
-            const int c[3] = {centre % 5, centre / 5 % 5, centre / 25};
-            for (int axis = 0; axis < 3; ++axis)
-                if (c[axis] != 2)
-                    entry.ambiguous_faces |= static_cast<std::uint8_t>(1 << (2 * axis + (c[axis] == 4 ? 1 : 0)));
-            return false;
-        });
-        if (ambiguous) continue;
-        entry.loop_count = static_cast<std::uint8_t>(loops.loop_count);
-        for (std::size_t e = 0; e < 12; ++e) {
-            entry.loop_of_edge[e] = loops.loop_of[kEdges[e].midpoint];
-            if (entry.loop_of_edge[e] != kNoLoop)
-                entry.crossed_edges[entry.edge_count++] = static_cast<std::uint8_t>(e);
-        }
+        FaceCentres centres;
+        const CellLoops loops = trace_loops(shape, centres);
+        plain[mask] = centres.count == 0 && loops.loop_count == 1;
     }
-    return cases;
+    return plain;
 }
 
 } // namespace
 
-const std::array<EdgeGeometry, 12> kEdges = make_edges();
-
-CellLoops trace_loops(const CellShape& shape, const std::function<bool(int)>& inside_at) {
-    std::array<Ring, 24> rings;
-    int ring_count = 0;
-    collect_rings(shape, rings, ring_count);
-    std::array<Arc, 48> arcs;
-    int arc_count = 0;
-    for (int n = 0; n < ring_count; ++n)
-        add_arcs(shape, rings[static_cast<std::size_t>(n)], inside_at, arcs, arc_count);
+CellLoops trace_loops(const CellShape& shape, FaceCentres& centres) {
+    const Arcs found = collect_arcs(shape, centres);
+    const auto& arcs = found.arc;
+    const int arc_count = found.count;
 
     // Every crossed edge lies on two minimal faces, so it ends two arcs.
     std::array<std::array<std::int8_t, 2>, kQuarterPoints> ends;
-    for (auto& pair : ends) pair = {-1, -1};
+    ends.fill({-1, -1});
     for (int n = 0; n < arc_count; ++n) {
-        for (const std::uint8_t edge :
-             {arcs[static_cast<std::size_t>(n)].first, arcs[static_cast<std::size_t>(n)].second}) {
+        const Arc& arc = arcs[static_cast<std::size_t>(n)];
+        for (const std::uint8_t edge : {arc.first, arc.second}) {
             auto& pair = ends[edge];
             assert(pair[1] == -1);
             pair[pair[0] == -1 ? 0 : 1] = static_cast<std::int8_t>(n);
@@ -210,7 +214,7 @@ CellLoops trace_loops(const CellShape& shape, const std::function<bool(int)>& in
     return loops;
 }
 
-// After trace_loops and kEdges, which it needs.
-const std::array<CornerCase, 256> kCornerCases = make_corner_cases();
+// After kFaces, which it needs.
+const std::array<bool, 256> kPlainCells = find_plain_cells();
 
 } // namespace ramus::mesh::bricks

@@ -10,34 +10,31 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace ramus::mesh::bricks {
 
 inline constexpr int kQuarterPoints = 125;
 inline constexpr std::uint8_t kNoLoop = 0xFF;
+inline constexpr std::size_t kMostLoops = 16; // a loop has three crossings or more, of at most 48 minimal edges
 
 constexpr int quarter_index(int x, int y, int z) { return x + 5 * y + 25 * z; }
 
 // Edges 0..11: 4 axis + u + 2 v, where u and v (0 or 1) place it on the other two axes in cyclic order
 // (x: y z, y: z x, z: x y).
-struct EdgeGeometry {
-    std::uint8_t from = 0, to = 0; // corners, bit 0 = x, bit 1 = y, bit 2 = z
-    std::uint8_t midpoint = 0;     // quarter index
-};
-extern const std::array<EdgeGeometry, 12> kEdges;
+constexpr int edge_midpoint(int edge) {
+    int c[3] = {0, 0, 0};
+    c[edge / 4] = 2;
+    c[(edge / 4 + 1) % 3] = 4 * (edge & 1);
+    c[(edge / 4 + 2) % 3] = 4 * (edge >> 1 & 1);
+    return quarter_index(c[0], c[1], c[2]);
+}
 
-// Corner signs alone decide a cell without hanging corners and ambiguous faces.
-struct CornerCase {
-    std::uint8_t loop_count = 0;
-    std::uint8_t ambiguous_faces = 0; // bit 2 axis + side; loops are not filled in where any is set
-    std::uint8_t edge_count = 0;
-    std::array<std::uint8_t, 12> crossed_edges{}; // the first edge_count entries
-    std::array<std::uint8_t, 12> loop_of_edge{};  // kNoLoop where the edge is not crossed
-};
-extern const std::array<CornerCase, 256> kCornerCases;
+// By the signs of the corners (bit 1 = x, 2 = y, 4 = z of the bit's number): crossed in exactly one loop, whatever the
+// signs at the centres of the faces, if no corners hang.
+extern const std::array<bool, 256> kPlainCells;
 
 // A cell with its neighbourhood.
 struct CellShape {
@@ -59,8 +56,15 @@ struct CellLoops {
     std::vector<FaceArc> shared_arcs;
 };
 
-// Traces the loops. `inside_at(quarter index)` tells the sign at the centre of a face with four or more crossings,
-// which decides how they pair up.
-[[nodiscard]] CellLoops trace_loops(const CellShape& shape, const std::function<bool(int)>& inside_at);
+// Centres of minimal faces with four or more crossings: their signs decide how the crossings pair up.
+struct FaceCentres {
+    std::array<std::uint8_t, 24> centre{}; // quarter indices
+    int count = 0;
+    std::uint32_t inside = 0; // bit n: the n-th centre is inside
+};
+
+// Traces the loops. Goes by the signs in `centres.inside`, and lists there the centres that it went by, in the same
+// order whatever their signs.
+[[nodiscard]] CellLoops trace_loops(const CellShape& shape, FaceCentres& centres);
 
 } // namespace ramus::mesh::bricks

@@ -7,7 +7,7 @@
 namespace ramus::mesh::bricks {
 
 // Closed, oriented, edge- and vertex-manifold by construction. `surface` is consumed. Empty when cancelled.
-[[nodiscard]] TriangleMesh join_triangles(const field::ConvolutionField& field, const BrickSet& set,
+[[nodiscard]] TriangleMesh join_triangles(const field::ConvolutionField& field, const Octree& octree,
                                           SurfaceCells surface, Job& job);
 
 } // namespace ramus::mesh::bricks

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <unistd.h>
+#include <utility>
 
 namespace ramus::mesh {
 
@@ -27,7 +28,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const PolygonizeOptions& options, Job& job,
                                 PolygonizeStatistics* statistics) {
     if (field.segments().size() == 0) return fail("the tree has no segments", {}, "nothing to make a surface of");
-    const field::CullingArrays culling(field);
+    const field::CullingSegments culling(field);
     const bricks::Sizing sizing = bricks::make_sizing(field, culling.origin, options.detail, options.cell_mm);
     const double limit = options.max_triangles > 0.0 ? options.max_triangles : default_triangle_limit();
     const char* remedy = options.cell_mm > 0.0 ? "raise --cell" : "lower --detail, or prune with --prune";
@@ -41,19 +42,20 @@ Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const Poly
 
     PolygonizeStatistics figures;
     auto start = std::chrono::steady_clock::now();
-    const bricks::BrickSet set = bricks::build_bricks(field, culling, sizing, job);
+    const bricks::Octree octree = bricks::build_octree(field, culling, sizing, job);
+    auto neighbours = bricks::find_neighbours(octree);
     figures.bricks_s = seconds_since(start);
-    figures.bricks = set.bricks.size();
+    figures.bricks = octree.bricks.size();
     job.report(0.15F);
 
     start = std::chrono::steady_clock::now();
-    bricks::SurfaceCells cells = bricks::fill_bricks(field, set, job);
+    bricks::SurfaceCells cells = bricks::fill_bricks(field, octree, std::move(neighbours), job);
     for (const auto& chunk : cells.chunks) figures.evaluations += chunk.evaluations, figures.samples += chunk.samples;
     figures.cells_s = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
     TriangleMesh mesh;
-    if (!job.cancelled()) mesh = bricks::join_triangles(field, set, std::move(cells), job);
+    if (!job.cancelled()) mesh = bricks::join_triangles(field, octree, std::move(cells), job);
     figures.join_s = seconds_since(start);
     if (job.cancelled()) return fail("cancelled");
     job.report(1.0F);

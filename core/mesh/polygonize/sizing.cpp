@@ -9,14 +9,12 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr float kSlope = 0.14F;     // below 1 / (4 sqrt 3), see the proof
 constexpr double kReachRadii = 1.4; // how far a vessel's own surface and its blends extend, in radii (width 5)
 constexpr double kPieceRatio = 1.2; // radii within a piece differ by no more
 constexpr double kRunBend = 0.25;   // how far a piece's segments may lie from its chord, in radii
 // Cell sizes are powers of two apart: the nearest to what is asked for is taken, so up to this much more. Cells around
 // the thinnest vessel are exactly as asked.
 constexpr double kRounding = 1.4142135623730951;
-constexpr float kSqrt3Half = 0.8660254F;
 
 // A run of consecutive segments that one piece can stand for: nearly straight, nearly one radius.
 struct Run {
@@ -105,25 +103,6 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
         i = run.last + 1;
     }
     return sizing;
-}
-
-void active_pieces(const Sizing& sizing, const std::vector<std::uint32_t>& pieces, glm::vec3 centre, float side_mm,
-                   std::vector<std::uint32_t>& active) {
-    active.resize(pieces.size());
-    std::size_t count = 0;
-    // The factor keeps a brick whose cells are as wanted, to within rounding, whole.
-    const float cell = 0.25F * side_mm * 0.9999F;
-    const float ball = kSqrt3Half * side_mm;
-    for (const std::uint32_t index : pieces) {
-        const SizingPiece& piece = sizing.pieces[index];
-        const glm::vec3 offset = centre - piece.start;
-        const float t = std::clamp(glm::dot(offset, piece.direction), 0.0F, piece.length);
-        const glm::vec3 gap = offset - t * piece.direction;
-        const float near = piece.reach_mm + ball + std::max(0.0F, (cell - piece.cell_mm) / kSlope);
-        active[count] = index;
-        count += piece.cell_mm < cell && glm::dot(gap, gap) < near * near ? 1 : 0;
-    }
-    active.resize(count);
 }
 
 } // namespace ramus::mesh::bricks

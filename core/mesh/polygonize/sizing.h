@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 namespace ramus::mesh::bricks {
@@ -26,7 +27,8 @@ struct SizingPiece {
 };
 
 struct Sizing {
-    std::vector<SizingPiece> pieces; // empty: one cell size everywhere
+    static constexpr float kSlope = 0.14F; // below 1 / (4 sqrt 3), see the proof
+    std::vector<SizingPiece> pieces;       // empty: one cell size everywhere
     double finest_cell_mm = 0.0;
     double expected_triangles = 0.0; // a rough forecast, for refusing what cannot fit
 };
@@ -35,8 +37,10 @@ struct Sizing {
 // to.
 [[nodiscard]] Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm);
 
-// Of `pieces`, those that ask a brick at `centre` with edge `side_mm` for cells smaller than its own.
-void active_pieces(const Sizing& sizing, const std::vector<std::uint32_t>& pieces, glm::vec3 centre, float side_mm,
-                   std::vector<std::uint32_t>& active);
+// Which of `pieces` ask the children of the cube at `middle` (mm, relative to the culling origin), bricks with edge
+// `child_side`, for cells smaller than their own: one bit per child for each piece, children numbered as in
+// field/culling.h.
+void active_children(const Sizing& sizing, std::span<const std::uint32_t> pieces, glm::vec3 middle, float child_side,
+                     std::span<std::uint8_t> active);
 
 } // namespace ramus::mesh::bricks

@@ -1,0 +1,73 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/active_children.cpp"
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
+#include "core/field/culling.h"
+#include "core/mesh/polygonize/sizing.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::mesh::bricks::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+void ActiveChildren(const SizingPiece* all, const std::uint32_t* pieces, std::size_t count, glm::vec3 middle,
+                    float child_side, std::uint8_t* HWY_RESTRICT active) {
+    const hn::CappedTag<float, field::kChildren> d;
+    using V = hn::Vec<decltype(d)>;
+    const std::size_t lanes = hn::Lanes(d);
+    alignas(32) float x[field::kChildren], y[field::kChildren], z[field::kChildren];
+    for (int c = 0; c < field::kChildren; ++c) {
+        x[c] = middle.x + ((c & 1) != 0 ? 0.5F : -0.5F) * child_side;
+        y[c] = middle.y + ((c & 2) != 0 ? 0.5F : -0.5F) * child_side;
+        z[c] = middle.z + ((c & 4) != 0 ? 0.5F : -0.5F) * child_side;
+    }
+    // The factor keeps a brick whose cells are as wanted, to within rounding, whole.
+    const float cell = 0.25F * child_side * 0.9999F;
+    constexpr float kSqrt3Half = 0.8660254F;
+    const float ball = kSqrt3Half * child_side;
+    for (std::size_t m = 0; m < count; ++m) active[m] = 0;
+    for (std::size_t first = 0; first < field::kChildren; first += lanes) {
+        const V cx = hn::Load(d, x + first);
+        const V cy = hn::Load(d, y + first);
+        const V cz = hn::Load(d, z + first);
+        for (std::size_t m = 0; m < count; ++m) {
+            const SizingPiece& piece = all[pieces[m]];
+            if (piece.cell_mm >= cell) continue;
+            const V ux = hn::Set(d, piece.direction.x);
+            const V uy = hn::Set(d, piece.direction.y);
+            const V uz = hn::Set(d, piece.direction.z);
+            const V px = hn::Sub(cx, hn::Set(d, piece.start.x));
+            const V py = hn::Sub(cy, hn::Set(d, piece.start.y));
+            const V pz = hn::Sub(cz, hn::Set(d, piece.start.z));
+            const V t = hn::Min(hn::Max(hn::MulAdd(pz, uz, hn::MulAdd(py, uy, hn::Mul(px, ux))), hn::Zero(d)),
+                                hn::Set(d, piece.length));
+            const V gx = hn::NegMulAdd(t, ux, px);
+            const V gy = hn::NegMulAdd(t, uy, py);
+            const V gz = hn::NegMulAdd(t, uz, pz);
+            const float near = piece.reach_mm + ball + (cell - piece.cell_mm) * (1.0F / Sizing::kSlope);
+            const V gap2 = hn::MulAdd(gz, gz, hn::MulAdd(gy, gy, hn::Mul(gx, gx)));
+            HWY_ALIGN std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, hn::Lt(gap2, hn::Set(d, near * near)), bits);
+            active[m] = static_cast<std::uint8_t>(active[m] | (bits[0] & ((1U << lanes) - 1)) << first);
+        }
+    }
+}
+
+} // namespace ramus::mesh::bricks::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ramus::mesh::bricks {
+
+HWY_EXPORT(ActiveChildren);
+
+void active_children(const Sizing& sizing, std::span<const std::uint32_t> pieces, glm::vec3 middle, float child_side,
+                     std::span<std::uint8_t> active) {
+    HWY_DYNAMIC_DISPATCH(ActiveChildren)
+    (sizing.pieces.data(), pieces.data(), pieces.size(), middle, child_side, active.data());
+}
+
+} // namespace ramus::mesh::bricks
+#endif

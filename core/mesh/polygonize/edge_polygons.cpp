@@ -1,0 +1,186 @@
+#include "core/mesh/polygonize/edge_polygons.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace ramus::mesh::bricks {
+
+namespace {
+
+constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
+
+} // namespace
+
+void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedChunk& out) const {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const Neighbourhood& around = surface_.neighbours[index];
+    std::array<glm::ivec3, 4> cell;
+    std::array<int, 4> direction;
+    const bool interior = point[u] > 0 && point[u] < 4 && point[v] > 0 && point[v] < 4;
+    // Counter-clockwise about the axis.
+    constexpr int kLow[4][2] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
+    for (std::size_t q = 0; q < 4; ++q) {
+        cell[q] = point;
+        cell[q][u] -= kLow[q][0];
+        cell[q][v] -= kLow[q][1];
+        direction[q] = kSelf;
+        if (interior) continue;
+        glm::ivec3 d(0);
+        d[u] = cell[q][u] < 0 ? -1 : cell[q][u] > 3 ? 1 : 0;
+        d[v] = cell[q][v] < 0 ? -1 : cell[q][v] > 3 ? 1 : 0;
+        direction[q] = direction_index(d.x, d.y, d.z);
+        // Split by finer cells: its halves are theirs to join.
+        if (around.kind(direction[q]) == Neighbour::kFiner) return;
+    }
+    if (!interior) {
+        // The first cell of the edge's own level, in an order that all bricks share, decides whose edge it is.
+        for (std::size_t q = 0; q < 4; ++q) {
+            if (around.kind(direction[q]) != Neighbour::kSame) continue;
+            if (direction[q] != kSelf) return;
+            break;
+        }
+    }
+    const auto is_same_cell = [](const Around& a, const Around& b) { return a.brick == b.brick && a.cell == b.cell; };
+    std::array<Around, 4> ring;
+    std::size_t count = 0;
+    for (std::size_t q = 0; q < 4; ++q) {
+        const std::uint32_t brick = around.brick[static_cast<std::size_t>(direction[q])];
+        Around entry;
+        if (around.kind(direction[q]) == Neighbour::kSame) {
+            entry = same_level(brick, axis, cell[q], kLow[q][0] + 2 * kLow[q][1]);
+        } else {
+            // An absent region is free of surface, so no crossed edge can touch it.
+            assert(around.kind(direction[q]) == Neighbour::kCoarser);
+            entry = coarser(index, brick, axis, point, cell[q]);
+        }
+        if (count > 0 && is_same_cell(ring[count - 1], entry)) continue;
+        if (q == 3 && is_same_cell(ring[0], entry)) continue;
+        ring[count++] = entry;
+    }
+    if (!first_inside) {
+        std::reverse(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    emit(std::span<const Around>(ring.data(), count), axis, out, index, point);
+}
+
+EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, int axis, glm::ivec3 cell, int side) const {
+    Around entry;
+    entry.brick = brick;
+    entry.cell = cell_index(cell.x & 3, cell.y & 3, cell.z & 3);
+    entry.level = octree_.bricks[brick].level;
+    entry.edge = edge_midpoint(4 * axis + side);
+    entry.recorded = surface_.is_recorded(brick, entry.cell);
+    entry.vertex = surface_.vertex(brick, entry.cell, entry.edge);
+    return entry;
+}
+
+// The cell of a coarser brick that covers our cell (in cells of brick `index`, maybe outside it).
+EdgePolygons::Around EdgePolygons::coarser(std::uint32_t index, std::uint32_t brick, int axis, glm::ivec3 point,
+                                           glm::ivec3 cell) const {
+    const Brick& own = octree_.bricks[index];
+    const Brick& other = octree_.bricks[brick];
+    const int size = cell_units(own.level);
+    glm::ivec3 middle = own.corner + point * size;
+    middle[axis] += size / 2;
+    const glm::ivec3 covered = (own.corner + cell * size - other.corner) >> glm::ivec3(other.level + 2);
+    const glm::ivec3 quarter = (middle - other.corner - covered * cell_units(other.level)) >> glm::ivec3(other.level);
+    Around entry;
+    entry.brick = brick;
+    entry.cell = cell_index(covered.x, covered.y, covered.z);
+    entry.level = other.level;
+    entry.edge = quarter_index(quarter.x, quarter.y, quarter.z);
+    entry.recorded = true;
+    entry.vertex = surface_.vertex(brick, entry.cell, entry.edge);
+    return entry;
+}
+
+// The vertex on the arc between two neighbouring cells of the ring, or kNoArcVertex.
+std::uint32_t EdgePolygons::arc_vertex(const Around& a, const Around& b) const {
+    const glm::ivec3 la = low_corner(a);
+    const glm::ivec3 lb = low_corner(b);
+    const int sa = cell_units(a.level);
+    const int sb = cell_units(b.level);
+    for (int axis = 0; axis < 3; ++axis) {
+        int side_of_a = -1;
+        if (la[axis] + sa == lb[axis]) side_of_a = 1;
+        if (lb[axis] + sb == la[axis]) side_of_a = 0;
+        if (side_of_a < 0) continue;
+        const bool a_owns = a.level != b.level ? a.level < b.level : side_of_a == 1;
+        const Around& owner = a_owns ? a : b;
+        if (!owner.recorded) return kNoArcVertex;
+        const int face = 2 * axis + (a_owns ? side_of_a : 1 - side_of_a);
+        const CellRecord& record = surface_.record(owner.brick, owner.cell);
+        const auto& vertices = surface_.chunks[owner.brick / kChunkBricks].arc_vertices;
+        for (std::uint32_t n = record.arcs_begin; n < record.arcs_begin + record.arcs_count; ++n)
+            if (vertices[n].face == face && vertices[n].edge == owner.edge)
+                return surface_.cells[owner.brick].first_vertex + vertices[n].vertex;
+        return kNoArcVertex;
+    }
+    return kNoArcVertex;
+}
+
+glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
+    const Brick& brick = octree_.bricks[a.brick];
+    return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
+}
+
+void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedChunk& out, std::uint32_t index,
+                        glm::ivec3 point) const {
+    const int level = octree_.bricks[index].level;
+    const bool any_record = std::ranges::any_of(ring, [](const Around& a) { return a.recorded; });
+    if (any_record) {
+        std::array<std::uint32_t, 8> polygon{};
+        std::size_t count = 0;
+        bool extra = false;
+        for (std::size_t n = 0; n < ring.size(); ++n) {
+            polygon[count++] = ring[n].vertex;
+            const std::uint32_t between = arc_vertex(ring[n], ring[(n + 1) % ring.size()]);
+            if (between == kNoArcVertex) continue;
+            polygon[count++] = between;
+            extra = true;
+        }
+        if (extra) {
+            emit_fan(std::span<const std::uint32_t>(polygon.data(), count), axis, out, index, point);
+            return;
+        }
+    }
+    if (ring.size() == 3) {
+        out.triangles.emplace_back(ring[0].vertex, ring[1].vertex, ring[2].vertex);
+        return;
+    }
+    // Between cells of different size only a diagonal that ends in one as small as the edge is unique to this edge.
+    const bool allow_02 = ring[0].level == level || ring[2].level == level;
+    const bool allow_13 = ring[1].level == level || ring[3].level == level;
+    const glm::uvec4 v(ring[0].vertex, ring[1].vertex, ring[2].vertex, ring[3].vertex);
+    if (allow_02 && allow_13) {
+        out.quads.push_back(v);
+    } else if (allow_02) {
+        out.triangles.emplace_back(v[0], v[1], v[2]);
+        out.triangles.emplace_back(v[0], v[2], v[3]);
+    } else {
+        out.triangles.emplace_back(v[1], v[2], v[3]);
+        out.triangles.emplace_back(v[1], v[3], v[0]);
+    }
+}
+
+// A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
+// coincide with another polygon's.
+void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedChunk& out, std::uint32_t index,
+                            glm::ivec3 point) const {
+    const Brick& brick = octree_.bricks[index];
+    const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
+    field::Projection projection;
+    projection.origin = octree_.lattice.position(brick.corner);
+    glm::vec3 sum(0.0F);
+    for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(mesh_.positions[v]) - projection.origin);
+    glm::vec3 middle = glm::vec3(point) * cell;
+    middle[axis] += 0.5F * cell;
+    projection.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
+    const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.positions.size());
+    append_projected(field_, octree_.segments_of(brick), projection, out.added);
+    for (std::size_t n = 0; n < polygon.size(); ++n)
+        out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
+}
+
+} // namespace ramus::mesh::bricks

@@ -1,0 +1,35 @@
+// Neighbours: what lies in the 26 places around a brick.
+#pragma once
+
+#include "core/base/unset_array.h"
+#include "core/mesh/polygonize/octree.h"
+
+#include <array>
+#include <cstdint>
+
+namespace ramus::mesh::bricks {
+
+// Directions: one of -1, 0, 1 along every axis.
+constexpr int direction_index(int x, int y, int z) { return (x + 1) + 3 * (y + 1) + 9 * (z + 1); }
+inline constexpr int kDirections = 27;
+inline constexpr int kSelf = 13;
+
+// Absent: free of surface. Finer: smaller bricks are there, though some, or all that touch, may be free of surface.
+enum class Neighbour : std::uint8_t { kAbsent, kSame, kCoarser, kFiner };
+
+struct Neighbourhood {
+    std::array<std::uint32_t, kDirections> brick; // set where there is one of the same size or a larger one
+    std::uint32_t same, coarser, finer;           // one bit per direction
+
+    [[nodiscard]] Neighbour kind(int direction) const {
+        const std::uint32_t bit = std::uint32_t{1} << direction;
+        if ((same & bit) != 0) return Neighbour::kSame;
+        if ((coarser & bit) != 0) return Neighbour::kCoarser;
+        return (finer & bit) != 0 ? Neighbour::kFiner : Neighbour::kAbsent;
+    }
+};
+
+// By brick. One walk down the octree: the places around a child are children of the places around its parent.
+[[nodiscard]] UnsetArray<Neighbourhood> find_neighbours(const Octree& octree);
+
+} // namespace ramus::mesh::bricks

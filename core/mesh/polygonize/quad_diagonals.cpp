@@ -1,0 +1,134 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/quad_diagonals.cpp"
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
+#include "core/mesh/polygonize/quad_diagonals.h"
+
+#include <algorithm>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::mesh::bricks::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<D>;
+using DU = hn::RebindToUnsigned<D>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
+struct Vector3 {
+    V x, y, z;
+};
+HWY_INLINE Vector3 operator-(const Vector3& a, const Vector3& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vector3 operator+(const Vector3& a, const Vector3& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE V dot(const Vector3& a, const Vector3& b) {
+    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+HWY_INLINE Vector3 gather(D d, const glm::vec3* points, hn::Vec<DI> thrice) {
+    const float* base = &points->x;
+    const DI di;
+    return {hn::GatherIndex(d, base, thrice), hn::GatherIndex(d, base, hn::Add(thrice, hn::Set(di, 1))),
+            hn::GatherIndex(d, base, hn::Add(thrice, hn::Set(di, 2)))};
+}
+
+// Is the diagonal from the first vertex to the third the better one? None of its triangles may face away from the
+// surface, and then the one that stays closer to it wins. A chord's distance from the surface is its length times the
+// turn of the normal, over 8.
+HWY_INLINE M prefers_first(D d, const Vector3 (&p)[4], const Vector3 (&n)[4]) {
+    const Vector3 d02 = p[2] - p[0];
+    const Vector3 d13 = p[3] - p[1];
+    const V l02 = dot(d02, d02);
+    const V l13 = dot(d13, d13);
+    const V size = hn::Sqrt(hn::Max(l02, l13));
+    // On a flat stretch both chords are on the surface, and the shorter diagonal makes the rounder triangles.
+    const V flat = hn::Set(d, 0.02F);
+    const V off02 = hn::MulAdd(hn::Abs(dot(d02, n[2] - n[0])), size, hn::Mul(flat, l02));
+    const V off13 = hn::MulAdd(hn::Abs(dot(d13, n[3] - n[1])), size, hn::Mul(flat, l13));
+    const M closer02 = hn::Lt(off02, off13);
+    // Signed squares of the triangles' areas as seen from outside: one that faces away, or nearly, is negative or
+    // small. The worse of a diagonal's two triangles counts.
+    const Vector3 facing = (n[0] + n[1]) + (n[2] + n[3]);
+    const auto score = [&](const Vector3& area) {
+        const V along = dot(area, facing);
+        return hn::Mul(along, hn::Abs(along));
+    };
+    const V worst02 = hn::Min(score(cross(p[1] - p[0], d02)), score(cross(d02, p[3] - p[0])));
+    const V worst13 = hn::Min(score(cross(p[2] - p[1], d13)), score(cross(d13, p[0] - p[1])));
+    // A tenth of the area of a square on the diagonals; tuned on real trees.
+    const V enough = hn::Mul(hn::Set(d, 0.01F), hn::Mul(hn::Mul(l02, l13), dot(facing, facing)));
+    const M better02 = hn::Gt(worst02, worst13);
+    const M fair = hn::Ge(hn::IfThenElse(closer02, worst02, worst13), enough);
+    return hn::Or(hn::And(fair, closer02), hn::AndNot(fair, better02));
+}
+
+void CutQuads(const TriangleMesh& mesh, const glm::uvec4* quads, std::size_t count, glm::uvec3* triangles) {
+    const D d;
+    const DI di;
+    const DU du;
+    const std::size_t lanes = hn::Lanes(d);
+    const glm::vec3* positions = mesh.positions.data();
+    const glm::vec3* normals = mesh.normals.data();
+    HWY_ALIGN std::uint32_t buffer[6 * HWY_MAX_BYTES / 4];
+    for (std::size_t q = 0; q < count; q += lanes) {
+        const std::size_t valid = std::min(lanes, count - q);
+        HWY_ALIGN std::uint32_t padded[4 * HWY_MAX_BYTES / 4];
+        const std::uint32_t* from = &quads[q].x;
+        if (valid < lanes) {
+            for (std::size_t i = 0; i < lanes; ++i)
+                for (int c = 0; c < 4; ++c)
+                    padded[4 * i + static_cast<std::size_t>(c)] = quads[q + std::min(i, valid - 1)][c];
+            from = padded;
+        }
+        hn::Vec<DU> v[4];
+        hn::LoadInterleaved4(du, from, v[0], v[1], v[2], v[3]);
+        Vector3 p[4];
+        Vector3 n[4];
+        for (int c = 0; c < 4; ++c) {
+            const auto index = hn::BitCast(di, v[c]);
+            const auto thrice = hn::Add(index, hn::Add(index, index));
+            p[c] = gather(d, positions, thrice);
+            n[c] = gather(d, normals, thrice);
+        }
+        const auto first = hn::RebindMask(du, prefers_first(d, p, n));
+        const auto a = hn::IfThenElse(first, v[0], v[1]);
+        const auto b = hn::IfThenElse(first, v[1], v[2]);
+        const auto c = hn::IfThenElse(first, v[2], v[3]);
+        const auto e = hn::IfThenElse(first, v[3], v[0]);
+        std::uint32_t* out = valid < lanes ? buffer : &triangles[2 * q].x;
+        hn::StoreInterleaved3(a, b, c, du, out);
+        hn::StoreInterleaved3(a, c, e, du, out + 3 * lanes);
+        if (valid == lanes) continue;
+        for (std::size_t i = 0; i < valid; ++i)
+            for (std::size_t half = 0; half < 2; ++half) {
+                const std::uint32_t* t = buffer + 3 * (i + half * lanes);
+                triangles[2 * (q + i) + half] = {t[0], t[1], t[2]};
+            }
+    }
+}
+
+} // namespace ramus::mesh::bricks::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ramus::mesh::bricks {
+
+HWY_EXPORT(CutQuads);
+
+void cut_quads(const TriangleMesh& mesh, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles) {
+    static_assert(sizeof(glm::uvec4) == 16 && sizeof(glm::uvec3) == 12 && sizeof(glm::vec3) == 12);
+    if (quads.empty()) return;
+    HWY_DYNAMIC_DISPATCH(CutQuads)(mesh, quads.data(), quads.size(), triangles.data());
+}
+
+} // namespace ramus::mesh::bricks
+#endif

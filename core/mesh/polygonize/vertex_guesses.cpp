@@ -1,0 +1,131 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/vertex_guesses.cpp"
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
+#include "core/mesh/polygonize/vertex_guesses.h"
+
+#include <array>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::mesh::bricks::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<D>;
+using V = hn::Vec<D>;
+using VI = hn::Vec<DI>;
+using M = hn::Mask<D>;
+
+// ln F is nearly quadratic in the distance from the axis, so linear interpolation in it lands close to the surface.
+// A base-2 logarithm to 0.01 is enough: Newton's method has the last word.
+HWY_INLINE V rough_log2(D d, V value) {
+    const DI di;
+    const VI bits = hn::BitCast(di, hn::Max(value, hn::Set(d, 1e-8F)));
+    const V exponent = hn::ConvertTo(d, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
+    const V m = hn::BitCast(d, hn::Or(hn::And(bits, hn::Set(di, 0x7FFFFF)), hn::Set(di, 0x3F800000)));
+    const V fraction =
+        hn::MulAdd(hn::MulAdd(hn::Set(d, -0.33333333F), m, hn::Set(d, 2.0F)), m, hn::Set(d, -1.66666667F));
+    return hn::Add(exponent, fraction);
+}
+
+// What is summed up over the crossed edges of a cell.
+struct Sums {
+    std::array<V, 3> at;
+    V count;
+};
+
+// The crossing of the edge along `Axis` at place Side (u + 2 v on the other two axes), where there is one.
+template <int Axis, int Side>
+HWY_INLINE void add_crossing(D d, const std::array<V, 8>& log, const std::array<M, 8>& outside, Sums& sums) {
+    constexpr int kU = (Axis + 1) % 3;
+    constexpr int kV = (Axis + 2) % 3;
+    constexpr std::size_t kFrom = static_cast<std::size_t>((Side & 1) << kU | (Side >> 1) << kV);
+    constexpr std::size_t kTo = kFrom | std::size_t{1} << Axis;
+    const V one = hn::Set(d, 1.0F);
+    const M crossed = hn::Xor(outside[kFrom], outside[kTo]);
+    const V along = hn::Mul(log[kFrom], hn::ApproximateReciprocal(hn::Sub(log[kFrom], log[kTo])));
+    const V t = hn::Max(hn::Min(along, hn::Set(d, 1.0F - kCrossingMargin)), hn::Set(d, kCrossingMargin));
+    const V unit = hn::IfThenElseZero(crossed, one);
+    sums.count = hn::Add(sums.count, unit);
+    sums.at[Axis] = hn::Add(sums.at[Axis], hn::IfThenElseZero(crossed, t));
+    if constexpr ((Side & 1) != 0) sums.at[kU] = hn::Add(sums.at[kU], unit);
+    if constexpr ((Side & 2) != 0) sums.at[kV] = hn::Add(sums.at[kV], unit);
+}
+
+template <int Axis>
+HWY_INLINE void add_crossings(D d, const std::array<V, 8>& log, const std::array<M, 8>& outside, Sums& sums) {
+    add_crossing<Axis, 0>(d, log, outside, sums);
+    add_crossing<Axis, 1>(d, log, outside, sums);
+    add_crossing<Axis, 2>(d, log, outside, sums);
+    add_crossing<Axis, 3>(d, log, outside, sums);
+}
+
+void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const std::uint8_t* corners, std::size_t count,
+                      float cell_mm, std::size_t first, field::Projection& points) {
+    const D d;
+    const DI di;
+    const std::size_t lanes = hn::Lanes(d);
+    const V zero = hn::Zero(d);
+    const V iso = hn::Set(d, isovalue);
+    const V log_iso = rough_log2(d, iso);
+    // Relative to the isovalue, with the sign that the value itself has.
+    alignas(64) float logs[field::kGridStride];
+    for (std::size_t n = 0; n < field::kGridStride; n += lanes) {
+        const V value = hn::Load(d, values + n);
+        const V log = hn::Sub(rough_log2(d, value), log_iso);
+        hn::Store(hn::IfThenElse(hn::Ge(value, iso), hn::Max(log, zero), hn::Min(log, hn::Set(d, -1e-6F))), d,
+                  logs + n);
+    }
+    constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
+    const hn::Rebind<std::uint8_t, DI> d8;
+    const V cell = hn::Set(d, cell_mm);
+    const V half = hn::Set(d, 0.5F);
+    const V reach = hn::Set(d, kVertexReach * cell_mm);
+    for (std::size_t n = 0; n < count; n += lanes) {
+        const VI corner = hn::PromoteTo(di, hn::LoadU(d8, corners + n));
+        std::array<V, 8> log;
+        std::array<M, 8> outside;
+        for (std::size_t c = 0; c < 8; ++c) {
+            log[c] = hn::GatherIndex(d, logs, hn::Add(corner, hn::Set(di, kCornerOffset[c])));
+            outside[c] = hn::Lt(log[c], zero);
+        }
+        Sums sums{{zero, zero, zero}, zero};
+        add_crossings<0>(d, log, outside, sums);
+        add_crossings<1>(d, log, outside, sums);
+        add_crossings<2>(d, log, outside, sums);
+        // x + 5 y + 25 z taken apart, exactly, for what fits a brick.
+        const VI z = hn::ShiftRight<10>(hn::Mul(corner, hn::Set(di, 41)));
+        const VI in_layer = hn::Sub(corner, hn::Mul(z, hn::Set(di, 25)));
+        const VI y = hn::ShiftRight<6>(hn::Mul(in_layer, hn::Set(di, 13)));
+        const VI x = hn::Sub(in_layer, hn::Mul(y, hn::Set(di, 5)));
+        const V share = hn::Div(hn::Set(d, 1.0F), hn::Max(sums.count, hn::Set(d, 1.0F)));
+        const auto place = [&](VI low, V sum, float* guess, float* centre) {
+            const V at = hn::ConvertTo(d, low);
+            hn::StoreU(hn::Mul(hn::MulAdd(sum, share, at), cell), d, guess + first + n);
+            hn::StoreU(hn::Mul(hn::Add(at, half), cell), d, centre + first + n);
+        };
+        place(x, sums.at[0], points.x.data(), points.cx.data());
+        place(y, sums.at[1], points.y.data(), points.cy.data());
+        place(z, sums.at[2], points.z.data(), points.cz.data());
+        hn::StoreU(reach, d, points.reach.data() + first + n);
+    }
+}
+
+} // namespace ramus::mesh::bricks::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ramus::mesh::bricks {
+
+HWY_EXPORT(AddVertexGuesses);
+
+void add_vertex_guesses(std::span<const float, field::kGridStride> values, float isovalue,
+                        std::span<const std::uint8_t> corners, float cell_mm, field::Projection& points) {
+    const std::size_t first = points.extend(corners.size());
+    HWY_DYNAMIC_DISPATCH(AddVertexGuesses)
+    (values.data(), isovalue, corners.data(), corners.size(), cell_mm, first, points);
+}
+
+} // namespace ramus::mesh::bricks
+#endif
