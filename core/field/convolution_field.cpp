@@ -14,13 +14,7 @@ Kernel::Kernel(double width)
 
 ConvolutionField::ConvolutionField(const tree::PreparedTree& prepared, double width) : kernel_(width) {
     const tree::VesselTree& tree = prepared.tree;
-    const std::size_t count = tree.segment_count();
-    for (auto* array : {&segments_.ax, &segments_.ay, &segments_.az}) array->reserve(count);
-    for (auto* array :
-         {&segments_.ux, &segments_.uy, &segments_.uz, &segments_.length, &segments_.radius, &segments_.slope})
-        array->reserve(count);
-    segments_.branch.reserve(count);
-
+    segments_.reserve(tree.segment_count());
     lower_ = glm::dvec3(std::numeric_limits<double>::max());
     upper_ = -lower_;
     std::size_t ordinal = 0;
@@ -32,16 +26,11 @@ ConvolutionField::ConvolutionField(const tree::PreparedTree& prepared, double wi
             // Smoothing may pull two points of a tight zigzag onto each other; such a segment has no integral.
             if (!(length > 0.0)) continue;
             const glm::dvec3 direction = (to.position - from.position) / length;
-            segments_.ax.push_back(from.position.x);
-            segments_.ay.push_back(from.position.y);
-            segments_.az.push_back(from.position.z);
-            segments_.ux.push_back(static_cast<float>(direction.x));
-            segments_.uy.push_back(static_cast<float>(direction.y));
-            segments_.uz.push_back(static_cast<float>(direction.z));
-            segments_.length.push_back(static_cast<float>(length));
-            segments_.radius.push_back(static_cast<float>(from.radius));
-            segments_.slope.push_back(static_cast<float>((to.radius - from.radius) / length));
-            segments_.branch.push_back(prepared.segment_source[ordinal]);
+            segments_.push_back({from.position.x, from.position.y, from.position.z, static_cast<float>(direction.x),
+                                 static_cast<float>(direction.y), static_cast<float>(direction.z),
+                                 static_cast<float>(length), static_cast<float>(from.radius),
+                                 static_cast<float>((to.radius - from.radius) / length),
+                                 prepared.segment_source[ordinal]});
 
             const glm::dvec3 reach(kernel_.support_radii * std::max(from.radius, to.radius));
             lower_ = glm::min(lower_, glm::min(from.position, to.position) - reach);

@@ -1,5 +1,5 @@
 // ConvolutionField: the scalar field F(p) = sum_i h_i(p) of a vessel tree after Oeltze & Preim (2005), eqs. 7-10, ready
-// to be sampled. It owns the segments as flat arrays (one entry per line segment) and the constants of the kernel.
+// to be sampled. It owns the segments and the constants of the kernel.
 //
 // The kernel of a segment a -> b of length L with unit direction u, radii linear between its ends, w = width ln 2:
 //     t = (p - a) . u,   d = distance of p to the line,   r = radius at clamp(t, 0, L)
@@ -30,22 +30,22 @@ struct Kernel {
 inline constexpr double kFadeBegin = 6.792841769487465; // 5 ln 2 1.4^2
 inline constexpr double kFadeEnd = 10.016026079703457;  // 5 ln 2 1.7^2
 
-// One entry per segment. Starts stay in double precision (mm); all else is relative and fits in single precision.
-struct SegmentArrays {
-    std::vector<double> ax, ay, az;           // start point, mm
-    std::vector<float> ux, uy, uz;            // unit direction
-    std::vector<float> length, radius, slope; // mm, mm at the start, radius change per mm
-    std::vector<std::int32_t> branch;         // id in the source tree
+// A line segment with linear radius. Its start stays in double precision; all else is relative and fits in single
+// precision. One cache line, since samples take segments from all over the tree.
+struct alignas(64) FieldSegment {
+    double ax, ay, az;           // start point, mm
+    float ux, uy, uz;            // unit direction
+    float length, radius, slope; // mm, mm at the start, radius change per mm
+    std::int32_t branch;         // id in the source tree
 
-    [[nodiscard]] std::size_t size() const { return ax.size(); }
-    [[nodiscard]] float end_radius(std::size_t i) const { return radius[i] + slope[i] * length[i]; }
+    [[nodiscard]] float end_radius() const { return radius + slope * length; }
 };
 
 class ConvolutionField {
 public:
     ConvolutionField(const tree::PreparedTree& prepared, double width);
 
-    [[nodiscard]] const SegmentArrays& segments() const { return segments_; }
+    [[nodiscard]] const std::vector<FieldSegment>& segments() const { return segments_; }
     [[nodiscard]] const Kernel& kernel() const { return kernel_; }
     // Box around all supports, mm.
     [[nodiscard]] glm::dvec3 lower() const { return lower_; }
@@ -53,7 +53,7 @@ public:
 
 private:
     Kernel kernel_;
-    SegmentArrays segments_;
+    std::vector<FieldSegment> segments_;
     glm::dvec3 lower_{0.0};
     glm::dvec3 upper_{0.0};
 };

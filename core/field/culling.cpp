@@ -17,34 +17,42 @@ namespace ramus::field::HWY_NAMESPACE {
 using D8 = hn::CappedTag<float, kChildren>;
 using V8 = hn::Vec<D8>;
 
-// The kernel of one segment over balls: upper and lower bounds are added where `reaches`.
-HWY_INLINE void add_bounds(D8 d, const CullingSegment& s, V8 off_axis, V8 t, V8 beyond, V8 ball, V8 fine, V8 coarse,
-                           hn::Mask<D8> reaches, V8& lower, V8& upper) {
+// Boxes seen from one segment. How far a box extends along the axis and away from it is what bounds are made of: along
+// a direction n a cube reaches h (|nx| + |ny| + |nz|) to either side of its middle, h being half its edge.
+struct BoxView {
+    V8 t, along;          // axial coordinate of the middle, and how far the box extends from it, mm
+    V8 nearest, farthest; // least and greatest distance from the line, mm
+    V8 beyond;            // axial distance of the middle beyond the ends, signed, mm
+    V8 coarse, fine;      // sqrt(w) / r at the thickest and the thinnest place that the box sees, 1/mm
+};
+
+HWY_INLINE void add_bounds(D8 d, const CullingSegment& s, const BoxView& box, hn::Mask<D8> reaches, V8& lower,
+                           V8& upper) {
     const V8 zero = hn::Zero(d);
     const V8 limit = hn::Set(d, 40.0F);
     const V8 half = hn::Set(d, 0.5F);
     const V8 length = hn::Set(d, s.length);
     const V8 middle = hn::Mul(half, length);
-    const V8 t_low = hn::Sub(t, ball);
-    const V8 t_high = hn::Add(t, ball);
+    const V8 t_low = hn::Sub(box.t, box.along);
+    const V8 t_high = hn::Add(box.t, box.along);
     // The end filter is highest nearest to the segment's middle, lowest farthest from it; erf grows with its argument,
     // so each term takes the radius that bounds it.
-    const V8 q_min = hn::Mul(hn::Max(hn::Sub(off_axis, ball), zero), coarse);
+    const V8 q_min = hn::Mul(box.nearest, box.coarse);
     const V8 t_best = hn::Max(hn::Min(middle, t_high), t_low);
     const auto term_upper = [&](V8 v) {
-        return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), fine, coarse)));
+        return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.fine, box.coarse)));
     };
     const V8 filter_upper = hn::Mul(half, hn::Add(term_upper(t_best), term_upper(hn::Sub(length, t_best))));
     const V8 gauss_upper = exp_negative(d, hn::Min(hn::Mul(q_min, q_min), limit));
     upper = hn::Add(upper, hn::IfThenElseZero(reaches, hn::Mul(gauss_upper, filter_upper)));
 
-    const V8 q_max = hn::Mul(hn::Add(off_axis, ball), fine);
-    const V8 e_max = hn::Mul(hn::Add(hn::Abs(beyond), ball), fine);
+    const V8 q_max = hn::Mul(box.farthest, box.fine);
+    const V8 e_max = hn::Mul(hn::Add(hn::Abs(box.beyond), box.along), box.fine);
     const V8 rho_max = hn::MulAdd(e_max, e_max, hn::Mul(q_max, q_max));
     if (hn::AllFalse(d, hn::Lt(rho_max, hn::Set(d, static_cast<float>(kFadeEnd))))) return;
-    const V8 t_worst = hn::IfThenElse(hn::Gt(t, middle), t_high, t_low);
+    const V8 t_worst = hn::IfThenElse(hn::Gt(box.t, middle), t_high, t_low);
     const auto term_lower = [&](V8 v) {
-        return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), coarse, fine)));
+        return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.coarse, box.fine)));
     };
     const V8 filter_lower =
         hn::Max(zero, hn::Mul(half, hn::Add(term_lower(t_worst), term_lower(hn::Sub(length, t_worst)))));
@@ -53,12 +61,13 @@ HWY_INLINE void add_bounds(D8 d, const CullingSegment& s, V8 off_axis, V8 t, V8 
 }
 
 void CullChildren(const Kernel& kernel, const CullingSegment* segments, const std::uint32_t* list, std::size_t count,
-                  glm::vec3 middle, float child_side, float ball_radius, std::uint8_t* HWY_RESTRICT reaching,
+                  glm::vec3 middle, float child_side, float half_extent, std::uint8_t* HWY_RESTRICT reaching,
                   ChildBounds& bounds) {
     const D8 d;
     const std::size_t lanes = hn::Lanes(d);
     const V8 sqrt_w = hn::Set(d, static_cast<float>(kernel.sqrt_w));
-    const V8 ball = hn::Set(d, ball_radius);
+    const V8 h = hn::Set(d, half_extent);
+    const V8 corner2 = hn::Set(d, 3.0F * half_extent * half_extent); // squared distance of a corner from the middle
     const V8 zero = hn::Zero(d);
     alignas(32) float x[kChildren], y[kChildren], z[kChildren];
     for (int c = 0; c < kChildren; ++c) {
@@ -82,29 +91,38 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
             const V8 uy = hn::Set(d, s.uy);
             const V8 uz = hn::Set(d, s.uz);
             const V8 length = hn::Set(d, s.length);
-            const V8 t = hn::MulAdd(pz, uz, hn::MulAdd(py, uy, hn::Mul(px, ux)));
-            const V8 qx = hn::NegMulAdd(t, ux, px);
-            const V8 qy = hn::NegMulAdd(t, uy, py);
-            const V8 qz = hn::NegMulAdd(t, uz, pz);
-            const V8 off_axis = hn::Sqrt(hn::MulAdd(qz, qz, hn::MulAdd(qy, qy, hn::Mul(qx, qx))));
-            const V8 beyond = hn::Sub(t, hn::Max(hn::Min(t, length), zero));
-            const V8 distance = hn::Sqrt(hn::MulAdd(beyond, beyond, hn::Mul(off_axis, off_axis)));
-            // Radii that any point of the ball may see.
+            BoxView box;
+            box.t = hn::MulAdd(pz, uz, hn::MulAdd(py, uy, hn::Mul(px, ux)));
+            box.along = hn::Mul(h, hn::Set(d, std::abs(s.ux) + std::abs(s.uy) + std::abs(s.uz)));
+            const V8 qx = hn::NegMulAdd(box.t, ux, px);
+            const V8 qy = hn::NegMulAdd(box.t, uy, py);
+            const V8 qz = hn::NegMulAdd(box.t, uz, pz);
+            const V8 off2 = hn::MulAdd(qz, qz, hn::MulAdd(qy, qy, hn::Mul(qx, qx)));
+            const V8 off = hn::Sqrt(off2);
+            // The box's extent away from the axis, times the distance from it: no division where the two coincide.
+            const V8 extent_off = hn::Mul(h, hn::Add(hn::Abs(qx), hn::Add(hn::Abs(qy), hn::Abs(qz))));
+            box.nearest = hn::Max(hn::Sub(off, hn::Div(extent_off, hn::Max(off, hn::Set(d, 1e-20F)))), zero);
+            box.beyond = hn::Sub(box.t, hn::Max(hn::Min(box.t, length), zero));
+            const V8 gap = hn::Max(hn::Sub(hn::Abs(box.beyond), box.along), zero);
+            // Radii that any point of the box may see.
             const V8 radius = hn::Set(d, s.radius);
             const V8 slope = hn::Set(d, s.slope);
-            const V8 r1 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Sub(t, ball), length), zero), radius);
-            const V8 r2 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Add(t, ball), length), zero), radius);
-            const V8 coarse = hn::Div(sqrt_w, hn::Max(r1, r2));
-            const V8 nearest = hn::Mul(hn::Max(hn::Sub(distance, ball), zero), coarse);
+            const V8 r1 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Sub(box.t, box.along), length), zero), radius);
+            const V8 r2 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Add(box.t, box.along), length), zero), radius);
+            box.coarse = hn::Div(sqrt_w, hn::Max(r1, r2));
+            const V8 distance2 = hn::MulAdd(gap, gap, hn::Mul(box.nearest, box.nearest));
             // The margin covers the rounding of single precision far from the origin.
-            const auto reaches = hn::Lt(hn::Mul(nearest, nearest), hn::Set(d, static_cast<float>(kFadeEnd * 1.001)));
+            const auto reaches = hn::Lt(hn::Mul(distance2, hn::Mul(box.coarse, box.coarse)),
+                                        hn::Set(d, static_cast<float>(kFadeEnd * 1.001)));
             HWY_ALIGN std::uint8_t bits[8] = {};
             hn::StoreMaskBits(d, reaches, bits);
             const unsigned reached = bits[0] & ((1U << lanes) - 1);
             if (reached == 0) continue;
             reaching[m] = static_cast<std::uint8_t>(reaching[m] | reached << first);
-            add_bounds(d, s, off_axis, t, beyond, ball, hn::Div(sqrt_w, hn::Min(r1, r2)), coarse, reaches, lower,
-                       upper);
+            // |q + offset|^2 = |q|^2 + 2 q . offset + |offset|^2, each part at its greatest.
+            box.farthest = hn::Sqrt(hn::Add(hn::MulAdd(hn::Set(d, 2.0F), extent_off, off2), corner2));
+            box.fine = hn::Div(sqrt_w, hn::Min(r1, r2));
+            add_bounds(d, s, box, reaches, lower, upper);
         }
         hn::Store(lower, d, bounds.lower.data() + first);
         hn::Store(upper, d, bounds.upper.data() + first);
@@ -120,25 +138,22 @@ namespace ramus::field {
 HWY_EXPORT(CullChildren);
 
 CullingSegments::CullingSegments(const ConvolutionField& field) : origin(0.5 * (field.lower() + field.upper())) {
-    const SegmentArrays& s = field.segments();
-    segments.reserve(s.size());
-    for (std::size_t i = 0; i < s.size(); ++i)
-        segments.push_back({static_cast<float>(s.ax[i] - origin.x), static_cast<float>(s.ay[i] - origin.y),
-                            static_cast<float>(s.az[i] - origin.z), s.ux[i], s.uy[i], s.uz[i], s.length[i], s.radius[i],
-                            s.slope[i]});
+    segments.reserve(field.segments().size());
+    for (const FieldSegment& s : field.segments())
+        segments.push_back({static_cast<float>(s.ax - origin.x), static_cast<float>(s.ay - origin.y),
+                            static_cast<float>(s.az - origin.z), s.ux, s.uy, s.uz, s.length, s.radius, s.slope});
 }
 
 ChildBounds cull_children(const ConvolutionField& field, const CullingSegments& culling,
                           std::span<const std::uint32_t> list, glm::vec3 middle, float child_side,
                           std::span<std::uint8_t> reaching) {
     ChildBounds bounds;
-    // Positions in single precision relative to the origin: widen the balls by what they may be off.
+    // Positions in single precision relative to the origin: widen the boxes by what they may be off.
     const float farthest = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + child_side;
-    constexpr float kSqrt3Half = 0.8660254F;
-    const float ball = kSqrt3Half * child_side * 1.0001F + 6e-7F * farthest;
+    const float half_extent = 0.5F * child_side * 1.0001F + 6e-7F * farthest;
     HWY_DYNAMIC_DISPATCH(CullChildren)
-    (field.kernel(), culling.segments.data(), list.data(), list.size(), middle, child_side, ball, reaching.data(),
-     bounds);
+    (field.kernel(), culling.segments.data(), list.data(), list.size(), middle, child_side, half_extent,
+     reaching.data(), bounds);
     return bounds;
 }
 

@@ -30,7 +30,7 @@ struct ChildBounds {
     alignas(32) std::array<float, kChildren> lower{}, upper{};
 };
 
-// Bounds of F over the balls around the children of the cube at `middle` (mm, relative to the culling origin), whose
+// Bounds of F over the children of the cube at `middle` (mm, relative to the culling origin), whose
 // edge is `child_side`, from the segments in `list`. `reaching` receives for each entry of the list one bit per child
 // that the segment's support reaches.
 ChildBounds cull_children(const ConvolutionField& field, const CullingSegments& culling,

@@ -21,7 +21,8 @@ struct Projection {
     std::vector<float> nx, ny, nz;        // out: unit normal, outward
     std::vector<float> radius;            // out: local radius, mm
     std::vector<std::int32_t> segment;    // out: strongest contributor
-    std::vector<float> local;             // scratch: segment starts relative to origin
+    std::vector<float> starts;            // scratch: of the segments, relative to origin
+    std::vector<std::uint8_t> ends;       // scratch: of the segments, those that points may be near
 
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
@@ -44,8 +45,8 @@ struct Projection {
 private:
     std::size_t size_ = 0;
 };
-inline constexpr int kProjectionSteps = 2;
-// Returns the number of kernel evaluations it took: kProjectionSteps for every point and segment.
+inline constexpr int kProjectionSteps = 2; // at most
+// Returns the number of points at which the field was taken, padding included.
 std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32_t> list, Projection& points);
 
 } // namespace ramus::field

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <glm/vec3.hpp>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -40,6 +41,29 @@ HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float*
         hn::StoreU(hn::DemoteTo(df, hn::Sub(hn::LoadU(dd, axis.data() + n), from)), df, out + n);
 }
 
+#if HWY_MAX_BYTES >= 32
+// The same as a table in a register: of a grid's few coordinates.
+HWY_INLINE V subtracted(D d, const std::array<double, 8>& axis, double start) {
+#if HWY_MAX_BYTES >= 64
+    const hn::CappedTag<double, 8> dd;
+    const hn::Rebind<float, decltype(dd)> df;
+    return hn::ZeroExtendVector(d, hn::DemoteTo(df, hn::Sub(hn::LoadU(dd, axis.data()), hn::Set(dd, start))));
+#else
+    alignas(32) float table[8];
+    subtract(axis, start, table);
+    return hn::Load(d, table);
+#endif
+}
+#endif
+
+// A box of points: the middle and half the edges.
+template <std::size_t N>
+HWY_INLINE void find_box(const std::array<double, N>& x, const std::array<double, N>& y, const std::array<double, N>& z,
+                         std::size_t last, glm::dvec3& middle, glm::vec3& half) {
+    middle = 0.5 * (glm::dvec3(x[0], y[0], z[0]) + glm::dvec3(x[last], y[last], z[last]));
+    half = glm::vec3(glm::dvec3(x[last], y[last], z[last]) - middle);
+}
+
 // What the kernel of one segment needs at a batch of points, between the two passes over them: the first finds out
 // which vectors of points are inside the support, the second sums the kernel there. Two passes leave no branch in
 // either that depends on the points, so that vectors overlap in the pipeline.
@@ -49,53 +73,33 @@ struct Feet {
     alignas(64) float a[kBatch], b[kBatch]; // scaled axial distances from the start and to the end
 };
 
-// One bit per vector of points: some point is inside the support / near the start / near the end.
-struct Wanted {
-    std::uint32_t inside = 0, near_start = 0, near_end = 0;
-};
-
-HWY_INLINE void keep_foot(D d, const Segment& segment, V sqrt_w, V px, V py, V pz, std::size_t n, unsigned vector,
-                          Feet& feet, Wanted& wanted) {
+// First pass at one vector of points; true when some point is inside the support.
+template <Ends Near>
+HWY_INLINE std::uint32_t keep_foot(D d, const Segment& segment, V sqrt_w, V px, V py, V pz, std::size_t n, Feet& feet) {
     const Foot foot = find_foot(d, segment, sqrt_w, px, py, pz);
-    const V a = hn::Mul(foot.t, foot.scale);
-    const V b = hn::Mul(hn::Sub(segment.length, foot.t), foot.scale);
-    const V far = hn::Set(d, kErrorFunctionEnd);
-    const M inside = inside_support(d, foot.rho);
     hn::Store(foot.q, d, feet.q + n);
     hn::Store(foot.rho, d, feet.rho + n);
-    hn::Store(a, d, feet.a + n);
-    hn::Store(b, d, feet.b + n);
-    wanted.inside |= static_cast<std::uint32_t>(!hn::AllFalse(d, inside)) << vector;
-    wanted.near_start |= static_cast<std::uint32_t>(!hn::AllFalse(d, hn::And(inside, hn::Lt(a, far)))) << vector;
-    wanted.near_end |= static_cast<std::uint32_t>(!hn::AllFalse(d, hn::And(inside, hn::Lt(b, far)))) << vector;
+    if constexpr (near_start(Near)) hn::Store(hn::Mul(foot.t, foot.scale), d, feet.a + n);
+    if constexpr (near_end(Near)) hn::Store(hn::Mul(hn::Sub(segment.length, foot.t), foot.scale), d, feet.b + n);
+    return hn::AllFalse(d, inside_support(d, foot.rho)) ? 0 : 1;
 }
 
-// The end filter's error functions are constant, to the last bit, far from the ends: most points of a long segment.
-template <bool NearStart, bool NearEnd>
-HWY_INLINE void add_kernels(D d, const Feet& feet, std::uint32_t vectors, V saturated, float* HWY_RESTRICT sums) {
+// Second pass, over the vectors of points that have their bits set.
+template <Ends Near>
+HWY_INLINE void add_kernels(D d, const Feet& feet, std::uint32_t vectors, float* HWY_RESTRICT sums) {
+    const V saturated = error_function(d, hn::Set(d, kErrorFunctionEnd));
     for (; vectors != 0; vectors &= vectors - 1) {
         const std::size_t n = static_cast<std::size_t>(std::countr_zero(vectors)) * hn::Lanes(d);
         const V body = hn::Mul(exp_negative(d, hn::Min(hn::Load(d, feet.q + n), hn::Set(d, 40.0F))),
                                fade(d, hn::Load(d, feet.rho + n)));
         V filter = saturated;
-        if constexpr (NearStart || NearEnd) {
-            const V from_start = NearStart ? error_function(d, hn::Load(d, feet.a + n)) : saturated;
-            const V to_end = NearEnd ? error_function(d, hn::Load(d, feet.b + n)) : saturated;
+        if constexpr (Near != Ends::kNone) {
+            const V from_start = near_start(Near) ? error_function(d, hn::Load(d, feet.a + n)) : saturated;
+            const V to_end = near_end(Near) ? error_function(d, hn::Load(d, feet.b + n)) : saturated;
             filter = hn::Mul(hn::Set(d, 0.5F), hn::Add(from_start, to_end));
         }
         hn::Store(hn::MulAdd(body, filter, hn::Load(d, sums + n)), d, sums + n);
     }
-}
-
-HWY_INLINE void add_wanted(D d, const Feet& feet, const Wanted& wanted, V saturated, float* HWY_RESTRICT sums) {
-    if (wanted.near_start == 0 && wanted.near_end == 0)
-        add_kernels<false, false>(d, feet, wanted.inside, saturated, sums);
-    else if (wanted.near_end == 0)
-        add_kernels<true, false>(d, feet, wanted.inside, saturated, sums);
-    else if (wanted.near_start == 0)
-        add_kernels<false, true>(d, feet, wanted.inside, saturated, sums);
-    else
-        add_kernels<true, true>(d, feet, wanted.inside, saturated, sums);
 }
 
 void SampleGrid(const ConvolutionField& field, const std::uint32_t* list, std::size_t count, const GridAxes& axes,
@@ -104,34 +108,44 @@ void SampleGrid(const ConvolutionField& field, const std::uint32_t* list, std::s
     [[maybe_unused]] const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
     const V sqrt_w = hn::Set(d, static_cast<float>(field.kernel().sqrt_w));
-    const V saturated = error_function(d, hn::Set(d, kErrorFunctionEnd));
-    const SegmentArrays& s = field.segments();
+    const float root = static_cast<float>(field.kernel().sqrt_w);
+    const FieldSegment* segments = field.segments().data();
+    glm::dvec3 middle;
+    glm::vec3 half;
+    find_box(axes.x, axes.y, axes.z, kGridSide - 1, middle, half);
     static_assert(kGridStride == kBatch);
     for (std::size_t n = 0; n < kGridStride; n += lanes) hn::Store(hn::Zero(d), d, values + n);
     Feet feet;
-    alignas(64) float x[16] = {}, y[16] = {}, z[16] = {};
     for (std::size_t m = 0; m < count; ++m) {
-        const std::size_t index = list[m];
-        const Segment segment = broadcast(d, s, index);
-        subtract(axes.x, s.ax[index], x);
-        subtract(axes.y, s.ay[index], y);
-        subtract(axes.z, s.az[index], z);
-        Wanted wanted;
-        unsigned vector = 0;
-        for (std::size_t n = 0; n < kGridStride; n += lanes, ++vector) {
-            V px, py, pz;
-            if constexpr (HWY_MAX_BYTES >= 32) {
-                px = hn::TableLookupLanes(hn::Load(d, x), hn::SetTableIndices(d, kGridLanes.i + n));
-                py = hn::TableLookupLanes(hn::Load(d, y), hn::SetTableIndices(d, kGridLanes.j + n));
-                pz = hn::TableLookupLanes(hn::Load(d, z), hn::SetTableIndices(d, kGridLanes.k + n));
-            } else {
-                px = hn::GatherIndex(d, x, hn::Load(di, kGridLanes.i + n));
-                py = hn::GatherIndex(d, y, hn::Load(di, kGridLanes.j + n));
-                pz = hn::GatherIndex(d, z, hn::Load(di, kGridLanes.k + n));
+        const FieldSegment& s = segments[list[m]];
+        const Segment segment = broadcast(d, s);
+        const Ends near = ends_near(s, root, glm::vec3(middle - glm::dvec3(s.ax, s.ay, s.az)), half);
+#if HWY_MAX_BYTES >= 32
+        const V x = subtracted(d, axes.x, s.ax);
+        const V y = subtracted(d, axes.y, s.ay);
+        const V z = subtracted(d, axes.z, s.az);
+        const auto place = [&](V table, const std::int32_t* index) {
+            return hn::TableLookupLanes(table, hn::SetTableIndices(d, index));
+        };
+#else
+        float x[8], y[8], z[8];
+        subtract(axes.x, s.ax, x);
+        subtract(axes.y, s.ay, y);
+        subtract(axes.z, s.az, z);
+        const auto place = [&](const float* table, const std::int32_t* index) {
+            return hn::GatherIndex(d, table, hn::Load(di, index));
+        };
+#endif
+        for_ends(near, [&](auto ends) {
+            std::uint32_t wanted = 0;
+            unsigned vector = 0;
+            for (std::size_t n = 0; n < kGridStride; n += lanes, ++vector) {
+                wanted |= keep_foot<ends.value>(d, segment, sqrt_w, place(x, kGridLanes.i + n),
+                                                place(y, kGridLanes.j + n), place(z, kGridLanes.k + n), n, feet)
+                          << vector;
             }
-            keep_foot(d, segment, sqrt_w, px, py, pz, n, vector, feet, wanted);
-        }
-        add_wanted(d, feet, wanted, saturated, values);
+            add_kernels<ends.value>(d, feet, wanted, values);
+        });
     }
     const V isovalue = hn::Set(d, static_cast<float>(field.kernel().isovalue));
     inside[0] = inside[1] = 0;
@@ -151,8 +165,11 @@ void SampleLattice(const ConvolutionField& field, const std::uint32_t* list, std
     const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
     const V sqrt_w = hn::Set(d, static_cast<float>(field.kernel().sqrt_w));
-    const V saturated = error_function(d, hn::Set(d, kErrorFunctionEnd));
-    const SegmentArrays& s = field.segments();
+    const float root = static_cast<float>(field.kernel().sqrt_w);
+    const FieldSegment* segments = field.segments().data();
+    glm::dvec3 middle;
+    glm::vec3 half;
+    find_box(axes.x, axes.y, axes.z, kLatticeSide - 1, middle, half);
     Feet feet;
     for (std::size_t first = 0; first < point_count; first += kBatch) {
         const std::size_t n_points = HWY_MIN(kBatch, point_count - first);
@@ -165,19 +182,23 @@ void SampleLattice(const ConvolutionField& field, const std::uint32_t* list, std
             sum[n] = 0.0F;
         }
         for (std::size_t m = 0; m < count; ++m) {
-            const std::size_t index = list[m];
-            const Segment segment = broadcast(d, s, index);
+            const FieldSegment& s = segments[list[m]];
+            const Segment segment = broadcast(d, s);
+            const Ends near = ends_near(s, root, glm::vec3(middle - glm::dvec3(s.ax, s.ay, s.az)), half);
             alignas(64) float x[kLatticeStride], y[kLatticeStride], z[kLatticeStride];
-            subtract(axes.x, s.ax[index], x);
-            subtract(axes.y, s.ay[index], y);
-            subtract(axes.z, s.az[index], z);
-            Wanted wanted;
-            unsigned vector = 0;
-            for (std::size_t n = 0; n < n_padded; n += lanes, ++vector)
-                keep_foot(d, segment, sqrt_w, hn::GatherIndex(d, x, hn::Load(di, pi + n)),
-                          hn::GatherIndex(d, y, hn::Load(di, pj + n)), hn::GatherIndex(d, z, hn::Load(di, pk + n)), n,
-                          vector, feet, wanted);
-            add_wanted(d, feet, wanted, saturated, sum);
+            subtract(axes.x, s.ax, x);
+            subtract(axes.y, s.ay, y);
+            subtract(axes.z, s.az, z);
+            for_ends(near, [&](auto ends) {
+                std::uint32_t wanted = 0;
+                unsigned vector = 0;
+                for (std::size_t n = 0; n < n_padded; n += lanes, ++vector)
+                    wanted |= keep_foot<ends.value>(d, segment, sqrt_w, hn::GatherIndex(d, x, hn::Load(di, pi + n)),
+                                                    hn::GatherIndex(d, y, hn::Load(di, pj + n)),
+                                                    hn::GatherIndex(d, z, hn::Load(di, pk + n)), n, feet)
+                              << vector;
+                add_kernels<ends.value>(d, feet, wanted, sum);
+            });
         }
         std::copy_n(sum, n_points, values + first);
     }

@@ -23,8 +23,9 @@ std::uint32_t SurfaceCells::vertex(std::uint32_t brick, int cell, int edge_midpo
 
 void append_projected(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
                       field::Projection& projection, BrickChunk& chunk) {
-    chunk.evaluations += field::project(field, list, projection);
-    chunk.samples += field::kProjectionSteps * projection.size();
+    const std::uint64_t samples = field::project(field, list, projection);
+    chunk.evaluations += samples * list.size();
+    chunk.samples += samples;
     const std::size_t first = chunk.positions.size();
     const std::size_t count = projection.size();
     chunk.positions.resize(first + count);
@@ -32,12 +33,12 @@ void append_projected(const field::ConvolutionField& field, std::span<const std:
     chunk.radii.insert(chunk.radii.end(), projection.radius.begin(),
                        projection.radius.begin() + static_cast<std::ptrdiff_t>(count));
     chunk.branches.resize(first + count);
-    const std::int32_t* branch_of = field.segments().branch.data();
+    const field::FieldSegment* segments = field.segments().data();
     for (std::size_t n = 0; n < count; ++n) {
         chunk.positions[first + n] =
             glm::vec3(projection.origin + glm::dvec3(projection.x[n], projection.y[n], projection.z[n]));
         chunk.normals[first + n] = {projection.nx[n], projection.ny[n], projection.nz[n]};
-        chunk.branches[first + n] = branch_of[projection.segment[n]];
+        chunk.branches[first + n] = segments[projection.segment[n]].branch;
     }
 }
 

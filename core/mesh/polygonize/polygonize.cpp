@@ -27,7 +27,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const PolygonizeOptions& options, Job& job,
                                 PolygonizeStatistics* statistics) {
-    if (field.segments().size() == 0) return fail("the tree has no segments", {}, "nothing to make a surface of");
+    if (field.segments().empty()) return fail("the tree has no segments", {}, "nothing to make a surface of");
     const field::CullingSegments culling(field);
     const bricks::Sizing sizing = bricks::make_sizing(field, culling.origin, options.detail, options.cell_mm);
     const double limit = options.max_triangles > 0.0 ? options.max_triangles : default_triangle_limit();

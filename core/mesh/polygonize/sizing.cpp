@@ -23,10 +23,12 @@ struct Run {
     double off = 0.0; // farthest that a point of the run lies from its chord, mm
 };
 
-glm::dvec3 start_of(const field::SegmentArrays& s, std::size_t i) { return {s.ax[i], s.ay[i], s.az[i]}; }
+using Segments = std::vector<field::FieldSegment>;
 
-glm::dvec3 end_of(const field::SegmentArrays& s, std::size_t i) {
-    return start_of(s, i) + static_cast<double>(s.length[i]) * glm::dvec3(s.ux[i], s.uy[i], s.uz[i]);
+glm::dvec3 start_of(const field::FieldSegment& s) { return {s.ax, s.ay, s.az}; }
+
+glm::dvec3 end_of(const field::FieldSegment& s) {
+    return start_of(s) + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz);
 }
 
 double distance_to_chord(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
@@ -38,20 +40,20 @@ double distance_to_chord(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
 
 // Voxel-spaced centerlines have segments far shorter than the vessel is wide; judging each would cost more than
 // meshing.
-bool extend(Run& run, const field::SegmentArrays& s, std::size_t next) {
-    const double r0 = s.radius[next];
-    const double r1 = s.end_radius(next);
+bool extend(Run& run, const Segments& s, std::size_t next) {
+    const double r0 = s[next].radius;
+    const double r1 = s[next].end_radius();
     const double thinnest = std::min({run.thinnest, r0, r1});
     const double thickest = std::max({run.thickest, r0, r1});
     if (thickest > kPieceRatio * thinnest) return false;
-    const glm::dvec3 a = start_of(s, run.first);
-    const glm::dvec3 b = end_of(s, next);
+    const glm::dvec3 a = start_of(s[run.first]);
+    const glm::dvec3 b = end_of(s[next]);
     constexpr std::size_t kLongest = 16; // bounds the work of this check
     if (next - run.first >= kLongest) return false;
     double off = 0.0;
     for (std::size_t i = run.first; i <= next; ++i) {
-        if (i > run.first && glm::distance(start_of(s, i), end_of(s, i - 1)) > 1e-3 * thinnest) return false;
-        off = std::max(off, distance_to_chord(start_of(s, i), a, b));
+        if (i > run.first && glm::distance(start_of(s[i]), end_of(s[i - 1])) > 1e-3 * thinnest) return false;
+        off = std::max(off, distance_to_chord(start_of(s[i]), a, b));
     }
     if (off > kRunBend * thinnest) return false;
     run.last = next, run.thinnest = thinnest, run.thickest = thickest, run.off = off;
@@ -61,7 +63,7 @@ bool extend(Run& run, const field::SegmentArrays& s, std::size_t next) {
 } // namespace
 
 Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm) {
-    const field::SegmentArrays& s = field.segments();
+    const Segments& s = field.segments();
     const double reach_radii = kReachRadii * field.kernel().support_radii / 1.7;
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
@@ -78,14 +80,14 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
                                  static_cast<float>(reach_radii * thickest + off)});
     };
     for (std::size_t i = 0; i < s.size();) {
-        const double r0 = s.radius[i];
-        const double r1 = s.end_radius(i);
+        const double r0 = s[i].radius;
+        const double r1 = s[i].end_radius();
         const double ratio = std::max(r0, r1) / std::min(r0, r1);
         if (ratio > kPieceRatio && cell_mm <= 0.0) {
             // A strongly conical segment is cut, so that its thick end is not meshed for its thin one.
             const int count = static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio)));
-            const glm::dvec3 a = start_of(s, i);
-            const glm::dvec3 b = end_of(s, i);
+            const glm::dvec3 a = start_of(s[i]);
+            const glm::dvec3 b = end_of(s[i]);
             for (int n = 0; n < count; ++n) {
                 const double f0 = static_cast<double>(n) / count;
                 const double f1 = static_cast<double>(n + 1) / count;
@@ -99,7 +101,7 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
         Run run{i, i, std::min(r0, r1), std::max(r0, r1)};
         while (run.last + 1 < s.size() && extend(run, s, run.last + 1)) {
         }
-        add(start_of(s, run.first), end_of(s, run.last), run.thinnest, run.thickest, run.off);
+        add(start_of(s[run.first]), end_of(s[run.last]), run.thinnest, run.thickest, run.off);
         i = run.last + 1;
     }
     return sizing;

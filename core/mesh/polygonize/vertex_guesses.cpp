@@ -17,8 +17,7 @@ using V = hn::Vec<D>;
 using VI = hn::Vec<DI>;
 using M = hn::Mask<D>;
 
-// ln F is nearly quadratic in the distance from the axis, so linear interpolation in it lands close to the surface.
-// A base-2 logarithm to 0.01 is enough: Newton's method has the last word.
+// Base-2 logarithm to 0.01: enough, since Newton's method has the last word.
 HWY_INLINE V rough_log2(D d, V value) {
     const DI di;
     const VI bits = hn::BitCast(di, hn::Max(value, hn::Set(d, 1e-8F)));
@@ -37,14 +36,14 @@ struct Sums {
 
 // The crossing of the edge along `Axis` at place Side (u + 2 v on the other two axes), where there is one.
 template <int Axis, int Side>
-HWY_INLINE void add_crossing(D d, const std::array<V, 8>& log, const std::array<M, 8>& outside, Sums& sums) {
+HWY_INLINE void add_crossing(D d, const std::array<V, 8>& depth, const std::array<M, 8>& outside, Sums& sums) {
     constexpr int kU = (Axis + 1) % 3;
     constexpr int kV = (Axis + 2) % 3;
     constexpr std::size_t kFrom = static_cast<std::size_t>((Side & 1) << kU | (Side >> 1) << kV);
     constexpr std::size_t kTo = kFrom | std::size_t{1} << Axis;
     const V one = hn::Set(d, 1.0F);
     const M crossed = hn::Xor(outside[kFrom], outside[kTo]);
-    const V along = hn::Mul(log[kFrom], hn::ApproximateReciprocal(hn::Sub(log[kFrom], log[kTo])));
+    const V along = hn::Mul(depth[kFrom], hn::ApproximateReciprocal(hn::Sub(depth[kFrom], depth[kTo])));
     const V t = hn::Max(hn::Min(along, hn::Set(d, 1.0F - kCrossingMargin)), hn::Set(d, kCrossingMargin));
     const V unit = hn::IfThenElseZero(crossed, one);
     sums.count = hn::Add(sums.count, unit);
@@ -54,11 +53,11 @@ HWY_INLINE void add_crossing(D d, const std::array<V, 8>& log, const std::array<
 }
 
 template <int Axis>
-HWY_INLINE void add_crossings(D d, const std::array<V, 8>& log, const std::array<M, 8>& outside, Sums& sums) {
-    add_crossing<Axis, 0>(d, log, outside, sums);
-    add_crossing<Axis, 1>(d, log, outside, sums);
-    add_crossing<Axis, 2>(d, log, outside, sums);
-    add_crossing<Axis, 3>(d, log, outside, sums);
+HWY_INLINE void add_crossings(D d, const std::array<V, 8>& depth, const std::array<M, 8>& outside, Sums& sums) {
+    add_crossing<Axis, 0>(d, depth, outside, sums);
+    add_crossing<Axis, 1>(d, depth, outside, sums);
+    add_crossing<Axis, 2>(d, depth, outside, sums);
+    add_crossing<Axis, 3>(d, depth, outside, sums);
 }
 
 void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const std::uint8_t* corners, std::size_t count,
@@ -68,14 +67,16 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
     const std::size_t lanes = hn::Lanes(d);
     const V zero = hn::Zero(d);
     const V iso = hn::Set(d, isovalue);
-    const V log_iso = rough_log2(d, iso);
-    // Relative to the isovalue, with the sign that the value itself has.
-    alignas(64) float logs[field::kGridStride];
+    // sqrt(-ln F) is linear in the distance from a straight vessel's axis, so linear interpolation in it lands on the
+    // surface, nearly. Relative to the isovalue, with the sign that the value itself has.
+    const auto depth = [&](V value) { return hn::Sqrt(hn::Max(hn::Neg(rough_log2(d, value)), zero)); };
+    const V surface = depth(iso);
+    alignas(64) float depths[field::kGridStride];
     for (std::size_t n = 0; n < field::kGridStride; n += lanes) {
         const V value = hn::Load(d, values + n);
-        const V log = hn::Sub(rough_log2(d, value), log_iso);
-        hn::Store(hn::IfThenElse(hn::Ge(value, iso), hn::Max(log, zero), hn::Min(log, hn::Set(d, -1e-6F))), d,
-                  logs + n);
+        const V inward = hn::Sub(surface, depth(value));
+        hn::Store(hn::IfThenElse(hn::Ge(value, iso), hn::Max(inward, zero), hn::Min(inward, hn::Set(d, -1e-6F))), d,
+                  depths + n);
     }
     constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
     const hn::Rebind<std::uint8_t, DI> d8;
@@ -84,16 +85,16 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
     const V reach = hn::Set(d, kVertexReach * cell_mm);
     for (std::size_t n = 0; n < count; n += lanes) {
         const VI corner = hn::PromoteTo(di, hn::LoadU(d8, corners + n));
-        std::array<V, 8> log;
+        std::array<V, 8> depth_at;
         std::array<M, 8> outside;
         for (std::size_t c = 0; c < 8; ++c) {
-            log[c] = hn::GatherIndex(d, logs, hn::Add(corner, hn::Set(di, kCornerOffset[c])));
-            outside[c] = hn::Lt(log[c], zero);
+            depth_at[c] = hn::GatherIndex(d, depths, hn::Add(corner, hn::Set(di, kCornerOffset[c])));
+            outside[c] = hn::Lt(depth_at[c], zero);
         }
         Sums sums{{zero, zero, zero}, zero};
-        add_crossings<0>(d, log, outside, sums);
-        add_crossings<1>(d, log, outside, sums);
-        add_crossings<2>(d, log, outside, sums);
+        add_crossings<0>(d, depth_at, outside, sums);
+        add_crossings<1>(d, depth_at, outside, sums);
+        add_crossings<2>(d, depth_at, outside, sums);
         // x + 5 y + 25 z taken apart, exactly, for what fits a brick.
         const VI z = hn::ShiftRight<10>(hn::Mul(corner, hn::Set(di, 41)));
         const VI in_layer = hn::Sub(corner, hn::Mul(z, hn::Set(di, 25)));
