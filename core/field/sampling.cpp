@@ -68,6 +68,8 @@ HWY_INLINE void find_box(const std::array<double, N>& x, const std::array<double
 // which vectors of points are inside the support, the second sums the kernel there. Two passes leave no branch in
 // either that depends on the points, so that vectors overlap in the pipeline.
 constexpr std::size_t kBatch = 128;
+constexpr std::size_t kGroup = HWY_MAX_BYTES >= 16 ? HWY_MAX_BYTES / sizeof(float) : 4; // points for each bit
+static_assert(kBatch / kGroup <= 32);
 struct Feet {
     alignas(64) float q[kBatch], rho[kBatch];
     alignas(64) float a[kBatch], b[kBatch]; // scaled axial distances from the start and to the end
@@ -84,21 +86,23 @@ HWY_INLINE std::uint32_t keep_foot(D d, const Segment& segment, V sqrt_w, V px, 
     return hn::AllFalse(d, inside_support(d, foot.rho)) ? 0 : 1;
 }
 
-// Second pass, over the vectors of points that have their bits set.
+// Second pass, over the groups of points that have their bits set.
 template <Ends Near>
-HWY_INLINE void add_kernels(D d, const Feet& feet, std::uint32_t vectors, float* HWY_RESTRICT sums) {
+HWY_INLINE void add_kernels(D d, const Feet& feet, std::uint32_t groups, float* HWY_RESTRICT sums) {
     const V saturated = error_function(d, hn::Set(d, kErrorFunctionEnd));
-    for (; vectors != 0; vectors &= vectors - 1) {
-        const std::size_t n = static_cast<std::size_t>(std::countr_zero(vectors)) * hn::Lanes(d);
-        const V body = hn::Mul(exp_negative(d, hn::Min(hn::Load(d, feet.q + n), hn::Set(d, 40.0F))),
-                               fade(d, hn::Load(d, feet.rho + n)));
-        V filter = saturated;
-        if constexpr (Near != Ends::kNone) {
-            const V from_start = near_start(Near) ? error_function(d, hn::Load(d, feet.a + n)) : saturated;
-            const V to_end = near_end(Near) ? error_function(d, hn::Load(d, feet.b + n)) : saturated;
-            filter = hn::Mul(hn::Set(d, 0.5F), hn::Add(from_start, to_end));
+    for (; groups != 0; groups &= groups - 1) {
+        const std::size_t first = static_cast<std::size_t>(std::countr_zero(groups)) * kGroup;
+        for (std::size_t n = first; n < first + kGroup; n += hn::Lanes(d)) {
+            const V body = hn::Mul(exp_negative(d, hn::Min(hn::Load(d, feet.q + n), hn::Set(d, 40.0F))),
+                                   fade(d, hn::Load(d, feet.rho + n)));
+            V filter = saturated;
+            if constexpr (Near != Ends::kNone) {
+                const V from_start = near_start(Near) ? error_function(d, hn::Load(d, feet.a + n)) : saturated;
+                const V to_end = near_end(Near) ? error_function(d, hn::Load(d, feet.b + n)) : saturated;
+                filter = hn::Mul(hn::Set(d, 0.5F), hn::Add(from_start, to_end));
+            }
+            hn::Store(hn::MulAdd(body, filter, hn::Load(d, sums + n)), d, sums + n);
         }
-        hn::Store(hn::MulAdd(body, filter, hn::Load(d, sums + n)), d, sums + n);
     }
 }
 
@@ -138,11 +142,10 @@ void SampleGrid(const ConvolutionField& field, const std::uint32_t* list, std::s
 #endif
         for_ends(near, [&](auto ends) {
             std::uint32_t wanted = 0;
-            unsigned vector = 0;
-            for (std::size_t n = 0; n < kGridStride; n += lanes, ++vector) {
+            for (std::size_t n = 0; n < kGridStride; n += lanes) {
                 wanted |= keep_foot<ends.value>(d, segment, sqrt_w, place(x, kGridLanes.i + n),
                                                 place(y, kGridLanes.j + n), place(z, kGridLanes.k + n), n, feet)
-                          << vector;
+                          << (n / kGroup);
             }
             add_kernels<ends.value>(d, feet, wanted, values);
         });
@@ -173,7 +176,7 @@ void SampleLattice(const ConvolutionField& field, const std::uint32_t* list, std
     Feet feet;
     for (std::size_t first = 0; first < point_count; first += kBatch) {
         const std::size_t n_points = HWY_MIN(kBatch, point_count - first);
-        const std::size_t n_padded = (n_points + lanes - 1) / lanes * lanes;
+        const std::size_t n_padded = (n_points + kGroup - 1) / kGroup * kGroup;
         alignas(64) std::int32_t pi[kBatch], pj[kBatch], pk[kBatch];
         alignas(64) float sum[kBatch];
         for (std::size_t n = 0; n < n_padded; ++n) {
@@ -191,12 +194,11 @@ void SampleLattice(const ConvolutionField& field, const std::uint32_t* list, std
             subtract(axes.z, s.az, z);
             for_ends(near, [&](auto ends) {
                 std::uint32_t wanted = 0;
-                unsigned vector = 0;
-                for (std::size_t n = 0; n < n_padded; n += lanes, ++vector)
+                for (std::size_t n = 0; n < n_padded; n += lanes)
                     wanted |= keep_foot<ends.value>(d, segment, sqrt_w, hn::GatherIndex(d, x, hn::Load(di, pi + n)),
                                                     hn::GatherIndex(d, y, hn::Load(di, pj + n)),
                                                     hn::GatherIndex(d, z, hn::Load(di, pk + n)), n, feet)
-                              << vector;
+                              << (n / kGroup);
                 add_kernels<ends.value>(d, feet, wanted, sum);
             });
         }
