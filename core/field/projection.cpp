@@ -89,7 +89,7 @@ HWY_INLINE V step(D d, Points& p, float root, const Projection& bounds, std::siz
 }
 
 // Where the first step is short the second would change nothing that could be seen. With this bound 99.9 % of the
-// vertices of real trees are within 0.2 % of their radius, as they are with two steps always.
+// vertices of real trees are within 0.21 % of their radius, against 0.18 % with two steps always.
 constexpr float kShortStep = 0.03F;
 
 // N vectors of points from the n-th on. Returns the number of steps.
