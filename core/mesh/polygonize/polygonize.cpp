@@ -1,6 +1,6 @@
 #include "core/mesh/polygonize/polygonize.h"
 
-#include "core/mesh/polygonize/join_triangles.h"
+#include "core/mesh/polygonize/join/join_triangles.h"
 
 #include <chrono>
 #include <cmath>

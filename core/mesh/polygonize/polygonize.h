@@ -2,10 +2,10 @@
 // the local vessel needs, vertices on the isosurface, normals from the field's gradient, and the dominating branch and
 // local radius at each vertex.
 //
-// The road: octree (which cubes of space the surface may cross, and how fine) -> neighbours -> brick_cells (samples,
-// loops, vertices) -> join_triangles. Every step works brick by brick in a fixed order, so the result has the same bits
-// for any number of threads. Not promised: that the surface has no handles where vessels pass closer than a cell, nor
-// that triangles of different sheets never intersect there.
+// The road, a folder each: octree (which cubes of space the surface may cross, how fine, and what is beside each) ->
+// cells (samples, loops, vertices) -> join (triangles). Every step works brick by brick in a fixed order, so the result
+// has the same bits for any number of threads. Not promised: that the surface has no handles where vessels pass closer
+// than a cell, nor that triangles of different sheets never intersect there.
 #pragma once
 
 #include "core/base/error.h"

@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/hanging_corners.h"
+#include "core/mesh/polygonize/cells/hanging_corners.h"
 
 #include <algorithm>
 #include <array>

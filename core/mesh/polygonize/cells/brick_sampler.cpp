@@ -1,7 +1,7 @@
-#include "core/mesh/polygonize/brick_sampler.h"
+#include "core/mesh/polygonize/cells/brick_sampler.h"
 
-#include "core/mesh/polygonize/hanging_corners.h"
-#include "core/mesh/polygonize/vertex_guesses.h"
+#include "core/mesh/polygonize/cells/hanging_corners.h"
+#include "core/mesh/polygonize/cells/vertex_guesses.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,9 +1,9 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/mesh/polygonize/quad_diagonals.cpp"
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/join/quad_diagonals.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/mesh/polygonize/quad_diagonals.h"
+#include "core/mesh/polygonize/join/quad_diagonals.h"
 
 #include <algorithm>
 #include <hwy/highway.h>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/field/projection.h"
-#include "core/mesh/polygonize/cell_loops.h"
-#include "core/mesh/polygonize/neighbours.h"
+#include "core/mesh/polygonize/cells/cell_loops.h"
+#include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>

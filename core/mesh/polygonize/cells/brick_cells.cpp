@@ -1,6 +1,6 @@
-#include "core/mesh/polygonize/brick_cells.h"
+#include "core/mesh/polygonize/cells/brick_cells.h"
 
-#include "core/mesh/polygonize/brick_sampler.h"
+#include "core/mesh/polygonize/cells/brick_sampler.h"
 
 #include <atomic>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/sizing.h"
+#include "core/mesh/polygonize/octree/sizing.h"
 
 #include <algorithm>
 #include <cmath>

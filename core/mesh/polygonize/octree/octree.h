@@ -5,8 +5,8 @@
 #include "core/base/job.h"
 #include "core/field/convolution_field.h"
 #include "core/field/culling.h"
-#include "core/mesh/polygonize/lattice.h"
-#include "core/mesh/polygonize/sizing.h"
+#include "core/mesh/polygonize/octree/lattice.h"
+#include "core/mesh/polygonize/octree/sizing.h"
 
 #include <array>
 #include <cstdint>

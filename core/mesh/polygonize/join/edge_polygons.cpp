@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/edge_polygons.h"
+#include "core/mesh/polygonize/join/edge_polygons.h"
 
 #include <algorithm>
 #include <cassert>

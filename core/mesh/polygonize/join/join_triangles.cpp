@@ -1,8 +1,8 @@
-#include "core/mesh/polygonize/join_triangles.h"
+#include "core/mesh/polygonize/join/join_triangles.h"
 
 #include "core/base/huge_pages.h"
-#include "core/mesh/polygonize/edge_polygons.h"
-#include "core/mesh/polygonize/quad_diagonals.h"
+#include "core/mesh/polygonize/join/edge_polygons.h"
+#include "core/mesh/polygonize/join/quad_diagonals.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/neighbours.h"
+#include "core/mesh/polygonize/octree/neighbours.h"
 
 #include <oneapi/tbb/parallel_for.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/octree.h"
+#include "core/mesh/polygonize/octree/octree.h"
 
 #include <algorithm>
 #include <cmath>

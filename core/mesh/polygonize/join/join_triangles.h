@@ -2,7 +2,7 @@
 // loops' vertices in the three or four cells that meet there.
 #pragma once
 
-#include "core/mesh/polygonize/brick_cells.h"
+#include "core/mesh/polygonize/cells/brick_cells.h"
 
 namespace ramus::mesh::bricks {
 

@@ -1,9 +1,9 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/mesh/polygonize/vertex_guesses.cpp"
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/cells/vertex_guesses.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/mesh/polygonize/vertex_guesses.h"
+#include "core/mesh/polygonize/cells/vertex_guesses.h"
 
 #include <array>
 #include <hwy/highway.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/unset_array.h"
-#include "core/mesh/polygonize/octree.h"
+#include "core/mesh/polygonize/octree/octree.h"
 
 #include <array>
 #include <cstdint>

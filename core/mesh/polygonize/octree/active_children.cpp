@@ -1,10 +1,10 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/mesh/polygonize/active_children.cpp"
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/octree/active_children.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
 #include "core/field/culling.h"
-#include "core/mesh/polygonize/sizing.h"
+#include "core/mesh/polygonize/octree/sizing.h"
 
 #include <hwy/highway.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/field/sampling.h"
-#include "core/mesh/polygonize/brick_cells.h"
+#include "core/mesh/polygonize/cells/brick_cells.h"
 
 namespace ramus::mesh::bricks {
 

@@ -3,7 +3,7 @@
 // own.
 #pragma once
 
-#include "core/mesh/polygonize/brick_cells.h"
+#include "core/mesh/polygonize/cells/brick_cells.h"
 
 #include <glm/vec4.hpp>
 #include <span>

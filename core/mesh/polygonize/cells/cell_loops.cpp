@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/cell_loops.h"
+#include "core/mesh/polygonize/cells/cell_loops.h"
 
 #include <cassert>
 
