@@ -1,5 +1,7 @@
 #include "app/commands/load_tree.h"
 
+#include "app/numbers.h"
+
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -24,27 +26,6 @@ Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& 
 
 void say(const SurfaceFlags& flags, const std::string& line) {
     if (flags.verbose) std::cerr << "ramus: " << line << '\n';
-}
-
-std::string grouped(std::uint64_t number) {
-    const std::string digits = std::to_string(number);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) text.push_back(',');
-        text.push_back(digits[i]);
-    }
-    return text;
-}
-
-std::string rounded(double number) {
-    char text[32];
-    // Four digits, but none of a whole number's lost.
-    std::snprintf(text, sizeof text, std::abs(number) >= 1e4 ? "%.0f" : "%.4g", number);
-    return text;
-}
-
-std::string counted(std::uint64_t number, const std::string& one, const std::string& many) {
-    return grouped(number) + " " + (number == 1 ? one : many);
 }
 
 } // namespace ramus::app

@@ -14,11 +14,4 @@ namespace ramus::app {
 // A line on standard error, with --verbose only.
 void say(const SurfaceFlags& flags, const std::string& line);
 
-// 1234567 as 1,234,567 and 0.123456 as 0.1235, for people.
-[[nodiscard]] std::string grouped(std::uint64_t number);
-[[nodiscard]] std::string rounded(double number);
-
-// "1 branch", "1,504 branches".
-[[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);
-
 } // namespace ramus::app

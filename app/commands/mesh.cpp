@@ -4,6 +4,7 @@
 #include "app/commands/load_tree.h"
 #include "app/commands/progress_bar.h"
 #include "app/commands/surface_flags.h"
+#include "app/numbers.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/output_file.h"
 #include "core/measure/mesh_components.h"

@@ -3,6 +3,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/progress_bar.h"
+#include "app/numbers.h"
 
 namespace ramus::app {
 

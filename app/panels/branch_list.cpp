@@ -1,5 +1,5 @@
 // Every branch as a row, sortable by column; a click selects, with Ctrl it adds or takes away.
-#include "app/panels/format.h"
+#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
@@ -74,7 +74,7 @@ void draw_row(InterfaceContext& context, int id) {
     number_cell(std::to_string(document.tree()->branches[index].generation), hidden);
     number_cell(digits(facts.mean_diameter_mm), hidden);
     number_cell(digits(facts.length_mm), hidden);
-    number_cell(count(static_cast<std::uint64_t>(facts.dependents)), hidden);
+    number_cell(grouped(static_cast<std::uint64_t>(facts.dependents)), hidden);
 }
 
 // As ImGui::TableHeadersRow(), but over numbers that end at the right.

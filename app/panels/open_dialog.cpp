@@ -1,6 +1,6 @@
 #include "app/panels/open_dialog.h"
 
-#include "app/panels/format.h"
+#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/recent_files.h"
 #include "app/panels/widgets.h"

@@ -1,5 +1,5 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
-#include "app/panels/format.h"
+#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
@@ -43,16 +43,16 @@ void draw_tree(InterfaceContext& context) {
     ImGui::PopFont();
     widgets::tooltip(document.session().tree.path.c_str());
     ImGui::Dummy({0.0F, 1.0F});
-    widgets::fact("Branches", count(tree.branches.size()));
-    widgets::fact("Generations", count(static_cast<std::uint64_t>(facts.generations)));
+    widgets::fact("Branches", grouped(tree.branches.size()));
+    widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.generations)));
     widgets::fact("Length", digits(facts.length_mm, 4) + " mm");
     widgets::fact("Volume", facts.volume_mm3 < 1000.0 ? digits(facts.volume_mm3) + " mm\xC2\xB3"
                                                       : digits(facts.volume_mm3 / 1000.0) + " ml");
     widgets::fact("Diameter", range(facts.min_diameter_mm, facts.max_diameter_mm));
-    if (tree.roots.size() > 1) widgets::fact("Roots", count(tree.roots.size()));
-    if (tree.loop_count > 0) widgets::fact("Loops", count(static_cast<std::uint64_t>(tree.loop_count)));
+    if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
+    if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
     if (!tree.repairs.empty()) {
-        widgets::fact("Repairs", count(tree.repairs.size()));
+        widgets::fact("Repairs", grouped(tree.repairs.size()));
         std::string all;
         for (std::size_t i = 0; i < std::min<std::size_t>(tree.repairs.size(), 12); ++i)
             all += (i > 0 ? "\n" : "") + tree.repairs[i];
@@ -155,7 +155,7 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     widgets::fact("Length", digits(own.length_mm) + " mm");
     widgets::fact("Generation", std::to_string(branch.generation));
     widgets::fact("Strahler order", std::to_string(branch.strahler));
-    widgets::fact("Dependents", count(static_cast<std::uint64_t>(own.dependents)));
+    widgets::fact("Dependents", grouped(static_cast<std::uint64_t>(own.dependents)));
     widgets::fact("State", state_text(state_of(document.marks(), id)));
 }
 
@@ -170,7 +170,8 @@ void draw_many(const Document& document, const TreeFacts& facts) {
         most = std::max(most, own.mean_diameter_mm);
     }
     const auto selected = document.marks().selection.size();
-    widgets::fact("Branches", count(selected) + " of " + count(static_cast<std::uint64_t>(document.branch_count())));
+    widgets::fact("Branches",
+                  grouped(selected) + " of " + grouped(static_cast<std::uint64_t>(document.branch_count())));
     widgets::fact("Length", digits(length, 4) + " mm");
     widgets::fact("Mean diameters", range(least, most));
 }

@@ -1,6 +1,6 @@
 // The line at the bottom: the way from the root to the branch at hand at the left, progress or what the picture is made
 // of at the right.
-#include "app/panels/format.h"
+#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
@@ -109,7 +109,7 @@ float draw_facts(InterfaceContext& context) {
     std::string text;
     if (shown.mesh) {
         const bool cones = shown.options.method == mesh::Method::kTruncatedCones;
-        text = std::string(cones ? "Cones" : "Convolution surface") + "   " + count(shown.mesh->triangles.size()) +
+        text = std::string(cones ? "Cones" : "Convolution surface") + "   " + grouped(shown.mesh->triangles.size()) +
                " triangles   " + seconds_text(shown.seconds);
     }
     const float start =

@@ -1,5 +1,5 @@
 // What lies under the pointer in the picture: the branch, its size, and what depends on it.
-#include "app/panels/format.h"
+#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
@@ -35,7 +35,7 @@ void draw_tooltip(InterfaceContext& context) {
         row("Diameter", digits(facts.mean_diameter_mm) + " mm");
         row("Length", digits(facts.length_mm) + " mm");
         row("Generation", std::to_string(document.tree()->branches[index].generation));
-        row("Dependents", facts.dependents == 0 ? "none" : count(static_cast<std::uint64_t>(facts.dependents)));
+        row("Dependents", facts.dependents == 0 ? "none" : grouped(static_cast<std::uint64_t>(facts.dependents)));
         ImGui::EndTable();
     }
     ImGui::EndTooltip();

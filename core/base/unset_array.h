@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <type_traits>
 
 namespace ramus {
@@ -22,10 +21,6 @@ public:
     [[nodiscard]] T& operator[](std::size_t i) { return values_[i]; }
     [[nodiscard]] const T& operator[](std::size_t i) const { return values_[i]; }
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] T* data() { return values_.get(); }
-    [[nodiscard]] const T* data() const { return values_.get(); }
-    operator std::span<T>() { return {values_.get(), size_}; }             // NOLINT(google-explicit-constructor)
-    operator std::span<const T>() const { return {values_.get(), size_}; } // NOLINT(google-explicit-constructor)
 
 private:
     std::unique_ptr<T[]> values_;

@@ -69,17 +69,12 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
     const V8 h = hn::Set(d, half_extent);
     const V8 corner2 = hn::Set(d, 3.0F * half_extent * half_extent); // squared distance of a corner from the middle
     const V8 zero = hn::Zero(d);
-    alignas(32) float x[kChildren], y[kChildren], z[kChildren];
-    for (int c = 0; c < kChildren; ++c) {
-        x[c] = middle.x + ((c & 1) != 0 ? 0.5F : -0.5F) * child_side;
-        y[c] = middle.y + ((c & 2) != 0 ? 0.5F : -0.5F) * child_side;
-        z[c] = middle.z + ((c & 4) != 0 ? 0.5F : -0.5F) * child_side;
-    }
+    const ChildCentres centres(middle, child_side);
     for (std::size_t m = 0; m < count; ++m) reaching[m] = 0;
     for (std::size_t first = 0; first < kChildren; first += lanes) {
-        const V8 cx = hn::Load(d, x + first);
-        const V8 cy = hn::Load(d, y + first);
-        const V8 cz = hn::Load(d, z + first);
+        const V8 cx = hn::Load(d, centres.x.data() + first);
+        const V8 cy = hn::Load(d, centres.y.data() + first);
+        const V8 cz = hn::Load(d, centres.z.data() + first);
         V8 lower = zero;
         V8 upper = zero;
         for (std::size_t m = 0; m < count; ++m) {

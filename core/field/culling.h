@@ -5,6 +5,7 @@
 #include "core/field/convolution_field.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -26,6 +27,17 @@ struct CullingSegments {
 
 // The children of a cube, numbered by the bits of their places: 1 = upper x, 2 = upper y, 4 = upper z.
 inline constexpr int kChildren = 8;
+struct ChildCentres {
+    alignas(32) std::array<float, kChildren> x, y, z;
+    ChildCentres(glm::vec3 middle, float child_side) {
+        for (std::size_t c = 0; c < kChildren; ++c) {
+            x[c] = middle.x + ((c & 1) != 0 ? 0.5F : -0.5F) * child_side;
+            y[c] = middle.y + ((c & 2) != 0 ? 0.5F : -0.5F) * child_side;
+            z[c] = middle.z + ((c & 4) != 0 ? 0.5F : -0.5F) * child_side;
+        }
+    }
+};
+
 struct ChildBounds {
     alignas(32) std::array<float, kChildren> lower{}, upper{};
 };

@@ -114,7 +114,6 @@ template <class Add> HWY_INLINE void for_ends(Ends near, const Add& add) {
 
 // A point seen from a segment. Lengths scaled by sqrt(w) / r are dimensionless: the kernel depends on nothing else.
 struct Foot {
-    V px, py, pz; // p - a, mm
     V t;          // axial coordinate, mm
     V qx, qy, qz; // offset from the line, mm
     V scale;      // sqrt(w) / r at the foot, 1/mm
@@ -125,7 +124,6 @@ struct Foot {
 
 HWY_INLINE Foot find_foot(D d, const Segment& s, V sqrt_w, V px, V py, V pz) {
     Foot f;
-    f.px = px, f.py = py, f.pz = pz;
     f.t = hn::MulAdd(pz, s.uz, hn::MulAdd(py, s.uy, hn::Mul(px, s.ux)));
     const V clamped = hn::Max(hn::Min(f.t, s.length), hn::Zero(d));
     // One step of Newton's method makes the quick reciprocal exact to single precision, at a third of a division's

@@ -75,7 +75,7 @@ struct Feet {
     alignas(64) float a[kBatch], b[kBatch]; // scaled axial distances from the start and to the end
 };
 
-// First pass at one vector of points; true when some point is inside the support.
+// First pass at one vector of points; 1 when some point is inside the support.
 template <Ends Near>
 HWY_INLINE std::uint32_t keep_foot(D d, const Segment& segment, V sqrt_w, V px, V py, V pz, std::size_t n, Feet& feet) {
     const Foot foot = find_foot(d, segment, sqrt_w, px, py, pz);
@@ -111,8 +111,8 @@ void SampleGrid(const ConvolutionField& field, const std::uint32_t* list, std::s
     const D d;
     [[maybe_unused]] const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
-    const V sqrt_w = hn::Set(d, static_cast<float>(field.kernel().sqrt_w));
-    const float root = static_cast<float>(field.kernel().sqrt_w);
+    const auto root = static_cast<float>(field.kernel().sqrt_w);
+    const V sqrt_w = hn::Set(d, root);
     const FieldSegment* segments = field.segments().data();
     glm::dvec3 middle;
     glm::vec3 half;
@@ -167,8 +167,8 @@ void SampleLattice(const ConvolutionField& field, const std::uint32_t* list, std
     const D d;
     const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
-    const V sqrt_w = hn::Set(d, static_cast<float>(field.kernel().sqrt_w));
-    const float root = static_cast<float>(field.kernel().sqrt_w);
+    const auto root = static_cast<float>(field.kernel().sqrt_w);
+    const V sqrt_w = hn::Set(d, root);
     const FieldSegment* segments = field.segments().data();
     glm::dvec3 middle;
     glm::vec3 half;

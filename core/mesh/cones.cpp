@@ -1,6 +1,6 @@
 #include "core/mesh/cones.h"
 
-#include "core/base/huge_pages.h"
+#include "core/mesh/resize_vertices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,11 +120,7 @@ Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job) {
     if (pieces.size() * layout.vertices() > 0xFFFFFFF0U)
         return fail("the cones would need more vertices than a mesh can number", {}, "lower --detail");
     TriangleMesh mesh;
-    const std::size_t vertices = pieces.size() * layout.vertices();
-    resize_large(mesh.positions, vertices);
-    resize_large(mesh.normals, vertices);
-    resize_large(mesh.radii, vertices);
-    resize_large(mesh.branches, vertices);
+    resize_vertices(mesh, pieces.size() * layout.vertices());
     resize_large(mesh.triangles, pieces.size() * layout.triangles());
     const PieceWriter writer(layout, mesh);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), 256), [&](const auto& range) {

@@ -1,8 +1,8 @@
 #include "core/mesh/polygonize/join/join_triangles.h"
 
-#include "core/base/huge_pages.h"
 #include "core/mesh/polygonize/join/edge_polygons.h"
 #include "core/mesh/polygonize/join/quad_diagonals.h"
+#include "core/mesh/resize_vertices.h"
 
 #include <algorithm>
 #include <atomic>
@@ -81,7 +81,7 @@ private:
         constexpr int kStepV = kStride[kV];
         const GridBits crossed = (inside ^ (inside >> kStride[Axis])) & kEdgeStarts[Axis];
         // An edge is joined by the brick of the lowest cell around it.
-        GridBits own = crossed & kUpper[Axis];
+        const GridBits own = crossed & kUpper[Axis];
         const GridBits touched = special_ | special_ << kStepU | special_ << kStepV | special_ << (kStepU + kStepV);
         for (GridBits plain = own & ~touched; plain != 0; plain &= plain - 1) {
             const int n = lowest_bit(plain);
@@ -129,13 +129,6 @@ void reserve_vertices(TriangleMesh& mesh, std::size_t count) {
     mesh.normals.reserve(count);
     mesh.radii.reserve(count);
     mesh.branches.reserve(count);
-}
-
-void resize_vertices(TriangleMesh& mesh, std::size_t count) {
-    resize_large(mesh.positions, count);
-    resize_large(mesh.normals, count);
-    resize_large(mesh.radii, count);
-    resize_large(mesh.branches, count);
 }
 
 // Gathers the chunks' vertices into the mesh and turns the bricks' first vertices into indices of the mesh.

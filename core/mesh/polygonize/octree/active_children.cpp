@@ -17,21 +17,16 @@ void ActiveChildren(const SizingPiece* all, const std::uint32_t* pieces, std::si
     const hn::CappedTag<float, field::kChildren> d;
     using V = hn::Vec<decltype(d)>;
     const std::size_t lanes = hn::Lanes(d);
-    alignas(32) float x[field::kChildren], y[field::kChildren], z[field::kChildren];
-    for (int c = 0; c < field::kChildren; ++c) {
-        x[c] = middle.x + ((c & 1) != 0 ? 0.5F : -0.5F) * child_side;
-        y[c] = middle.y + ((c & 2) != 0 ? 0.5F : -0.5F) * child_side;
-        z[c] = middle.z + ((c & 4) != 0 ? 0.5F : -0.5F) * child_side;
-    }
+    const field::ChildCentres centres(middle, child_side);
     // The factor keeps a brick whose cells are as wanted, to within rounding, whole.
     const float cell = 0.25F * child_side * 0.9999F;
     constexpr float kSqrt3Half = 0.8660254F;
     const float ball = kSqrt3Half * child_side;
     for (std::size_t m = 0; m < count; ++m) active[m] = 0;
     for (std::size_t first = 0; first < field::kChildren; first += lanes) {
-        const V cx = hn::Load(d, x + first);
-        const V cy = hn::Load(d, y + first);
-        const V cz = hn::Load(d, z + first);
+        const V cx = hn::Load(d, centres.x.data() + first);
+        const V cy = hn::Load(d, centres.y.data() + first);
+        const V cz = hn::Load(d, centres.z.data() + first);
         for (std::size_t m = 0; m < count; ++m) {
             const SizingPiece& piece = all[pieces[m]];
             if (piece.cell_mm >= cell) continue;

@@ -1,0 +1,17 @@
+// Numbers as people read them, in the window and on the command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace ramus::app {
+
+[[nodiscard]] std::string grouped(std::uint64_t number);             // "1,234,567"
+[[nodiscard]] std::string rounded(double number);                    // "0.1235"
+[[nodiscard]] std::string digits(double value, int significant = 3); // "0.031", "12.3", "1,234"
+[[nodiscard]] std::string seconds_text(double seconds);              // "12 ms", "1.42 s"
+
+// "1 branch", "1,504 branches".
+[[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);
+
+} // namespace ramus::app
