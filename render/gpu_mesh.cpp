@@ -19,9 +19,9 @@ std::int16_t normalised(float v) {
 }
 
 // Area-weighted vertex normals for a mesh that came without.
-std::vector<glm::vec3> normals_of(const mesh::TriangleMesh& mesh) {
+LargeArray<glm::vec3> normals_of(const mesh::TriangleMesh& mesh) {
     if (mesh.normals.size() == mesh.positions.size()) return mesh.normals;
-    std::vector<glm::vec3> normals(mesh.positions.size(), glm::vec3(0.0F));
+    LargeArray<glm::vec3> normals(mesh.positions.size(), glm::vec3(0.0F));
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::vec3 n =
             glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
@@ -89,7 +89,7 @@ bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4
 
 // Appends the triangles by branch to `sorted`: a counting sort keeps their order within each branch, and with it the
 // vertices' locality.
-std::vector<GpuMesh::Range> GpuMesh::append_by_branch(const std::vector<glm::uvec3>& triangles,
+std::vector<GpuMesh::Range> GpuMesh::append_by_branch(std::span<const glm::uvec3> triangles,
                                                       const std::vector<GpuVertex>& vertices, std::size_t branch_count,
                                                       std::vector<glm::uvec3>& sorted) {
     std::vector<Range> ranges(branch_count);
@@ -120,7 +120,7 @@ std::vector<GpuMesh::Range> GpuMesh::append_by_branch(const std::vector<glm::uve
 }
 
 GpuMesh::GpuMesh(const mesh::TriangleMesh& mesh) : bounds_(bounds_of(mesh)), origin_(bounds_.centre()) {
-    const std::vector<glm::vec3> normals = normals_of(mesh);
+    const LargeArray<glm::vec3> normals = normals_of(mesh);
     const bool has_branches = mesh.branches.size() == mesh.positions.size();
     std::vector<GpuVertex> vertices(mesh.positions.size());
     std::int32_t largest = 0;

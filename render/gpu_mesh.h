@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ramus::render {
@@ -44,7 +45,7 @@ private:
         std::uint32_t first = 0, count = 0; // triangles
         glm::vec3 lower{0.0F}, upper{0.0F}; // relative to origin
     };
-    static std::vector<Range> append_by_branch(const std::vector<glm::uvec3>& triangles,
+    static std::vector<Range> append_by_branch(std::span<const glm::uvec3> triangles,
                                                const std::vector<GpuVertex>& vertices, std::size_t branch_count,
                                                std::vector<glm::uvec3>& sorted);
 

@@ -40,9 +40,9 @@ HWY_INLINE void add_bounds(D8 d, const CullingSegment& s, const BoxView& box, hn
     const V8 q_min = hn::Mul(box.nearest, box.coarse);
     const V8 t_best = hn::Max(hn::Min(middle, t_high), t_low);
     const auto term_upper = [&](V8 v) {
-        return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.fine, box.coarse)));
+        return half_error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.fine, box.coarse)));
     };
-    const V8 filter_upper = hn::Mul(half, hn::Add(term_upper(t_best), term_upper(hn::Sub(length, t_best))));
+    const V8 filter_upper = hn::Add(term_upper(t_best), term_upper(hn::Sub(length, t_best)));
     const V8 gauss_upper = exp_negative(d, hn::Min(hn::Mul(q_min, q_min), limit));
     upper = hn::Add(upper, hn::IfThenElseZero(reaches, hn::Mul(gauss_upper, filter_upper)));
 
@@ -52,10 +52,9 @@ HWY_INLINE void add_bounds(D8 d, const CullingSegment& s, const BoxView& box, hn
     if (hn::AllFalse(d, hn::Lt(rho_max, hn::Set(d, static_cast<float>(kFadeEnd))))) return;
     const V8 t_worst = hn::IfThenElse(hn::Gt(box.t, middle), t_high, t_low);
     const auto term_lower = [&](V8 v) {
-        return error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.coarse, box.fine)));
+        return half_error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.coarse, box.fine)));
     };
-    const V8 filter_lower =
-        hn::Max(zero, hn::Mul(half, hn::Add(term_lower(t_worst), term_lower(hn::Sub(length, t_worst)))));
+    const V8 filter_lower = hn::Max(zero, hn::Add(term_lower(t_worst), term_lower(hn::Sub(length, t_worst))));
     const V8 gauss_lower = hn::Mul(exp_negative(d, hn::Min(hn::Mul(q_max, q_max), limit)), fade(d, rho_max));
     lower = hn::Add(lower, hn::IfThenElseZero(reaches, hn::Mul(gauss_lower, filter_lower)));
 }

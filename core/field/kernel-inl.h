@@ -12,6 +12,7 @@
 #endif
 
 #include "core/field/convolution_field.h"
+#include "core/field/pack-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,185 +22,157 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
 
 // exp(-q) for q in [0, 80].
-template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec exp_negative(Tag d, Vec q) {
-    const hn::RebindToSigned<Tag> di;
-    const Vec scaled = hn::Mul(q, hn::Set(d, -1.44269504F));
-    const Vec whole = hn::Round(scaled);
+template <class Tag, class Vec> HWY_INLINE Vec exp_negative(Tag d, Vec q) {
+    // Adding this rounds to a whole number and leaves it in the lowest bits.
+    const Vec shift = set(d, 12582912.0F); // 1.5 2^23
+    const Vec shifted = mul_add(q, set(d, -1.44269504F), shift);
+    const Vec whole = sub(shifted, shift);
     // ln 2 in two parts keeps the reduced argument exact.
-    Vec f = hn::NegMulAdd(whole, hn::Set(d, 0.693359375F), hn::Neg(q));
-    f = hn::NegMulAdd(whole, hn::Set(d, -2.12194440e-4F), f);
-    Vec p = hn::MulAdd(f, hn::Set(d, 1.0F / 720.0F), hn::Set(d, 1.0F / 120.0F));
-    p = hn::MulAdd(p, f, hn::Set(d, 1.0F / 24.0F));
-    p = hn::MulAdd(p, f, hn::Set(d, 1.0F / 6.0F));
-    p = hn::MulAdd(p, f, hn::Set(d, 0.5F));
-    p = hn::MulAdd(p, f, hn::Set(d, 1.0F));
-    p = hn::MulAdd(p, f, hn::Set(d, 1.0F));
-    const auto exponent = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127)));
-    return hn::Mul(p, hn::BitCast(d, exponent));
+    Vec f = neg_mul_add(whole, set(d, 0.693359375F), sub(set(d, 0.0F), q));
+    f = neg_mul_add(whole, set(d, -2.12194440e-4F), f);
+    Vec p = mul_add(f, set(d, 1.0F / 720.0F), set(d, 1.0F / 120.0F));
+    p = mul_add(p, f, set(d, 1.0F / 24.0F));
+    p = mul_add(p, f, set(d, 1.0F / 6.0F));
+    p = mul_add(p, f, set(d, 0.5F));
+    p = mul_add(p, f, set(d, 1.0F));
+    p = mul_add(p, f, set(d, 1.0F));
+    return times_power(p, shifted);
 }
 
 inline constexpr float kErrorFunctionEnd = 3.5F;
 
-// erf(x) as x times a polynomial in x^2 (degree 12, interpolated at the Chebyshev nodes of [0, 3.5^2]); beyond 3.5 the
-// function is constant to 7.4e-7.
-template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec error_function(Tag d, Vec x) {
-    const Vec c = hn::Max(hn::Min(x, hn::Set(d, kErrorFunctionEnd)), hn::Set(d, -kErrorFunctionEnd));
-    const Vec z = hn::MulSub(hn::Mul(c, c), hn::Set(d, 0.16326530612244897F), hn::Set(d, 1.0F));
+// erf(x) / 2 as x times a polynomial in x^2 (degree 12, interpolated at the Chebyshev nodes of [0, 3.5^2]); beyond 3.5
+// the function is constant to 7.4e-7.
+template <class Tag, class Vec> HWY_INLINE Vec half_error_function(Tag d, Vec x) {
+    const Vec c = max(min(x, set(d, kErrorFunctionEnd)), set(d, -kErrorFunctionEnd));
+    const Vec z = mul_sub(mul(c, c), set(d, 0.16326530612244897F), set(d, 1.0F));
     // Even and odd powers apart: two short chains instead of a long one.
-    const Vec z2 = hn::Mul(z, z);
-    Vec even = hn::Set(d, 0.0017147183F);
-    even = hn::MulAdd(even, z2, hn::Set(d, 0.00384824956F));
-    even = hn::MulAdd(even, z2, hn::Set(d, 0.0176693127F));
-    even = hn::MulAdd(even, z2, hn::Set(d, 0.0447378904F));
-    even = hn::MulAdd(even, z2, hn::Set(d, 0.0884569958F));
-    even = hn::MulAdd(even, z2, hn::Set(d, 0.146746352F));
-    even = hn::MulAdd(even, z2, hn::Set(d, 0.403873026F));
-    Vec odd = hn::Set(d, -0.00413279235F);
-    odd = hn::MulAdd(odd, z2, hn::Set(d, -0.00686586695F));
-    odd = hn::MulAdd(odd, z2, hn::Set(d, -0.0303559396F));
-    odd = hn::MulAdd(odd, z2, hn::Set(d, -0.0646453798F));
-    odd = hn::MulAdd(odd, z2, hn::Set(d, -0.114632167F));
-    odd = hn::MulAdd(odd, z2, hn::Set(d, -0.200700209F));
-    return hn::Mul(c, hn::MulAdd(odd, z, even));
+    const Vec z2 = mul(z, z);
+    Vec even = set(d, 0.5F * 0.0017147183F);
+    even = mul_add(even, z2, set(d, 0.5F * 0.00384824956F));
+    even = mul_add(even, z2, set(d, 0.5F * 0.0176693127F));
+    even = mul_add(even, z2, set(d, 0.5F * 0.0447378904F));
+    even = mul_add(even, z2, set(d, 0.5F * 0.0884569958F));
+    even = mul_add(even, z2, set(d, 0.5F * 0.146746352F));
+    even = mul_add(even, z2, set(d, 0.5F * 0.403873026F));
+    Vec odd = set(d, 0.5F * -0.00413279235F);
+    odd = mul_add(odd, z2, set(d, 0.5F * -0.00686586695F));
+    odd = mul_add(odd, z2, set(d, 0.5F * -0.0303559396F));
+    odd = mul_add(odd, z2, set(d, 0.5F * -0.0646453798F));
+    odd = mul_add(odd, z2, set(d, 0.5F * -0.114632167F));
+    odd = mul_add(odd, z2, set(d, 0.5F * -0.200700209F));
+    return mul(c, mul_add(odd, z, even));
 }
 
-// One segment, broadcast to all lanes.
-struct Segment {
-    V ux, uy, uz, length, radius, slope;
+// Segments, each broadcast to all lanes.
+struct Segments {
+    Pack ux, uy, uz, length, radius, slope;
 };
 
-HWY_INLINE Segment broadcast(D d, const FieldSegment& s) {
-    return {hn::Set(d, s.ux),     hn::Set(d, s.uy),     hn::Set(d, s.uz),
-            hn::Set(d, s.length), hn::Set(d, s.radius), hn::Set(d, s.slope)};
-}
+// Away from the ends of a long segment the end filter is constant, to the last bit: kNone. Near one of them counts as
+// near both: the work for the other costs less than guessing a branch wrong.
+enum class Ends : std::uint8_t { kNone = 0, kSome = 1 };
 
-// The ends of a segment that some point of a box may be near. Elsewhere the end filter's error functions are constant,
-// to the last bit, as they are along most of a long segment.
-enum class Ends : std::uint8_t { kNone = 0, kStart = 1, kEnd = 2, kBoth = 3 };
-constexpr bool near_start(Ends ends) { return ends == Ends::kStart || ends == Ends::kBoth; }
-constexpr bool near_end(Ends ends) { return ends == Ends::kEnd || ends == Ends::kBoth; }
-
-// `middle` of the box relative to the segment's start, and half its edges, mm.
-inline Ends ends_near(const FieldSegment& s, float sqrt_w, glm::vec3 middle, glm::vec3 half) {
-    const float t = s.ux * middle.x + s.uy * middle.y + s.uz * middle.z;
-    const float along = std::abs(s.ux) * half.x + std::abs(s.uy) * half.y + std::abs(s.uz) * half.z;
-    const auto radius = [&](float at) { return s.radius + s.slope * std::clamp(at, 0.0F, s.length); };
-    // A little more than where the functions end covers the rounding.
-    const float far = kErrorFunctionEnd * 1.001F * std::max(radius(t - along), radius(t + along));
-    const int start = (t - along) * sqrt_w < far ? 1 : 0;
-    const int end = (s.length - t - along) * sqrt_w < far ? 2 : 0;
-    return static_cast<Ends>(start | end);
-}
-
-// Calls `add` with the ends as a template argument.
-template <class Add> HWY_INLINE void for_ends(Ends near, const Add& add) {
-    switch (near) {
-    case Ends::kNone:
-        return add(std::integral_constant<Ends, Ends::kNone>());
-    case Ends::kStart:
-        return add(std::integral_constant<Ends, Ends::kStart>());
-    case Ends::kEnd:
-        return add(std::integral_constant<Ends, Ends::kEnd>());
-    case Ends::kBoth:
-        return add(std::integral_constant<Ends, Ends::kBoth>());
-    }
+template <class Call> HWY_INLINE void for_ends(Ends near, const Call& call) {
+    if (near == Ends::kNone)
+        call(std::integral_constant<Ends, Ends::kNone>());
+    else
+        call(std::integral_constant<Ends, Ends::kSome>());
 }
 
 // A point seen from a segment. Lengths scaled by sqrt(w) / r are dimensionless: the kernel depends on nothing else.
 struct Foot {
-    V t;          // axial coordinate, mm
-    V qx, qy, qz; // offset from the line, mm
-    V scale;      // sqrt(w) / r at the foot, 1/mm
-    V q;          // w d^2 / r^2
-    V e;          // axial distance beyond the ends, scaled; 0 between them
-    V rho;        // q + e^2: squared scaled distance to the segment
+    Pack t;          // axial coordinate, mm
+    Pack qx, qy, qz; // offset from the line, mm
+    Pack scale;      // sqrt(w) / r at the foot, 1/mm
+    Pack q;          // w d^2 / r^2
+    Pack e;          // axial distance beyond the ends, scaled; 0 between them
+    Pack rho;        // q + e^2: squared scaled distance to the segment
 };
 
-HWY_INLINE Foot find_foot(D d, const Segment& s, V sqrt_w, V px, V py, V pz) {
+HWY_INLINE Foot find_foot(const Segments& s, Pack sqrt_w, Pack px, Pack py, Pack pz) {
+    const PackTag d;
     Foot f;
-    f.t = hn::MulAdd(pz, s.uz, hn::MulAdd(py, s.uy, hn::Mul(px, s.ux)));
-    const V clamped = hn::Max(hn::Min(f.t, s.length), hn::Zero(d));
+    f.t = mul_add(pz, s.uz, mul_add(py, s.uy, mul(px, s.ux)));
+    const Pack clamped = max(min(f.t, s.length), set(d, 0.0F));
     // One step of Newton's method makes the quick reciprocal exact to single precision, at a third of a division's
     // time.
-    const V radius = hn::MulAdd(s.slope, clamped, s.radius);
-    const V guess = hn::ApproximateReciprocal(radius);
-    f.scale = hn::Mul(sqrt_w, hn::Mul(guess, hn::NegMulAdd(radius, guess, hn::Set(d, 2.0F))));
+    const Pack radius = mul_add(s.slope, clamped, s.radius);
+    const Pack guess = rough_reciprocal(radius);
+    f.scale = mul(mul(sqrt_w, guess), neg_mul_add(radius, guess, set(d, 2.0F)));
     // The offset vector, not |p|^2 - t^2: beside a long segment the difference of squares would lose all digits.
-    f.qx = hn::NegMulAdd(f.t, s.ux, px);
-    f.qy = hn::NegMulAdd(f.t, s.uy, py);
-    f.qz = hn::NegMulAdd(f.t, s.uz, pz);
-    const V d2 = hn::MulAdd(f.qz, f.qz, hn::MulAdd(f.qy, f.qy, hn::Mul(f.qx, f.qx)));
-    f.q = hn::Mul(d2, hn::Mul(f.scale, f.scale));
-    f.e = hn::Mul(hn::Sub(f.t, clamped), f.scale);
-    f.rho = hn::MulAdd(f.e, f.e, f.q);
+    f.qx = neg_mul_add(f.t, s.ux, px);
+    f.qy = neg_mul_add(f.t, s.uy, py);
+    f.qz = neg_mul_add(f.t, s.uz, pz);
+    const Pack d2 = mul_add(f.qz, f.qz, mul_add(f.qy, f.qy, mul(f.qx, f.qx)));
+    f.q = mul(d2, mul(f.scale, f.scale));
+    f.e = mul(sub(f.t, clamped), f.scale);
+    f.rho = mul_add(f.e, f.e, f.q);
     return f;
 }
 
 // Smooth step from 1 at kFadeBegin to exactly 0 at kFadeEnd, and its derivative with respect to rho.
-template <class Tag, class Vec = hn::Vec<Tag>> HWY_INLINE Vec fade(Tag d, Vec rho) {
-    const Vec x = hn::Mul(hn::Sub(hn::Set(d, static_cast<float>(kFadeEnd)), rho),
-                          hn::Set(d, static_cast<float>(1.0 / (kFadeEnd - kFadeBegin))));
-    const Vec c = hn::Max(hn::Min(x, hn::Set(d, 1.0F)), hn::Zero(d));
-    return hn::Mul(hn::Mul(c, c), hn::NegMulAdd(hn::Set(d, 2.0F), c, hn::Set(d, 3.0F)));
+template <class Tag, class Vec> HWY_INLINE Vec fade_place(Tag d, Vec rho) {
+    constexpr double kInverse = 1.0 / (kFadeEnd - kFadeBegin);
+    const Vec x =
+        neg_mul_add(rho, set(d, static_cast<float>(kInverse)), set(d, static_cast<float>(kFadeEnd * kInverse)));
+    return max(min(x, set(d, 1.0F)), set(d, 0.0F));
+}
+template <class Tag, class Vec> HWY_INLINE Vec fade(Tag d, Vec rho) {
+    const Vec c = fade_place(d, rho);
+    return mul(mul(c, c), neg_mul_add(set(d, 2.0F), c, set(d, 3.0F)));
 }
 
-HWY_INLINE V fade_slope(D d, V rho) {
-    const V x = hn::Mul(hn::Sub(hn::Set(d, static_cast<float>(kFadeEnd)), rho),
-                        hn::Set(d, static_cast<float>(1.0 / (kFadeEnd - kFadeBegin))));
-    const V c = hn::Max(hn::Min(x, hn::Set(d, 1.0F)), hn::Zero(d));
-    return hn::Mul(hn::Set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))),
-                   hn::Mul(c, hn::Sub(hn::Set(d, 1.0F), c)));
+// The end filter: 1/2 [erf(a) + erf(b)].
+template <Ends Near> HWY_INLINE Pack end_filter(Pack a, Pack b) {
+    const PackTag d;
+    const Pack saturated = half_error_function(d, set(d, kErrorFunctionEnd));
+    if constexpr (Near == Ends::kNone) return add(saturated, saturated);
+    return add(half_error_function(d, a), half_error_function(d, b));
 }
 
-HWY_INLINE M inside_support(D d, V rho) { return hn::Lt(rho, hn::Set(d, static_cast<float>(kFadeEnd))); }
+// The kernels of two segments, at as many vectors of points as there are.
+template <Ends Near> HWY_INLINE Pack kernel_value(const Segments& s, const Foot& f) {
+    const PackTag d;
+    const Pack body = mul(exp_negative(d, min(f.q, set(d, 40.0F))), fade(d, f.rho));
+    return mul(body, end_filter<Near>(mul(f.t, f.scale), mul(sub(s.length, f.t), f.scale)));
+}
 
 // h and its gradient: grad h = radial * (qx, qy, qz) + axial * u.
 struct KernelGradient {
-    V value, radial, axial;
+    Pack value, radial, axial;
 };
 
-template <Ends Near> HWY_INLINE KernelGradient kernel_gradient(D d, const Segment& s, const Foot& f, V inverse_sqrt_w) {
-    const V one = hn::Set(d, 1.0F);
-    const V zero = hn::Zero(d);
-    const V limit = hn::Set(d, 40.0F);
-    const V gauss = exp_negative(d, hn::Min(f.q, limit));
-    const V step = fade(d, f.rho);
-    const V step_slope = fade_slope(d, f.rho);
+template <Ends Near> HWY_INLINE KernelGradient kernel_gradient(const Segments& s, const Foot& f, Pack inverse_sqrt_w) {
+    const PackTag d;
+    const Pack one = set(d, 1.0F);
+    const Pack two = set(d, 2.0F);
+    const Pack limit = set(d, 40.0F);
+    const Pack gauss = exp_negative(d, min(f.q, limit));
+    const Pack c = fade_place(d, f.rho);
+    const Pack step = mul(mul(c, c), neg_mul_add(two, c, set(d, 3.0F)));
+    const Pack step_slope = mul(mul(set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))), c), sub(one, c));
     // Relative change of the radius per mm along the axis; none beyond the ends.
-    const M between = hn::And(hn::Gt(f.t, zero), hn::Lt(f.t, s.length));
-    const V growth = hn::IfThenElseZero(between, hn::Mul(s.slope, hn::Mul(f.scale, inverse_sqrt_w)));
-    // The end filter and its slope, end by end; far from an end the slope is below 5e-6.
-    V filter = hn::Set(d, 0.5F);
-    V bell = zero;
-    if constexpr (near_start(Near)) {
-        const V a = hn::Mul(f.t, f.scale);
-        filter = hn::Mul(filter, error_function(d, a));
-        bell = hn::Mul(exp_negative(d, hn::Min(hn::Mul(a, a), limit)), hn::NegMulAdd(f.t, growth, one));
-    }
-    if constexpr (near_end(Near)) {
-        const V to_end = hn::Sub(s.length, f.t);
-        const V b = hn::Mul(to_end, f.scale);
-        filter = hn::MulAdd(hn::Set(d, 0.5F), error_function(d, b), filter);
-        bell = hn::NegMulAdd(exp_negative(d, hn::Min(hn::Mul(b, b), limit)), hn::MulAdd(to_end, growth, one), bell);
-    } else {
-        filter = hn::Add(filter, hn::Set(d, 0.5F));
-    }
-    const V filter_slope = hn::Mul(hn::Mul(f.scale, hn::Set(d, 0.564189584F)), bell); // 1 / sqrt(pi)
-    const V q_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0F), f.q), growth);
-    const V rho_slope = hn::MulAdd(hn::Mul(hn::Set(d, 2.0F), f.e), f.scale, q_slope);
-    const V body = hn::Mul(gauss, filter);
+    const Pack growth = where_between(set(d, 0.0F), f.t, s.length, mul(s.slope, mul(f.scale, inverse_sqrt_w)));
+    const Pack to_end = sub(s.length, f.t);
+    const Pack a = mul(f.t, f.scale);
+    const Pack b = mul(to_end, f.scale);
+    const Pack filter = end_filter<Near>(a, b);
+    const Pack body = mul(gauss, filter);
+    const Pack q_slope = mul(mul(set(d, -2.0F), f.q), growth);
+    const Pack rho_slope = mul_add(mul(two, f.e), f.scale, q_slope);
     KernelGradient g;
-    g.value = hn::Mul(step, body);
-    g.radial = hn::Mul(hn::Mul(hn::Set(d, 2.0F), hn::Mul(f.scale, f.scale)), hn::Mul(body, hn::Sub(step_slope, step)));
-    g.axial = hn::MulAdd(hn::Mul(step, gauss), filter_slope,
-                         hn::Mul(body, hn::NegMulAdd(step, q_slope, hn::Mul(step_slope, rho_slope))));
+    g.value = mul(step, body);
+    g.radial = mul(mul(two, mul(f.scale, f.scale)), mul(body, sub(step_slope, step)));
+    g.axial = mul(body, neg_mul_add(step, q_slope, mul(step_slope, rho_slope)));
+    if constexpr (Near == Ends::kSome) { // far from the ends the filter's slope is below 5e-6
+        const Pack bell_a = mul(exp_negative(d, min(mul(a, a), limit)), neg_mul_add(f.t, growth, one));
+        const Pack bell = neg_mul_add(exp_negative(d, min(mul(b, b), limit)), mul_add(to_end, growth, one), bell_a);
+        const Pack filter_slope = mul(mul(f.scale, set(d, 0.564189584F)), bell); // 1 / sqrt(pi)
+        g.axial = mul_add(mul(step, gauss), filter_slope, g.axial);
+    }
     return g;
 }
 

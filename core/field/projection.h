@@ -2,7 +2,7 @@
 // points.
 #pragma once
 
-#include "core/field/convolution_field.h"
+#include "core/field/local_segments.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,18 +11,12 @@
 
 namespace ramus::field {
 
-// Points to be moved onto the surface. Positions are relative to `origin`, in mm; each stays within `reach` of its
-// centre along every axis. The arrays are longer than size(): they are kept from use to use and padded to whole
-// vectors.
+// First guesses of points on the surface. Positions are relative to the corner of the local segments, in mm; each point
+// stays within `reach` of its centre along every axis. The arrays are longer than size(): they are kept from use to use
+// and padded to whole vectors.
 struct Projection {
-    glm::dvec3 origin{0.0};
-    std::vector<float> x, y, z;           // in: first guess; out: point on the surface
-    std::vector<float> cx, cy, cz, reach; // box that a point must not leave
-    std::vector<float> nx, ny, nz;        // out: unit normal, outward
-    std::vector<float> radius;            // out: local radius, mm
-    std::vector<std::int32_t> segment;    // out: strongest contributor
-    std::vector<float> starts;            // scratch: of the segments, relative to origin
-    std::vector<std::uint8_t> ends;       // scratch: of the segments, those that points may be near
+    std::vector<float> x, y, z;
+    std::vector<float> cx, cy, cz, reach;
 
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
@@ -45,8 +39,18 @@ struct Projection {
 private:
     std::size_t size_ = 0;
 };
-inline constexpr int kProjectionSteps = 2; // at most
-// Returns the number of points at which the field was taken, padding included.
-std::uint64_t project(const ConvolutionField& field, std::span<const std::uint32_t> list, Projection& points);
+
+// Where the points go, with room for kProjectionPadding more than there are.
+struct SurfacePoints {
+    glm::vec3* positions; // mm
+    glm::vec3* normals;   // unit length, outward
+    float* radii;         // local radius, mm
+    std::int32_t* branches;
+};
+
+inline constexpr std::size_t kProjectionPadding = 32; // whole vectors are done, two at a time
+inline constexpr int kProjectionSteps = 2;            // at most
+// Moves the points of `points` onto the surface and writes them to `to`. Returns the number of kernels evaluated.
+std::uint64_t project(const LocalSegments& local, Projection& points, const SurfacePoints& to);
 
 } // namespace ramus::field

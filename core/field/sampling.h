@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/field/convolution_field.h"
+#include "core/field/local_segments.h"
 
 #include <array>
 #include <cstdint>
@@ -13,18 +14,19 @@
 
 namespace ramus::field {
 
-// Grid of 5 x 5 x 5 points, x fastest; values are padded to kGridStride entries.
-inline constexpr int kGridSide = 5;
-inline constexpr int kGridPoints = kGridSide * kGridSide * kGridSide;
-inline constexpr int kGridStride = 128;
-
-// Coordinates along the axes, padded to whole vectors: kGridSide of them count.
-struct GridAxes {
-    std::array<double, 8> x{}, y{}, z{}; // mm
+// The points of a grid in groups of 16, each compact, so that few segments reach it. Groups 0 to 3: the layers
+// z = 0 .. 3 of the points below the upper sides, x + 4 y. Groups 4 to 6: the upper sides x = 4 (y + 4 z), y = 4
+// (x + 4 z) and z = 4 (x + 4 y). Group 7: the upper edges along x, y and z, 4 points each, then the corner.
+inline constexpr std::size_t kGroups = 8;
+inline constexpr std::size_t kGroupPoints = 16;
+inline constexpr std::size_t kEdgePoints = 13; // of the last group that count
+inline constexpr unsigned kOwnGroups = 0x0F;
+struct GridGroups {
+    alignas(64) std::array<std::array<float, kGroupPoints>, kGroups> value;
+    std::array<std::uint16_t, kGroups> inside; // one bit per point: is the value at or above the isovalue?
 };
-// Returns one bit per point: is the value at or above the isovalue?
-std::array<std::uint64_t, 2> sample_grid(const ConvolutionField& field, std::span<const std::uint32_t> list,
-                                         const GridAxes& axes, std::span<float, kGridStride> values);
+// Fills in the groups that have their bits set. Returns the number of kernels evaluated, one per segment and point.
+std::uint64_t sample_groups(const LocalSegments& local, unsigned groups, GridGroups& samples);
 
 // Points given by indices into small tables of coordinates; at most kLatticeSide entries an axis.
 inline constexpr int kLatticeSide = 17;
@@ -35,8 +37,9 @@ struct LatticeAxes {
 struct LatticePoint {
     std::uint8_t i, j, k;
 };
-void sample_lattice(const ConvolutionField& field, std::span<const std::uint32_t> list, const LatticeAxes& axes,
-                    std::span<const LatticePoint> points, std::span<float> values);
+// The corner of `axes` is that of `local`, and its box the same. Returns the number of kernels evaluated.
+std::uint64_t sample_lattice(const LocalSegments& local, const LatticeAxes& axes, std::span<const LatticePoint> points,
+                             std::span<float> values);
 
 // Name of the instruction set in use, such as "AVX3".
 const char* instruction_set();

@@ -106,7 +106,7 @@ private:
 void write_obj(const mesh::TriangleMesh& mesh, OutputFile& file) {
     file.write("# ramus " RAMUS_VERSION ", mm, RAS\n");
     Line line;
-    const auto write_vectors = [&](std::string_view name, const std::vector<glm::vec3>& vectors) {
+    const auto write_vectors = [&](std::string_view name, const LargeArray<glm::vec3>& vectors) {
         for (const glm::vec3& vector : vectors) {
             line.text(name);
             for (int axis = 0; axis < 3; ++axis) {

@@ -121,7 +121,7 @@ Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job) {
         return fail("the cones would need more vertices than a mesh can number", {}, "lower --detail");
     TriangleMesh mesh;
     resize_vertices(mesh, pieces.size() * layout.vertices());
-    resize_large(mesh.triangles, pieces.size() * layout.triangles());
+    mesh.triangles.resize(pieces.size() * layout.triangles());
     const PieceWriter writer(layout, mesh);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), 256), [&](const auto& range) {
         if (job.cancelled()) return;

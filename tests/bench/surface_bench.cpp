@@ -80,8 +80,10 @@ double all_segments_seconds(const field::ConvolutionField& field, const mesh::Tr
                 const double step = 0.1 * static_cast<double>(i);
                 axes.x[i] = places[n].x + step, axes.y[i] = places[n].y + step, axes.z[i] = places[n].z + step;
             }
-            alignas(64) std::array<float, field::kGridStride> values;
-            field::sample_grid(field, all, axes, values);
+            thread_local field::LocalSegments local;
+            thread_local field::GridGroups values;
+            field::gather_segments(field, all, axes, local);
+            field::sample_groups(local, 0xFF, values);
         });
     });
     return seconds * static_cast<double>(samples) / static_cast<double>(bricks * field::kGridPoints);

@@ -73,6 +73,33 @@ std::vector<std::uint32_t> all_segments(const field::ConvolutionField& field) {
     return all;
 }
 
+// All points of a grid, x + 5 y + 25 z.
+struct Samples {
+    std::array<float, field::kGridPoints> value;
+    std::array<bool, field::kGridPoints> inside;
+};
+
+Samples sample(const field::ConvolutionField& field, std::span<const std::uint32_t> list, const field::GridAxes& axes) {
+    field::LocalSegments local;
+    field::gather_segments(field, list, axes, local);
+    field::GridGroups groups;
+    field::sample_groups(local, 0xFF, groups);
+    Samples samples;
+    const auto take = [&](std::size_t group, std::size_t n, std::size_t x, std::size_t y, std::size_t z) {
+        samples.value[x + 5 * y + 25 * z] = groups.value[group][n];
+        samples.inside[x + 5 * y + 25 * z] = (groups.inside[group] >> n & 1) != 0;
+    };
+    for (std::size_t n = 0; n < field::kGroupPoints; ++n) {
+        for (std::size_t layer = 0; layer < 4; ++layer) take(layer, n, n % 4, n / 4, layer);
+        take(4, n, 4, n % 4, n / 4);
+        take(5, n, n % 4, 4, n / 4);
+        take(6, n, n % 4, n / 4, 4);
+    }
+    for (std::size_t n = 0; n < 4; ++n) take(7, n, n, 4, 4), take(7, n + 4, 4, n, 4), take(7, n + 8, 4, 4, n);
+    take(7, 12, 4, 4, 4);
+    return samples;
+}
+
 // A lattice of 17 points a side around a place of the field, and the grid of every fourth.
 struct Places {
     field::LatticeAxes lattice;
@@ -117,17 +144,15 @@ TEST_CASE("samples agree with the formula to a millionth per contributing segmen
             double worst = 0.0; // millionths per segment
             for (int trial = 0; trial < 40; ++trial) {
                 const Places places(near_the_vessels(field, random), trial % 2 == 0 ? 0.02 : 0.2);
-                alignas(64) std::array<float, field::kGridStride> values;
-                const auto inside = field::sample_grid(field, all, places.grid, values);
+                const Samples samples = sample(field, all, places.grid);
                 for (int n = 0; n < field::kGridPoints; ++n) {
                     const auto i = static_cast<std::size_t>(n);
                     const Exact exact =
                         exact_field(field, {places.grid.x[i % 5], places.grid.y[i / 5 % 5], places.grid.z[i / 25]});
-                    const double off = std::abs(values[i] - exact.value);
-                    if (exact.kernels == 0.0) CHECK(values[i] == 0.0F);
+                    const double off = std::abs(samples.value[i] - exact.value);
+                    if (exact.kernels == 0.0) CHECK(samples.value[i] == 0.0F);
                     if (exact.kernels > 0.0) worst = std::max(worst, off / exact.kernels * 1e6);
-                    const bool marked = (inside[i / 64] >> (i % 64) & 1) != 0;
-                    CHECK(marked == (values[i] >= static_cast<float>(field.kernel().isovalue)));
+                    CHECK(samples.inside[i] == (samples.value[i] >= static_cast<float>(field.kernel().isovalue)));
                 }
             }
             CHECK(worst < 1.0);
@@ -142,8 +167,7 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
         std::mt19937 random(2);
         for (int trial = 0; trial < 40; ++trial) {
             const Places places(near_the_vessels(field, random), 0.1);
-            alignas(64) std::array<float, field::kGridStride> values;
-            field::sample_grid(field, all, places.grid, values);
+            const Samples samples = sample(field, all, places.grid);
             std::vector<field::LatticePoint> points;
             for (std::uint8_t n = 0; n < field::kGridPoints; ++n)
                 points.push_back({static_cast<std::uint8_t>(4 * (n % 5)), static_cast<std::uint8_t>(4 * (n / 5 % 5)),
@@ -161,8 +185,18 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
                 if (reaches) needed.push_back(index);
             }
             std::vector<float> again(points.size());
-            field::sample_lattice(field, needed, places.lattice, points, again);
-            CHECK(std::equal(again.begin(), again.end(), values.begin()));
+            field::LocalSegments local;
+            field::gather_segments(field, needed, places.grid, local);
+            field::sample_lattice(local, places.lattice, points, again);
+            CHECK(std::ranges::equal(again, samples.value));
+            // From another corner, as a neighbouring brick sees them.
+            field::GridAxes beside = places.grid;
+            const double step = places.grid.x[4] - places.grid.x[3];
+            beside.x = {places.grid.x[2], places.grid.x[3], places.grid.x[4], places.grid.x[4] + step,
+                        places.grid.x[4] + 2.0 * step};
+            const Samples seen = sample(field, all, beside);
+            for (std::size_t n = 0; n < field::kGridPoints; n += 5)
+                for (std::size_t i = 0; i < 3; ++i) CHECK(seen.value[n + i] == samples.value[n + 2 + i]);
         }
     });
 }

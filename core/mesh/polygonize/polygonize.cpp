@@ -50,7 +50,7 @@ Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const Poly
 
     start = std::chrono::steady_clock::now();
     bricks::SurfaceCells cells = bricks::fill_bricks(field, octree, std::move(neighbours), job);
-    for (const auto& chunk : cells.chunks) figures.evaluations += chunk.evaluations, figures.samples += chunk.samples;
+    for (const auto& tile : cells.tiles) figures.evaluations += tile.evaluations, figures.samples += tile.samples;
     figures.cells_s = seconds_since(start);
 
     start = std::chrono::steady_clock::now();

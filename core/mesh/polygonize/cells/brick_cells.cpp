@@ -9,54 +9,78 @@
 
 namespace ramus::mesh::bricks {
 
-const CellRecord& SurfaceCells::record(std::uint32_t brick, int cell) const {
-    const BrickCells& b = cells[brick];
+const CellRecord& SurfaceCells::record(const Brick& brick, std::uint32_t index, int cell) const {
+    const BrickCells& b = cells[index];
     const int before = std::popcount(b.recorded & ((std::uint64_t{1} << cell) - 1));
-    return chunks[brick / kChunkBricks].records[b.first_record + static_cast<std::uint32_t>(before)];
+    return tiles[brick.tile].records[b.first_record + static_cast<std::uint32_t>(before)];
 }
 
-std::uint32_t SurfaceCells::vertex(std::uint32_t brick, int cell, int edge_midpoint) const {
-    const std::uint32_t first = cells[brick].first_vertex + cells[brick].first[static_cast<std::size_t>(cell)];
-    if (!is_recorded(brick, cell)) return first;
-    return first + record(brick, cell).loop_of[static_cast<std::size_t>(edge_midpoint)];
+std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const {
+    const std::uint32_t first = cells[index].first_vertex + cells[index].first[static_cast<std::size_t>(cell)];
+    if (!is_recorded(index, cell)) return first;
+    return first + record(brick, index, cell).loop_of[static_cast<std::size_t>(edge_midpoint)];
 }
 
-void append_projected(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
-                      field::Projection& projection, BrickChunk& chunk) {
-    const std::uint64_t samples = field::project(field, list, projection);
-    chunk.evaluations += samples * list.size();
-    chunk.samples += samples;
-    const std::size_t first = chunk.positions.size();
-    const std::size_t count = projection.size();
-    chunk.positions.resize(first + count);
-    chunk.normals.resize(first + count);
-    chunk.radii.insert(chunk.radii.end(), projection.radius.begin(),
-                       projection.radius.begin() + static_cast<std::ptrdiff_t>(count));
-    chunk.branches.resize(first + count);
-    const field::FieldSegment* segments = field.segments().data();
-    for (std::size_t n = 0; n < count; ++n) {
-        chunk.positions[first + n] =
-            glm::vec3(projection.origin + glm::dvec3(projection.x[n], projection.y[n], projection.z[n]));
-        chunk.normals[first + n] = {projection.nx[n], projection.ny[n], projection.nz[n]};
-        chunk.branches[first + n] = segments[projection.segment[n]].branch;
-    }
+void TileCells::reserve_vertices(std::size_t count) {
+    const std::size_t room = count + field::kProjectionPadding;
+    if (room <= positions.size()) return;
+    const std::size_t grown = 2 * room;
+    positions.resize(grown);
+    normals.resize(grown);
+    radii.resize(grown);
+    branches.resize(grown);
 }
+
+void append_projected(const field::LocalSegments& local, field::Projection& projection, TileCells& tile) {
+    const std::size_t first = tile.vertex_count;
+    tile.reserve_vertices(first + projection.size());
+    tile.evaluations += field::project(local, projection,
+                                       {tile.positions.data() + first, tile.normals.data() + first,
+                                        tile.radii.data() + first, tile.branches.data() + first});
+    tile.samples += projection.size();
+    tile.vertex_count = first + projection.size();
+}
+
+namespace {
+
+// What `scratch` holds, in memory of its own size.
+TileCells trimmed(const TileCells& scratch) {
+    TileCells tile;
+    const auto count = static_cast<std::ptrdiff_t>(scratch.vertex_count);
+    tile.positions.assign(scratch.positions.begin(), scratch.positions.begin() + count);
+    tile.normals.assign(scratch.normals.begin(), scratch.normals.begin() + count);
+    tile.radii.assign(scratch.radii.begin(), scratch.radii.begin() + count);
+    tile.branches.assign(scratch.branches.begin(), scratch.branches.begin() + count);
+    tile.vertex_count = scratch.vertex_count;
+    tile.records = scratch.records;
+    tile.arc_vertices = scratch.arc_vertices;
+    tile.evaluations = scratch.evaluations;
+    tile.samples = scratch.samples;
+    return tile;
+}
+
+} // namespace
 
 SurfaceCells fill_bricks(const field::ConvolutionField& field, const Octree& octree,
-                         UnsetArray<Neighbourhood> neighbours, Job& job) {
+                         LargeArray<Neighbourhood> neighbours, Job& job) {
     SurfaceCells surface;
-    const std::size_t count = octree.bricks.size();
     surface.neighbours = std::move(neighbours);
-    surface.cells = UnsetArray<BrickCells>(count);
-    surface.chunks.resize((count + kChunkBricks - 1) / kChunkBricks);
+    surface.cells.resize(octree.bricks.size());
+    surface.tiles.resize(octree.tiles.size());
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, surface.chunks.size(), [&](std::size_t c) {
+    tbb::parallel_for(std::size_t{0}, octree.tiles.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
         thread_local BrickSampler sampler;
-        for (std::size_t index = c * kChunkBricks; index < std::min(count, (c + 1) * kChunkBricks); ++index)
-            sampler.fill(field, octree, octree.bricks[index], surface.neighbours[index], surface.cells[index],
-                         surface.chunks[c]);
-        job.report(0.15F + 0.65F * static_cast<float>(++done) / static_cast<float>(surface.chunks.size()));
+        thread_local TileCells scratch;
+        scratch.vertex_count = scratch.evaluations = scratch.samples = 0;
+        scratch.records.clear(), scratch.arc_vertices.clear();
+        sampler.begin(field, octree, octree.tiles[t], surface.neighbours);
+        // Backwards, so that a brick finds its upper neighbours' samples there.
+        const std::uint32_t first = octree.tiles[t].first_brick;
+        for (std::uint32_t n = octree.tiles[t].brick_count; n-- > 0;)
+            sampler.fill(first + n, surface.cells[first + n], scratch);
+        surface.tiles[t] = trimmed(scratch);
+        job.report(0.15F + 0.65F * static_cast<float>(++done) / static_cast<float>(surface.tiles.size()));
     });
     return surface;
 }

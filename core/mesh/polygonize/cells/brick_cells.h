@@ -27,7 +27,7 @@ struct ArcVertex {
 // Cells that have more than one vertex, or may have.
 struct CellRecord {
     std::array<std::uint8_t, kQuarterPoints> loop_of{};
-    std::uint32_t arcs_begin = 0; // into BrickChunk::arc_vertices
+    std::uint32_t arcs_begin = 0; // into TileCells::arc_vertices
     std::uint32_t arcs_count = 0;
 };
 
@@ -58,47 +58,47 @@ struct BrickCells {
     std::array<std::uint16_t, kCellsPerBrick> first; // first vertex of each cell within the brick, or kNoVertex
     std::array<std::uint64_t, 2> inside;             // sign of each of the 125 grid points
     std::uint64_t recorded;                          // bit per cell: described by a record; others have one vertex
-    std::uint32_t first_record;                      // in the chunk
-    std::uint32_t first_vertex;                      // in the chunk, later in the mesh
-    bool crossed;                                    // if not, all but this and `inside` is left unset
+    std::uint32_t first_record;                      // in the tile
+    std::uint32_t first_vertex;                      // in the tile, later in the mesh
+    bool crossed;                                    // if not, all but this is left unset
 
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
 };
 
-// Bricks are worked on in chunks of fixed size, so that the order of vertices does not depend on the threads.
-inline constexpr std::size_t kChunkBricks = 32;
-
-struct BrickChunk {
-    std::vector<glm::vec3> positions, normals;
-    std::vector<float> radii;
-    std::vector<std::int32_t> branches;
-    std::size_t vertex_count = 0; // when the arrays above have gone into the mesh
+// What the bricks of one tile make.
+struct TileCells {
+    LargeArray<glm::vec3> positions, normals;
+    LargeArray<float> radii;
+    LargeArray<std::int32_t> branches;
+    std::size_t vertex_count = 0;
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
     std::uint64_t evaluations = 0; // kernels, one per segment and point
     std::uint64_t samples = 0;     // points at which the field was taken
+
+    // Room for `count` vertices and for what projection writes beyond them.
+    void reserve_vertices(std::size_t count);
 };
 
 struct SurfaceCells {
-    UnsetArray<Neighbourhood> neighbours; // by brick
-    UnsetArray<BrickCells> cells;         // by brick
-    std::vector<BrickChunk> chunks;
+    LargeArray<Neighbourhood> neighbours; // by brick
+    LargeArray<BrickCells> cells;         // by brick
+    std::vector<TileCells> tiles;
 
     [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
         return (cells[brick].recorded >> cell & 1U) != 0;
     }
-    [[nodiscard]] const CellRecord& record(std::uint32_t brick, int cell) const;
+    [[nodiscard]] const CellRecord& record(const Brick& brick, std::uint32_t index, int cell) const;
     // Vertex (within the mesh once first_vertex is) of the loop through a minimal edge, named by its midpoint.
-    [[nodiscard]] std::uint32_t vertex(std::uint32_t brick, int cell, int edge_midpoint) const;
+    [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const;
 };
 
 // Samples every brick, finds the loops of its cells and places their vertices on the surface. Incomplete when
 // cancelled.
 [[nodiscard]] SurfaceCells fill_bricks(const field::ConvolutionField& field, const Octree& octree,
-                                       UnsetArray<Neighbourhood> neighbours, Job& job);
+                                       LargeArray<Neighbourhood> neighbours, Job& job);
 
-// Moves the points of a brick's `projection` onto the surface and appends them to the chunk's vertices.
-void append_projected(const field::ConvolutionField& field, std::span<const std::uint32_t> list,
-                      field::Projection& projection, BrickChunk& chunk);
+// Moves the points of a brick's `projection` onto the surface and appends them to the tile's vertices.
+void append_projected(const field::LocalSegments& local, field::Projection& projection, TileCells& tile);
 
 } // namespace ramus::mesh::bricks

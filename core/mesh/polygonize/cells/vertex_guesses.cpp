@@ -71,8 +71,8 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
     // surface, nearly. Relative to the isovalue, with the sign that the value itself has.
     const auto depth = [&](V value) { return hn::Sqrt(hn::Max(hn::Neg(rough_log2(d, value)), zero)); };
     const V surface = depth(iso);
-    alignas(64) float depths[field::kGridStride];
-    for (std::size_t n = 0; n < field::kGridStride; n += lanes) {
+    alignas(64) float depths[kGridStride];
+    for (std::size_t n = 0; n < kGridStride; n += lanes) {
         const V value = hn::Load(d, values + n);
         const V inward = hn::Sub(surface, depth(value));
         hn::Store(hn::IfThenElse(hn::Ge(value, iso), hn::Max(inward, zero), hn::Min(inward, hn::Set(d, -1e-6F))), d,
@@ -121,7 +121,7 @@ namespace ramus::mesh::bricks {
 
 HWY_EXPORT(AddVertexGuesses);
 
-void add_vertex_guesses(std::span<const float, field::kGridStride> values, float isovalue,
+void add_vertex_guesses(std::span<const float, kGridStride> values, float isovalue,
                         std::span<const std::uint8_t> corners, float cell_mm, field::Projection& points) {
     const std::size_t first = points.extend(corners.size());
     HWY_DYNAMIC_DISPATCH(AddVertexGuesses)

@@ -11,7 +11,7 @@ constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
 } // namespace
 
-void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedChunk& out) const {
+void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedTile& out) const {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     const Neighbourhood& around = surface_.neighbours[index];
@@ -71,7 +71,7 @@ EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, int axis, glm
     entry.level = octree_.bricks[brick].level;
     entry.edge = edge_midpoint(4 * axis + side);
     entry.recorded = surface_.is_recorded(brick, entry.cell);
-    entry.vertex = surface_.vertex(brick, entry.cell, entry.edge);
+    entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.edge);
     return entry;
 }
 
@@ -91,7 +91,7 @@ EdgePolygons::Around EdgePolygons::coarser(std::uint32_t index, std::uint32_t br
     entry.level = other.level;
     entry.edge = quarter_index(quarter.x, quarter.y, quarter.z);
     entry.recorded = true;
-    entry.vertex = surface_.vertex(brick, entry.cell, entry.edge);
+    entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.edge);
     return entry;
 }
 
@@ -110,8 +110,8 @@ std::uint32_t EdgePolygons::arc_vertex(const Around& a, const Around& b) const {
         const Around& owner = a_owns ? a : b;
         if (!owner.recorded) return kNoArcVertex;
         const int face = 2 * axis + (a_owns ? side_of_a : 1 - side_of_a);
-        const CellRecord& record = surface_.record(owner.brick, owner.cell);
-        const auto& vertices = surface_.chunks[owner.brick / kChunkBricks].arc_vertices;
+        const CellRecord& record = surface_.record(octree_.bricks[owner.brick], owner.brick, owner.cell);
+        const auto& vertices = surface_.tiles[octree_.bricks[owner.brick].tile].arc_vertices;
         for (std::uint32_t n = record.arcs_begin; n < record.arcs_begin + record.arcs_count; ++n)
             if (vertices[n].face == face && vertices[n].edge == owner.edge)
                 return surface_.cells[owner.brick].first_vertex + vertices[n].vertex;
@@ -125,7 +125,7 @@ glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
     return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
 }
 
-void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedChunk& out, std::uint32_t index,
+void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedTile& out, std::uint32_t index,
                         glm::ivec3 point) const {
     const int level = octree_.bricks[index].level;
     const bool any_record = std::ranges::any_of(ring, [](const Around& a) { return a.recorded; });
@@ -166,19 +166,26 @@ void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedChunk& out
 
 // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
 // coincide with another polygon's.
-void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedChunk& out, std::uint32_t index,
+void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedTile& out, std::uint32_t index,
                             glm::ivec3 point) const {
     const Brick& brick = octree_.bricks[index];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
+    field::GridAxes axes;
+    for (int n = 0; n < field::kGridSide; ++n) {
+        const glm::dvec3 p = octree_.lattice.position(brick.corner + glm::ivec3(n * cell_units(brick.level)));
+        const auto i = static_cast<std::size_t>(n);
+        axes.x[i] = p.x, axes.y[i] = p.y, axes.z[i] = p.z;
+    }
+    field::LocalSegments local;
+    field::gather_segments(field_, octree_.segments_of(brick), axes, local);
     field::Projection projection;
-    projection.origin = octree_.lattice.position(brick.corner);
     glm::vec3 sum(0.0F);
-    for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(mesh_.positions[v]) - projection.origin);
+    for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(mesh_.positions[v]) - axes.corner());
     glm::vec3 middle = glm::vec3(point) * cell;
     middle[axis] += 0.5F * cell;
     projection.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
-    const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.positions.size());
-    append_projected(field_, octree_.segments_of(brick), projection, out.added);
+    const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.vertex_count);
+    append_projected(local, projection, out.added);
     for (std::size_t n = 0; n < polygon.size(); ++n)
         out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
 }

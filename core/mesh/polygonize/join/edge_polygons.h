@@ -11,13 +11,13 @@
 
 namespace ramus::mesh::bricks {
 
-// Marks indices of vertices that joining itself adds; they are numbered within the chunk until all chunks are done.
+// Marks indices of vertices that joining itself adds; they are numbered within the tile until all tiles are done.
 inline constexpr std::uint32_t kAddedBit = 0x80000000U;
 
-struct JoinedChunk {
+struct JoinedTile {
     std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
     std::vector<glm::uvec3> triangles;
-    BrickChunk added;
+    TileCells added;
 };
 
 class EdgePolygons {
@@ -28,7 +28,7 @@ public:
 
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
-    void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedChunk& out) const;
+    void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedTile& out) const;
 
 private:
     // One of the cells around an edge.
@@ -46,8 +46,8 @@ private:
                                  glm::ivec3 cell) const;
     [[nodiscard]] std::uint32_t arc_vertex(const Around& a, const Around& b) const;
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
-    void emit(std::span<const Around> ring, int axis, JoinedChunk& out, std::uint32_t index, glm::ivec3 point) const;
-    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedChunk& out, std::uint32_t index,
+    void emit(std::span<const Around> ring, int axis, JoinedTile& out, std::uint32_t index, glm::ivec3 point) const;
+    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedTile& out, std::uint32_t index,
                   glm::ivec3 point) const;
 
     const field::ConvolutionField& field_;

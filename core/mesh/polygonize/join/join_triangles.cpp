@@ -21,7 +21,7 @@ public:
                 const TriangleMesh& mesh)
         : surface_(surface), general_(field, octree, surface, mesh) {}
 
-    void join(std::uint32_t index, JoinedChunk& out) {
+    void join(std::uint32_t index, JoinedTile& out) {
         const BrickCells& cells = surface_.cells[index];
         if (!cells.crossed) return;
         const Neighbourhood& around = surface_.neighbours[index];
@@ -74,7 +74,7 @@ private:
     }
 
     template <int Axis>
-    void join_axis(std::uint32_t index, const Neighbourhood& around, GridBits inside, JoinedChunk& out) {
+    void join_axis(std::uint32_t index, const Neighbourhood& around, GridBits inside, JoinedTile& out) {
         constexpr int kU = (Axis + 1) % 3;
         constexpr int kV = (Axis + 2) % 3;
         constexpr int kStepU = kStride[kU];
@@ -115,12 +115,12 @@ private:
     GridBits special_ = 0;                    // cells that need the general way
 };
 
-void copy_vertices(const BrickChunk& from, std::size_t first, TriangleMesh& mesh) {
+void copy_vertices(const TileCells& from, std::size_t first, TriangleMesh& mesh) {
     const auto at = static_cast<std::ptrdiff_t>(first);
-    std::ranges::copy(from.positions, mesh.positions.begin() + at);
-    std::ranges::copy(from.normals, mesh.normals.begin() + at);
-    std::ranges::copy(from.radii, mesh.radii.begin() + at);
-    std::ranges::copy(from.branches, mesh.branches.begin() + at);
+    std::copy_n(from.positions.begin(), from.vertex_count, mesh.positions.begin() + at);
+    std::copy_n(from.normals.begin(), from.vertex_count, mesh.normals.begin() + at);
+    std::copy_n(from.radii.begin(), from.vertex_count, mesh.radii.begin() + at);
+    std::copy_n(from.branches.begin(), from.vertex_count, mesh.branches.begin() + at);
 }
 
 // Room for the few vertices that joining adds, so that they do not move all others.
@@ -131,20 +131,19 @@ void reserve_vertices(TriangleMesh& mesh, std::size_t count) {
     mesh.branches.reserve(count);
 }
 
-// Gathers the chunks' vertices into the mesh and turns the bricks' first vertices into indices of the mesh.
-void gather_vertices(SurfaceCells& surface, TriangleMesh& mesh) {
-    std::vector<std::size_t> first(surface.chunks.size() + 1, 0);
-    for (std::size_t c = 0; c < surface.chunks.size(); ++c)
-        first[c + 1] = first[c] + surface.chunks[c].positions.size();
+// Gathers the tiles' vertices into the mesh and turns the bricks' first vertices into indices of the mesh.
+void gather_vertices(const Octree& octree, SurfaceCells& surface, TriangleMesh& mesh) {
+    std::vector<std::size_t> first(surface.tiles.size() + 1, 0);
+    for (std::size_t t = 0; t < surface.tiles.size(); ++t) first[t + 1] = first[t] + surface.tiles[t].vertex_count;
     reserve_vertices(mesh, first.back() + first.back() / 64);
     resize_vertices(mesh, first.back());
-    tbb::parallel_for(std::size_t{0}, surface.chunks.size(), [&](std::size_t c) {
-        BrickChunk& chunk = surface.chunks[c];
-        copy_vertices(chunk, first[c], mesh);
-        chunk.vertex_count = chunk.positions.size();
-        chunk.positions = {}, chunk.normals = {}, chunk.radii = {}, chunk.branches = {};
-        for (std::size_t b = c * kChunkBricks; b < std::min(surface.cells.size(), (c + 1) * kChunkBricks); ++b)
-            surface.cells[b].first_vertex += static_cast<std::uint32_t>(first[c]);
+    tbb::parallel_for(std::size_t{0}, surface.tiles.size(), [&](std::size_t t) {
+        TileCells& tile = surface.tiles[t];
+        copy_vertices(tile, first[t], mesh);
+        tile.positions = {}, tile.normals = {}, tile.radii = {}, tile.branches = {};
+        const Tile& place = octree.tiles[t];
+        for (std::uint32_t b = place.first_brick; b < place.first_brick + place.brick_count; ++b)
+            surface.cells[b].first_vertex += static_cast<std::uint32_t>(first[t]);
     });
 }
 
@@ -153,39 +152,40 @@ void gather_vertices(SurfaceCells& surface, TriangleMesh& mesh) {
 TriangleMesh join_triangles(const field::ConvolutionField& field, const Octree& octree, SurfaceCells surface,
                             Job& job) {
     TriangleMesh mesh;
-    gather_vertices(surface, mesh);
-    std::vector<JoinedChunk> joined(surface.chunks.size());
+    gather_vertices(octree, surface, mesh);
+    std::vector<JoinedTile> joined(surface.tiles.size());
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t c) {
+    tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
         BrickJoiner joiner(field, octree, surface, mesh);
-        joined[c].quads.reserve(surface.chunks[c].vertex_count * 9 / 8 + 64); // Euler: about as many quads as vertices
-        for (std::size_t b = c * kChunkBricks; b < std::min(octree.bricks.size(), (c + 1) * kChunkBricks); ++b)
-            joiner.join(static_cast<std::uint32_t>(b), joined[c]);
+        joined[t].quads.reserve(surface.tiles[t].vertex_count * 9 / 8 + 64); // Euler: about as many quads as vertices
+        const Tile& place = octree.tiles[t];
+        for (std::uint32_t b = place.first_brick; b < place.first_brick + place.brick_count; ++b)
+            joiner.join(b, joined[t]);
         job.report(0.8F + 0.2F * static_cast<float>(++done) / static_cast<float>(joined.size()));
     });
     if (job.cancelled()) return {};
 
     std::vector<std::size_t> first_triangle(joined.size() + 1, 0);
     std::vector<std::size_t> first_added(joined.size() + 1, mesh.positions.size());
-    for (std::size_t c = 0; c < joined.size(); ++c) {
-        first_triangle[c + 1] = first_triangle[c] + 2 * joined[c].quads.size() + joined[c].triangles.size();
-        first_added[c + 1] = first_added[c] + joined[c].added.positions.size();
+    for (std::size_t t = 0; t < joined.size(); ++t) {
+        first_triangle[t + 1] = first_triangle[t] + 2 * joined[t].quads.size() + joined[t].triangles.size();
+        first_added[t + 1] = first_added[t] + joined[t].added.vertex_count;
     }
-    resize_large(mesh.triangles, first_triangle.back());
+    mesh.triangles.resize(first_triangle.back());
     if (first_added.back() > mesh.positions.size()) resize_vertices(mesh, first_added.back());
-    tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t c) {
-        copy_vertices(joined[c].added, first_added[c], mesh);
-        const auto out = std::span(mesh.triangles).subspan(first_triangle[c]);
-        cut_quads(mesh, joined[c].quads, out);
-        std::size_t n = 2 * joined[c].quads.size();
-        for (glm::uvec3 triangle : joined[c].triangles) {
+    tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t t) {
+        copy_vertices(joined[t].added, first_added[t], mesh);
+        const auto out = std::span(mesh.triangles).subspan(first_triangle[t]);
+        cut_quads(mesh, joined[t].quads, out);
+        std::size_t n = 2 * joined[t].quads.size();
+        for (glm::uvec3 triangle : joined[t].triangles) {
             for (int i = 0; i < 3; ++i)
                 if ((triangle[i] & kAddedBit) != 0)
-                    triangle[i] = static_cast<std::uint32_t>(first_added[c]) + (triangle[i] & ~kAddedBit);
+                    triangle[i] = static_cast<std::uint32_t>(first_added[t]) + (triangle[i] & ~kAddedBit);
             out[n++] = triangle;
         }
-        joined[c] = {};
+        joined[t] = {};
     });
     return mesh;
 }

@@ -49,12 +49,13 @@ Places places_around_child(const Block& block, std::size_t child) {
 
 Neighbourhood describe(const Octree& octree, const Places& around) {
     Neighbourhood described;
-    described.same = described.coarser = described.finer = 0;
+    described.same = described.coarser = described.finer = described.full = 0;
     const int level = octree.bricks[around[kSelf].index()].level;
     for (std::size_t d = 0; d < kDirections; ++d) {
         const OctreePlace place = around[d];
         const std::uint32_t bit = std::uint32_t{1} << d;
         if (place.is_node()) described.finer |= bit;
+        if (place.is_full()) described.full |= bit;
         if (!place.is_brick()) continue;
         described.brick[d] = place.index();
         (octree.bricks[place.index()].level == level ? described.same : described.coarser) |= bit;
@@ -62,7 +63,7 @@ Neighbourhood describe(const Octree& octree, const Places& around) {
     return described;
 }
 
-void walk(const Octree& octree, const Places& around, UnsetArray<Neighbourhood>& found) {
+void walk(const Octree& octree, const Places& around, LargeArray<Neighbourhood>& found) {
     const OctreePlace self = around[kSelf];
     if (self.is_brick()) found[self.index()] = describe(octree, around);
     if (!self.is_node()) return;
@@ -73,8 +74,8 @@ void walk(const Octree& octree, const Places& around, UnsetArray<Neighbourhood>&
 
 } // namespace
 
-UnsetArray<Neighbourhood> find_neighbours(const Octree& octree) {
-    UnsetArray<Neighbourhood> found(octree.bricks.size());
+LargeArray<Neighbourhood> find_neighbours(const Octree& octree) {
+    LargeArray<Neighbourhood> found(octree.bricks.size());
     // The upper nodes, down to the subtrees' parents, by hand: parents come before their children.
     std::vector<Places> around(octree.upper_nodes);
     around[0][kSelf] = OctreePlace::node(0);
@@ -86,10 +87,10 @@ UnsetArray<Neighbourhood> find_neighbours(const Octree& octree) {
                 around[place.index()] = places_around_child(block, child);
         }
     }
-    tbb::parallel_for(std::size_t{0}, octree.subtrees.size(), [&](std::size_t i) {
-        const auto [parent, child] = octree.subtrees[i];
-        const Block block = places_around_children(octree, around[parent]);
-        walk(octree, places_around_child(block, static_cast<std::size_t>(child)), found);
+    tbb::parallel_for(std::size_t{0}, octree.tiles.size(), [&](std::size_t i) {
+        const Tile& tile = octree.tiles[i];
+        const Block block = places_around_children(octree, around[tile.parent]);
+        walk(octree, places_around_child(block, tile.child), found);
     });
     return found;
 }

@@ -1,7 +1,7 @@
 // Neighbours: what lies in the 26 places around a brick.
 #pragma once
 
-#include "core/base/unset_array.h"
+#include "core/base/large_array.h"
 #include "core/mesh/polygonize/octree/octree.h"
 
 #include <array>
@@ -20,6 +20,7 @@ enum class Neighbour : std::uint8_t { kAbsent, kSame, kCoarser, kFiner };
 struct Neighbourhood {
     std::array<std::uint32_t, kDirections> brick; // set where there is one of the same size or a larger one
     std::uint32_t same, coarser, finer;           // one bit per direction
+    std::uint32_t full;                           // absent because all of it is inside the surface
 
     [[nodiscard]] Neighbour kind(int direction) const {
         const std::uint32_t bit = std::uint32_t{1} << direction;
@@ -30,6 +31,6 @@ struct Neighbourhood {
 };
 
 // By brick. One walk down the octree: the places around a child are children of the places around its parent.
-[[nodiscard]] UnsetArray<Neighbourhood> find_neighbours(const Octree& octree);
+[[nodiscard]] LargeArray<Neighbourhood> find_neighbours(const Octree& octree);
 
 } // namespace ramus::mesh::bricks

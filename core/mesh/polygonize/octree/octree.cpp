@@ -22,7 +22,7 @@ struct Cube {
 
 // The children of a cube that the surface may cross, and the memory of their lists.
 struct Children {
-    enum class Verdict { kDropped, kBrick, kSplit };
+    enum class Verdict { kOutside, kInside, kBrick, kSplit };
     std::array<Verdict, field::kChildren> verdicts{};
     std::array<Cube, field::kChildren> cubes;
 
@@ -67,9 +67,10 @@ public:
         for (int c = 0; c < field::kChildren; ++c) {
             const auto i = static_cast<std::size_t>(c);
             // The margin is far above the rounding of a sample, so a dropped region never hides a change of sign.
-            const bool dropped = bounds.upper[i] < isovalue_ * 0.999F || bounds.lower[i] > isovalue_ * 1.001F;
-            children.verdicts[i] = dropped ? Children::Verdict::kDropped : Children::Verdict::kBrick;
-            some = some || !dropped;
+            children.verdicts[i] = bounds.upper[i] < isovalue_ * 0.999F   ? Children::Verdict::kOutside
+                                   : bounds.lower[i] > isovalue_ * 1.001F ? Children::Verdict::kInside
+                                                                          : Children::Verdict::kBrick;
+            some = some || children.verdicts[i] == Children::Verdict::kBrick;
             const glm::ivec3 corner = cube.corner + glm::ivec3(c & 1, c >> 1 & 1, c >> 2) * brick_units(level);
             children.cubes[i] = {corner, level, segments[i], {}};
         }
@@ -81,7 +82,7 @@ public:
             pieces = deal(cube.pieces, children.bits, children.pieces);
         }
         for (std::size_t c = 0; c < field::kChildren; ++c) {
-            if (children.verdicts[c] == Children::Verdict::kDropped) continue;
+            if (children.verdicts[c] != Children::Verdict::kBrick) continue;
             if (uniform || !pieces[c].empty()) children.verdicts[c] = Children::Verdict::kSplit;
             children.cubes[c].pieces = pieces[c];
         }
@@ -104,7 +105,7 @@ struct Part {
 
     OctreePlace add_brick(const Cube& cube) {
         bricks.push_back({cube.corner, cube.level, static_cast<std::uint32_t>(lists.size()),
-                          static_cast<std::uint32_t>(cube.segments.size())});
+                          static_cast<std::uint32_t>(cube.segments.size()), 0});
         lists.insert(lists.end(), cube.segments.begin(), cube.segments.end());
         return OctreePlace::brick(bricks.size() - 1);
     }
@@ -119,6 +120,7 @@ OctreePlace descend(const Splitter& splitter, const Cube& cube, std::span<Childr
     splitter.split(cube, children);
     for (std::size_t c = 0; c < field::kChildren; ++c) {
         OctreePlace place;
+        if (children.verdicts[c] == Children::Verdict::kInside) place = OctreePlace::full();
         if (children.verdicts[c] == Children::Verdict::kBrick) place = part.add_brick(children.cubes[c]);
         if (children.verdicts[c] == Children::Verdict::kSplit)
             place = descend(splitter, children.cubes[c], scratch.subspan(1), part);
@@ -127,22 +129,23 @@ OctreePlace descend(const Splitter& splitter, const Cube& cube, std::span<Childr
     return OctreePlace::node(index);
 }
 
-// The upper octree down to enough subtrees to keep all cores evenly busy. A frontier entry is a cube still to be split,
-// with its own memory, or a finished brick.
+// The upper octree, down to the tiles. A frontier entry is a cube still to be split, with its own memory, or a tile.
 struct FrontierEntry {
     Cube cube;
-    bool is_brick = false;
-    std::uint32_t parent = 0;
-    int child = 0;
+    bool is_brick = false, is_tile = false;
+    std::uint32_t parent = 0, child = 0;
     std::vector<std::uint32_t> segments, pieces; // what the cube's lists point to
 };
 
-FrontierEntry frontier_entry(const Children& children, std::size_t c, std::uint32_t parent) {
+FrontierEntry frontier_entry(const Children& children, std::size_t c, std::uint32_t parent, const Sizing& sizing,
+                             const Lattice& lattice) {
     FrontierEntry entry;
     entry.cube = children.cubes[c];
     entry.is_brick = children.verdicts[c] == Children::Verdict::kBrick;
+    entry.is_tile =
+        entry.is_brick || entry.cube.level <= finest_level(sizing, entry.cube.pieces, lattice) + kTileLevels;
     entry.parent = parent;
-    entry.child = static_cast<int>(c);
+    entry.child = static_cast<std::uint32_t>(c);
     entry.segments.assign(entry.cube.segments.begin(), entry.cube.segments.end());
     entry.pieces.assign(entry.cube.pieces.begin(), entry.cube.pieces.end());
     entry.cube.segments = entry.segments;
@@ -150,40 +153,39 @@ FrontierEntry frontier_entry(const Children& children, std::size_t c, std::uint3
     return entry;
 }
 
-std::vector<FrontierEntry> open_frontier(const Splitter& splitter, const Cube& root, std::size_t wanted,
-                                         std::vector<OctreeNode>& nodes) {
-    const auto split_all = [&](std::vector<FrontierEntry>& entries) {
-        std::vector<std::vector<FrontierEntry>> next(entries.size());
-        const auto first_node = static_cast<std::uint32_t>(nodes.size());
-        std::vector<std::uint32_t> node_of(entries.size());
-        std::uint32_t added = 0;
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-            if (entries[i].is_brick) continue;
-            node_of[i] = first_node + added++;
-            if (node_of[i] > 0)
-                nodes[entries[i].parent][static_cast<std::size_t>(entries[i].child)] = OctreePlace::node(node_of[i]);
-        }
-        nodes.resize(nodes.size() + added);
-        tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t i) {
-            if (entries[i].is_brick) {
-                next[i].push_back(std::move(entries[i]));
-                return;
-            }
-            Children children;
-            splitter.split(entries[i].cube, children);
-            for (std::size_t c = 0; c < field::kChildren; ++c)
-                if (children.verdicts[c] != Children::Verdict::kDropped)
-                    next[i].push_back(frontier_entry(children, c, node_of[i]));
-        });
-        entries.clear();
-        for (auto& part : next) std::ranges::move(part, std::back_inserter(entries));
-        return added > 0;
-    };
+// Splits all cubes larger than tiles, and returns the tiles in depth-first order.
+std::vector<FrontierEntry> find_tiles(const Splitter& splitter, const Cube& root, const Sizing& sizing,
+                                      const Lattice& lattice, LargeArray<OctreeNode>& nodes) {
     std::vector<FrontierEntry> frontier(1);
     frontier[0].cube = root;
-    do {
-        if (!split_all(frontier)) break;
-    } while (frontier.size() < wanted);
+    for (bool some = true; some;) {
+        const auto first_node = static_cast<std::uint32_t>(nodes.size());
+        std::vector<std::uint32_t> node_of(frontier.size());
+        std::uint32_t added = 0;
+        for (std::size_t i = 0; i < frontier.size(); ++i) {
+            if (frontier[i].is_tile) continue;
+            node_of[i] = first_node + added++;
+            if (node_of[i] > 0) nodes[frontier[i].parent][frontier[i].child] = OctreePlace::node(node_of[i]);
+        }
+        some = added > 0;
+        nodes.resize(nodes.size() + added, OctreeNode{});
+        std::vector<std::vector<FrontierEntry>> next(frontier.size());
+        tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
+            if (frontier[i].is_tile) {
+                next[i].push_back(std::move(frontier[i]));
+                return;
+            }
+            thread_local Children children;
+            splitter.split(frontier[i].cube, children);
+            for (std::size_t c = 0; c < field::kChildren; ++c) {
+                if (children.verdicts[c] == Children::Verdict::kInside) nodes[node_of[i]][c] = OctreePlace::full();
+                if (children.verdicts[c] >= Children::Verdict::kBrick)
+                    next[i].push_back(frontier_entry(children, c, node_of[i], sizing, lattice));
+            }
+        });
+        frontier.clear();
+        for (auto& part : next) std::ranges::move(part, std::back_inserter(frontier));
+    }
     return frontier;
 }
 
@@ -211,17 +213,16 @@ Octree build_octree(const field::ConvolutionField& field, const field::CullingSe
     root.pieces = Indices(all).first(sizing.pieces.size());
 
     const Splitter splitter(field, culling, sizing, octree.lattice);
-    constexpr std::size_t kSubtrees = 512;
-    std::vector<FrontierEntry> frontier = open_frontier(splitter, root, kSubtrees, octree.nodes);
+    std::vector<FrontierEntry> tiles = find_tiles(splitter, root, sizing, octree.lattice, octree.nodes);
     octree.upper_nodes = octree.nodes.size();
-    std::vector<Part> parts(frontier.size());
-    tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
+    std::vector<Part> parts(tiles.size());
+    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
         thread_local std::vector<Children> scratch(kMaximumLevels + 2);
-        const FrontierEntry& entry = frontier[i];
+        const FrontierEntry& entry = tiles[i];
         parts[i].top =
             entry.is_brick ? parts[i].add_brick(entry.cube) : descend(splitter, entry.cube, scratch, parts[i]);
-        frontier[i].segments = {}, frontier[i].pieces = {};
+        tiles[i].segments = {}, tiles[i].pieces = {};
     });
     if (job.cancelled()) return octree;
 
@@ -230,12 +231,13 @@ Octree build_octree(const field::ConvolutionField& field, const field::CullingSe
     };
     std::vector<First> first(parts.size() + 1);
     first[0] = {octree.nodes.size(), 0, 0};
+    octree.tiles.reserve(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         first[i + 1] = {first[i].node + parts[i].nodes.size(), first[i].brick + parts[i].bricks.size(),
                         first[i].list + parts[i].lists.size()};
-        const OctreePlace place = parts[i].top.shifted(first[i].brick, first[i].node);
-        octree.nodes[frontier[i].parent][static_cast<std::size_t>(frontier[i].child)] = place;
-        octree.subtrees.emplace_back(frontier[i].parent, frontier[i].child);
+        octree.nodes[tiles[i].parent][tiles[i].child] = parts[i].top.shifted(first[i].brick, first[i].node);
+        octree.tiles.push_back({tiles[i].parent, tiles[i].child, static_cast<std::uint32_t>(first[i].brick),
+                                static_cast<std::uint32_t>(parts[i].bricks.size())});
     }
     octree.nodes.resize(first.back().node);
     octree.bricks.resize(first.back().brick);
@@ -248,6 +250,7 @@ Octree build_octree(const field::ConvolutionField& field, const field::CullingSe
         for (std::size_t n = 0; n < parts[i].bricks.size(); ++n) {
             octree.bricks[brick + n] = parts[i].bricks[n];
             octree.bricks[brick + n].list_begin += static_cast<std::uint32_t>(list);
+            octree.bricks[brick + n].tile = static_cast<std::uint32_t>(i);
         }
         std::ranges::copy(parts[i].lists, octree.lists.begin() + static_cast<std::ptrdiff_t>(list));
         parts[i] = {};

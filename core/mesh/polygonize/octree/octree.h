@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/job.h"
+#include "core/base/large_array.h"
 #include "core/field/convolution_field.h"
 #include "core/field/culling.h"
 #include "core/mesh/polygonize/octree/lattice.h"
@@ -21,9 +22,11 @@ struct Brick {
     std::int32_t level = 0;
     std::uint32_t list_begin = 0; // into Octree::lists
     std::uint32_t list_count = 0;
+    std::uint32_t tile = 0; // into Octree::tiles
 };
 
-// What is at a place of the octree: nothing that the surface could cross, a brick, or a node that is split.
+// What is at a place of the octree: nothing that the surface could cross (all inside it or all outside), a brick, or a
+// node that is split.
 class OctreePlace {
 public:
     constexpr OctreePlace() = default;
@@ -31,7 +34,9 @@ public:
     static constexpr OctreePlace node(std::size_t index) {
         return OctreePlace(static_cast<std::uint32_t>(index) | kNodeBit);
     }
-    [[nodiscard]] constexpr bool is_empty() const { return code_ == kEmpty; }
+    static constexpr OctreePlace full() { return OctreePlace(kFull); }
+    [[nodiscard]] constexpr bool is_empty() const { return code_ >= kFull; }
+    [[nodiscard]] constexpr bool is_full() const { return code_ == kFull; } // empty, and inside the surface
     [[nodiscard]] constexpr bool is_node() const { return !is_empty() && (code_ & kNodeBit) != 0; }
     [[nodiscard]] constexpr bool is_brick() const { return (code_ & kNodeBit) == 0; }
     [[nodiscard]] constexpr std::uint32_t index() const { return code_ & ~kNodeBit; }
@@ -42,6 +47,7 @@ public:
 
 private:
     static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;
+    static constexpr std::uint32_t kFull = 0xFFFFFFFEU;
     static constexpr std::uint32_t kNodeBit = 0x80000000U;
     explicit constexpr OctreePlace(std::uint32_t code) : code_(code) {}
     std::uint32_t code_ = kEmpty;
@@ -49,19 +55,25 @@ private:
 
 using OctreeNode = std::array<OctreePlace, field::kChildren>;
 
+// A part of the octree that is worked on as a whole: a node with all below it, at most kTileLevels levels of the
+// finest bricks in it, or a lone brick. Its bounds depend on what is there alone.
+struct Tile {
+    std::uint32_t parent = 0, child = 0; // its place: a node and one of that node's children
+    std::uint32_t first_brick = 0, brick_count = 0;
+};
+inline constexpr int kTileLevels = 3;
+
 struct Octree {
     Lattice lattice;
     int top_level = 0;
-    std::vector<OctreeNode> nodes; // the root first, parents before their children
-    std::size_t upper_nodes = 0;   // the first of them: those above `subtrees`
-    std::vector<Brick> bricks;
-    std::vector<std::uint32_t> lists; // segment indices, ascending within each brick
+    LargeArray<OctreeNode> nodes; // the root first, parents before their children
+    std::size_t upper_nodes = 0;  // the first of them: those above the tiles
+    std::vector<Tile> tiles;      // in order of their bricks
+    LargeArray<Brick> bricks;
+    LargeArray<std::uint32_t> lists; // segment indices, ascending within each brick
     [[nodiscard]] std::span<const std::uint32_t> segments_of(const Brick& brick) const {
         return {lists.data() + brick.list_begin, brick.list_count};
     }
-
-    // Subtrees of like size, for working on them in parallel: they hold all bricks, in order.
-    std::vector<std::pair<std::uint32_t, int>> subtrees; // parent node and child
 };
 
 // Without bricks when cancelled.

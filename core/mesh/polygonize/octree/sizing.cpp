@@ -107,4 +107,11 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
     return sizing;
 }
 
+int finest_level(const Sizing& sizing, std::span<const std::uint32_t> pieces, const Lattice& lattice) {
+    if (pieces.empty()) return 0;
+    float cell = std::numeric_limits<float>::max();
+    for (const std::uint32_t p : pieces) cell = std::min(cell, sizing.pieces[p].cell_mm);
+    return std::max(0, std::ilogb(static_cast<double>(cell) * 1.0001 / lattice.cell_mm(0)));
+}
+
 } // namespace ramus::mesh::bricks

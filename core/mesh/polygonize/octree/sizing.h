@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/field/convolution_field.h"
+#include "core/mesh/polygonize/octree/lattice.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -42,5 +43,8 @@ struct Sizing {
 // field/culling.h.
 void active_children(const Sizing& sizing, std::span<const std::uint32_t> pieces, glm::vec3 middle, float child_side,
                      std::span<std::uint8_t> active);
+
+// The level of the smallest cells that any of `pieces` asks for.
+[[nodiscard]] int finest_level(const Sizing& sizing, std::span<const std::uint32_t> pieces, const Lattice& lattice);
 
 } // namespace ramus::mesh::bricks

@@ -1,0 +1,99 @@
+// Which of a brick's segments reach a box of points, in SIMD, one lane per segment. Included once per instruction set.
+#if defined(RAMUS_FIELD_REACHING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_FIELD_REACHING_INL_H
+#undef RAMUS_FIELD_REACHING_INL_H
+#else
+#define RAMUS_FIELD_REACHING_INL_H
+#endif
+
+#include "core/field/kernel-inl.h"
+#include "core/field/local_segments.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::field::HWY_NAMESPACE {
+
+// Coordinates along one axis, seen from a segment's start.
+template <std::size_t N>
+HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float* HWY_RESTRICT out) {
+    const hn::CappedTag<double, 8> dd;
+    const hn::Rebind<float, decltype(dd)> df;
+    static_assert(N % 8 == 0);
+    for (std::size_t n = 0; n < N; n += hn::Lanes(dd))
+        hn::StoreU(hn::DemoteTo(df, hn::Sub(hn::LoadU(dd, axis.data() + n), hn::Set(dd, start))), df, out + n);
+}
+
+// A box relative to the brick's corner, mm.
+struct Box {
+    glm::vec3 middle, half;
+};
+
+// Writes the segments whose support reaches the box to local.reaching, in order, each as 2 m + the ends (Ends) that
+// points of the box may be near, and returns how many they are: whole packs, filled up with a segment that reaches
+// nothing. The others are exactly zero everywhere in the box.
+HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, const Box& box) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const std::size_t lanes = hn::Lanes(d);
+    const V zero = hn::Zero(d);
+    const V mx = hn::Set(d, box.middle.x);
+    const V my = hn::Set(d, box.middle.y);
+    const V mz = hn::Set(d, box.middle.z);
+    const V hx = hn::Set(d, box.half.x);
+    const V hy = hn::Set(d, box.half.y);
+    const V hz = hn::Set(d, box.half.z);
+    const V sqrt_w = hn::Set(d, root);
+    std::int32_t* out = local.reaching.data();
+    std::size_t found = 0;
+    for (std::size_t m = 0; m < local.count; m += lanes) {
+        const V ux = hn::LoadU(d, local.ux.data() + m);
+        const V uy = hn::LoadU(d, local.uy.data() + m);
+        const V uz = hn::LoadU(d, local.uz.data() + m);
+        const V length = hn::LoadU(d, local.length.data() + m);
+        const V px = hn::Sub(mx, hn::LoadU(d, local.x.data() + m));
+        const V py = hn::Sub(my, hn::LoadU(d, local.y.data() + m));
+        const V pz = hn::Sub(mz, hn::LoadU(d, local.z.data() + m));
+        const V t = hn::MulAdd(pz, uz, hn::MulAdd(py, uy, hn::Mul(px, ux)));
+        const V along = hn::MulAdd(hz, hn::Abs(uz), hn::MulAdd(hy, hn::Abs(uy), hn::Mul(hx, hn::Abs(ux))));
+        const V qx = hn::NegMulAdd(t, ux, px);
+        const V qy = hn::NegMulAdd(t, uy, py);
+        const V qz = hn::NegMulAdd(t, uz, pz);
+        const V off2 = hn::MulAdd(qz, qz, hn::MulAdd(qy, qy, hn::Mul(qx, qx)));
+        // Along the way to the axis the box extends by extent_off / off.
+        const V extent_off = hn::MulAdd(hz, hn::Abs(qz), hn::MulAdd(hy, hn::Abs(qy), hn::Mul(hx, hn::Abs(qx))));
+        const V inverse_off = hn::ApproximateReciprocalSqrt(hn::Max(off2, hn::Set(d, 1e-30F)));
+        const V nearest = hn::Max(hn::Mul(hn::NegMulAdd(hn::Set(d, 1.001F), extent_off, off2), inverse_off), zero);
+        const V t_low = hn::Sub(t, along);
+        const V t_high = hn::Add(t, along);
+        const V gap = hn::Max(hn::Max(hn::Neg(t_high), hn::Sub(t_low, length)), zero);
+        const V slope = hn::LoadU(d, local.slope.data() + m);
+        const V radius = hn::LoadU(d, local.radius.data() + m);
+        const V r1 = hn::MulAdd(slope, hn::Max(hn::Min(t_low, length), zero), radius);
+        const V r2 = hn::MulAdd(slope, hn::Max(hn::Min(t_high, length), zero), radius);
+        const V thickest = hn::Max(r1, r2);
+        // A little more than the fade's end and the error function's covers the rounding.
+        const V reach = hn::Mul(thickest, thickest);
+        const V distance2 = hn::Mul(hn::MulAdd(gap, gap, hn::Mul(nearest, nearest)), hn::Mul(sqrt_w, sqrt_w));
+        const M reaches = hn::And(hn::Lt(distance2, hn::Mul(reach, hn::Set(d, static_cast<float>(kFadeEnd * 1.003)))),
+                                  hn::FirstN(d, local.count - m));
+        const V far = hn::Mul(thickest, hn::Set(d, kErrorFunctionEnd * 1.001F));
+        const M ends = hn::Lt(hn::Mul(hn::Min(t_low, hn::Sub(length, t_high)), sqrt_w), far);
+        const auto code = hn::ShiftLeft<1>(hn::Add(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(m))));
+        // A mask is -1 where it is set.
+        const auto marked = hn::Sub(code, hn::VecFromMask(di, hn::RebindMask(di, ends)));
+        found += hn::CompressStore(marked, hn::RebindMask(di, reaches), di, out + found);
+    }
+    while (found % kPack != 0) out[found++] = static_cast<std::int32_t>(local.count) << 1; // that is nowhere
+    return found;
+}
+
+HWY_INLINE Pack broadcast(const std::vector<float>& of, std::size_t m0, std::size_t m1) {
+    return {hn::Set(D(), of[m0]), hn::Set(D(), of[m1])};
+}
+HWY_INLINE Segments broadcast(const LocalSegments& local, std::size_t m0, std::size_t m1) {
+    return {broadcast(local.ux, m0, m1),     broadcast(local.uy, m0, m1),     broadcast(local.uz, m0, m1),
+            broadcast(local.length, m0, m1), broadcast(local.radius, m0, m1), broadcast(local.slope, m0, m1)};
+}
+
+} // namespace ramus::field::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
