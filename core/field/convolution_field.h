@@ -12,6 +12,8 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace ramus::field {
@@ -41,21 +43,37 @@ struct alignas(64) FieldSegment {
     [[nodiscard]] float end_radius() const { return radius + slope * length; }
 };
 
+// The space that a field is in, and its finest feature. What lattices are laid out by; a field and parts of it share
+// one, so that what they have in common is the same to the last bit.
+struct Frame {
+    glm::dvec3 lower{0.0}, upper{0.0}; // box around all supports, mm
+    double thinnest = 0.0;             // smallest radius, mm
+    bool operator==(const Frame&) const = default;
+};
+
 class ConvolutionField {
 public:
     ConvolutionField(const tree::PreparedTree& prepared, double width);
+    // In a frame that is that of a larger tree.
+    ConvolutionField(const tree::PreparedTree& prepared, double width, const Frame& frame);
+    // The same without the branches (ids in the file's tree) whose entry is not 0.
+    [[nodiscard]] ConvolutionField without(std::span<const std::uint8_t> hidden) const;
 
-    [[nodiscard]] const std::vector<FieldSegment>& segments() const { return segments_; }
+    // By place in the file's tree; only those in present() count.
+    [[nodiscard]] const std::vector<FieldSegment>& segments() const { return *segments_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& present() const { return present_; } // ascending
     [[nodiscard]] const Kernel& kernel() const { return kernel_; }
-    // Box around all supports, mm.
-    [[nodiscard]] glm::dvec3 lower() const { return lower_; }
-    [[nodiscard]] glm::dvec3 upper() const { return upper_; }
+    [[nodiscard]] const Frame& frame() const { return frame_; }
+    [[nodiscard]] glm::dvec3 lower() const { return frame_.lower; }
+    [[nodiscard]] glm::dvec3 upper() const { return frame_.upper; }
+    // Whether both have the same segments, present or not, without looking at each.
+    [[nodiscard]] bool shares_segments(const ConvolutionField& other) const { return segments_ == other.segments_; }
 
 private:
     Kernel kernel_;
-    std::vector<FieldSegment> segments_;
-    glm::dvec3 lower_{0.0};
-    glm::dvec3 upper_{0.0};
+    std::shared_ptr<const std::vector<FieldSegment>> segments_;
+    std::vector<std::uint32_t> present_;
+    Frame frame_;
 };
 
 } // namespace ramus::field

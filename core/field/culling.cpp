@@ -26,37 +26,37 @@ struct BoxView {
     V8 coarse, fine;      // sqrt(w) / r at the thickest and the thinnest place that the box sees, 1/mm
 };
 
-HWY_INLINE void add_bounds(D8 d, const CullingSegment& s, const BoxView& box, hn::Mask<D8> reaches, V8& lower,
-                           V8& upper) {
+HWY_INLINE void add_upper(D8 d, const CullingSegment& s, const BoxView& box, hn::Mask<D8> reaches, V8& upper) {
     const V8 zero = hn::Zero(d);
-    const V8 limit = hn::Set(d, 40.0F);
-    const V8 half = hn::Set(d, 0.5F);
     const V8 length = hn::Set(d, s.length);
-    const V8 middle = hn::Mul(half, length);
-    const V8 t_low = hn::Sub(box.t, box.along);
-    const V8 t_high = hn::Add(box.t, box.along);
+    const V8 middle = hn::Mul(hn::Set(d, 0.5F), length);
     // The end filter is highest nearest to the segment's middle, lowest farthest from it; erf grows with its argument,
     // so each term takes the radius that bounds it.
     const V8 q_min = hn::Mul(box.nearest, box.coarse);
-    const V8 t_best = hn::Max(hn::Min(middle, t_high), t_low);
-    const auto term_upper = [&](V8 v) {
+    const V8 t_best = hn::Max(hn::Min(middle, hn::Add(box.t, box.along)), hn::Sub(box.t, box.along));
+    const auto term = [&](V8 v) {
         return half_error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.fine, box.coarse)));
     };
-    const V8 filter_upper = hn::Add(term_upper(t_best), term_upper(hn::Sub(length, t_best)));
-    const V8 gauss_upper = exp_negative(d, hn::Min(hn::Mul(q_min, q_min), limit));
-    upper = hn::Add(upper, hn::IfThenElseZero(reaches, hn::Mul(gauss_upper, filter_upper)));
+    const V8 filter = hn::Add(term(t_best), term(hn::Sub(length, t_best)));
+    const V8 gauss = exp_negative(d, hn::Min(hn::Mul(q_min, q_min), hn::Set(d, 40.0F)));
+    upper = hn::Add(upper, hn::IfThenElseZero(reaches, hn::Mul(gauss, filter)));
+}
 
+HWY_INLINE void add_lower(D8 d, const CullingSegment& s, const BoxView& box, hn::Mask<D8> reaches, V8& lower) {
+    const V8 zero = hn::Zero(d);
     const V8 q_max = hn::Mul(box.farthest, box.fine);
     const V8 e_max = hn::Mul(hn::Add(hn::Abs(box.beyond), box.along), box.fine);
     const V8 rho_max = hn::MulAdd(e_max, e_max, hn::Mul(q_max, q_max));
-    if (hn::AllFalse(d, hn::Lt(rho_max, hn::Set(d, static_cast<float>(kFadeEnd))))) return;
-    const V8 t_worst = hn::IfThenElse(hn::Gt(box.t, middle), t_high, t_low);
-    const auto term_lower = [&](V8 v) {
+    if (hn::AllFalse(d, hn::And(reaches, hn::Lt(rho_max, hn::Set(d, static_cast<float>(kFadeEnd)))))) return;
+    const V8 length = hn::Set(d, s.length);
+    const V8 middle = hn::Mul(hn::Set(d, 0.5F), length);
+    const V8 t_worst = hn::IfThenElse(hn::Gt(box.t, middle), hn::Add(box.t, box.along), hn::Sub(box.t, box.along));
+    const auto term = [&](V8 v) {
         return half_error_function(d, hn::Mul(v, hn::IfThenElse(hn::Ge(v, zero), box.coarse, box.fine)));
     };
-    const V8 filter_lower = hn::Max(zero, hn::Add(term_lower(t_worst), term_lower(hn::Sub(length, t_worst))));
-    const V8 gauss_lower = hn::Mul(exp_negative(d, hn::Min(hn::Mul(q_max, q_max), limit)), fade(d, rho_max));
-    lower = hn::Add(lower, hn::IfThenElseZero(reaches, hn::Mul(gauss_lower, filter_lower)));
+    const V8 filter = hn::Max(zero, hn::Add(term(t_worst), term(hn::Sub(length, t_worst))));
+    const V8 gauss = hn::Mul(exp_negative(d, hn::Min(hn::Mul(q_max, q_max), hn::Set(d, 40.0F))), fade(d, rho_max));
+    lower = hn::Add(lower, hn::IfThenElseZero(reaches, hn::Mul(gauss, filter)));
 }
 
 void CullChildren(const Kernel& kernel, const CullingSegment* segments, const std::uint32_t* list, std::size_t count,
@@ -68,6 +68,7 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
     const V8 h = hn::Set(d, half_extent);
     const V8 corner2 = hn::Set(d, 3.0F * half_extent * half_extent); // squared distance of a corner from the middle
     const V8 zero = hn::Zero(d);
+    const V8 isovalue = hn::Set(d, static_cast<float>(kernel.isovalue));
     const ChildCentres centres(middle, child_side);
     for (std::size_t m = 0; m < count; ++m) reaching[m] = 0;
     for (std::size_t first = 0; first < kChildren; first += lanes) {
@@ -116,7 +117,9 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
             // |q + offset|^2 = |q|^2 + 2 q . offset + |offset|^2, each part at its greatest.
             box.farthest = hn::Sqrt(hn::Add(hn::MulAdd(hn::Set(d, 2.0F), extent_off, off2), corner2));
             box.fine = hn::Div(sqrt_w, hn::Min(r1, r2));
-            add_bounds(d, s, box, reaches, lower, upper);
+            // Where it is certain that the field may reach the isovalue, by how much does not matter.
+            if (!hn::AllFalse(d, hn::And(reaches, hn::Lt(upper, isovalue)))) add_upper(d, s, box, reaches, upper);
+            add_lower(d, s, box, reaches, lower);
         }
         hn::Store(lower, d, bounds.lower.data() + first);
         hn::Store(upper, d, bounds.upper.data() + first);

@@ -42,9 +42,9 @@ struct ChildBounds {
     alignas(32) std::array<float, kChildren> lower{}, upper{};
 };
 
-// Bounds of F over the children of the cube at `middle` (mm, relative to the culling origin), whose
-// edge is `child_side`, from the segments in `list`. `reaching` receives for each entry of the list one bit per child
-// that the segment's support reaches.
+// Bounds of F over the children of the cube at `middle` (mm, relative to the culling origin), whose edge is
+// `child_side`, from the segments in `list`. Where F may reach the isovalue the upper bound says only that. `reaching`
+// receives for each entry of the list one bit per child that the segment's support reaches.
 ChildBounds cull_children(const ConvolutionField& field, const CullingSegments& culling,
                           std::span<const std::uint32_t> list, glm::vec3 middle, float child_side,
                           std::span<std::uint8_t> reaching);

@@ -3,6 +3,7 @@
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <oneapi/tbb/task_arena.h>
@@ -11,21 +12,54 @@ namespace ramus::mesh {
 
 namespace {
 
-Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job) {
+// Cones are drawn branch by branch: hidden ones are left out.
+PreparedTree without(PreparedTree prepared, std::span<const std::uint8_t> hidden) {
+    const auto is_hidden = [&](int branch) {
+        const auto index = static_cast<std::size_t>(branch);
+        return index < hidden.size() && hidden[index] != 0;
+    };
+    if (std::ranges::none_of(hidden, [](std::uint8_t h) { return h != 0; })) return prepared;
+    std::vector<int> kept_source;
+    std::vector<tree::Branch> kept;
+    std::size_t ordinal = 0;
+    for (const tree::Branch& branch : prepared.tree.branches) {
+        // Pruning joins branches of the file into one: the run is cut where hidden ones begin and end.
+        tree::Branch run;
+        for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
+            if (is_hidden(prepared.segment_source[ordinal])) {
+                if (run.points.size() > 1) kept.push_back(run);
+                run.points.clear();
+                continue;
+            }
+            if (run.points.empty()) run.points.push_back(branch.points[i - 1]);
+            run.points.push_back(branch.points[i]);
+            kept_source.push_back(prepared.segment_source[ordinal]);
+        }
+        if (run.points.size() > 1) kept.push_back(run);
+    }
+    prepared.tree.branches = std::move(kept);
+    prepared.segment_source = std::move(kept_source);
+    return prepared;
+}
+
+PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
+    PolygonizeOptions chosen;
+    chosen.detail = options.detail;
+    chosen.cell_mm = options.cell_mm;
+    return chosen;
+}
+
+Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                     std::span<const std::uint8_t> hidden) {
     const auto start = std::chrono::steady_clock::now();
-    const PreparedTree prepared = prepare_tree(source, options);
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
-        auto mesh = cones(prepared, options.detail, job);
+        auto mesh = cones(without(prepare_tree(source, options), hidden), options.detail, job);
         if (!mesh) return tl::unexpected(mesh.error());
         surface.mesh = std::move(*mesh);
     } else {
-        const field::ConvolutionField field(prepared, options.width);
-        PolygonizeOptions polygonize_options;
-        polygonize_options.detail = options.detail;
-        polygonize_options.cell_mm = options.cell_mm;
         PolygonizeStatistics statistics;
-        auto mesh = polygonize(field, polygonize_options, job, &statistics);
+        auto mesh = polygonize(make_field(source, options, hidden), polygonize_options(options), job, &statistics);
         if (!mesh) return tl::unexpected(mesh.error());
         surface.mesh = std::move(*mesh);
         surface.statistics.evaluations = statistics.evaluations;
@@ -36,11 +70,31 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
 
 } // namespace
 
-Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job) {
+field::ConvolutionField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
+                                   std::span<const std::uint8_t> hidden) {
+    const PreparedTree prepared = prepare_tree(source, options);
+    if (!(options.prune_ratio > 0.0)) {
+        field::ConvolutionField field(prepared, options.width);
+        return hidden.empty() ? field : field.without(hidden);
+    }
+    // Pruning may take the thinnest vessel, or the one that reaches farthest; bounds of the tree as it came hold what
+    // smoothing makes of any part of it.
+    SurfaceOptions unpruned = options;
+    unpruned.prune_ratio = 0.0;
+    const field::Frame smoothed = field::ConvolutionField(prepare_tree(source, unpruned), options.width).frame();
+    unpruned.smooth_passes = 0;
+    field::Frame frame = field::ConvolutionField(prepare_tree(source, unpruned), options.width).frame();
+    frame.thinnest = smoothed.thinnest;
+    field::ConvolutionField field(prepared, options.width, frame);
+    return hidden.empty() ? field : field.without(hidden);
+}
+
+Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                             std::span<const std::uint8_t> hidden) {
     try {
-        if (options.threads <= 0) return make(source, options, job);
+        if (options.threads <= 0) return make(source, options, job, hidden);
         tbb::task_arena arena(options.threads);
-        return arena.execute([&] { return make(source, options, job); });
+        return arena.execute([&] { return make(source, options, job, hidden); });
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
     }

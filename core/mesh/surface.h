@@ -7,6 +7,11 @@
 #include "core/tree/prepared_tree.h"
 
 #include <cstdint>
+#include <span>
+
+namespace ramus::field {
+class ConvolutionField;
+}
 
 namespace ramus::mesh {
 
@@ -39,8 +44,15 @@ using tree::PreparedTree;
 // The tree as the surface sees it: pruned first, then smoothed.
 [[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
 
-// Surface of `source` under `options`; vertex branch ids are those of `source`. Fails when the options cannot be met
-// (more triangles than memory holds), or when `job` is cancelled (what == "cancelled").
-[[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job);
+// The field of the tree as prepared, without the hidden branches (by id in `source`, not 0: hidden). Its frame is that
+// of the whole tree, so that hiding and pruning leave everything else as it is, to the last bit.
+[[nodiscard]] field::ConvolutionField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
+                                                 std::span<const std::uint8_t> hidden);
+
+// Surface of `source` under `options`, closed where hidden branches were; vertex branch ids are those of `source`.
+// Fails when the options cannot be met (more triangles than memory holds), when every branch is hidden, or when `job`
+// is cancelled (what == "cancelled").
+[[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                                           std::span<const std::uint8_t> hidden = {});
 
 } // namespace ramus::mesh

@@ -11,17 +11,17 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-std::vector<int> sources_in_order(const VesselTree& tree, const std::map<Edge, int>& source_of) {
-    std::vector<int> sources;
-    sources.reserve(tree.segment_count());
+std::vector<std::uint32_t> places_in_order(const VesselTree& tree, const std::map<Edge, std::uint32_t>& place_of) {
+    std::vector<std::uint32_t> places;
+    places.reserve(tree.segment_count());
     for (const Branch& branch : tree.branches)
         for (std::size_t i = 1; i < branch.points.size(); ++i)
-            sources.push_back(source_of.at(std::minmax(branch.points[i - 1], branch.points[i])));
-    return sources;
+            places.push_back(place_of.at(std::minmax(branch.points[i - 1], branch.points[i])));
+    return places;
 }
 
 PreparedTree unpruned(const VesselTree& tree) {
-    PreparedTree result{tree, {}};
+    PreparedTree result{tree, {}, {}, 0};
     result.segment_source.reserve(tree.segment_count());
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
         result.segment_source.insert(result.segment_source.end(), tree.branches[id].points.size() - 1,
@@ -48,12 +48,12 @@ std::vector<bool> short_leaves(const VesselTree& tree, double ratio) {
 PreparedTree prune(const VesselTree& source, double ratio) {
     PreparedTree result = unpruned(source);
     if (!(ratio > 0.0)) return result;
-    std::map<Edge, int> source_of;
+    std::map<Edge, std::uint32_t> place_of;
     {
-        std::size_t ordinal = 0;
+        std::uint32_t place = 0;
         for (const Branch& branch : source.branches)
             for (std::size_t i = 1; i < branch.points.size(); ++i)
-                source_of[std::minmax(branch.points[i - 1], branch.points[i])] = result.segment_source[ordinal++];
+                place_of[std::minmax(branch.points[i - 1], branch.points[i])] = place++;
     }
     VesselTree tree = source;
     while (true) {
@@ -68,7 +68,12 @@ PreparedTree prune(const VesselTree& source, double ratio) {
         const std::vector<std::uint32_t> roots = tree.roots;
         tree = assemble(std::move(tree.points), std::move(tree.labels), edges, roots);
     }
-    result.segment_source = sources_in_order(tree, source_of);
+    result.source_segments = result.segment_source.size();
+    result.segment_place = places_in_order(tree, place_of);
+    std::vector<int> sources;
+    sources.reserve(result.segment_place.size());
+    for (const std::uint32_t place : result.segment_place) sources.push_back(result.segment_source[place]);
+    result.segment_source = std::move(sources);
 
     std::vector<std::uint32_t> renumbered(tree.points.size(), 0);
     std::vector<bool> used(tree.points.size(), false);

@@ -1,5 +1,5 @@
 // What the surface does inside each brick: the sign pattern of its cells, the vertices of their loops, and where to
-// find them from outside. Filled brick by brick (fill_bricks), read by the pass that joins vertices into triangles.
+// find them from outside. Filled brick by brick (fill_tiles), read by the pass that joins vertices into triangles.
 #pragma once
 
 #include "core/field/projection.h"
@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ramus::mesh::bricks {
@@ -83,7 +84,7 @@ struct TileCells {
 struct SurfaceCells {
     LargeArray<Neighbourhood> neighbours; // by brick
     LargeArray<BrickCells> cells;         // by brick
-    std::vector<TileCells> tiles;
+    std::vector<TileCells> tiles;         // by tile
 
     [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
         return (cells[brick].recorded >> cell & 1U) != 0;
@@ -93,10 +94,15 @@ struct SurfaceCells {
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const;
 };
 
-// Samples every brick, finds the loops of its cells and places their vertices on the surface. Incomplete when
-// cancelled.
-[[nodiscard]] SurfaceCells fill_bricks(const field::ConvolutionField& field, const Octree& octree,
-                                       LargeArray<Neighbourhood> neighbours, Job& job);
+// Samples the bricks of some tiles, finds the loops of their cells and places the vertices on the surface. Needs the
+// tiles' neighbourhoods. Incomplete when cancelled.
+void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
+                SurfaceCells& surface, Job& job);
+
+// Whether some polygon of the tile may have vertices in tiles that changed: where the surface crosses the boundary
+// between them.
+[[nodiscard]] bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint32_t tile,
+                                  const OctreeChanges& changes);
 
 // Moves the points of a brick's `projection` onto the surface and appends them to the tile's vertices.
 void append_projected(const field::LocalSegments& local, field::Projection& projection, TileCells& tile);

@@ -118,6 +118,8 @@ std::uint64_t cells_beside_finer(std::uint32_t finer) {
     return cells;
 }
 
+std::uint64_t cells_toward(int direction) { return kTouchingCells[static_cast<std::size_t>(direction)]; }
+
 std::uint64_t cells_touching(int x, int y, int z) {
     const int p[3] = {x, y, z};
     std::uint64_t cells = 0;

@@ -16,6 +16,9 @@ void list_hanging_corners(std::uint32_t finer, std::vector<field::LatticePoint>&
 // Cells of the brick (one bit each) on a face or an edge beyond which cells are finer; at a corner alone nothing hangs.
 [[nodiscard]] std::uint64_t cells_beside_finer(std::uint32_t finer);
 
+// Cells of the brick that touch the neighbour in a direction.
+[[nodiscard]] std::uint64_t cells_toward(int direction);
+
 // Cells that touch the point.
 [[nodiscard]] std::uint64_t cells_touching(int x, int y, int z);
 

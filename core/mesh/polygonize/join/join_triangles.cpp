@@ -1,13 +1,8 @@
 #include "core/mesh/polygonize/join/join_triangles.h"
 
-#include "core/mesh/polygonize/join/edge_polygons.h"
-#include "core/mesh/polygonize/join/quad_diagonals.h"
-#include "core/mesh/resize_vertices.h"
-
 #include <algorithm>
 #include <atomic>
 #include <oneapi/tbb/parallel_for.h>
-#include <utility>
 
 namespace ramus::mesh::bricks {
 
@@ -115,79 +110,24 @@ private:
     GridBits special_ = 0;                    // cells that need the general way
 };
 
-void copy_vertices(const TileCells& from, std::size_t first, TriangleMesh& mesh) {
-    const auto at = static_cast<std::ptrdiff_t>(first);
-    std::copy_n(from.positions.begin(), from.vertex_count, mesh.positions.begin() + at);
-    std::copy_n(from.normals.begin(), from.vertex_count, mesh.normals.begin() + at);
-    std::copy_n(from.radii.begin(), from.vertex_count, mesh.radii.begin() + at);
-    std::copy_n(from.branches.begin(), from.vertex_count, mesh.branches.begin() + at);
-}
-
-// Room for the few vertices that joining adds, so that they do not move all others.
-void reserve_vertices(TriangleMesh& mesh, std::size_t count) {
-    mesh.positions.reserve(count);
-    mesh.normals.reserve(count);
-    mesh.radii.reserve(count);
-    mesh.branches.reserve(count);
-}
-
-// Gathers the tiles' vertices into the mesh and turns the bricks' first vertices into indices of the mesh.
-void gather_vertices(const Octree& octree, SurfaceCells& surface, TriangleMesh& mesh) {
-    std::vector<std::size_t> first(surface.tiles.size() + 1, 0);
-    for (std::size_t t = 0; t < surface.tiles.size(); ++t) first[t + 1] = first[t] + surface.tiles[t].vertex_count;
-    reserve_vertices(mesh, first.back() + first.back() / 64);
-    resize_vertices(mesh, first.back());
-    tbb::parallel_for(std::size_t{0}, surface.tiles.size(), [&](std::size_t t) {
-        TileCells& tile = surface.tiles[t];
-        copy_vertices(tile, first[t], mesh);
-        tile.positions = {}, tile.normals = {}, tile.radii = {}, tile.branches = {};
-        const Tile& place = octree.tiles[t];
-        for (std::uint32_t b = place.first_brick; b < place.first_brick + place.brick_count; ++b)
-            surface.cells[b].first_vertex += static_cast<std::uint32_t>(first[t]);
-    });
-}
-
 } // namespace
 
-TriangleMesh join_triangles(const field::ConvolutionField& field, const Octree& octree, SurfaceCells surface,
-                            Job& job) {
-    TriangleMesh mesh;
-    gather_vertices(octree, surface, mesh);
-    std::vector<JoinedTile> joined(surface.tiles.size());
+std::vector<JoinedTile> join_tiles(const field::ConvolutionField& field, const Octree& octree,
+                                   std::span<const std::uint32_t> tiles, const SurfaceCells& surface,
+                                   const TriangleMesh& mesh, Job& job) {
+    std::vector<JoinedTile> joined(tiles.size());
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t t) {
+    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
         BrickJoiner joiner(field, octree, surface, mesh);
-        joined[t].quads.reserve(surface.tiles[t].vertex_count * 9 / 8 + 64); // Euler: about as many quads as vertices
-        const Tile& place = octree.tiles[t];
-        for (std::uint32_t b = place.first_brick; b < place.first_brick + place.brick_count; ++b)
+        const Tile& tile = octree.tiles[tiles[t]];
+        // Euler: about as many quads as vertices.
+        joined[t].quads.reserve(surface.tiles[tiles[t]].vertex_count * 9 / 8 + 64);
+        for (std::uint32_t b = tile.first_brick; b < tile.first_brick + tile.brick_count; ++b)
             joiner.join(b, joined[t]);
-        job.report(0.8F + 0.2F * static_cast<float>(++done) / static_cast<float>(joined.size()));
+        job.report(0.8F + 0.15F * static_cast<float>(++done) / static_cast<float>(joined.size()));
     });
-    if (job.cancelled()) return {};
-
-    std::vector<std::size_t> first_triangle(joined.size() + 1, 0);
-    std::vector<std::size_t> first_added(joined.size() + 1, mesh.positions.size());
-    for (std::size_t t = 0; t < joined.size(); ++t) {
-        first_triangle[t + 1] = first_triangle[t] + 2 * joined[t].quads.size() + joined[t].triangles.size();
-        first_added[t + 1] = first_added[t] + joined[t].added.vertex_count;
-    }
-    mesh.triangles.resize(first_triangle.back());
-    if (first_added.back() > mesh.positions.size()) resize_vertices(mesh, first_added.back());
-    tbb::parallel_for(std::size_t{0}, joined.size(), [&](std::size_t t) {
-        copy_vertices(joined[t].added, first_added[t], mesh);
-        const auto out = std::span(mesh.triangles).subspan(first_triangle[t]);
-        cut_quads(mesh, joined[t].quads, out);
-        std::size_t n = 2 * joined[t].quads.size();
-        for (glm::uvec3 triangle : joined[t].triangles) {
-            for (int i = 0; i < 3; ++i)
-                if ((triangle[i] & kAddedBit) != 0)
-                    triangle[i] = static_cast<std::uint32_t>(first_added[t]) + (triangle[i] & ~kAddedBit);
-            out[n++] = triangle;
-        }
-        joined[t] = {};
-    });
-    return mesh;
+    return joined;
 }
 
 } // namespace ramus::mesh::bricks

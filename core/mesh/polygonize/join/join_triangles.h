@@ -1,13 +1,19 @@
 // Joins the vertices of cells into triangles: one polygon around every minimal edge that the surface crosses, of the
-// loops' vertices in the three or four cells that meet there.
+// loops' vertices in the three or four cells that meet there. Closed, oriented, edge- and vertex-manifold by
+// construction.
 #pragma once
 
-#include "core/mesh/polygonize/cells/brick_cells.h"
+#include "core/mesh/polygonize/join/edge_polygons.h"
+
+#include <span>
+#include <vector>
 
 namespace ramus::mesh::bricks {
 
-// Closed, oriented, edge- and vertex-manifold by construction. `surface` is consumed. Empty when cancelled.
-[[nodiscard]] TriangleMesh join_triangles(const field::ConvolutionField& field, const Octree& octree,
-                                          SurfaceCells surface, Job& job);
+// The polygons of some tiles, in their order, by vertices of `mesh`, in which all vertices of these tiles and of those
+// beside them have their place. Incomplete when cancelled.
+[[nodiscard]] std::vector<JoinedTile> join_tiles(const field::ConvolutionField& field, const Octree& octree,
+                                                 std::span<const std::uint32_t> tiles, const SurfaceCells& surface,
+                                                 const TriangleMesh& mesh, Job& job);
 
 } // namespace ramus::mesh::bricks

@@ -58,10 +58,10 @@ namespace ramus::mesh::bricks {
 
 HWY_EXPORT(ActiveChildren);
 
-void active_children(const Sizing& sizing, std::span<const std::uint32_t> pieces, glm::vec3 middle, float child_side,
-                     std::span<std::uint8_t> active) {
+void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces, glm::vec3 middle,
+                     float child_side, std::span<std::uint8_t> active) {
     HWY_DYNAMIC_DISPATCH(ActiveChildren)
-    (sizing.pieces.data(), pieces.data(), pieces.size(), middle, child_side, active.data());
+    (all.data(), pieces.data(), pieces.size(), middle, child_side, active.data());
 }
 
 } // namespace ramus::mesh::bricks

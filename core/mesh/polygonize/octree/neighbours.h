@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace ramus::mesh::bricks {
 
@@ -30,7 +32,21 @@ struct Neighbourhood {
     }
 };
 
-// By brick. One walk down the octree: the places around a child are children of the places around its parent.
-[[nodiscard]] LargeArray<Neighbourhood> find_neighbours(const Octree& octree);
+// Fills in `found`, by brick, for the bricks of some tiles. A walk down the octree: the places around a child are
+// children of the places around its parent.
+void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, LargeArray<Neighbourhood>& found);
+
+// What an update of the octree changed.
+struct OctreeChanges {
+    std::vector<std::uint8_t> tiles;           // by tile: new, or to be taken for new
+    std::vector<std::uint8_t> below;           // by upper node: something below it is new or gone
+    std::vector<std::uint8_t> children;        // by upper node, one bit per child: it is new or gone
+    std::vector<std::uint32_t> added, removed; // tiles
+
+    void mark(const Octree& octree, std::uint32_t upper); // `below`, up to the root
+};
+
+// Tiles that touch something changed, and are not marked as changed themselves, in order.
+[[nodiscard]] std::vector<std::uint32_t> tiles_beside(const Octree& octree, const OctreeChanges& changes);
 
 } // namespace ramus::mesh::bricks

@@ -58,22 +58,45 @@ using OctreeNode = std::array<OctreePlace, field::kChildren>;
 // A part of the octree that is worked on as a whole: a node with all below it, at most kTileLevels levels of the
 // finest bricks in it, or a lone brick. Its bounds depend on what is there alone.
 struct Tile {
-    std::uint32_t parent = 0, child = 0; // its place: a node and one of that node's children
+    std::uint32_t parent = 0, child = 0; // its place: an upper node and one of that node's children
     std::uint32_t first_brick = 0, brick_count = 0;
+    glm::ivec3 corner{0};
+    std::int32_t level = 0; // of a brick of its size
 };
 inline constexpr int kTileLevels = 3;
 
+// A node above the tiles. Its children: nothing, another upper node, or a tile.
+struct UpperNode {
+    std::uint32_t node = 0;   // in Octree::nodes
+    std::uint32_t parent = 0; // in Octree::upper; the root is its own
+    std::array<std::uint32_t, field::kChildren> children{};
+
+    static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
+    static constexpr std::uint32_t kNodeBit = 0x80000000U;
+    static constexpr std::uint32_t tile(std::size_t index) { return static_cast<std::uint32_t>(index); }
+    static constexpr std::uint32_t node_code(std::uint32_t index) { return index | kNodeBit; }
+    static constexpr bool is_tile(std::uint32_t code) { return (code & kNodeBit) == 0; }
+    static constexpr bool is_node(std::uint32_t code) { return code != kNothing && (code & kNodeBit) != 0; }
+    static constexpr std::uint32_t node_of(std::uint32_t code) { return code & ~kNodeBit; }
+};
+
+// Freshly built, tiles, bricks and all that belongs to them stand in depth-first order. Updating appends what is new
+// and leaves what is gone behind, unreferenced, so that nothing else moves.
 struct Octree {
     Lattice lattice;
     int top_level = 0;
-    LargeArray<OctreeNode> nodes; // the root first, parents before their children
-    std::size_t upper_nodes = 0;  // the first of them: those above the tiles
-    std::vector<Tile> tiles;      // in order of their bricks
+    LargeArray<OctreeNode> nodes; // the root first
+    std::vector<UpperNode> upper; // the root first
+    std::vector<Tile> tiles;
     LargeArray<Brick> bricks;
     LargeArray<std::uint32_t> lists; // segment indices, ascending within each brick
     [[nodiscard]] std::span<const std::uint32_t> segments_of(const Brick& brick) const {
         return {lists.data() + brick.list_begin, brick.list_count};
     }
+
+    std::uint32_t add_upper_node();
+    void enter(std::uint32_t parent, std::size_t child, std::uint32_t upper_node); // indices of `upper`
+    [[nodiscard]] std::vector<std::uint32_t> tiles_in_order() const;               // depth first
 };
 
 // Without bricks when cancelled.

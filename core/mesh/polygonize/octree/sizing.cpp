@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr double kReachRadii = 1.4; // how far a vessel's own surface and its blends extend, in radii (width 5)
 constexpr double kPieceRatio = 1.2; // radii within a piece differ by no more
 constexpr double kRunBend = 0.25;   // how far a piece's segments may lie from its chord, in radii
-// Cell sizes are powers of two apart: the nearest to what is asked for is taken, so up to this much more. Cells around
-// the thinnest vessel are exactly as asked.
-constexpr double kRounding = 1.4142135623730951;
 
 // A run of consecutive segments that one piece can stand for: nearly straight, nearly one radius.
 struct Run {
@@ -38,8 +38,8 @@ double distance_to_chord(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
     return glm::distance(p, a + t * chord);
 }
 
-// Voxel-spaced centerlines have segments far shorter than the vessel is wide; judging each would cost more than
-// meshing.
+// A run ends with its branch, so that what a branch asks for depends on nothing else. Voxel-spaced centerlines have
+// segments far shorter than the vessel is wide; judging each would cost more than meshing.
 bool extend(Run& run, const Segments& s, std::size_t next) {
     const double r0 = s[next].radius;
     const double r1 = s[next].end_radius();
@@ -49,7 +49,7 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
     const glm::dvec3 a = start_of(s[run.first]);
     const glm::dvec3 b = end_of(s[next]);
     constexpr std::size_t kLongest = 16; // bounds the work of this check
-    if (next - run.first >= kLongest) return false;
+    if (next - run.first >= kLongest || s[next].branch != s[run.first].branch) return false;
     double off = 0.0;
     for (std::size_t i = run.first; i <= next; ++i) {
         if (i > run.first && glm::distance(start_of(s[i]), end_of(s[i - 1])) > 1e-3 * thinnest) return false;
@@ -60,26 +60,71 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
     return true;
 }
 
+// Interleaves the lowest ten bits of three numbers.
+std::uint32_t morton(glm::uvec3 n) {
+    const auto spread = [](std::uint32_t b) {
+        b = (b | b << 16) & 0x030000FFU;
+        b = (b | b << 8) & 0x0300F00FU;
+        b = (b | b << 4) & 0x030C30C3U;
+        return (b | b << 2) & 0x09249249U;
+    };
+    return spread(n.x) | spread(n.y) << 1 | spread(n.z) << 2;
+}
+
+glm::vec3 end_of(const SizingPiece& piece) { return piece.start + piece.length * piece.direction; }
+
+void group_pieces(Sizing& sizing, float half_extent) {
+    std::vector<std::uint32_t> key;
+    key.reserve(sizing.pieces.size());
+    for (const SizingPiece& piece : sizing.pieces) {
+        const glm::vec3 place = (0.5F * (piece.start + end_of(piece)) + half_extent) / (2.0F * half_extent);
+        key.push_back(morton(glm::uvec3(glm::clamp(place * 1024.0F, 0.0F, 1023.0F))));
+    }
+    sizing.grouped.resize(sizing.pieces.size());
+    std::iota(sizing.grouped.begin(), sizing.grouped.end(), 0U);
+    std::ranges::sort(sizing.grouped, {}, [&](std::uint32_t p) { return std::pair(key[p], p); });
+    const std::size_t count = (sizing.pieces.size() + Sizing::kGroupPieces - 1) / Sizing::kGroupPieces;
+    sizing.groups.resize(count);
+    for (std::uint32_t g = 0; g < count; ++g) {
+        SizingPiece& group = sizing.groups[g];
+        const auto members = pieces_of_group(sizing, g);
+        for (const std::uint32_t p : members)
+            group.start +=
+                0.5F * (sizing.pieces[p].start + end_of(sizing.pieces[p])) / static_cast<float>(members.size());
+        group.cell_mm = std::numeric_limits<float>::max();
+        for (const std::uint32_t p : members) {
+            const SizingPiece& piece = sizing.pieces[p];
+            const float farthest =
+                std::max(glm::distance(group.start, piece.start), glm::distance(group.start, end_of(piece)));
+            group.reach_mm = std::max(group.reach_mm, piece.reach_mm + 1.001F * farthest);
+            group.cell_mm = std::min(group.cell_mm, piece.cell_mm);
+        }
+    }
+}
+
 } // namespace
 
 Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm) {
     const Segments& s = field.segments();
-    const double reach_radii = kReachRadii * field.kernel().support_radii / 1.7;
+    // As far as the vessel matters at all. So a cube that some segment reaches is never coarser than that one asks.
+    const double reach_radii = field.kernel().support_radii;
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
-    sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : std::numeric_limits<double>::max();
-    const auto add = [&](glm::dvec3 a, glm::dvec3 b, double thinnest, double thickest, double off) {
+    sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.frame().thinnest;
+    const auto add = [&](std::int32_t branch, glm::dvec3 a, glm::dvec3 b, double thinnest, double thickest,
+                         double off) {
         const double length = glm::distance(a, b);
         const double cell = cell_mm > 0.0 ? cell_mm : cells_per_radius * thinnest;
         // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each.
         sizing.expected_triangles += 3.0 * std::numbers::pi * (thinnest + thickest) * length / (cell * cell);
         if (cell_mm > 0.0) return;
-        sizing.finest_cell_mm = std::min(sizing.finest_cell_mm, cell);
         sizing.pieces.push_back({glm::vec3(a - origin), glm::vec3(length > 0.0 ? (b - a) / length : glm::dvec3(0.0)),
-                                 static_cast<float>(length), static_cast<float>(kRounding * cell),
-                                 static_cast<float>(reach_radii * thickest + off)});
+                                 static_cast<float>(length), static_cast<float>(Sizing::kRounding * cell),
+                                 static_cast<float>(reach_radii * thickest + off), branch});
     };
-    for (std::size_t i = 0; i < s.size();) {
+    const std::vector<std::uint32_t>& present = field.present();
+    for (std::size_t n = 0; n < present.size();) {
+        const std::size_t i = present[n];
         const double r0 = s[i].radius;
         const double r1 = s[i].end_radius();
         const double ratio = std::max(r0, r1) / std::min(r0, r1);
@@ -88,30 +133,45 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
             const int count = static_cast<int>(std::ceil(std::log(ratio) / std::log(kPieceRatio)));
             const glm::dvec3 a = start_of(s[i]);
             const glm::dvec3 b = end_of(s[i]);
-            for (int n = 0; n < count; ++n) {
-                const double f0 = static_cast<double>(n) / count;
-                const double f1 = static_cast<double>(n + 1) / count;
+            for (int part = 0; part < count; ++part) {
+                const double f0 = static_cast<double>(part) / count;
+                const double f1 = static_cast<double>(part + 1) / count;
                 const double ra = r0 + (r1 - r0) * f0;
                 const double rb = r0 + (r1 - r0) * f1;
-                add(a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb), 0.0);
+                add(s[i].branch, a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb), 0.0);
             }
-            ++i;
+            ++n;
             continue;
         }
         Run run{i, i, std::min(r0, r1), std::max(r0, r1)};
-        while (run.last + 1 < s.size() && extend(run, s, run.last + 1)) {
-        }
-        add(start_of(s[run.first]), end_of(s[run.last]), run.thinnest, run.thickest, run.off);
-        i = run.last + 1;
+        std::size_t end = n + 1;
+        while (end < present.size() && present[end] == run.last + 1 && extend(run, s, run.last + 1)) ++end;
+        add(s[i].branch, start_of(s[run.first]), end_of(s[run.last]), run.thinnest, run.thickest, run.off);
+        n = end;
+    }
+    if (cell_mm <= 0.0) {
+        sizing.cell_per_radius = cells_per_radius;
+        const glm::vec3 extent(field.upper() - field.lower());
+        group_pieces(sizing, 0.5F * std::max({extent.x, extent.y, extent.z}));
     }
     return sizing;
 }
 
-int finest_level(const Sizing& sizing, std::span<const std::uint32_t> pieces, const Lattice& lattice) {
-    if (pieces.empty()) return 0;
-    float cell = std::numeric_limits<float>::max();
-    for (const std::uint32_t p : pieces) cell = std::min(cell, sizing.pieces[p].cell_mm);
-    return std::max(0, std::ilogb(static_cast<double>(cell) * 1.0001 / lattice.cell_mm(0)));
+float most_asked(const Sizing& sizing, float radius) {
+    return static_cast<float>(Sizing::kRounding * sizing.cell_per_radius) * radius;
+}
+
+bool can_matter(const SizingPiece& piece, glm::vec3 middle, float side, float most) {
+    const float along = std::clamp(glm::dot(middle - piece.start, piece.direction), 0.0F, piece.length);
+    const float gap = glm::distance(middle, piece.start + along * piece.direction);
+    constexpr float kSqrt3Half = 0.8660254F;
+    const float beyond = std::max(0.0F, gap - kSqrt3Half * side - piece.reach_mm);
+    return 0.999F * (piece.cell_mm + Sizing::kSlope * beyond) < most;
+}
+
+int level_of_radius(const Sizing& sizing, double radius, const Lattice& lattice) {
+    if (sizing.cell_per_radius == 0.0) return 0;
+    return std::max(0, std::ilogb(1.0001 * sizing.cell_per_radius * radius / lattice.cell_mm(0)));
 }
 
 } // namespace ramus::mesh::bricks

@@ -11,6 +11,7 @@
 #include "core/field/convolution_field.h"
 #include "core/mesh/polygonize/octree/lattice.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -25,11 +26,22 @@ struct SizingPiece {
     float length = 0.0F;
     float cell_mm = 0.0F;
     float reach_mm = 0.0F;
+    std::int32_t branch = 0; // whose it is
+    bool operator==(const SizingPiece&) const = default;
 };
 
 struct Sizing {
     static constexpr float kSlope = 0.14F; // below 1 / (4 sqrt 3), see the proof
-    std::vector<SizingPiece> pieces;       // empty: one cell size everywhere
+    // Cell sizes are powers of two apart: the nearest to what is asked for is taken, so up to this much more. Cells
+    // around the thinnest vessel are exactly as asked.
+    static constexpr double kRounding = 1.4142135623730951;
+    std::vector<SizingPiece> pieces; // empty: one cell size everywhere
+    // Pieces near each other as one that asks for at least as much as each of them: who it does not reach, none of them
+    // does. A group's pieces are those that `grouped` names from kGroupPieces times its index on.
+    static constexpr std::size_t kGroupPieces = 16;
+    std::vector<SizingPiece> groups;
+    std::vector<std::uint32_t> grouped;
+    double cell_per_radius = 0.0; // cell size that a vessel asks for, in its radii; 0: one cell size everywhere
     double finest_cell_mm = 0.0;
     double expected_triangles = 0.0; // a rough forecast, for refusing what cannot fit
 };
@@ -38,13 +50,25 @@ struct Sizing {
 // to.
 [[nodiscard]] Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm);
 
-// Which of `pieces` ask the children of the cube at `middle` (mm, relative to the culling origin), bricks with edge
-// `child_side`, for cells smaller than their own: one bit per child for each piece, children numbered as in
+// Which of `pieces` (of `all`) ask the children of the cube at `middle` (mm, relative to the culling origin), bricks
+// with edge `child_side`, for cells smaller than their own: one bit per child for each piece, children numbered as in
 // field/culling.h.
-void active_children(const Sizing& sizing, std::span<const std::uint32_t> pieces, glm::vec3 middle, float child_side,
-                     std::span<std::uint8_t> active);
+void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces, glm::vec3 middle,
+                     float child_side, std::span<std::uint8_t> active);
 
-// The level of the smallest cells that any of `pieces` asks for.
-[[nodiscard]] int finest_level(const Sizing& sizing, std::span<const std::uint32_t> pieces, const Lattice& lattice);
+[[nodiscard]] inline std::span<const std::uint32_t> pieces_of_group(const Sizing& sizing, std::uint32_t group) {
+    const std::size_t first = Sizing::kGroupPieces * group;
+    return std::span(sizing.grouped).subspan(first, std::min(Sizing::kGroupPieces, sizing.grouped.size() - first));
+}
+
+// Wherever a vessel of this radius reaches, cells are at most so large.
+[[nodiscard]] float most_asked(const Sizing& sizing, float radius);
+
+// Whether a piece may make cells of a cube, or of a part of it, smaller than `most`. `middle` relative to the culling
+// origin, mm.
+[[nodiscard]] bool can_matter(const SizingPiece& piece, glm::vec3 middle, float side, float most);
+
+// The level of the cells that a vessel of this radius asks for.
+[[nodiscard]] int level_of_radius(const Sizing& sizing, double radius, const Lattice& lattice);
 
 } // namespace ramus::mesh::bricks

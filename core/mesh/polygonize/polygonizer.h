@@ -1,0 +1,61 @@
+// Polygonizer: a convolution surface that can follow its tree. It keeps what polygonizing found (octree, cells, mesh),
+// and when branches come, go or move it works only where they reach. The surface is then the same, bit for bit, as one
+// made from nothing.
+#pragma once
+
+#include "core/mesh/polygonize/cells/brick_cells.h"
+#include "core/mesh/polygonize/join/mesh_slots.h"
+#include "core/mesh/polygonize/octree/update_octree.h"
+#include "core/mesh/polygonize/polygonize.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ramus::mesh {
+
+class Polygonizer {
+public:
+    // Room for growth is left in all arrays when the surface is to be updated.
+    enum class Purpose { kOnce, kUpdates };
+    explicit Polygonizer(Purpose purpose) : slack_(purpose == Purpose::kUpdates ? 0.25 : 0.0) {}
+
+    // From nothing. Nothing is left when it fails.
+    [[nodiscard]] Result<void> make(field::ConvolutionField field, const PolygonizeOptions& options, Job& job);
+    // To another state of the tree, in the same frame; from nothing where that does not help: the first time, and after
+    // other options, another frame or another width. Nothing is left when it fails.
+    [[nodiscard]] Result<void> update(field::ConvolutionField field, const PolygonizeOptions& options, Job& job);
+
+    [[nodiscard]] const PolygonizeStatistics& statistics() const { return statistics_; } // of the last call
+    [[nodiscard]] SurfaceEdit take_edit();
+    // With gaps (MeshSlots), and without.
+    [[nodiscard]] const TriangleMesh& slots() const { return slots_.mesh(); }
+    [[nodiscard]] TriangleMesh compact() const { return slots_.compact(octree_.tiles_in_order()); }
+    [[nodiscard]] TriangleMesh take_mesh() { return slots_.take_mesh(); } // plain after make(); the end of it
+
+private:
+    // What belongs to one state of the tree.
+    struct State {
+        field::ConvolutionField field;
+        field::CullingSegments culling;
+        bricks::Sizing sizing;
+        PolygonizeOptions options;
+    };
+    [[nodiscard]] bool can_follow(const field::ConvolutionField& field, const PolygonizeOptions& options) const;
+    [[nodiscard]] Result<void> make(std::unique_ptr<State> state, Job& job);
+    [[nodiscard]] bool follow(std::unique_ptr<State> state, Job& job); // false: cancelled
+    [[nodiscard]] std::vector<std::uint32_t> find_new_neighbours(const bricks::OctreeChanges& changes);
+    void count(std::span<const std::uint32_t> tiles);
+    void clear();
+
+    double slack_;
+    std::unique_ptr<State> state_; // null: there is no surface
+    bricks::Octree octree_;
+    bricks::SurfaceCells cells_;
+    bricks::MeshSlots slots_;
+    std::size_t live_bricks_ = 0;
+    bool whole_ = false;
+    PolygonizeStatistics statistics_;
+};
+
+} // namespace ramus::mesh
