@@ -1,6 +1,7 @@
 // LargeArray: a std::vector for plain values that spends nothing on setting elements which will all be written before
 // they are read (resize leaves them unset), and that asks for large pages where they pay: first touch of a page costs
-// as much as filling it, and a page of 2 MB spares 511 of 512 such first touches.
+// as much as filling it, and a page of 2 MB spares 511 of 512 such first touches. What a large one held goes back to
+// the system at once.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace ramus {
+
+// Whole pages from the system; throws std::bad_alloc.
+[[nodiscard]] void* take_pages(std::size_t bytes);
+void give_pages_back(void* memory, std::size_t bytes);
 
 template <class T> class LargeAllocator {
 public:
@@ -23,19 +24,14 @@ public:
     template <class U> explicit(false) LargeAllocator(const LargeAllocator<U>&) {}
 
     T* allocate(std::size_t count) {
-        const std::size_t bytes = count * sizeof(T);
-        if (bytes < 2 * kPage) return std::allocator<T>().allocate(count);
-        void* memory = ::operator new (bytes, std::align_val_t{kPage});
-#ifdef __linux__
-        madvise(memory, bytes, MADV_HUGEPAGE); // a hint only
-#endif
-        return static_cast<T*>(memory);
+        if (count * sizeof(T) < kOwnPages) return std::allocator<T>().allocate(count);
+        return static_cast<T*>(take_pages(count * sizeof(T)));
     }
     void deallocate(T* memory, std::size_t count) {
-        if (count * sizeof(T) < 2 * kPage)
+        if (count * sizeof(T) < kOwnPages)
             std::allocator<T>().deallocate(memory, count);
         else
-            ::operator delete (memory, std::align_val_t{kPage});
+            give_pages_back(memory, count * sizeof(T));
     }
 
     template <class U, class... Arguments> void construct(U* at, Arguments&&... arguments) {
@@ -45,7 +41,7 @@ public:
     bool operator==(const LargeAllocator&) const = default;
 
 private:
-    static constexpr std::size_t kPage = std::size_t{2} << 20;
+    static constexpr std::size_t kOwnPages = std::size_t{256} << 10; // bytes; below, memory is shared with others
 };
 
 template <class T> using LargeArray = std::vector<T, LargeAllocator<T>>;

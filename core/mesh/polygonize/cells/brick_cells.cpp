@@ -3,8 +3,11 @@
 #include "core/mesh/polygonize/cells/brick_sampler.h"
 #include "core/mesh/polygonize/cells/hanging_corners.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
+#include <mutex>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <utility>
 
@@ -22,8 +25,8 @@ std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int 
     return first + record(brick, index, cell).loop_of[static_cast<std::size_t>(edge_midpoint)];
 }
 
-void TileCells::reserve_vertices(std::size_t count) {
-    const std::size_t room = count + field::kProjectionPadding;
+void SurfaceVertices::make_room(std::size_t more) {
+    const std::size_t room = count + more + field::kProjectionPadding;
     if (room <= positions.size()) return;
     const std::size_t grown = 2 * room;
     positions.resize(grown);
@@ -32,33 +35,53 @@ void TileCells::reserve_vertices(std::size_t count) {
     branches.resize(grown);
 }
 
-void append_projected(const field::LocalSegments& local, field::Projection& projection, TileCells& tile) {
-    const std::size_t first = tile.vertex_count;
-    tile.reserve_vertices(first + projection.size());
-    tile.evaluations += field::project(local, projection,
-                                       {tile.positions.data() + first, tile.normals.data() + first,
-                                        tile.radii.data() + first, tile.branches.data() + first});
-    tile.samples += projection.size();
-    tile.vertex_count = first + projection.size();
+std::uint64_t append_projected(const field::LocalSegments& local, field::Projection& projection,
+                               SurfaceVertices& vertices) {
+    vertices.make_room(projection.size());
+    const std::size_t first = vertices.count;
+    vertices.count += projection.size();
+    return field::project(local, projection,
+                          {vertices.positions.data() + first, vertices.normals.data() + first,
+                           vertices.radii.data() + first, vertices.branches.data() + first});
 }
 
 namespace {
 
-// What `scratch` holds, in memory of its own size.
-TileCells trimmed(const TileCells& scratch) {
-    TileCells tile;
-    const auto count = static_cast<std::ptrdiff_t>(scratch.vertex_count);
-    tile.positions.assign(scratch.positions.begin(), scratch.positions.begin() + count);
-    tile.normals.assign(scratch.normals.begin(), scratch.normals.begin() + count);
-    tile.radii.assign(scratch.radii.begin(), scratch.radii.begin() + count);
-    tile.branches.assign(scratch.branches.begin(), scratch.branches.begin() + count);
-    tile.vertex_count = scratch.vertex_count;
-    tile.records = scratch.records;
-    tile.arc_vertices = scratch.arc_vertices;
-    tile.evaluations = scratch.evaluations;
-    tile.samples = scratch.samples;
-    return tile;
-}
+// Where finished tiles' vertices wait: blocks that go back to the system as a whole. One for each thread.
+class VertexBlocks {
+public:
+    explicit VertexBlocks(SurfaceCells& surface) : surface_(surface) {}
+
+    void store(const SurfaceVertices& from, TileCells& tile) {
+        SurfaceVertices*& block = current_.local();
+        if (block == nullptr || block->count + from.count > block->positions.size()) {
+            auto fresh = std::make_unique<SurfaceVertices>();
+            const std::size_t size = std::max(kBlock, from.count);
+            fresh->positions.resize(size);
+            fresh->normals.resize(size);
+            fresh->radii.resize(size);
+            fresh->branches.resize(size);
+            block = fresh.get();
+            const std::lock_guard lock(mutex_);
+            surface_.vertices.push_back(std::move(fresh));
+        }
+        tile.vertices = block;
+        tile.first_vertex = block->count;
+        tile.vertex_count = from.count;
+        const auto at = static_cast<std::ptrdiff_t>(block->count);
+        std::copy_n(from.positions.begin(), from.count, block->positions.begin() + at);
+        std::copy_n(from.normals.begin(), from.count, block->normals.begin() + at);
+        std::copy_n(from.radii.begin(), from.count, block->radii.begin() + at);
+        std::copy_n(from.branches.begin(), from.count, block->branches.begin() + at);
+        block->count += from.count;
+    }
+
+private:
+    static constexpr std::size_t kBlock = std::size_t{1} << 16;
+    SurfaceCells& surface_;
+    tbb::enumerable_thread_specific<SurfaceVertices*> current_{nullptr};
+    std::mutex mutex_;
+};
 
 } // namespace
 
@@ -112,19 +135,19 @@ void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std:
                 SurfaceCells& surface, Job& job) {
     surface.cells.resize(octree.bricks.size());
     surface.tiles.resize(octree.tiles.size());
+    VertexBlocks blocks(surface);
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
         thread_local BrickSampler sampler;
-        thread_local TileCells scratch;
-        scratch.vertex_count = scratch.evaluations = scratch.samples = 0;
-        scratch.records.clear(), scratch.arc_vertices.clear();
         const Tile& tile = octree.tiles[tiles[t]];
+        TileCells made;
         sampler.begin(field, octree, tile, surface.neighbours);
         // Backwards, so that a brick finds its upper neighbours' samples there.
         for (std::uint32_t n = tile.brick_count; n-- > 0;)
-            sampler.fill(tile.first_brick + n, surface.cells[tile.first_brick + n], scratch);
-        surface.tiles[tiles[t]] = trimmed(scratch);
+            sampler.fill(tile.first_brick + n, surface.cells[tile.first_brick + n], made);
+        blocks.store(sampler.vertices(), made);
+        surface.tiles[tiles[t]] = std::move(made);
         job.report(0.15F + 0.65F * static_cast<float>(++done) / static_cast<float>(tiles.size()));
     });
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -66,25 +67,31 @@ struct BrickCells {
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
 };
 
-// What the bricks of one tile make.
-struct TileCells {
+// Vertices side by side; the arrays go on for at least as long as projection writes beyond them.
+struct SurfaceVertices {
     LargeArray<glm::vec3> positions, normals;
     LargeArray<float> radii;
     LargeArray<std::int32_t> branches;
-    std::size_t vertex_count = 0;
+    std::size_t count = 0;
+
+    void make_room(std::size_t more);
+};
+
+// What the bricks of one tile make.
+struct TileCells {
+    const SurfaceVertices* vertices = nullptr; // in which the tile's are, until they have their place in the mesh
+    std::size_t first_vertex = 0, vertex_count = 0;
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
     std::uint64_t evaluations = 0; // kernels, one per segment and point
     std::uint64_t samples = 0;     // points at which the field was taken
-
-    // Room for `count` vertices and for what projection writes beyond them.
-    void reserve_vertices(std::size_t count);
 };
 
 struct SurfaceCells {
     LargeArray<Neighbourhood> neighbours; // by brick
     LargeArray<BrickCells> cells;         // by brick
     std::vector<TileCells> tiles;         // by tile
+    std::vector<std::unique_ptr<SurfaceVertices>> vertices;
 
     [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
         return (cells[brick].recorded >> cell & 1U) != 0;
@@ -104,7 +111,9 @@ void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std:
 [[nodiscard]] bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint32_t tile,
                                   const OctreeChanges& changes);
 
-// Moves the points of a brick's `projection` onto the surface and appends them to the tile's vertices.
-void append_projected(const field::LocalSegments& local, field::Projection& projection, TileCells& tile);
+// Moves the points of a brick's `projection` onto the surface and appends them to `vertices`. Returns the number of
+// kernels evaluated.
+std::uint64_t append_projected(const field::LocalSegments& local, field::Projection& projection,
+                               SurfaceVertices& vertices);
 
 } // namespace ramus::mesh::bricks

@@ -54,6 +54,7 @@ void BrickSampler::begin(const field::ConvolutionField& field, const Octree& oct
     octree_ = &octree;
     all_neighbours_ = &neighbours;
     first_brick_ = tile.first_brick;
+    vertices_.count = 0;
     isovalue_ = static_cast<float>(field.kernel().isovalue);
     if (own_.size() < tile.brick_count) own_.resize(tile.brick_count);
 }
@@ -76,7 +77,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, TileCells& tile)
     if (neighbours_->finer == 0) assemble_values();
     cells.inside = {static_cast<std::uint64_t>(inside_), static_cast<std::uint64_t>(inside_ >> 64)};
     cells.first.fill(kNoVertex);
-    cells.first_vertex = static_cast<std::uint32_t>(tile.vertex_count);
+    cells.first_vertex = static_cast<std::uint32_t>(vertices_.count);
     cells.first_record = static_cast<std::uint32_t>(tile.records.size());
     projection_.clear();
     sort_cells(cells);
@@ -87,7 +88,8 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, TileCells& tile)
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(projection_.size());
         add_recorded_vertices(traced, tile, tile.records.emplace_back());
     }
-    append_projected(local_, projection_, tile);
+    tile.evaluations += append_projected(local_, projection_, vertices_);
+    tile.samples += projection_.size();
 }
 
 void BrickSampler::place_brick() {

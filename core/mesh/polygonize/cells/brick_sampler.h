@@ -21,6 +21,7 @@ public:
                const LargeArray<Neighbourhood>& neighbours);
     // Bricks from the last of the tile to the first. Leaves the indices in `cells` relative to the tile.
     void fill(std::uint32_t index, BrickCells& cells, TileCells& tile);
+    [[nodiscard]] const SurfaceVertices& vertices() const { return vertices_; } // of the tile so far
 
 private:
     // The brick's points at half-cell spacing, 9 a side; only those that are hanging corners are sampled.
@@ -75,6 +76,7 @@ private:
     const LargeArray<Neighbourhood>* all_neighbours_ = nullptr;
     std::uint32_t first_brick_ = 0;
     float isovalue_ = 0.0F;
+    SurfaceVertices vertices_;
     LargeArray<OwnSamples> own_; // by brick of the tile; the last brick_count - n are filled
 
     // Of the brick.

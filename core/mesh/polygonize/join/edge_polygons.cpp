@@ -184,8 +184,8 @@ void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, Jo
     glm::vec3 middle = glm::vec3(point) * cell;
     middle[axis] += 0.5F * cell;
     projection.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
-    const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.vertex_count);
-    append_projected(local, projection, out.added);
+    const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.count);
+    (void)append_projected(local, projection, out.added);
     for (std::size_t n = 0; n < polygon.size(); ++n)
         out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
 }

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kAddedBit = 0x80000000U;
 struct JoinedTile {
     std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
     std::vector<glm::uvec3> triangles;
-    TileCells added;
+    SurfaceVertices added;
 };
 
 class EdgePolygons {

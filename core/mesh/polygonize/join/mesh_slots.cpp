@@ -11,12 +11,14 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-void copy_vertices(const TileCells& from, std::uint64_t first, TriangleMesh& mesh) {
-    const auto at = static_cast<std::ptrdiff_t>(first);
-    std::copy_n(from.positions.begin(), from.vertex_count, mesh.positions.begin() + at);
-    std::copy_n(from.normals.begin(), from.vertex_count, mesh.normals.begin() + at);
-    std::copy_n(from.radii.begin(), from.vertex_count, mesh.radii.begin() + at);
-    std::copy_n(from.branches.begin(), from.vertex_count, mesh.branches.begin() + at);
+void copy_vertices(const SurfaceVertices& from, std::size_t begin, std::uint64_t to, std::size_t count,
+                   TriangleMesh& mesh) {
+    const auto at = static_cast<std::ptrdiff_t>(to);
+    const auto b = static_cast<std::ptrdiff_t>(begin);
+    std::copy_n(from.positions.begin() + b, count, mesh.positions.begin() + at);
+    std::copy_n(from.normals.begin() + b, count, mesh.normals.begin() + at);
+    std::copy_n(from.radii.begin() + b, count, mesh.radii.begin() + at);
+    std::copy_n(from.branches.begin() + b, count, mesh.branches.begin() + at);
 }
 
 template <class T> void grow(LargeArray<T>& array, std::uint64_t count, double slack) {
@@ -73,19 +75,20 @@ void MeshSlots::place_vertices(const Octree& octree, std::span<const std::uint32
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         TileCells& cells = surface.tiles[tiles[t]];
         const std::uint64_t first = slots_[tiles[t]].vertices.first;
-        copy_vertices(cells, first, mesh_);
-        cells.positions = {}, cells.normals = {}, cells.radii = {}, cells.branches = {};
+        copy_vertices(*cells.vertices, cells.first_vertex, first, cells.vertex_count, mesh_);
+        cells.vertices = nullptr;
         const Tile& tile = octree.tiles[tiles[t]];
         for (std::uint32_t b = tile.first_brick; b < tile.first_brick + tile.brick_count; ++b)
             if (surface.cells[b].crossed) surface.cells[b].first_vertex += static_cast<std::uint32_t>(first);
     });
+    surface.vertices.clear();
 }
 
 void MeshSlots::place_triangles(std::span<const std::uint32_t> tiles, std::vector<JoinedTile> joined, double slack) {
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         TileSlots& slots = slots_[tiles[t]];
         slots.triangles = triangle_space_.take(2 * joined[t].quads.size() + joined[t].triangles.size());
-        slots.added = vertex_space_.take(joined[t].added.vertex_count);
+        slots.added = vertex_space_.take(joined[t].added.count);
         if (slots.triangles.count > 0) edit_.triangles.push_back(slots.triangles);
         if (slots.added.count > 0) edit_.vertices.push_back(slots.added);
     }
@@ -93,7 +96,7 @@ void MeshSlots::place_triangles(std::span<const std::uint32_t> tiles, std::vecto
     grow(mesh_.triangles, triangle_space_.end(), slack);
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         const TileSlots& slots = slots_[tiles[t]];
-        copy_vertices(joined[t].added, slots.added.first, mesh_);
+        copy_vertices(joined[t].added, 0, slots.added.first, joined[t].added.count, mesh_);
         const auto out = std::span(mesh_.triangles).subspan(slots.triangles.first, slots.triangles.count);
         cut_quads(mesh_, joined[t].quads, out);
         std::size_t n = 2 * joined[t].quads.size();
