@@ -86,6 +86,14 @@ HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, con
     return found;
 }
 
+// All segments, as if they reached the box and the box were near their ends.
+HWY_INLINE std::size_t list_all(const LocalSegments& local) {
+    std::size_t found = 0;
+    for (; found < local.count; ++found) local.reaching[found] = static_cast<std::int32_t>(2 * found + 1);
+    while (found % kPack != 0) local.reaching[found++] = static_cast<std::int32_t>(2 * local.count);
+    return found;
+}
+
 HWY_INLINE Pack broadcast(const std::vector<float>& of, std::size_t m0, std::size_t m1) {
     return {hn::Set(D(), of[m0]), hn::Set(D(), of[m1])};
 }

@@ -58,7 +58,7 @@ HWY_INLINE V look_up(D d, const float* table, const std::int32_t* index) {
 #endif
 }
 
-std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGroups& samples) {
+std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
     const D d;
     const std::size_t lanes = hn::Lanes(d);
     const auto root = static_cast<float>(local.field->kernel().sqrt_w);
@@ -69,7 +69,9 @@ std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGrou
     for (; groups != 0; groups &= groups - 1) {
         const auto group = static_cast<std::size_t>(std::countr_zero(groups));
         const GroupBox& box = kGroupBoxes[group];
-        const std::size_t count = find_reaching(local, root, {box.middle * cell, box.half * (cell * 1.0001F)});
+        const std::size_t count = choice == Choice::kReaching
+                                      ? find_reaching(local, root, {box.middle * cell, box.half * (cell * 1.0001F)})
+                                      : list_all(local);
         kernels += count * kGroupPoints;
         std::uint32_t inside = 0;
         for (std::size_t n = 0; n < kGroupPoints; n += lanes) {
@@ -172,8 +174,8 @@ HWY_EXPORT(SampleGroups);
 HWY_EXPORT(SampleLattice);
 HWY_EXPORT(Name);
 
-std::uint64_t sample_groups(const LocalSegments& local, unsigned groups, GridGroups& samples) {
-    return HWY_DYNAMIC_DISPATCH(SampleGroups)(local, groups, samples);
+std::uint64_t sample_groups(const LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
+    return HWY_DYNAMIC_DISPATCH(SampleGroups)(local, groups, samples, choice);
 }
 
 std::uint64_t sample_lattice(const LocalSegments& local, const LatticeAxes& axes, std::span<const LatticePoint> points,

@@ -26,7 +26,10 @@ struct GridGroups {
     std::array<std::uint16_t, kGroups> inside; // one bit per point: is the value at or above the isovalue?
 };
 // Fills in the groups that have their bits set. Returns the number of kernels evaluated, one per segment and point.
-std::uint64_t sample_groups(const LocalSegments& local, unsigned groups, GridGroups& samples);
+// kAllSegments evaluates every kernel everywhere: the same values, for measuring what choosing saves.
+enum class Choice { kReaching, kAllSegments };
+std::uint64_t sample_groups(const LocalSegments& local, unsigned groups, GridGroups& samples,
+                            Choice choice = Choice::kReaching);
 
 // Points given by indices into small tables of coordinates; at most kLatticeSide entries an axis.
 inline constexpr int kLatticeSide = 17;

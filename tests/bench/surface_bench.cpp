@@ -1,17 +1,17 @@
 // How fast the surface is made, and how much work that is: the convolution surface at --detail (radius-adaptive,
-// closed, welded, with normals, radii and branches) and the truncated cones, on a grown tree of 1,504 branches and on
-// the trees named on the command line. Every tree runs in a process of its own, so that peak memory is its own.
+// closed, welded, with normals, radii and branches) or at one --cell size, and the truncated cones, on grown trees of
+// --branches and on the trees named on the command line. Every tree runs in a process of its own, so that peak memory
+// is its own.
 //
-// Columns: the median over the runs of seconds and million triangles a second; the share of the three steps; kernel
-// evaluations per vertex; peak memory of the process; and how many times the evaluations, and the time to do them,
-// would grow if every sample summed over all segments (the time is measured on a seeded subset of samples and scaled
-// up).
+// Columns: the median over the runs of seconds and million triangles a second, then its best run and the median of one
+// thread; the three steps; kernel evaluations per vertex; peak memory of the process, and what of it is beyond the mesh
+// itself, in bytes a triangle; and how many times the evaluations, and the time, would grow if every sample summed over
+// all segments with the same kernel (measured on a seeded subset of samples and scaled up).
 #include "core/field/sampling.h"
 #include "core/io/tree_reader.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
-#include "core/tree/build_tree.h"
-#include "core/tree/grow/grow.h"
+#include "tests/support/grown_tree.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -35,7 +35,9 @@ struct BenchOptions {
     int threads = 2;
     int detail = 16;
     double cell_mm = 0.0;
+    bool finest_cell = false; // one cell size: smallest radius / 1.5
     int smooth = 1;
+    bool compare = true; // with all segments, with one thread, with cones
 };
 
 double seconds_of(const std::function<void()>& work) {
@@ -49,28 +51,13 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-Result<tree::VesselTree> grown_tree() {
-    Job job;
-    const auto grown = tree::grow({}, job);
-    if (!grown) return tl::unexpected(grown.error());
-    tree::Graph graph;
-    graph.points = grown->points;
-    for (std::uint32_t i = 0; i < grown->parents.size(); ++i) {
-        if (grown->parents[i] < 0)
-            graph.roots.push_back(i);
-        else
-            graph.edges.emplace_back(static_cast<std::uint32_t>(grown->parents[i]), i);
-    }
-    return tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string("grown"); });
-}
-
 // Seconds to sum all segments at every one of `samples` points, in parallel, scaled up from a subset of them.
 double all_segments_seconds(const field::ConvolutionField& field, const mesh::TriangleMesh& mesh,
                             std::uint64_t samples) {
     std::vector<std::uint32_t> all(field.segments().size());
     std::iota(all.begin(), all.end(), 0U);
     std::mt19937 random(1);
-    const std::size_t bricks = std::clamp<std::size_t>(400'000'000 / (all.size() * field::kGridPoints), 8, 4096);
+    const std::size_t bricks = std::clamp<std::size_t>(4'000'000'000 / (all.size() * field::kGridPoints), 32, 4096);
     std::vector<glm::dvec3> places(bricks);
     for (auto& place : places) place = glm::dvec3(mesh.positions[random() % mesh.positions.size()]);
     const double seconds = seconds_of([&] {
@@ -83,10 +70,38 @@ double all_segments_seconds(const field::ConvolutionField& field, const mesh::Tr
             thread_local field::LocalSegments local;
             thread_local field::GridGroups values;
             field::gather_segments(field, all, axes, local);
-            field::sample_groups(local, 0xFF, values);
+            field::sample_groups(local, 0xFF, values, field::Choice::kAllSegments);
         });
     });
     return seconds * static_cast<double>(samples) / static_cast<double>(bricks * field::kGridPoints);
+}
+
+struct Timing {
+    std::vector<double> total, bricks, cells, join;
+    mesh::PolygonizeStatistics statistics;
+    mesh::TriangleMesh mesh;
+};
+
+Timing time_runs(const field::ConvolutionField& field, const mesh::PolygonizeOptions& options, int runs, int threads) {
+    Timing timing;
+    tbb::task_arena arena(threads);
+    Job job;
+    for (int run = 0; run <= runs; ++run) {
+        timing.mesh = {};
+        const double seconds = seconds_of([&] {
+            arena.execute([&] {
+                auto made = mesh::polygonize(field, options, job, &timing.statistics);
+                if (made) timing.mesh = std::move(*made);
+            });
+        });
+        if (run == 0 && runs > 1) continue; // warms the caches
+        timing.total.push_back(seconds);
+        timing.bricks.push_back(timing.statistics.bricks_s);
+        timing.cells.push_back(timing.statistics.cells_s);
+        timing.join.push_back(timing.statistics.join_s);
+        if (runs == 1) break;
+    }
+    return timing;
 }
 
 void measure(const std::string& name, const tree::VesselTree& tree, const BenchOptions& options) {
@@ -96,44 +111,46 @@ void measure(const std::string& name, const tree::VesselTree& tree, const BenchO
     const field::ConvolutionField field(prepared, surface_options.width);
     mesh::PolygonizeOptions polygonize_options;
     polygonize_options.detail = options.detail;
-    polygonize_options.cell_mm = options.cell_mm;
-    Job job;
-    mesh::PolygonizeStatistics statistics;
-    mesh::TriangleMesh mesh;
-    std::vector<double> total, bricks, cells, join, cone;
-    for (int run = 0; run <= options.runs; ++run) {
-        mesh = {};
-        const double seconds = seconds_of([&] {
-            auto made = mesh::polygonize(field, polygonize_options, job, &statistics);
-            if (made) mesh = std::move(*made);
-        });
-        if (run == 0) continue; // warms the caches
-        total.push_back(seconds);
-        bricks.push_back(statistics.bricks_s), cells.push_back(statistics.cells_s), join.push_back(statistics.join_s);
-    }
+    polygonize_options.cell_mm = options.finest_cell ? field.frame().thinnest / 1.5 : options.cell_mm;
+    const Timing timing = time_runs(field, polygonize_options, options.runs, options.threads);
+    const mesh::TriangleMesh& mesh = timing.mesh;
     if (mesh.triangles.empty()) {
-        std::printf("%-26s could not be meshed\n", name.c_str());
+        std::printf("%-22s could not be meshed\n", name.c_str());
         return;
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const double evaluations = static_cast<double>(statistics.evaluations);
+    const auto triangles = static_cast<double>(mesh.triangles.size());
+    const double itself = 12.0 * triangles + 32.0 * static_cast<double>(mesh.positions.size());
+    const double beyond = (1024.0 * static_cast<double>(usage.ru_maxrss) - itself) / triangles;
+    const auto evaluations = static_cast<double>(timing.statistics.evaluations);
+    const double time = median(timing.total);
+    std::printf("%-22s %7zu %8.3f %7.3f %6.2f %6.2f ", name.c_str(), field.present().size(), triangles / 1e6, time,
+                triangles / time / 1e6, triangles / *std::ranges::min_element(timing.total) / 1e6);
+    const auto show_rest = [&] {
+        std::printf(" %4.0f %4.0f %4.0f  %7.1f %6.1f  %6ld %5.1f ", 1e3 * median(timing.bricks),
+                    1e3 * median(timing.cells), 1e3 * median(timing.join), evaluations / 1e6,
+                    evaluations / static_cast<double>(mesh.positions.size()), usage.ru_maxrss / 1024, beyond);
+    };
+    if (!options.compare) {
+        std::printf("%6s", "");
+        show_rest();
+        std::printf("\n");
+        return;
+    }
+    const Timing alone = time_runs(field, polygonize_options, options.runs, 1);
+    std::printf("%6.2f", triangles / median(alone.total) / 1e6);
+    show_rest();
     const double all_evaluations =
-        static_cast<double>(statistics.samples) * static_cast<double>(field.segments().size());
-    const double all_seconds = all_segments_seconds(field, mesh, statistics.samples);
-    std::size_t cone_triangles = 0;
+        static_cast<double>(timing.statistics.samples) * static_cast<double>(field.present().size());
+    const double all_seconds = all_segments_seconds(field, mesh, timing.statistics.samples);
+    std::vector<double> cone;
+    Job job;
     for (int run = 0; run <= options.runs; ++run) {
-        const double seconds =
-            seconds_of([&] { cone_triangles = mesh::cones(prepared, options.detail, job)->triangles.size(); });
+        const double seconds = seconds_of([&] { (void)mesh::cones(prepared, options.detail, job); });
         if (run > 0) cone.push_back(seconds);
     }
-    const double time = median(total);
-    std::printf("%-26s %7zu %8.3f %7.3f %6.2f  %4.0f %4.0f %4.0f  %7.1f %6.1f %6ld %7.0fx %6.0fx  %7.4f %6.3f\n",
-                name.c_str(), field.segments().size(), static_cast<double>(mesh.triangles.size()) / 1e6, time,
-                static_cast<double>(mesh.triangles.size()) / time / 1e6, 1e3 * median(bricks), 1e3 * median(cells),
-                1e3 * median(join), evaluations / 1e6, evaluations / static_cast<double>(mesh.positions.size()),
-                usage.ru_maxrss / 1024, all_evaluations / evaluations, all_seconds / time, median(cone),
-                static_cast<double>(cone_triangles) / 1e6);
+    std::printf(" %6.0fx %6.0fx  %7.4f\n", all_evaluations / evaluations, all_seconds / time, median(cone));
     std::fflush(stdout);
 }
 
@@ -147,14 +164,11 @@ void measure_apart(const std::string& name, const std::function<Result<tree::Ves
         waitpid(child, &status, 0);
         return;
     }
-    tbb::task_arena arena(options.threads);
-    arena.execute([&] {
-        const auto tree = load();
-        if (tree)
-            measure(name, *tree, options);
-        else
-            std::fprintf(stderr, "%s\n", tree.error().message().c_str());
-    });
+    const auto tree = load();
+    if (tree)
+        measure(name, *tree, options);
+    else
+        std::fprintf(stderr, "%s\n", tree.error().message().c_str());
     std::fflush(stdout);
     _exit(0);
 }
@@ -162,26 +176,37 @@ void measure_apart(const std::string& name, const std::function<Result<tree::Ves
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("How fast surfaces are made: medians over --runs, on a grown tree of 1,504 branches and on FILES");
+    CLI::App app("How fast surfaces are made: medians over --runs, on grown trees and on FILES");
     BenchOptions options;
     std::vector<std::string> files;
+    std::vector<int> branches{1504};
+    bool quick = false;
     app.add_option("FILES", files, "vessel trees");
-    app.add_option("--runs", options.runs, "counted runs after a warm-up")
+    app.add_option("--branches", branches, "sizes of the grown trees; 0 for none")->capture_default_str();
+    app.add_option("--runs", options.runs, "counted runs after a warm-up; 1: without one")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     app.add_option("--threads", options.threads)->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--detail", options.detail)->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--cell", options.cell_mm, "one cell size everywhere, mm")->check(CLI::PositiveNumber);
+    app.add_flag("--finest-cell", options.finest_cell, "one cell size everywhere: the smallest radius / 1.5");
     app.add_option("--smooth", options.smooth)->capture_default_str()->check(CLI::NonNegativeNumber);
+    app.add_flag("--quick", quick, "Without comparing with one thread, all segments and cones");
     CLI11_PARSE(app, argc, argv);
+    options.compare = !quick;
 
     std::printf("%d threads, %s, detail %d, %d runs\n", options.threads, field::instruction_set(), options.detail,
                 options.runs);
-    std::printf("%-26s %7s %8s %7s %6s  %4s %4s %4s  %7s %6s %6s %8s %7s  %7s %6s\n", "", "", "million", "", "Mtri",
-                "find", "fill", "join", "million", "evals/", "peak", "all segments", "", "cones", "cones");
-    std::printf("%-26s %7s %8s %7s %6s  %4s %4s %4s  %7s %6s %6s %8s %7s  %7s %6s\n", "tree", "segm.", "triang.", "s",
-                "/s", "ms", "ms", "ms", "evals", "vertex", "MiB", "evals", "time", "s", "Mtri");
-    measure_apart("grown, 1504 branches", grown_tree, options);
+    std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s\n", "", "", "million", "",
+                "Mtri", "best", "one", "find", "fill", "join", "million", "evals/", "peak", "B/tri", "all segm", "ents",
+                "cones");
+    std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s\n", "tree", "segm.",
+                "triang.", "s", "/s", "", "thread", "ms", "ms", "ms", "evals", "vertex", "MiB", "more", "evals", "time",
+                "s");
+    for (const int count : branches)
+        if (count > 0)
+            measure_apart(
+                "grown, " + std::to_string(count), [&] { return test::grown_tree(count); }, options);
     for (const std::string& file : files)
         measure_apart(
             std::filesystem::path(file).stem().string(), [&] { return io::read_tree(file); }, options);

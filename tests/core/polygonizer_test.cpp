@@ -1,8 +1,7 @@
 // A surface that follows its tree is the one that is made from nothing, bit for bit.
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
-#include "core/tree/build_tree.h"
-#include "core/tree/grow/grow.h"
+#include "tests/support/grown_tree.h"
 #include "tests/support/mesh_topology.h"
 
 #include <algorithm>
@@ -14,20 +13,7 @@ using namespace ramus;
 namespace {
 
 tree::VesselTree grown(int branches) {
-    tree::GrowOptions options;
-    options.branches = branches;
-    Job job;
-    const auto made = tree::grow(options, job);
-    REQUIRE(made);
-    tree::Graph graph;
-    graph.points = made->points;
-    for (std::uint32_t i = 0; i < made->parents.size(); ++i) {
-        if (made->parents[i] < 0)
-            graph.roots.push_back(i);
-        else
-            graph.edges.emplace_back(static_cast<std::uint32_t>(made->parents[i]), i);
-    }
-    auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
+    auto tree = test::grown_tree(branches);
     REQUIRE(tree);
     return std::move(*tree);
 }

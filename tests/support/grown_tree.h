@@ -1,0 +1,30 @@
+// Synthetic organ trees for tests and benchmarks: what `ramus grow` grows, without the file between.
+#pragma once
+
+#include "core/tree/build_tree.h"
+#include "core/tree/grow/grow.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace ramus::test {
+
+inline Result<tree::VesselTree> grown_tree(int branches) {
+    tree::GrowOptions options;
+    options.branches = branches;
+    Job job;
+    const auto grown = tree::grow(options, job);
+    if (!grown) return tl::unexpected(grown.error());
+    tree::Graph graph;
+    graph.points = grown->points;
+    for (std::uint32_t i = 0; i < grown->parents.size(); ++i) {
+        if (grown->parents[i] < 0)
+            graph.roots.push_back(i);
+        else
+            graph.edges.emplace_back(static_cast<std::uint32_t>(grown->parents[i]), i);
+    }
+    return tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string("grown"); });
+}
+
+} // namespace ramus::test
