@@ -2,6 +2,7 @@
 
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
+#include "app/commands/open_session.h"
 #include "app/commands/progress_bar.h"
 #include "app/commands/surface_flags.h"
 #include "app/numbers.h"
@@ -21,8 +22,7 @@ namespace {
 
 struct MeshFlags {
     SurfaceFlags surface;
-    std::string file;
-    std::string output;
+    std::string file, session, output;
     bool json = false;
 };
 
@@ -36,8 +36,11 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
 
     auto start = std::chrono::steady_clock::now();
-    const auto tree = load_tree(flags.file, flags.surface);
-    if (!tree) return tl::unexpected(tree.error());
+    const auto opened = open_session(flags.file, flags.session, flags.surface);
+    if (!opened) return tl::unexpected(opened.error());
+    std::vector<std::uint8_t> hidden(opened->tree->branches.size(), 0);
+    for (const int branch : branches_in_state(opened->session.marks, render::BranchState::kHidden))
+        hidden[static_cast<std::size_t>(branch)] = 1;
     const double load_s = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
@@ -45,7 +48,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     auto surface = [&] {
         const CancelOnInterrupt cancel(job);
         const ProgressBar bar("surface", job);
-        return mesh::make_surface(*tree, flags.surface.surface, job);
+        return mesh::make_surface(*opened->tree, opened->session.marks.options, job, hidden);
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
     if (!surface) return tl::unexpected(surface.error());
@@ -82,7 +85,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
 void register_mesh(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(app, "mesh", "Write the surface of a vessel tree as .ply, .stl or .obj");
     const auto flags = std::make_shared<MeshFlags>();
-    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
+    command->add_option("FILE", flags->file, "Vessel tree; may be left out with --session")->type_name("");
     command->add_option("-o,--output", flags->output, "Mesh to write: .ply, .stl or .obj")
         ->type_name("MESH")
         ->required();
@@ -94,9 +97,16 @@ void register_mesh(CLI::App& app, Action& chosen) {
             "cs: convolution surface (default); cones: truncated cones")
         ->type_name("METHOD")
         ->check(CLI::IsMember({"cs", "cones"}));
+    command
+        ->add_option("--session", flags->session,
+                     "Of this session: its tree and surface options, without its hidden branches")
+        ->type_name("FILE");
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     add_surface_flags(*command, flags->surface);
-    command->callback([flags, &chosen] { chosen = [flags] { return run_mesh(*flags); }; });
+    command->callback([flags, &chosen] {
+        if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
+        chosen = [flags] { return run_mesh(*flags); };
+    });
 }
 
 } // namespace ramus::app

@@ -1,12 +1,12 @@
 #include "app/commands/render.h"
 
 #include "app/commands/load_tree.h"
+#include "app/commands/open_session.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/surface_flags.h"
 #include "app/headless_interface.h"
 #include "app/panels/interface.h"
 #include "app/script.h"
-#include "app/session_file.h"
 #include "core/io/output_file.h"
 #include "core/io/tree_reader.h"
 #include "render/gl_context.h"
@@ -113,26 +113,12 @@ Result<void> run_benchmark(render::Renderer& renderer, render::Frame frame, cons
     return {};
 }
 
-// The session that was asked for, of the tree that was asked for, and whether it has a camera.
+// Opens what was asked for; true when it has a camera.
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
-    SavedSession saved;
-    if (!flags.session.empty()) {
-        auto read = read_session(flags.session);
-        if (!read) return tl::unexpected(read.error());
-        saved = std::move(*read);
-    } else {
-        saved.session.marks.options = flags.common.surface;
-    }
-    Session& session = saved.session;
-    if (!flags.file.empty()) session.tree.path = std::filesystem::absolute(flags.file).lexically_normal();
-    auto tree = load_tree(flags.file.empty() ? session.tree.path.string() : flags.file.string(), flags.common);
-    if (!tree) return tl::unexpected(tree.error());
-    const auto checksum = checksum_of(session.tree.path);
-    if (!checksum) return tl::unexpected(checksum.error());
-    if (auto fits = check_against(session, *tree, *checksum, flags.session); !fits) return tl::unexpected(fits.error());
-    session.tree.checksum = *checksum;
-    document.open(std::make_shared<const tree::VesselTree>(std::move(*tree)), std::move(session));
-    return saved.has_camera;
+    auto opened = open_session(flags.file.string(), flags.session, flags.common);
+    if (!opened) return tl::unexpected(opened.error());
+    document.open(std::move(opened->tree), std::move(opened->session));
+    return opened->has_camera;
 }
 
 // The window with all that is around the picture.

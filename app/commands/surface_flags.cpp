@@ -58,7 +58,23 @@ void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
     command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
 }
 
+mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
+    const auto given = [&](const char* name) {
+        const CLI::Option* option = command->get_option_no_throw(name);
+        return option != nullptr && option->count() > 0;
+    };
+    if (given("--method")) session.method = surface.method;
+    if (given("--smooth")) session.smooth_passes = surface.smooth_passes;
+    if (given("--prune")) session.prune_ratio = surface.prune_ratio;
+    if (given("--width")) session.width = surface.width;
+    if (given("--detail")) session.detail = surface.detail, session.cell_mm = 0.0;
+    if (given("--cell")) session.cell_mm = surface.cell_mm;
+    session.threads = surface.threads; // the machine's business, not the session's
+    return session;
+}
+
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
+    flags.command = &command;
     mesh::SurfaceOptions& surface = flags.surface;
     command.add_option("--smooth", surface.smooth_passes, "Smoothing passes over points and radii (default 1)")
         ->type_name("N")

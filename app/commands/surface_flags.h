@@ -12,7 +12,11 @@ namespace ramus::app {
 struct SurfaceFlags {
     mesh::SurfaceOptions surface;
     io::ReadOptions read;
-    bool verbose = false; // say on standard error what is going on
+    bool verbose = false;              // say on standard error what is going on
+    const CLI::App* command = nullptr; // that has been parsed into this
+
+    // What a session asks for, but for what the command line says.
+    [[nodiscard]] mesh::SurfaceOptions over(mesh::SurfaceOptions session) const;
 };
 
 // Adds the options to `command`; parsing writes to `flags`, which must live as long as the command.

@@ -32,6 +32,42 @@ class Usage(CommandLineTest):
         self.assertEqual(self.names(), ["tree.swc"])
 
 
+class Sessions(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.tree = self.write("tree.swc", GOOD)
+
+    def session(self, *hidden, **options):
+        names = {"smooth": 1, "prune": 0.0, "width": 5.0, "detail": 16, "method": "cs", **options}
+        return self.write("session.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"},
+                                                      "states": {"hidden": list(hidden)}, "options": names}))
+
+    def test_hidden_branches_are_left_out_and_the_surface_closes(self):
+        whole = self.json("mesh", self.tree, "-o", "whole.ply", "--json")
+        part = self.json("mesh", "--session", self.session(1), "-o", "part.ply", "--json")
+        self.assertEqual((whole["components"], part["components"]), (1, 1))
+        self.assertLess(part["triangles"], 0.9 * whole["triangles"])
+        # Euler: a closed surface without handles.
+        self.assertEqual(part["triangles"], 2 * (part["vertices"] - 2))
+        apart = self.json("mesh", "--session", self.session(0), "-o", "apart.ply", "--json")
+        self.assertLess(apart["triangles"], part["triangles"])
+        cones = self.json("mesh", "--session", self.session(1, 2), "--method", "cones", "-o", "cones.ply", "--json")
+        self.assertEqual(cones["components"], 2)  # one for each segment of the stem
+
+    def test_the_command_line_wins_over_the_session(self):
+        session = self.session(detail=8)
+        coarse = self.json("mesh", self.tree, "--session", session, "-o", "a.ply", "--json")
+        self.assertEqual(coarse["triangles"], self.json("mesh", self.tree, "--detail", 8, "-o", "b.ply", "--json")["triangles"])
+        fine = self.json("mesh", self.tree, "--session", session, "--detail", 16, "-o", "c.ply", "--json")
+        self.assertEqual(fine["triangles"], self.json("mesh", self.tree, "-o", "d.ply", "--json")["triangles"])
+
+    def test_what_a_session_can_get_wrong(self):
+        self.expect_failure("mesh", "--session", self.session(0, 1, 2), "-o", "out.ply", says=["every branch is hidden"])
+        self.expect_failure("mesh", "--session", self.session(3), "-o", "out.ply", says=["session.json", "3"])
+        self.expect_failure("mesh", "--session", "absent.json", "-o", "out.ply", says=["absent.json"])
+        self.assertEqual(self.names(), ["session.json", "tree.swc"])
+
+
 class Info(CommandLineTest):
     def test_figures_of_a_fork(self):
         tree = self.write("tree.swc", GOOD)
