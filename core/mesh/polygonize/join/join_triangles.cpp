@@ -20,16 +20,19 @@ public:
         const BrickCells& cells = surface_.cells[index];
         if (!cells.crossed) return;
         const Neighbourhood& around = surface_.neighbours[index];
-        special_ = 0;
-        see_cells(cells, {0, 0, 0});
+        special_ = records_of(cells);
+        seen_[0] = &cells;
         for (int d = 1; d < 8; ++d) {
             const glm::ivec3 step(d & 1, d >> 1 & 1, d >> 2);
             const int direction = direction_index(step.x, step.y, step.z);
-            if (around.kind(direction) != Neighbour::kSame)
-                special_ |= kBeyond[static_cast<std::size_t>(d)];
-            else if (const BrickCells& beyond = surface_.cells[around.brick[static_cast<std::size_t>(direction)]];
-                     beyond.crossed) // if not, neither are the edges between the two
-                see_cells(beyond, step);
+            const auto place = static_cast<std::size_t>(d);
+            if (around.kind(direction) != Neighbour::kSame) {
+                special_ |= kBeyond[place];
+                continue;
+            }
+            seen_[place] = &surface_.cells[around.brick[static_cast<std::size_t>(direction)]];
+            // If it is not crossed, neither are the edges between the two.
+            if (seen_[place]->crossed && seen_[place]->recorded != 0) add_records_beyond(*seen_[place], step);
         }
         const GridBits inside = cells.grid_bits();
         join_axis<0>(index, around, inside, out);
@@ -53,19 +56,43 @@ private:
         return beyond;
     }();
 
-    void see_cells(const BrickCells& cells, glm::ivec3 step) {
+    // Whose cell is at each place: which of the bricks seen, and its number there.
+    struct PlacedCell {
+        std::uint8_t brick, cell;
+    };
+    static constexpr std::array<PlacedCell, 125> kPlacedCells = [] {
+        std::array<PlacedCell, 125> placed{};
+        for (int p = 0; p < 125; ++p) {
+            const int x = p % 5;
+            const int y = p / 5 % 5;
+            const int z = p / 25;
+            placed[static_cast<std::size_t>(p)] = {static_cast<std::uint8_t>((x >> 2) | (y >> 2) << 1 | (z >> 2) << 2),
+                                                   static_cast<std::uint8_t>(cell_index(x & 3, y & 3, z & 3))};
+        }
+        return placed;
+    }();
+
+    static GridBits records_of(const BrickCells& cells) {
+        GridBits bits = 0;
+        for (int row = 0; row < 16 && cells.recorded != 0; ++row)
+            bits |= GridBits{cells.recorded >> (4 * row) & 0xF} << (5 * (row & 3) + 25 * (row >> 2));
+        return bits;
+    }
+
+    void add_records_beyond(const BrickCells& cells, glm::ivec3 step) {
         const glm::ivec3 count = glm::ivec3(kBrickCells) - step * (kBrickCells - 1);
         for (int z = 0; z < count.z; ++z) {
             for (int y = 0; y < count.y; ++y) {
-                const int cell = cell_index(0, y, z);
-                const int place = 4 * step.x + 5 * (y + 4 * step.y) + 25 * (z + 4 * step.z);
-                for (int x = 0; x < count.x; ++x)
-                    vertex_[static_cast<std::size_t>(place + x)] =
-                        cells.first_vertex + cells.first[static_cast<std::size_t>(cell + x)];
-                const std::uint64_t row = cells.recorded >> cell & ((std::uint64_t{1} << count.x) - 1);
-                special_ |= GridBits{row} << place;
+                const std::uint64_t row = cells.recorded >> cell_index(0, y, z) & ((std::uint64_t{1} << count.x) - 1);
+                special_ |= GridBits{row} << (4 * step.x + 5 * (y + 4 * step.y) + 25 * (z + 4 * step.z));
             }
         }
+    }
+
+    [[nodiscard]] std::uint32_t vertex(int place) const {
+        const PlacedCell placed = kPlacedCells[static_cast<std::size_t>(place)];
+        const BrickCells& cells = *seen_[placed.brick];
+        return cells.first_vertex + cells.first[placed.cell];
     }
 
     template <int Axis>
@@ -80,8 +107,7 @@ private:
         const GridBits touched = special_ | special_ << kStepU | special_ << kStepV | special_ << (kStepU + kStepV);
         for (GridBits plain = own & ~touched; plain != 0; plain &= plain - 1) {
             const int n = lowest_bit(plain);
-            const auto at = [&](int back) { return vertex_[static_cast<std::size_t>(n - back)]; };
-            const glm::uvec4 quad(at(kStepU + kStepV), at(kStepV), at(0), at(kStepU));
+            const glm::uvec4 quad(vertex(n - kStepU - kStepV), vertex(n - kStepV), vertex(n), vertex(n - kStepU));
             out.quads.push_back((inside >> n & 1) != 0 ? quad : glm::uvec4(quad.w, quad.z, quad.y, quad.x));
         }
         GridBits special = own & touched;
@@ -106,7 +132,7 @@ private:
 
     const SurfaceCells& surface_;
     EdgePolygons general_;
-    std::array<std::uint32_t, 125> vertex_{}; // the cells' vertices
+    std::array<const BrickCells*, 8> seen_{}; // itself and its upper neighbours of the same size, by direction
     GridBits special_ = 0;                    // cells that need the general way
 };
 
