@@ -54,6 +54,10 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
 
     mesh::SurfaceOptions options = session.marks.options;
     options.method = mesh::Method::kTruncatedCones;
+    // The first picture stands for a moment: of a large tree it is a rough one, or the surface would be there before it.
+    constexpr std::size_t kRoughFrom = 2000; // segments
+    constexpr int kRough = 6;
+    if (loaded.tree->segment_count() > kRoughFrom) options.detail = std::min(options.detail, kRough);
     auto cones = make_ready(*loaded.tree, options, job);
     if (!cones) return tl::unexpected(cones.error());
     loaded.cones = std::move(*cones);

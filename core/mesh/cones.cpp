@@ -116,7 +116,7 @@ private:
 
 Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job) {
     const std::vector<Piece> pieces = collect(prepared);
-    const Layout layout{std::max(6, detail), std::max(2, detail / 8)};
+    const Layout layout{std::max(6, detail), detail < 8 ? 1 : std::max(2, detail / 8)};
     if (pieces.size() * layout.vertices() > 0xFFFFFFF0U)
         return fail("the cones would need more vertices than a mesh can number", {}, "lower --detail");
     TriangleMesh mesh;
