@@ -28,15 +28,11 @@ std::optional<double> number_in(const std::string& word, double least, double mo
 render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
     const auto mesh = context.host.picture_mesh();
     if (!mesh) return camera;
-    const glm::ivec2 size = context.host.picture_size();
+    // A surface from before they were hidden may be what there is.
     const Marks& marks = context.document.marks();
-    if (branches_in_state(marks, render::BranchState::kHidden).empty() ||
-        mesh->branches.size() != mesh->positions.size())
-        return render::fitted(camera, mesh->positions, size);
-    std::vector<glm::vec3> visible;
-    for (std::size_t i = 0; i < mesh->positions.size(); ++i)
-        if (state_of(marks, mesh->branches[i]) != render::BranchState::kHidden) visible.push_back(mesh->positions[i]);
-    return visible.empty() ? camera : render::fitted(camera, visible, size);
+    const auto visible =
+        mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+    return visible.empty() ? camera : render::fitted(camera, visible, context.host.picture_size());
 }
 
 void move_camera(ActionContext& context, const render::Camera& camera) {

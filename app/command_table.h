@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] virtual glm::ivec2 picture_size() const = 0; // pixels
     // What the picture shows; null: nothing.
-    [[nodiscard]] virtual std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const = 0;
+    [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
     // Where pictures and sessions go that the user gave no name for.
     [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;

@@ -63,7 +63,7 @@ std::vector<glm::vec3> branch_colours(const tree::VesselTree& tree, ColourBy qua
 }
 
 render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
-                      std::shared_ptr<const mesh::TriangleMesh> mesh, const Viewing& viewing) {
+                      std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing) {
     render::Frame frame;
     frame.mesh = std::move(mesh);
     frame.camera = session.camera;

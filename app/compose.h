@@ -20,7 +20,7 @@ struct Viewing {
 
 // `tree` may be null as long as the session colours by nothing; `mesh` may be null: an empty picture.
 [[nodiscard]] render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
-                                    std::shared_ptr<const mesh::TriangleMesh> mesh, const Viewing& viewing);
+                                    std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing);
 
 // sRGB colour of every branch under `quantity`; empty for kNothing.
 [[nodiscard]] std::vector<glm::vec3> branch_colours(const tree::VesselTree& tree, ColourBy quantity);

@@ -13,15 +13,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result<ReadySurface> make_ready(const tree::VesselTree& tree, const mesh::SurfaceOptions& options, Job& job) {
-    const auto start = std::chrono::steady_clock::now();
-    auto made = mesh::make_surface(tree, options, job);
-    if (!made) return tl::unexpected(made.error());
-    const double seconds = seconds_since(start);
-    auto mesh = std::make_shared<const mesh::TriangleMesh>(std::move(made->mesh));
-    return ReadySurface{options, std::move(mesh), seconds};
-}
-
 } // namespace
 
 Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
@@ -52,13 +43,15 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
     loaded.seconds = seconds_since(start);
 
-    mesh::SurfaceOptions options = session.marks.options;
+    SurfaceRequest request = surface_request(session.marks);
+    mesh::SurfaceOptions& options = request.options;
     options.method = mesh::Method::kTruncatedCones;
-    // The first picture stands for a moment: of a large tree it is a rough one, or the surface would be there before it.
+    // The first picture stands for a moment: of a large tree it is a rough one, or the surface would be there before
+    // it.
     constexpr std::size_t kRoughFrom = 2000; // segments
     constexpr int kRough = 6;
     if (loaded.tree->segment_count() > kRoughFrom) options.detail = std::min(options.detail, kRough);
-    auto cones = make_ready(*loaded.tree, options, job);
+    auto cones = make_ready(*loaded.tree, request, job);
     if (!cones) return tl::unexpected(cones.error());
     loaded.cones = std::move(*cones);
     return loaded;
@@ -84,46 +77,58 @@ void Workspace::open(const std::filesystem::path& path) {
     changed_ = true;
 }
 
-void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path, std::optional<ReadySurface> surface) {
+void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     mesher_.cancel();
     wanted_.reset();
+    tried_.reset();
     problem_.clear();
     kept_.clear();
     facts_ = std::move(loaded.facts);
+    maker_ = std::make_shared<SurfaceMaker>(loaded.tree);
     document.open(std::move(loaded.tree), std::move(loaded.session));
     shown_ = std::move(loaded.cones);
     opened_ = Opened{path, loaded.has_camera};
-    if (surface) keep(std::move(*surface));
     changed_ = true;
 }
 
-void Workspace::keep(ReadySurface surface) {
-    kept_.push_front(surface);
-    if (kept_.size() > kKeptSurfaces) kept_.pop_back();
+void Workspace::take(ReadySurface surface) {
     shown_ = std::move(surface);
+    changed_ = true;
+    if (shown_.provisional) return;
+    std::erase_if(kept_, [&](const ReadySurface& kept) { return kept.request == shown_.request; });
+    kept_.push_front(shown_);
+    if (kept_.size() > kKeptSurfaces) kept_.pop_back();
+}
+
+SurfaceRequest Workspace::request() const {
+    SurfaceRequest request = surface_request(document.marks());
+    if (tried_) request.options = *tried_;
+    return request;
 }
 
 void Workspace::start_surface() {
-    const mesh::SurfaceOptions options = document.marks().options;
-    if (!document.tree() || wanted_ == options) return;
-    wanted_ = options;
+    if (!document.tree()) return;
+    SurfaceRequest request = this->request();
+    if (wanted_ == request) return;
+    // When only other branches are hidden, what is being made is the way to what is wanted now: this goes on when that
+    // is done. Otherwise it is in vain.
+    if (mesher_.busy() && wanted_ && wanted_->options == request.options) return;
+    wanted_ = request;
     problem_.clear();
     mesher_.cancel();
     changed_ = true;
-    if (shown_.mesh && shown_.options == options) return;
+    if (shown_.mesh && !shown_.provisional && shown_.request == request) return;
     for (const ReadySurface& surface : kept_) {
-        if (surface.options != options) continue;
+        if (surface.request != request) continue;
         shown_ = surface;
         return;
     }
-    mesher_.start("Computing the surface", [this, options, tree = document.tree()](Job& job, const Worker::Post& post) {
-        auto made = make_ready(*tree, options, job);
-        if (job.cancelled()) return;
-        post([this, made] {
-            if (made)
-                keep(*made);
-            else
-                problem_ = made.error().message();
+    mesher_.start("Computing the surface", [this, request, maker = maker_](Job& job, const Worker::Post& post) {
+        const auto made = maker->make(
+            request, job, [&](ReadySurface surface) { post([this, surface = std::move(surface)] { take(surface); }); });
+        if (made || job.cancelled()) return;
+        post([this, message = made.error().message()] {
+            problem_ = message;
             changed_ = true;
         });
     });

@@ -1,11 +1,12 @@
 // Workspace: a document and the work that goes on behind it. Files are read and surfaces computed on worker threads;
 // results arrive in update(), on the owner's thread, which never waits. The cones are there as soon as the tree is; the
-// surface of the session's options replaces them when it is ready. A file that cannot be read leaves everything as it
-// was. No GL, no window.
+// surface of the session's options, without its hidden branches, replaces them when it is ready, and follows. A file
+// that cannot be read leaves everything as it was. No GL, no window.
 #pragma once
 
 #include "app/branch_facts.h"
 #include "app/document.h"
+#include "app/surface_maker.h"
 #include "app/worker.h"
 #include "core/base/error.h"
 #include "core/io/tree_reader.h"
@@ -16,14 +17,6 @@
 #include <optional>
 
 namespace ramus::app {
-
-// A surface that was computed, and what it cost.
-struct ReadySurface {
-    mesh::SurfaceOptions options;
-    std::shared_ptr<const mesh::TriangleMesh> mesh;
-
-    double seconds = 0.0;
-};
 
 // A tree, read and measured, with its cones for the first picture.
 struct LoadedTree {
@@ -45,8 +38,8 @@ public:
     explicit Workspace(std::function<void()> wake);
 
     void open(const std::filesystem::path& path);
-    // What was loaded elsewhere, at once; `surface` when it is ready already.
-    void adopt(LoadedTree loaded, const std::filesystem::path& path, std::optional<ReadySurface> surface = {});
+    // What was loaded elsewhere, at once.
+    void adopt(LoadedTree loaded, const std::filesystem::path& path);
     io::ReadOptions reading; // of files that are opened from now on
 
     void cancel_work();
@@ -57,7 +50,12 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; }
     [[nodiscard]] const ReadySurface& shown() const { return shown_; }
-    [[nodiscard]] bool surface_ready() const { return shown_.mesh && shown_.options == document.marks().options; }
+    // Whether what is shown is the surface of the session as it is now.
+    [[nodiscard]] bool surface_ready() const {
+        return shown_.mesh && !shown_.provisional && shown_.request == surface_request(document.marks());
+    }
+    // Options that are being tried, while a slider is held, say: the surface follows them instead of the session's.
+    void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
 
     [[nodiscard]] bool busy() const { return loader_.busy() || mesher_.busy(); }
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
@@ -78,13 +76,16 @@ public:
 private:
     static constexpr std::size_t kKeptSurfaces = 3;
 
-    void keep(ReadySurface surface);
+    [[nodiscard]] SurfaceRequest request() const;
+    void take(ReadySurface surface);
     void start_surface();
 
     std::shared_ptr<const TreeFacts> facts_;
     ReadySurface shown_;
     std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
-    std::optional<mesh::SurfaceOptions> wanted_;
+    std::optional<mesh::SurfaceOptions> tried_;
+    std::optional<SurfaceRequest> wanted_;
+    std::shared_ptr<SurfaceMaker> maker_; // used on the mesher's thread only
     std::string problem_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;

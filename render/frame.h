@@ -3,9 +3,9 @@
 // Large parts are shared and never mutated in place, so a Frame is cheap to copy and to compare.
 #pragma once
 
-#include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
 #include "render/camera.h"
+#include "render/paged_mesh.h"
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -56,13 +56,14 @@ struct Overlays {
     bool operator==(const Overlays&) const = default;
 };
 
-// kInteractive draws half as many pixels a side and, of a large mesh, a coarse version: several times faster with a
+// kInteractive draws half as many pixels a side, and the preview instead of the mesh: several times faster with a
 // software rasteriser, needless where full frames come fast enough (DrawStatistics and a clock tell). Draw the same
 // frame with kFull as soon as the view rests. Pictures that are kept are always kFull.
 enum class Quality : std::uint8_t { kFull, kInteractive };
 
 struct Frame {
-    std::shared_ptr<const mesh::TriangleMesh> mesh; // may be null: background and overlays only
+    std::shared_ptr<const PagedMesh> mesh;    // may be null: background and overlays only
+    std::shared_ptr<const PagedMesh> preview; // the same surface with fewer triangles, for kInteractive; may be null
     Camera camera;
     glm::ivec2 size{1280, 960};      // pixels
     float pixel_ratio = 1.0F;        // overlay sizes: pixels per (1/96 inch) point on a HiDPI display

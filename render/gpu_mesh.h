@@ -1,19 +1,14 @@
-// GpuMesh: a TriangleMesh on the GPU, its triangles sorted by branch, so that hiding a branch or looking past one is a
-// matter of which ranges are drawn. Positions are stored relative to `origin` in single precision.
-//
-// A large mesh has a coarse version as well, about a tenth of the triangles, for while the view moves: its vertices are
-// gathered in cells of half to one local radius, so that trunks and twigs lose alike. It shares the vertices and may
-// have small cracks; pictures that are kept never show it.
+// GpuMesh: a copy of a PagedMesh on the graphics card that follows it from one state to the next. Only pages that
+// differ are sent: a small change at once and in place; a large one beside what is there, some at every call, which
+// goes on being drawn until all has come. States, colours and views send nothing.
 #pragma once
 
-#include "core/mesh/triangle_mesh.h"
-#include "render/bounds.h"
-#include "render/camera.h"
 #include "render/gl_objects.h"
+#include "render/paged_mesh.h"
 
-#include <array>
 #include <cstdint>
-#include <span>
+#include <glm/mat4x4.hpp>
+#include <memory>
 #include <vector>
 
 namespace ramus::render {
@@ -21,40 +16,34 @@ namespace ramus::render {
 // Which of the two layers a branch is drawn into, if any.
 enum class Layer : std::uint8_t { kOpaque, kGlass, kNone };
 
-struct GpuVertex {
-    glm::vec3 position;
-    std::array<std::int16_t, 4> normal; // signed normalised
-    std::int32_t branch;
-};
-static_assert(sizeof(GpuVertex) == 24);
-
 class GpuMesh {
 public:
-    explicit GpuMesh(const mesh::TriangleMesh& mesh);
+    // Takes up `mesh` (null: lets go of everything), sending about `budget` bytes at most, and subtracts what it sent.
+    // A mesh of another origin leaves nothing of the old one to be drawn.
+    void follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& budget);
+    // What is drawn: the mesh last given to follow(), or the one before until that has come; null: nothing.
+    [[nodiscard]] const std::shared_ptr<const PagedMesh>& shown() const { return shown_; }
 
-    [[nodiscard]] const Box& bounds() const { return bounds_; }
-    [[nodiscard]] glm::dvec3 origin() const { return origin_; }
-    [[nodiscard]] int branch_count() const { return static_cast<int>(ranges_.size()); } // largest branch id + 1
-
-    // Draws the branches whose entry in `layers` is `layer` (missing entries are opaque) and that `to_clip` (from
-    // positions relative to origin) leaves in the picture. Returns the number of triangles drawn.
-    std::uint64_t draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip, bool coarse) const;
+    // Draws the branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip`
+    // (from positions relative to origin) leaves in the picture. Returns the number of triangles drawn.
+    std::uint64_t draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
 
 private:
-    struct Range {
-        std::uint32_t first = 0, count = 0; // triangles
-        glm::vec3 lower{0.0F}, upper{0.0F}; // relative to origin
-    };
-    static std::vector<Range> append_by_branch(std::span<const glm::uvec3> triangles,
-                                               const std::vector<GpuVertex>& vertices, std::size_t branch_count,
-                                               std::vector<glm::uvec3>& sorted);
+    // Buffers and what is in them, page by page.
+    struct Copy {
+        VertexArray vertex_array;
+        Buffer vertices, triangles;
+        PagedMesh::VertexPages vertex_pages;
+        PagedMesh::TrianglePages triangle_pages;
 
-    Box bounds_;
-    glm::dvec3 origin_{0.0};
-    // Ranges into one index buffer: the fine triangles by branch, then the coarse ones.
-    std::vector<Range> ranges_, coarse_ranges_;
-    VertexArray vertex_array_;
-    Buffer vertices_, indices_;
+        explicit Copy(const PagedMesh& mesh); // room for it, and for growth
+        [[nodiscard]] bool has_room(const PagedMesh& mesh) const;
+        [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
+        bool send(const PagedMesh& mesh, std::size_t& budget);          // true: all is there
+    };
+
+    std::unique_ptr<Copy> drawn_, coming_;
+    std::shared_ptr<const PagedMesh> shown_;
 };
 
 } // namespace ramus::render

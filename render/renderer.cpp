@@ -27,7 +27,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
-Result<DrawStatistics> Renderer::draw(const Frame& frame) { return impl_->draw(frame); }
+Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget) {
+    return impl_->draw(frame, upload_budget);
+}
 Image Renderer::read_image() { return impl_->read_image(); }
 void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }
 Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }

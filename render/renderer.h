@@ -1,5 +1,5 @@
 // Renderer: draws a Frame into a framebuffer of its own, the same way for the window and without one, and answers what
-// lies under a pixel. Meshes are uploaded once and kept by identity (shared_ptr) while frames keep using them; a change
+// lies under a pixel. It keeps the last frame's meshes on the graphics card and sends only pages that changed; a change
 // of states, colours, hover or selection draws no triangle again, a frame equal to the last one draws nothing.
 //
 // All calls need the GL context current that was current at create(), the destructor too. Pixels have their origin at
@@ -10,7 +10,9 @@
 #include "render/frame.h"
 #include "render/image.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -27,8 +29,12 @@ struct DrawStatistics {
     std::uint64_t triangles = 0; // sent to the GPU
     bool geometry = false;       // triangles were drawn (else the last geometry was shaded again)
     bool shaded = false;         // false: the frame was the same as the one before
-    bool uploaded = false;       // vertex buffers were filled
+    std::uint64_t uploaded = 0;  // bytes of meshes sent to the GPU
+    bool pending = false;        // the frame's mesh is not all there yet: the one before was drawn. Draw again.
 };
+
+// How much of a mesh a draw() may send, in bytes. A large mesh then comes over several frames, none of which waits.
+inline constexpr std::size_t kUploadAll = std::numeric_limits<std::size_t>::max();
 
 // The largest picture: neither side beyond kLargestSide, nor more than kLargestArea pixels.
 inline constexpr int kLargestSide = 16384;
@@ -45,7 +51,7 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out.
-    [[nodiscard]] Result<DrawStatistics> draw(const Frame& frame);
+    [[nodiscard]] Result<DrawStatistics> draw(const Frame& frame, std::size_t upload_budget = kUploadAll);
 
     // The current picture. Straight alpha when the background is transparent.
     [[nodiscard]] Image read_image();

@@ -10,7 +10,6 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,7 +24,7 @@ struct ViewBlock {
 class Renderer::Impl {
 public:
     Result<void> initialise();
-    Result<DrawStatistics> draw(const Frame& frame);
+    Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget);
     Image read_image() const;
     void present(unsigned framebuffer, int x, int y) const;
     Pick pick(double x, double y);
@@ -42,7 +41,7 @@ private:
 
     Result<void> resize(glm::ivec2 size, Quality quality);
     void make_glass_layer();
-    const GpuMesh* upload(const std::shared_ptr<const mesh::TriangleMesh>& mesh, bool& uploaded);
+    Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     void draw_occlusion(const Frame& frame);
     void shade(const Frame& frame, const GpuMesh* mesh);
@@ -70,11 +69,8 @@ private:
         lit_target_, picture_target_;
     bool has_glass_ = false;
 
-    struct Cached {
-        std::weak_ptr<const mesh::TriangleMesh> mesh;
-        std::unique_ptr<GpuMesh> on_gpu;
-    };
-    std::map<const mesh::TriangleMesh*, Cached> meshes_;
+    GpuMesh mesh_, preview_;
+    const GpuMesh* drawn_ = nullptr; // the one of the last picture; null: nothing
 
     std::optional<Frame> last_;
     std::vector<Layer> last_layers_;

@@ -8,7 +8,6 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec4.hpp>
-#include <map>
 
 namespace ramus::render {
 
@@ -120,15 +119,20 @@ void Renderer::Impl::make_glass_layer() {
     glass_target_ = make_framebuffer({glass_surface_}, glass_depth_);
 }
 
-const GpuMesh* Renderer::Impl::upload(const std::shared_ptr<const mesh::TriangleMesh>& mesh, bool& uploaded) {
-    std::erase_if(meshes_, [](const auto& entry) { return entry.second.mesh.expired(); });
-    if (!mesh || mesh->triangles.empty()) return nullptr;
-    const auto [place, fresh] = meshes_.try_emplace(mesh.get());
-    if (fresh) {
-        place->second = {mesh, std::make_unique<GpuMesh>(*mesh)};
-        uploaded = true;
-    }
-    return place->second.on_gpu.get();
+// The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for.
+Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
+    std::size_t left = upload_budget;
+    mesh_.follow(wanted.mesh, left);
+    preview_.follow(wanted.preview, left);
+    done.uploaded = upload_budget - left;
+    done.pending = mesh_.shown() != wanted.mesh || preview_.shown() != wanted.preview;
+    const bool quick = wanted.quality == Quality::kInteractive && wanted.preview && preview_.shown() == wanted.preview;
+    const GpuMesh& mesh = quick ? preview_ : mesh_;
+    drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
+    Frame frame = wanted;
+    frame.mesh = mesh.shown();
+    frame.preview = nullptr;
+    return frame;
 }
 
 // Draws over every pixel, or only where a surface is: the early depth test is the one branch that a software rasteriser
@@ -148,7 +152,7 @@ void Renderer::Impl::fullscreen(const Program& program, Pixels pixels) const {
 
 std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers) {
     const Camera& camera = frame.camera;
-    const Box box = mesh != nullptr ? mesh->bounds() : Box{};
+    const Box box = mesh != nullptr ? mesh->shown()->bounds() : Box{};
     const CameraAxes axes = axes_of(camera);
     const double middle = glm::dot(box.centre() - camera.position, axes.forward), radius = 1.001 * box.radius();
     double far = middle + radius, near = middle - radius;
@@ -162,7 +166,7 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
     projection[2][2] = camera.orthographic ? 1.0 / (far - near) : near / (far - near);
     projection[3][2] = camera.orthographic ? far / (far - near) : near * far / (far - near);
     const glm::dmat4 view = view_matrix(camera);
-    const glm::dvec3 origin = mesh != nullptr ? mesh->origin() : glm::dvec3(0.0);
+    const glm::dvec3 origin = mesh != nullptr ? mesh->shown()->origin() : glm::dvec3(0.0);
     glm::dmat4 to_eye = view;
     to_eye[3] = view * glm::dvec4(origin, 1.0);
     const glm::dmat4 to_clip = projection * to_eye;
@@ -205,7 +209,7 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
         glUseProgram(geometry_);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip)));
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view)));
-        triangles += mesh->draw(layers, layer, to_clip, frame.quality == Quality::kInteractive);
+        triangles += mesh->draw(layers, layer, to_clip);
     }
     glDisable(GL_CULL_FACE);
 
@@ -237,7 +241,7 @@ void Renderer::Impl::draw_occlusion(const Frame& frame) {
 
 void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     // One small record a branch; nothing else changes when the user points at things.
-    const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->branch_count() : 0));
+    const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->shown()->branch_count() : 0));
     std::vector<std::array<std::uint8_t, 4>> records(count);
     const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
     const auto byte = [](float v) {
@@ -333,10 +337,11 @@ void Renderer::Impl::restore_state() const {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Result<DrawStatistics> Renderer::Impl::draw(const Frame& frame) {
+Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget) {
     DrawStatistics done;
+    if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
+    const Frame frame = take_up(wanted, upload_budget, done);
     if (last_ && *last_ == frame) return done;
-    if (auto fits = check_size(frame.size.x, frame.size.y); !fits) return tl::unexpected(fits.error());
     const glm::ivec2 old_size = size_, old_inner = inner_;
     if (auto resized = resize(frame.size, frame.quality); !resized) {
         last_.reset();
@@ -353,17 +358,16 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& frame) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    const GpuMesh* mesh = upload(frame.mesh, done.uploaded);
     const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
                                size_ == old_size && inner_ == old_inner && last_->quality == frame.quality &&
                                last_layers_ == layers &&
                                (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
     if (!same_geometry) {
-        done.triangles = draw_geometry(frame, mesh, layers);
+        done.triangles = draw_geometry(frame, drawn_, layers);
         if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
         done.geometry = true;
     }
-    shade(frame, mesh);
+    shade(frame, drawn_);
     draw_overlays(frame);
     done.shaded = true;
     restore_state();

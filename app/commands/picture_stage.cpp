@@ -8,27 +8,25 @@
 namespace ramus::app {
 
 Result<void> PictureStage::make_surface() {
-    mesh::SurfaceOptions options = document_.marks().options;
-    options.threads = flags_.surface.threads; // the machine's business, not the session's
-    if (mesh_ && made_ == options) return {};
+    SurfaceRequest request = surface_request(document_.marks());
+    request.options.threads = flags_.surface.threads; // the machine's business, not the session's
+    if (surface_.mesh && surface_.request == request) return {};
     Job job;
     auto surface = [&] {
         const CancelOnInterrupt cancel(job);
         const ProgressBar bar("surface", job);
-        return mesh::make_surface(*document_.tree(), options, job);
+        return make_ready(*document_.tree(), request, job);
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
     if (!surface) return tl::unexpected(surface.error());
-    mesh_ = std::make_shared<const mesh::TriangleMesh>(std::move(surface->mesh));
-    mesh_seconds_ = surface->statistics.seconds;
-    made_ = options;
-    say(counted(mesh_->triangles.size(), "triangle", "triangles") + " in " + rounded(mesh_seconds_) + " s");
+    surface_ = std::move(*surface);
+    say(counted(surface_.mesh->triangle_count(), "triangle", "triangles") + " in " + rounded(surface_.seconds) + " s");
     return {};
 }
 
 Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
-    return compose(document_.session(), document_.tree(), mesh_, viewing_);
+    return compose(document_.session(), document_.tree(), surface_.mesh, viewing_);
 }
 
 Result<void> PictureStage::write_picture(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 #include "app/command_table.h"
 #include "app/commands/surface_flags.h"
 #include "app/compose.h"
+#include "app/surface_maker.h"
 #include "render/renderer.h"
 
 namespace ramus::app {
@@ -14,16 +15,15 @@ public:
     PictureStage(Document& document, const SurfaceFlags& flags, Viewing viewing)
         : document_(document), flags_(flags), viewing_(viewing) {}
 
-    // Computes the surface of the session's options unless it is there already.
+    // Computes the surface of the session's options, without its hidden branches, unless it is there already.
     Result<void> make_surface();
     void draw_with(render::Renderer& renderer) { renderer_ = &renderer; }
     [[nodiscard]] Result<render::Frame> frame();
-    [[nodiscard]] const std::shared_ptr<const mesh::TriangleMesh>& mesh() const { return mesh_; }
-    [[nodiscard]] double mesh_seconds() const { return mesh_seconds_; }
+    [[nodiscard]] const ReadySurface& surface() const { return surface_; }
 
     // Host
     [[nodiscard]] glm::ivec2 picture_size() const override { return viewing_.size; }
-    [[nodiscard]] std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const override { return mesh_; }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
     Result<void> write_picture(const std::filesystem::path& path) override;
     void say(const std::string& sentence) override;
 
@@ -32,9 +32,7 @@ private:
     const SurfaceFlags& flags_;
     Viewing viewing_;
     render::Renderer* renderer_ = nullptr;
-    std::shared_ptr<const mesh::TriangleMesh> mesh_;
-    mesh::SurfaceOptions made_;
-    double mesh_seconds_ = 0.0;
+    ReadySurface surface_;
 };
 
 } // namespace ramus::app

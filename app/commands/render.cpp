@@ -131,7 +131,8 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
     loaded.facts = std::make_shared<const TreeFacts>(facts_of(*document.tree()));
     loaded.session = document.session();
     loaded.has_camera = true;
-    loaded.cones = ReadySurface{document.marks().options, stage.mesh(), stage.mesh_seconds()};
+    loaded.cones = stage.surface();
+    loaded.cones.request = surface_request(document.marks());
     workspace.adopt(std::move(loaded), document.session().tree.path);
     return picture_with_interface(workspace, renderer, flags.size, 1.0F, [&](Host& host) {
         ActionContext context{workspace.document, host};
@@ -168,7 +169,7 @@ Result<int> run_render(const RenderFlags& flags) {
     PictureStage stage(document, flags.common, viewing);
     if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
     if (!camera && (!*has_camera || flags.view_given))
-        camera = render::camera_for(stage.mesh()->positions, flags.view, viewing.size, flags.orthographic);
+        camera = render::camera_for(stage.surface().mesh->positions(), flags.view, viewing.size, flags.orthographic);
     if (camera) document.set_camera(*camera);
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 
@@ -194,7 +195,7 @@ Result<int> run_render(const RenderFlags& flags) {
 
     nlohmann::json report{{"size", {image->width, image->height}},
                           {"triangles", done->triangles},
-                          {"mesh_s", stage.mesh_seconds()},
+                          {"mesh_s", stage.surface().seconds},
                           {"draw_s", seconds_since(start)},
                           {"camera", render::to_json(document.session().camera)}};
     int status = kDone;

@@ -108,8 +108,8 @@ float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
     std::string text;
     if (shown.mesh) {
-        const bool cones = shown.options.method == mesh::Method::kTruncatedCones;
-        text = std::string(cones ? "Cones" : "Convolution surface") + "   " + grouped(shown.mesh->triangles.size()) +
+        const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
+        text = std::string(cones ? "Cones" : "Convolution surface") + "   " + grouped(shown.mesh->triangle_count()) +
                " triangles   " + seconds_text(shown.seconds);
     }
     const float start =

@@ -15,7 +15,10 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["window"] = {layout.window.x, layout.window.y};
     status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
     status["surface_ready"] = workspace.surface_ready();
-    status["triangles"] = workspace.shown().mesh ? workspace.shown().mesh->triangles.size() : 0;
+    const ReadySurface& shown = workspace.shown();
+    status["triangles"] = shown.mesh ? shown.mesh->triangle_count() : 0;
+    const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
+    status["shown"] = !shown.mesh ? "nothing" : cones ? "cones" : shown.provisional ? "preview" : "surface";
     status["problem"] = workspace.surface_problem();
     status["resting"] = viewer.resting();
     status["hovered"] = interface.hovered;

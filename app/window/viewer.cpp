@@ -54,7 +54,7 @@ void Viewer::take_news() {
     if (const auto opened = workspace_.take_opened()) {
         if (!opened->has_camera && picture_mesh())
             workspace_.document.set_camera(
-                render::camera_for(picture_mesh()->positions, render::View::kAnterior, layout_.view_size));
+                render::camera_for(picture_mesh()->positions(), render::View::kAnterior, layout_.view_size));
         interface_.hovered = tree::kNoBranch;
         interface_.shown_selection = tree::kNoBranch;
         remember_file(opened->path);
@@ -111,14 +111,15 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         pick_wanted_ = true; // what is under a dialog is not under the pointer
     }
 
-    const render::Frame frame =
-        compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
-    const auto drawn = renderer_.draw(frame);
+    render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
+    frame.preview = workspace_.shown().preview;
+    const auto drawn = renderer_.draw(frame, kUploadBudget);
     if (!drawn) {
         say(drawn.error().message());
         return false;
     }
     quality_ = frame.quality;
+    upload_pending_ = drawn->pending;
     if (drawn->shaded) pick_wanted_ = true;
     ask_pick();
 
@@ -136,7 +137,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
 }
 
 double Viewer::wait_seconds(double now) const {
-    if (frames_left_ > 0 || interface_waits_ || pick_wanted_) return 0.0;
+    if (frames_left_ > 0 || interface_waits_ || pick_wanted_ || upload_pending_) return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (pick_pending_) wait = std::min(wait, kPollSeconds);
     if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
@@ -147,7 +148,7 @@ double Viewer::wait_seconds(double now) const {
 
 bool Viewer::resting() const {
     return !workspace_.busy() && frames_left_ == 0 && !interface_waits_ && !pick_wanted_ && !pick_pending_ &&
-           quality_ == render::Quality::kFull;
+           !upload_pending_ && quality_ == render::Quality::kFull;
 }
 
 std::string Viewer::title() const {
@@ -159,7 +160,7 @@ std::string Viewer::title() const {
     return text;
 }
 
-std::shared_ptr<const mesh::TriangleMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
+std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
 
 Result<void> Viewer::write_picture(const std::filesystem::path& path) {
     // As `ramus render` draws the session: without what the pointer is doing.

@@ -57,7 +57,7 @@ public:
 
     // Host
     [[nodiscard]] glm::ivec2 picture_size() const override { return layout_.view_size; }
-    [[nodiscard]] std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const override;
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     [[nodiscard]] std::filesystem::path suggested_file(std::string_view extension) const override;
     void say(const std::string& sentence) override;
@@ -75,6 +75,7 @@ private:
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.1;
     static constexpr double kCaretSeconds = 0.25;
+    static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
     Viewer(Workspace& workspace, render::Renderer& renderer) : workspace_(workspace), renderer_(renderer) {}
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
@@ -103,6 +104,7 @@ private:
     double moved_at_ = -1e9;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     int frames_left_ = kFramesAfterEvent;
+    bool upload_pending_ = false; // not all of the surface is on the graphics card
     bool interface_waits_ = false, dialog_was_open_ = false;
 
     std::uint64_t drawn_ = 0; // fingerprint of the last interface

@@ -34,8 +34,8 @@ std::shared_ptr<const tree::VesselTree> small_tree() {
 class TestHost final : public Host {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
-    [[nodiscard]] std::shared_ptr<const mesh::TriangleMesh> picture_mesh() const override { return mesh; }
-    std::shared_ptr<const mesh::TriangleMesh> mesh;
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh; }
+    std::shared_ptr<const render::PagedMesh> mesh;
     Result<void> write_picture(const std::filesystem::path& path) override {
         pictures.push_back(path);
         return {};
@@ -185,7 +185,7 @@ TEST_CASE("a commands file is read as people write it") {
 TEST_CASE("compose carries the session into the frame") {
     Stage stage;
     stage.good("select 3\nhide\nselect 1\ncolour-by generation");
-    const auto mesh = std::make_shared<const mesh::TriangleMesh>();
+    const auto mesh = std::make_shared<const render::PagedMesh>();
     const render::Frame frame =
         compose(stage.document.session(), stage.document.tree(), mesh, {.size = {40, 30}, .hovered = 2});
     CHECK(frame.mesh == mesh);

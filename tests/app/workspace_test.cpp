@@ -72,20 +72,69 @@ TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.document.tree() != nullptr; }));
-    CHECK(workspace.shown().options.method == mesh::Method::kTruncatedCones);
+    CHECK(workspace.shown().request.options.method == mesh::Method::kTruncatedCones);
     REQUIRE(workspace.take_opened());
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
     const auto first = workspace.shown().mesh;
-    CHECK(first->triangles.size() > 100);
+    CHECK(first->triangle_count() > 100);
 
     Marks finer = workspace.document.marks();
     finer.options.detail = 24;
     workspace.document.change(finer);
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    CHECK(workspace.shown().mesh->triangles.size() > first->triangles.size());
+    CHECK(workspace.shown().mesh->triangle_count() > first->triangle_count());
     REQUIRE(workspace.document.undo());
     workspace.update();
     CHECK(workspace.shown().mesh == first);
+}
+
+TEST_CASE("hidden branches go from the surface, and undo finds them again") {
+    const Folder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    const auto all = workspace.shown().mesh;
+    const auto seen = [&](int branch) {
+        return !workspace.shown().mesh->positions([&](int b) { return b == branch; }).empty();
+    };
+    CHECK(seen(2));
+    Marks without = workspace.document.marks();
+    const std::vector<int> leaf{2};
+    set_state(without, leaf, render::BranchState::kHidden);
+    workspace.document.change(without);
+    workspace.update();
+    CHECK_FALSE(workspace.surface_ready());
+    CHECK(workspace.shown().mesh == all); // until the other is there
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    CHECK_FALSE(seen(2));
+    CHECK(seen(1));
+    Marks none = without;
+    set_state(none, std::vector<int>{0, 1, 2}, render::BranchState::kHidden);
+    workspace.document.change(none);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    CHECK(workspace.shown().mesh->triangle_count() == 0);
+    CHECK(workspace.surface_problem().empty());
+    REQUIRE(workspace.document.undo());
+    REQUIRE(workspace.document.undo());
+    workspace.update();
+    CHECK(workspace.surface_ready());
+    CHECK(workspace.shown().mesh == all);
+}
+
+TEST_CASE("options that are tried change the picture and not the session") {
+    const Folder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    mesh::SurfaceOptions wide = workspace.document.marks().options;
+    wide.width = 2.0;
+    workspace.try_options(wide);
+    REQUIRE(settle(workspace, [&] { return workspace.shown().request.options.width == 2.0 && !workspace.busy(); }));
+    CHECK_FALSE(workspace.surface_ready());
+    CHECK_FALSE(workspace.document.modified());
+    workspace.try_options({});
+    workspace.update();
+    CHECK(workspace.surface_ready());
 }
 
 TEST_CASE("a file that cannot be read leaves the old tree as it was") {

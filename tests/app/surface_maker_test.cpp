@@ -1,0 +1,106 @@
+// The window's surface: what it shows on the way, and that it ends where a surface made from nothing ends.
+#include "app/surface_maker.h"
+#include "tests/support/grown_tree.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+struct Shop {
+    std::shared_ptr<const tree::VesselTree> tree =
+        std::make_shared<const tree::VesselTree>(test::grown_tree(400).value());
+    SurfaceMaker maker{tree};
+    std::vector<ReadySurface> shown;
+
+    void make(const SurfaceRequest& request) {
+        shown.clear();
+        Job job;
+        REQUIRE(maker.make(request, job, [&](ReadySurface surface) { shown.push_back(std::move(surface)); }));
+        REQUIRE_FALSE(shown.empty());
+        for (const ReadySurface& surface : shown) CHECK(surface.request == request);
+    }
+};
+
+std::vector<glm::vec3> sorted_positions(const render::PagedMesh& mesh) {
+    auto positions = mesh.positions();
+    std::ranges::sort(positions, [](const glm::vec3& a, const glm::vec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    return positions;
+}
+
+void check_same(const render::PagedMesh& mesh, const render::PagedMesh& other) {
+    CHECK(mesh.triangle_count() == other.triangle_count());
+    CHECK(mesh.bounds() == other.bounds());
+    CHECK(mesh.origin() == other.origin());
+    CHECK(sorted_positions(mesh) == sorted_positions(other));
+}
+
+} // namespace
+
+TEST_CASE("a preview comes first, the surface last, and it is the one made from nothing") {
+    Shop shop;
+    SurfaceRequest request;
+    shop.make(request);
+    REQUIRE(shop.shown.size() == 2);
+    CHECK(shop.shown[0].provisional);
+    CHECK_FALSE(shop.shown[1].provisional);
+    CHECK(2 * shop.shown[0].mesh->triangle_count() < shop.shown[1].mesh->triangle_count());
+    CHECK(shop.shown[1].preview == shop.shown[0].mesh);
+    Job job;
+    check_same(*shop.shown[1].mesh, *make_ready(*shop.tree, request, job)->mesh);
+}
+
+TEST_CASE("hiding and showing follows the surface page by page") {
+    Shop shop;
+    SurfaceRequest request;
+    shop.make(request);
+    const auto all = shop.shown.back().mesh;
+    request.hidden = tree::subtree(*shop.tree, 350);
+    std::ranges::sort(request.hidden);
+    shop.make(request);
+    const ReadySurface without = shop.shown.back();
+    CHECK_FALSE(shop.shown.front().provisional); // a small change: no preview in its place
+    CHECK(without.preview);
+    Job job;
+    check_same(*without.mesh, *make_ready(*shop.tree, request, job)->mesh);
+    CHECK(without.mesh->positions([&](int b) { return std::ranges::binary_search(request.hidden, b); }).empty());
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < without.mesh->triangle_pages().size(); ++i)
+        changed += i >= all->triangle_pages().size() || without.mesh->triangle_pages()[i] != all->triangle_pages()[i];
+    CHECK(changed > 0);
+    CHECK(4 * changed < all->triangle_pages().size());
+
+    request.hidden.clear();
+    shop.make(request);
+    check_same(*shop.shown.back().mesh, *all);
+
+    request.hidden.resize(shop.tree->branches.size());
+    for (std::size_t b = 0; b < request.hidden.size(); ++b) request.hidden[b] = static_cast<int>(b);
+    shop.make(request);
+    CHECK(shop.shown.back().mesh->triangle_count() == 0);
+    request.hidden = {3};
+    shop.make(request);
+    check_same(*shop.shown.back().mesh, *make_ready(*shop.tree, request, job)->mesh);
+}
+
+TEST_CASE("a surface that was cancelled leaves nothing wrong behind") {
+    Shop shop;
+    SurfaceRequest request;
+    shop.make(request);
+    request.options.width = 3.0;
+    Job cancelled;
+    cancelled.cancel();
+    CHECK_FALSE(shop.maker.make(request, cancelled, [](const ReadySurface&) {}));
+    request.hidden = {1};
+    shop.make(request);
+    Job job;
+    check_same(*shop.shown.back().mesh, *make_ready(*shop.tree, request, job)->mesh);
+    request.options.method = mesh::Method::kTruncatedCones;
+    shop.make(request);
+    CHECK(shop.shown.back().mesh->positions([](int b) { return b == 1; }).empty());
+}
