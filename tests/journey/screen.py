@@ -101,6 +101,12 @@ def differing(first, second, threshold=8):
     return sum(map(any, zip(apart[0::3], apart[1::3], apart[2::3]))) / (len(first) // 3)
 
 
+def cropped(pixels, width, part):
+    """A part (x, y, width, height) of a picture of this width."""
+    x, y, part_width, part_height = part
+    return b"".join(pixels[3 * (row * width + x):3 * (row * width + x + part_width)] for row in range(y, y + part_height))
+
+
 def project(status, point):
     """Where the status's camera (perspective) shows a point, in pixels of the screen."""
     def minus(a, b): return [p - q for p, q in zip(a, b)]

@@ -4,13 +4,15 @@ the window is the picture that `ramus render` makes of the saved session.
 Usage: window_journey.py PROGRAM
 """
 
+import json
 import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from screen import Failure, Screen, Window, differing, looks_along, missing_tools, picture_pixels, project
+from screen import (Failure, Screen, Window, cropped, differing, looks_along, missing_tools, picture_pixels,
+                    project)
 
 # A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
 TREE = """\
@@ -78,6 +80,7 @@ def explore(program, screen, folder):
         check(status["selection"] == dependents, "a drag on the background turns both ways, and is not a click")
 
         save_and_compare(program, window, folder, status)
+        hide_and_compare(program, window, folder, dependents)
 
         for key, way in (("l", [1, 0, 0]), ("s", [0, 0, -1]), ("r", [-1, 0, 0]), ("i", [0, 0, 1]), ("p", [0, 1, 0]),
                          ("a", [0, -1, 0])):
@@ -127,6 +130,35 @@ def save_and_compare(program, window, folder, status):
     shot = folder / "small tree.png"
     window.wait("the picture file", lambda s: shot.exists())
     check(differing(seen, picture_pixels(shot)) <= 0.001, "F12 saves what the window shows")
+
+
+def hide_and_compare(program, window, folder, branches):
+    """Hidden branches leave a closed surface, in the window as in a picture of the session."""
+    status = window.status()
+    triangles = status["triangles"]
+    x, y, width, height = status["viewport"]
+    before = window.pixels(x, y, width, height)
+    window.xdotool("key", "Delete")
+    status = window.wait("the surface without them", lambda s: s["states"]["hidden"] == branches and s["surface_ready"])
+    check(0 < status["triangles"] < triangles, "hidden branches are gone from the surface")
+    seen = window.pixels(x, y, width, height)
+    session = folder / "without.ramus.json"
+    saved = json.loads((folder / "small tree.ramus.json").read_text())
+    saved["states"] = status["states"]
+    saved["selection"] = status["selection"]
+    session.write_text(json.dumps(saved))
+    picture = folder / "without.png"
+    subprocess.run([program, "render", "--session", session, "--size", f"{width}x{height}", "-o", picture], check=True)
+    share = differing(seen, picture_pixels(picture))
+    check(share <= 0.001, f"and the picture is that of a surface made without them ({100 * share:.4f} % differ)")
+    # Where they began, the others are closed: only left out of the drawing, they would leave a hole there.
+    at_x, at_y = project(status, [0, 0, 0])
+    joint = (at_x - x - 50, at_y - y - 50, 100, 100)
+    share = differing(cropped(seen, width, joint), cropped(picture_pixels(picture), width, joint))
+    check(share <= 0.01, f"and where they began it is closed ({100 * share:.4f} % differ there)")
+    window.xdotool("key", "ctrl+z")
+    status = window.wait("them again", lambda s: s["states"]["hidden"] == [] and s["surface_ready"])
+    check(status["triangles"] == triangles and window.pixels(x, y, width, height) == before, "undo brings them back")
 
 
 def bad_file(program, screen, folder):
