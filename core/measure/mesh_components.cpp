@@ -1,33 +1,40 @@
 #include "core/measure/mesh_components.h"
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace ramus::measure {
 
+void ComponentCounter::add_vertices(std::size_t count) {
+    const std::size_t first = stands_.size();
+    stands_.resize(first + count);
+    for (std::size_t v = first; v < stands_.size(); ++v) stands_[v] = static_cast<std::uint32_t>(v);
+}
+
+std::uint32_t ComponentCounter::find(std::uint32_t vertex) {
+    while (stands_[vertex] != vertex) vertex = stands_[vertex] = stands_[stands_[vertex]];
+    return vertex;
+}
+
+void ComponentCounter::join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    stands_[std::max(a, b)] = std::min(a, b);
+    ++joined_;
+}
+
 int component_count(const mesh::TriangleMesh& mesh) {
-    std::vector<std::uint32_t> stands(mesh.positions.size());
-    std::iota(stands.begin(), stands.end(), 0U);
+    ComponentCounter counter;
+    counter.add_vertices(mesh.positions.size());
     std::vector<bool> used(mesh.positions.size(), false);
-    const auto find = [&](std::uint32_t v) {
-        while (stands[v] != v) v = stands[v] = stands[stands[v]];
-        return v;
-    };
-    int joined = 0;
-    int vertices = 0;
     for (const glm::uvec3& triangle : mesh.triangles) {
-        for (int corner = 0; corner < 3; ++corner) {
-            if (!used[triangle[corner]]) ++vertices;
-            used[triangle[corner]] = true;
-        }
-        for (int corner = 1; corner < 3; ++corner) {
-            const std::uint32_t a = find(triangle[0]);
-            const std::uint32_t b = find(triangle[corner]);
-            if (a == b) continue;
-            stands[b > a ? b : a] = b > a ? a : b;
-            ++joined;
-        }
+        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
+        counter.join(triangle[0], triangle[1]);
+        counter.join(triangle[0], triangle[2]);
     }
-    return vertices - joined;
+    return counter.count() - static_cast<int>(std::ranges::count(used, false));
 }
 
 } // namespace ramus::measure

@@ -1,10 +1,11 @@
 #include "core/mesh/surface.h"
 
+#include "core/base/memory.h"
 #include "core/mesh/cones.h"
-#include "core/mesh/polygonize/polygonize.h"
+#include "core/mesh/polygonize/stopwatch.h"
+#include "core/mesh/polygonize/stream/polygonize_to.h"
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 #include <oneapi/tbb/task_arena.h>
 
@@ -42,16 +43,19 @@ PreparedTree without(PreparedTree prepared, std::span<const std::uint8_t> hidden
     return prepared;
 }
 
+// What the surface may take: the limit is for the process, which has a tree already.
 PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
     PolygonizeOptions chosen;
     chosen.detail = options.detail;
     chosen.cell_mm = options.cell_mm;
+    const double limit = options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : 0.5 * machine_memory();
+    chosen.memory_bytes = std::max(1.0, limit - process_memory());
     return chosen;
 }
 
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                      std::span<const std::uint8_t> hidden) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
         auto mesh = cones(without(prepare_tree(source, options), hidden), options.detail, job);
@@ -64,7 +68,7 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
         surface.mesh = std::move(*mesh);
         surface.statistics.evaluations = statistics.evaluations;
     }
-    surface.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    surface.statistics.seconds = watch.seconds();
     return surface;
 }
 
@@ -89,15 +93,43 @@ field::ConvolutionField make_field(const tree::VesselTree& source, const Surface
     return hidden.empty() ? field : field.without(hidden);
 }
 
-Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                             std::span<const std::uint8_t> hidden) {
+namespace {
+
+// In as many threads as asked for, and with a word instead of an exception when memory ends.
+template <class Work> auto run_with(const SurfaceOptions& options, const Work& work) -> decltype(work()) {
     try {
-        if (options.threads <= 0) return make(source, options, job, hidden);
+        if (options.threads <= 0) return work();
         tbb::task_arena arena(options.threads);
-        return arena.execute([&] { return make(source, options, job, hidden); });
+        return arena.execute(work);
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
     }
+}
+
+} // namespace
+
+Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                             std::span<const std::uint8_t> hidden) {
+    return run_with(options, [&] { return make(source, options, job, hidden); });
+}
+
+bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& options,
+                        std::span<const std::uint8_t> hidden) {
+    if (options.method == Method::kTruncatedCones) return false;
+    const field::ConvolutionField field = make_field(source, options, hidden);
+    return !is_feasible(field, polygonize_options(options), Road::kWhole);
+}
+
+Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
+                                         SurfaceSink& sink, Job& job, std::span<const std::uint8_t> hidden) {
+    return run_with(options, [&]() -> Result<SurfaceStatistics> {
+        const Stopwatch watch;
+        PolygonizeStatistics statistics;
+        const field::ConvolutionField field = make_field(source, options, hidden);
+        if (auto done = polygonize_to(sink, field, polygonize_options(options), job, &statistics); !done)
+            return tl::unexpected(done.error());
+        return SurfaceStatistics{statistics.evaluations, watch.seconds()};
+    });
 }
 
 } // namespace ramus::mesh

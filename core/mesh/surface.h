@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job.h"
-#include "core/mesh/triangle_mesh.h"
+#include "core/mesh/surface_sink.h"
 #include "core/tree/prepared_tree.h"
 
 #include <cstdint>
@@ -19,12 +19,13 @@ enum class Method { kConvolutionSurface, kTruncatedCones };
 
 struct SurfaceOptions {
     Method method = Method::kConvolutionSurface;
-    int smooth_passes = 1;    // binomial passes over points and radii (core/tree/smooth.h)
-    double prune_ratio = 0.0; // leaf branches shorter than ratio x parent go (core/tree/prune.h); 0 keeps all
-    double width = 5.0;       // kernel width; 5 is the paper's, 1 is Bloomenthal's
-    int detail = 16;          // triangles around a vessel
-    double cell_mm = 0.0;     // one cell size everywhere instead of detail; 0 = use detail
-    int threads = 0;          // 0 = all cores
+    int smooth_passes = 1;          // binomial passes over points and radii (core/tree/smooth.h)
+    double prune_ratio = 0.0;       // leaf branches shorter than ratio x parent go (core/tree/prune.h); 0 keeps all
+    double width = 5.0;             // kernel width; 5 is the paper's, 1 is Bloomenthal's
+    int detail = 16;                // triangles around a vessel
+    double cell_mm = 0.0;           // one cell size everywhere instead of detail; 0 = use detail
+    int threads = 0;                // 0 = all cores
+    std::uint64_t memory_bytes = 0; // most that the process shall take; 0 = half of the machine's
     bool operator==(const SurfaceOptions&) const = default;
 };
 
@@ -54,5 +55,14 @@ using tree::PreparedTree;
 // is cancelled (what == "cancelled").
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                            std::span<const std::uint8_t> hidden = {});
+
+// Whether make_surface() would refuse for want of memory what stream_surface() may be able to make.
+[[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& options,
+                                      std::span<const std::uint8_t> hidden = {});
+
+// The same surface in parts, which `sink` takes as they are made. Not of truncated cones.
+[[nodiscard]] Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
+                                                       SurfaceSink& sink, Job& job,
+                                                       std::span<const std::uint8_t> hidden = {});
 
 } // namespace ramus::mesh

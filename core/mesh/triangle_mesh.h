@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace ramus::mesh {
 
@@ -17,5 +18,22 @@ struct TriangleMesh {
     LargeArray<glm::uvec3> triangles;  // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };
+
+// Some or all of a mesh's vertices, wherever they are kept.
+struct VertexSpan {
+    std::span<const glm::vec3> positions, normals;
+    std::span<const float> radii;
+    std::span<const std::int32_t> branches;
+
+    [[nodiscard]] std::size_t size() const { return positions.size(); }
+    [[nodiscard]] VertexSpan subspan(std::size_t first, std::size_t count) const {
+        return {positions.subspan(first, count), normals.subspan(first, count), radii.subspan(first, count),
+                branches.subspan(first, count)};
+    }
+};
+
+[[nodiscard]] inline VertexSpan vertices_of(const TriangleMesh& mesh) {
+    return {mesh.positions, mesh.normals, mesh.radii, mesh.branches};
+}
 
 } // namespace ramus::mesh

@@ -18,10 +18,16 @@
 namespace ramus::mesh {
 
 struct PolygonizeOptions {
-    int detail = 16;            // cells around a vessel
-    double cell_mm = 0.0;       // > 0: one cell size everywhere instead
-    double max_triangles = 0.0; // refuse what is forecast to be more; 0 = what half the machine's memory holds
+    int detail = 16;           // cells around a vessel
+    double cell_mm = 0.0;      // > 0: one cell size everywhere instead
+    double memory_bytes = 0.0; // refuse what is forecast to take more; 0 = half of the machine's
 };
+
+// A mesh as a whole, or part by part (stream/polygonize_to.h).
+enum class Road { kWhole, kStream };
+
+// Whether that road is open, or would be refused. As rough as its forecast of the triangles.
+[[nodiscard]] bool is_feasible(const field::ConvolutionField& field, const PolygonizeOptions& options, Road road);
 
 struct PolygonizeStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point

@@ -1,52 +1,17 @@
 #include "core/mesh/polygonize/polygonizer.h"
 
+#include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
+#include "core/mesh/polygonize/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstring>
 #include <numeric>
-#include <unistd.h>
 #include <utility>
 
 namespace ramus::mesh {
 
 namespace {
-
-// Peak bytes per triangle of all steps together, measured on real trees.
-constexpr double kBytesPerTriangle = 120.0;
-
-double default_triangle_limit() {
-    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-    return 0.5 * memory / kBytesPerTriangle;
-}
-
-class Stopwatch {
-public:
-    // Seconds since the last call, or since it was made.
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-Result<void> check(const field::ConvolutionField& field, const bricks::Sizing& sizing,
-                   const PolygonizeOptions& options) {
-    const double limit = options.max_triangles > 0.0 ? options.max_triangles : default_triangle_limit();
-    const char* remedy = options.cell_mm > 0.0 ? "raise --cell" : "lower --detail, or prune with --prune";
-    if (!(sizing.expected_triangles <= limit))
-        return fail("the surface would have about " + std::to_string(std::llround(sizing.expected_triangles / 1e6)) +
-                        " million triangles, more than memory holds",
-                    {}, remedy);
-    if (bricks::levels_needed(field, sizing) > bricks::kMaximumLevels)
-        return fail("the thinnest vessel is too thin for the tree's extent", {},
-                    "scale or prune the tree, or set --cell");
-    return {};
-}
 
 // Entries of `a` that are not in `b`, and the other way round: absent there, or different.
 void find_changed_segments(const field::ConvolutionField& a, const field::ConvolutionField& b,
@@ -110,7 +75,7 @@ Result<void> Polygonizer::update(field::ConvolutionField field, const Polygonize
     bricks::Sizing sizing = bricks::make_sizing(field, culling.origin, options.detail, options.cell_mm);
     auto state = std::make_unique<State>(State{std::move(field), culling, std::move(sizing), options});
     if (!follows) return make(std::move(state), job);
-    if (auto possible = check(state->field, state->sizing, options); !possible) return possible;
+    if (auto possible = check_feasible(state->field, state->sizing, options, Road::kWhole); !possible) return possible;
     if (!follow(std::move(state), job)) {
         clear();
         return fail("cancelled");
@@ -131,7 +96,8 @@ void Polygonizer::clear() {
 Result<void> Polygonizer::make(std::unique_ptr<State> state, Job& job) {
     clear();
     whole_ = true;
-    if (auto possible = check(state->field, state->sizing, state->options); !possible) return possible;
+    if (auto possible = check_feasible(state->field, state->sizing, state->options, Road::kWhole); !possible)
+        return possible;
     Stopwatch watch;
     octree_ = bricks::build_octree(state->field, state->culling, state->sizing, job);
     std::vector<std::uint32_t> tiles(octree_.tiles.size());
@@ -149,13 +115,14 @@ Result<void> Polygonizer::make(std::unique_ptr<State> state, Job& job) {
         roomy(cells_.cells);
     }
 
-    if (!job.cancelled()) bricks::fill_tiles(state->field, octree_, tiles, cells_, job);
+    if (!job.cancelled()) bricks::fill_tiles(state->field, octree_, tiles, cells_, JobStretch(job, 0.15F, 0.8F));
     count(tiles);
     statistics_.cells_s = watch.lap();
 
     if (!job.cancelled()) {
         slots_.place_vertices(octree_, tiles, cells_, slack_);
-        auto joined = bricks::join_tiles(state->field, octree_, tiles, cells_, slots_.mesh(), job);
+        auto joined = bricks::join_tiles(state->field, octree_, tiles, cells_, vertices_of(slots_.mesh()),
+                                         JobStretch(job, 0.8F, 0.95F));
         if (!job.cancelled()) slots_.place_triangles(tiles, std::move(joined), slack_);
     }
     statistics_.join_s = watch.lap();
@@ -233,7 +200,7 @@ bool Polygonizer::follow(std::unique_ptr<State> state, Job& job) {
         changes.tiles[tile] = 1;
         changes.mark(octree_, octree_.tiles[tile].parent);
     }
-    bricks::fill_tiles(state_->field, octree_, refill, cells_, job);
+    bricks::fill_tiles(state_->field, octree_, refill, cells_, JobStretch(job, 0.15F, 0.8F));
     if (job.cancelled()) return false;
     count(refill);
     statistics_.cells_s = watch.lap();
@@ -243,7 +210,8 @@ bool Polygonizer::follow(std::unique_ptr<State> state, Job& job) {
     std::erase_if(beside, [&](std::uint32_t tile) { return !bricks::reaches_beyond(octree_, cells_, tile, changes); });
     for (const std::uint32_t tile : beside) slots_.remove_triangles(tile);
     const std::vector<std::uint32_t> rejoin = merged(refill, beside);
-    auto joined = bricks::join_tiles(state_->field, octree_, rejoin, cells_, slots_.mesh(), job);
+    auto joined = bricks::join_tiles(state_->field, octree_, rejoin, cells_, vertices_of(slots_.mesh()),
+                                     JobStretch(job, 0.8F, 0.95F));
     if (job.cancelled()) return false;
     slots_.place_triangles(rejoin, std::move(joined), slack_);
     statistics_.join_s = watch.lap();

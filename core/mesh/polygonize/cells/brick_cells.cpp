@@ -132,7 +132,7 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
 }
 
 void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
-                SurfaceCells& surface, Job& job) {
+                SurfaceCells& surface, const JobStretch& job) {
     surface.cells.resize(octree.bricks.size());
     surface.tiles.resize(octree.tiles.size());
     VertexBlocks blocks(surface);
@@ -148,7 +148,7 @@ void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std:
             sampler.fill(tile.first_brick + n, surface.cells[tile.first_brick + n], made);
         blocks.store(sampler.vertices(), made);
         surface.tiles[tiles[t]] = std::move(made);
-        job.report(0.15F + 0.65F * static_cast<float>(++done) / static_cast<float>(tiles.size()));
+        job.report(static_cast<float>(++done) / static_cast<float>(tiles.size()));
     });
 }
 

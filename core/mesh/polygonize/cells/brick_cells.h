@@ -104,7 +104,7 @@ struct SurfaceCells {
 // Samples the bricks of some tiles, finds the loops of their cells and places the vertices on the surface. Needs the
 // tiles' neighbourhoods. Incomplete when cancelled.
 void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
-                SurfaceCells& surface, Job& job);
+                SurfaceCells& surface, const JobStretch& job);
 
 // Whether some polygon of the tile may have vertices in tiles that changed: where the surface crosses the boundary
 // between them.

@@ -1,5 +1,7 @@
 #include "core/mesh/polygonize/join/edge_polygons.h"
 
+#include "core/mesh/polygonize/join/quad_diagonals.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -10,6 +12,11 @@ namespace {
 constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
 } // namespace
+
+void JoinedTile::write_triangles(const VertexSpan& vertices, std::span<glm::uvec3> out) const {
+    cut_quads(vertices, quads, out);
+    std::ranges::copy(triangles, out.begin() + static_cast<std::ptrdiff_t>(2 * quads.size()));
+}
 
 void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedTile& out) const {
     const int u = (axis + 1) % 3;
@@ -180,7 +187,7 @@ void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, Jo
     field::gather_segments(field_, octree_.segments_of(brick), axes, local);
     field::Projection projection;
     glm::vec3 sum(0.0F);
-    for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(mesh_.positions[v]) - axes.corner());
+    for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - axes.corner());
     glm::vec3 middle = glm::vec3(point) * cell;
     middle[axis] += 0.5F * cell;
     projection.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);

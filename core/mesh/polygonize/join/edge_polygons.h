@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
+#include "core/mesh/surface_sink.h"
 
 #include <glm/vec4.hpp>
 #include <span>
@@ -12,19 +13,23 @@
 namespace ramus::mesh::bricks {
 
 // Marks indices of vertices that joining itself adds; they are numbered within the tile until all tiles are done.
-inline constexpr std::uint32_t kAddedBit = 0x80000000U;
+inline constexpr std::uint32_t kAddedBit = TrianglePart::kAddedBit;
 
 struct JoinedTile {
     std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
     std::vector<glm::uvec3> triangles;
     SurfaceVertices added;
+
+    [[nodiscard]] std::size_t triangle_count() const { return 2 * quads.size() + triangles.size(); }
+    // Writes them all, first those of the quads. `vertices`: those joined.
+    void write_triangles(const VertexSpan& vertices, std::span<glm::uvec3> out) const;
 };
 
 class EdgePolygons {
 public:
     EdgePolygons(const field::ConvolutionField& field, const Octree& octree, const SurfaceCells& surface,
-                 const TriangleMesh& mesh)
-        : field_(field), octree_(octree), surface_(surface), mesh_(mesh) {}
+                 const VertexSpan& vertices)
+        : field_(field), octree_(octree), surface_(surface), vertices_(vertices) {}
 
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
@@ -53,7 +58,7 @@ private:
     const field::ConvolutionField& field_;
     const Octree& octree_;
     const SurfaceCells& surface_;
-    const TriangleMesh& mesh_;
+    VertexSpan vertices_;
 };
 
 } // namespace ramus::mesh::bricks

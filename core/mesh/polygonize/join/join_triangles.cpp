@@ -13,8 +13,8 @@ namespace {
 class BrickJoiner {
 public:
     BrickJoiner(const field::ConvolutionField& field, const Octree& octree, const SurfaceCells& surface,
-                const TriangleMesh& mesh)
-        : surface_(surface), general_(field, octree, surface, mesh) {}
+                const VertexSpan& vertices)
+        : surface_(surface), general_(field, octree, surface, vertices) {}
 
     void join(std::uint32_t index, JoinedTile& out) {
         const BrickCells& cells = surface_.cells[index];
@@ -140,18 +140,18 @@ private:
 
 std::vector<JoinedTile> join_tiles(const field::ConvolutionField& field, const Octree& octree,
                                    std::span<const std::uint32_t> tiles, const SurfaceCells& surface,
-                                   const TriangleMesh& mesh, Job& job) {
+                                   const VertexSpan& vertices, const JobStretch& job) {
     std::vector<JoinedTile> joined(tiles.size());
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
-        BrickJoiner joiner(field, octree, surface, mesh);
+        BrickJoiner joiner(field, octree, surface, vertices);
         const Tile& tile = octree.tiles[tiles[t]];
         // Euler: about as many quads as vertices.
         joined[t].quads.reserve(surface.tiles[tiles[t]].vertex_count * 9 / 8 + 64);
         for (std::uint32_t b = tile.first_brick; b < tile.first_brick + tile.brick_count; ++b)
             joiner.join(b, joined[t]);
-        job.report(0.8F + 0.15F * static_cast<float>(++done) / static_cast<float>(joined.size()));
+        job.report(static_cast<float>(++done) / static_cast<float>(joined.size()));
     });
     return joined;
 }

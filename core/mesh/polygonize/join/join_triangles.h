@@ -10,10 +10,10 @@
 
 namespace ramus::mesh::bricks {
 
-// The polygons of some tiles, in their order, by vertices of `mesh`, in which all vertices of these tiles and of those
-// beside them have their place. Incomplete when cancelled.
+// The polygons of some tiles, in their order, by their places in `vertices`, which all vertices of these tiles and of
+// those beside them have. Incomplete when cancelled.
 [[nodiscard]] std::vector<JoinedTile> join_tiles(const field::ConvolutionField& field, const Octree& octree,
                                                  std::span<const std::uint32_t> tiles, const SurfaceCells& surface,
-                                                 const TriangleMesh& mesh, Job& job);
+                                                 const VertexSpan& vertices, const JobStretch& job);
 
 } // namespace ramus::mesh::bricks

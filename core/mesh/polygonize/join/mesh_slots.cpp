@@ -1,6 +1,5 @@
 #include "core/mesh/polygonize/join/mesh_slots.h"
 
-#include "core/mesh/polygonize/join/quad_diagonals.h"
 #include "core/mesh/resize_vertices.h"
 
 #include <algorithm>
@@ -87,7 +86,7 @@ void MeshSlots::place_vertices(const Octree& octree, std::span<const std::uint32
 void MeshSlots::place_triangles(std::span<const std::uint32_t> tiles, std::vector<JoinedTile> joined, double slack) {
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         TileSlots& slots = slots_[tiles[t]];
-        slots.triangles = triangle_space_.take(2 * joined[t].quads.size() + joined[t].triangles.size());
+        slots.triangles = triangle_space_.take(joined[t].triangle_count());
         slots.added = vertex_space_.take(joined[t].added.count);
         if (slots.triangles.count > 0) edit_.triangles.push_back(slots.triangles);
         if (slots.added.count > 0) edit_.vertices.push_back(slots.added);
@@ -98,14 +97,11 @@ void MeshSlots::place_triangles(std::span<const std::uint32_t> tiles, std::vecto
         const TileSlots& slots = slots_[tiles[t]];
         copy_vertices(joined[t].added, 0, slots.added.first, joined[t].added.count, mesh_);
         const auto out = std::span(mesh_.triangles).subspan(slots.triangles.first, slots.triangles.count);
-        cut_quads(mesh_, joined[t].quads, out);
-        std::size_t n = 2 * joined[t].quads.size();
-        for (glm::uvec3 triangle : joined[t].triangles) {
+        joined[t].write_triangles(vertices_of(mesh_), out);
+        for (glm::uvec3& triangle : out.subspan(2 * joined[t].quads.size()))
             for (int i = 0; i < 3; ++i)
                 if ((triangle[i] & kAddedBit) != 0)
                     triangle[i] = static_cast<std::uint32_t>(slots.added.first) + (triangle[i] & ~kAddedBit);
-            out[n++] = triangle;
-        }
         joined[t] = {};
     });
 }

@@ -71,13 +71,13 @@ HWY_INLINE M prefers_first(D d, const Vector3 (&p)[4], const Vector3 (&n)[4]) {
     return hn::Or(hn::And(fair, closer02), hn::AndNot(fair, better02));
 }
 
-void CutQuads(const TriangleMesh& mesh, const glm::uvec4* quads, std::size_t count, glm::uvec3* triangles) {
+void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t count, glm::uvec3* triangles) {
     const D d;
     const DI di;
     const DU du;
     const std::size_t lanes = hn::Lanes(d);
-    const glm::vec3* positions = mesh.positions.data();
-    const glm::vec3* normals = mesh.normals.data();
+    const glm::vec3* positions = vertices.positions.data();
+    const glm::vec3* normals = vertices.normals.data();
     HWY_ALIGN std::uint32_t buffer[6 * HWY_MAX_BYTES / 4];
     for (std::size_t q = 0; q < count; q += lanes) {
         const std::size_t valid = std::min(lanes, count - q);
@@ -124,10 +124,10 @@ namespace ramus::mesh::bricks {
 
 HWY_EXPORT(CutQuads);
 
-void cut_quads(const TriangleMesh& mesh, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles) {
+void cut_quads(const VertexSpan& vertices, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles) {
     static_assert(sizeof(glm::uvec4) == 16 && sizeof(glm::uvec3) == 12 && sizeof(glm::vec3) == 12);
     if (quads.empty()) return;
-    HWY_DYNAMIC_DISPATCH(CutQuads)(mesh, quads.data(), quads.size(), triangles.data());
+    HWY_DYNAMIC_DISPATCH(CutQuads)(vertices, quads.data(), quads.size(), triangles.data());
 }
 
 } // namespace ramus::mesh::bricks

@@ -8,7 +8,7 @@
 
 namespace ramus::mesh::bricks {
 
-// Writes two triangles for each quad (vertices of `mesh`, counter-clockwise) to `triangles`.
-void cut_quads(const TriangleMesh& mesh, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles);
+// Writes two triangles for each quad (of `vertices`, counter-clockwise) to `triangles`.
+void cut_quads(const VertexSpan& vertices, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles);
 
 } // namespace ramus::mesh::bricks

@@ -177,4 +177,18 @@ std::vector<std::uint32_t> tiles_beside(const Octree& octree, const OctreeChange
     return beside;
 }
 
+std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_tiles(const Octree& octree) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    const auto everywhere = [](const Surroundings&) { return true; };
+    // The smaller of two sees the larger one; of two of the same size the first notes it.
+    const auto visit = [&](std::uint32_t tile, const Surroundings& around) {
+        for (const std::uint32_t owner : around.owners) {
+            if (owner == UpperNode::kNothing || !UpperNode::is_tile(owner) || owner == tile) continue;
+            if (octree.tiles[owner].level > octree.tiles[tile].level || tile < owner) pairs.emplace_back(tile, owner);
+        }
+    };
+    UpperWalk(octree, nullptr, everywhere, visit).walk();
+    return pairs;
+}
+
 } // namespace ramus::mesh::bricks

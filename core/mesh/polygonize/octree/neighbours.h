@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ramus::mesh::bricks {
@@ -35,6 +36,9 @@ struct Neighbourhood {
 // Fills in `found`, by brick, for the bricks of some tiles. A walk down the octree: the places around a child are
 // children of the places around its parent.
 void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, LargeArray<Neighbourhood>& found);
+
+// Pairs of tiles that touch each other, in no order; a pair may come twice.
+[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_tiles(const Octree& octree);
 
 // What an update of the octree changed.
 struct OctreeChanges {

@@ -1,0 +1,20 @@
+#include "core/base/memory.h"
+
+#include <fstream>
+#include <unistd.h>
+
+namespace ramus {
+
+double machine_memory() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+double process_memory() {
+    std::ifstream statm("/proc/self/statm");
+    double total = 0.0;
+    double resident = 0.0;
+    if (!(statm >> total >> resident)) return 0.0;
+    return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+} // namespace ramus

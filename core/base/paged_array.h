@@ -1,0 +1,53 @@
+// PagedArray: plain values in pages of their own, for arrays that grow at the end while what lies behind is done with.
+// Growing moves no value, giving values up frees their pages, and what has not been written takes no memory.
+#pragma once
+
+#include "core/base/large_array.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace ramus {
+
+// Whole pages among these bytes go back to the system; what was in them is lost. They may be written again.
+void empty_pages(void* memory, std::size_t bytes);
+// Pages from take_pages() as part of a longer stretch, elsewhere maybe; throws std::bad_alloc.
+[[nodiscard]] void* stretch_pages(void* memory, std::size_t bytes, std::size_t more_bytes);
+
+template <class T> class PagedArray {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+public:
+    PagedArray() = default;
+    PagedArray(const PagedArray&) = delete;
+    PagedArray& operator=(const PagedArray&) = delete;
+    ~PagedArray() {
+        if (memory_ != nullptr) give_pages_back(memory_, room_ * sizeof(T));
+    }
+
+    // New values are unset. Addresses change.
+    void resize(std::size_t count) {
+        if (count > room_) {
+            constexpr std::size_t kFirst = std::size_t{1} << 20;
+            const std::size_t room = std::max({count, 2 * room_, kFirst});
+            void* memory = memory_ == nullptr ? take_pages(room * sizeof(T))
+                                              : stretch_pages(memory_, room_ * sizeof(T), room * sizeof(T));
+            memory_ = static_cast<T*>(memory);
+            room_ = room;
+        }
+        size_ = count;
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] T* data() { return memory_; }
+    [[nodiscard]] std::span<const T> values() const { return {memory_, size_}; }
+    [[nodiscard]] T& operator[](std::size_t n) { return memory_[n]; }
+
+private:
+    T* memory_ = nullptr;
+    std::size_t size_ = 0, room_ = 0;
+};
+
+} // namespace ramus

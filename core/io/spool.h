@@ -1,0 +1,53 @@
+// Spool: bytes put aside on the disk until they are wanted again, in a file without a name, so that nothing is left of
+// it whatever happens. Written at its end, read anywhere. The first failure is kept and told by check(); one thread at
+// a time.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace ramus::io {
+
+class Spool {
+public:
+    // On the disk that `target`, which all this is for and which messages name, will be written to.
+    [[nodiscard]] static Result<Spool> create(const std::filesystem::path& target);
+    Spool(Spool&& other) noexcept;
+    Spool(const Spool&) = delete;
+    Spool& operator=(const Spool&) = delete;
+    ~Spool();
+
+    void write(const void* bytes, std::size_t count) {
+        if (count > kBufferSize - used_) return write_through(bytes, count);
+        std::memcpy(buffer_.get() + used_, bytes, count);
+        used_ += count;
+    }
+    [[nodiscard]] std::uint64_t size() const { return flushed_ + used_; }
+    // `count` bytes from `offset` on, all of which have been written. Unset after a failure.
+    void read(std::uint64_t offset, void* bytes, std::size_t count);
+
+    [[nodiscard]] bool failed() const { return error_ != 0; }
+    [[nodiscard]] Result<void> check() const;
+
+private:
+    static constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+
+    Spool(std::filesystem::path target, int descriptor);
+    void write_through(const void* bytes, std::size_t count);
+    void flush(const std::byte* bytes, std::size_t count);
+
+    std::filesystem::path target_;
+    int descriptor_ = -1;
+    int error_ = 0; // the first errno
+    std::unique_ptr<std::byte[]> buffer_;
+    std::size_t used_ = 0;
+    std::uint64_t flushed_ = 0;
+};
+
+} // namespace ramus::io

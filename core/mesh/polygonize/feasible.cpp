@@ -1,0 +1,53 @@
+#include "core/mesh/polygonize/feasible.h"
+
+#include "core/base/memory.h"
+#include "core/mesh/polygonize/octree/octree.h"
+
+#include <cmath>
+#include <string>
+
+namespace ramus::mesh {
+
+namespace {
+
+// Bytes at the peak, to begin with and for every triangle that is forecast, of which there are up to twice as many in
+// the end: above all that was measured on grown and on real trees.
+struct Needs {
+    double first, per_triangle;
+};
+constexpr Needs kWhole{0.0, 120.0};
+constexpr Needs kStream{64e6, 16.0};
+
+double memory_for(const bricks::Sizing& sizing, Road road) {
+    const Needs& needs = road == Road::kWhole ? kWhole : kStream;
+    return needs.first + needs.per_triangle * sizing.expected_triangles;
+}
+
+std::string megabytes(double bytes) { return std::to_string(std::llround(bytes / 1e6)) + " MB"; }
+
+} // namespace
+
+Result<void> check_feasible(const field::ConvolutionField& field, const bricks::Sizing& sizing,
+                            const PolygonizeOptions& options, Road road) {
+    const double limit = options.memory_bytes > 0.0 ? options.memory_bytes : 0.5 * machine_memory();
+    const double needed = memory_for(sizing, road);
+    if (!(needed <= limit)) {
+        const char* remedy = options.cell_mm > 0.0 ? "raise --cell or --memory"
+                                                   : "lower --detail, prune with --prune, or raise --memory";
+        return fail("the surface would have about " + std::to_string(std::llround(sizing.expected_triangles / 1e6)) +
+                        " million triangles or more and may take " + megabytes(needed) + " of memory; " +
+                        megabytes(limit) + " are left to it",
+                    {}, remedy);
+    }
+    if (bricks::levels_needed(field, sizing) > bricks::kMaximumLevels)
+        return fail("the thinnest vessel is too thin for the tree's extent", {},
+                    "scale or prune the tree, or set --cell");
+    return {};
+}
+
+bool is_feasible(const field::ConvolutionField& field, const PolygonizeOptions& options, Road road) {
+    const bricks::Sizing sizing = bricks::make_sizing(field, glm::dvec3(0.0), options.detail, options.cell_mm);
+    return check_feasible(field, sizing, options, road).has_value();
+}
+
+} // namespace ramus::mesh

@@ -1,0 +1,14 @@
+// Whether a surface can be made at all, told before anything is.
+#pragma once
+
+#include "core/mesh/polygonize/octree/sizing.h"
+#include "core/mesh/polygonize/polygonize.h"
+
+namespace ramus::mesh {
+
+// Fails when the surface, made that way, is forecast to take more memory than the options allow, or has cells finer
+// than the lattice counts.
+[[nodiscard]] Result<void> check_feasible(const field::ConvolutionField& field, const bricks::Sizing& sizing,
+                                          const PolygonizeOptions& options, Road road);
+
+} // namespace ramus::mesh

@@ -1,0 +1,202 @@
+// A surface that is streamed is the one that is made as a whole: part by part, and as a file byte by byte.
+#include "core/io/surface_file.h"
+#include "core/mesh/polygonize/octree/neighbours.h"
+#include "core/mesh/polygonize/stream/polygonize_to.h"
+#include "core/mesh/polygonize/stream/tile_schedule.h"
+#include "core/mesh/surface.h"
+#include "tests/support/grown_tree.h"
+#include "tests/support/temporary_folder.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <numeric>
+
+using namespace ramus;
+
+namespace {
+
+// The mesh that the parts make up.
+class Collector final : public mesh::SurfaceSink {
+public:
+    explicit Collector(std::size_t most_parts = SIZE_MAX) : most_parts_(most_parts) {}
+
+    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& vertices) override {
+        append(vertices);
+        return true;
+    }
+    [[nodiscard]] bool add_triangles(const mesh::TrianglePart& part) override {
+        if (parts_.size() <= part.part) parts_.resize(part.part + 1);
+        Part& own = parts_[part.part];
+        REQUIRE(own.triangles.empty());
+        own.triangles.assign(part.triangles.begin(), part.triangles.end());
+        for (std::size_t v = 0; v < part.added.size(); ++v) own.added.push_back(part.added.positions[v]);
+        for (const glm::uvec3& triangle : part.triangles)
+            for (int corner = 0; corner < 3; ++corner)
+                if ((triangle[corner] & mesh::TrianglePart::kAddedBit) == 0 &&
+                    part.position(triangle[corner]) != mesh_.positions[triangle[corner]])
+                    ++lost_;
+        return ++taken_ < most_parts_;
+    }
+    // Positions and triangles alone.
+    [[nodiscard]] mesh::TriangleMesh mesh() const {
+        mesh::TriangleMesh mesh;
+        mesh.positions = mesh_.positions;
+        for (const Part& part : parts_) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.insert(mesh.positions.end(), part.added.begin(), part.added.end());
+            for (glm::uvec3 triangle : part.triangles) {
+                for (int corner = 0; corner < 3; ++corner)
+                    if ((triangle[corner] & mesh::TrianglePart::kAddedBit) != 0)
+                        triangle[corner] = first + (triangle[corner] & ~mesh::TrianglePart::kAddedBit);
+                mesh.triangles.push_back(triangle);
+            }
+        }
+        return mesh;
+    }
+    // Corners whose vertex was let go before its triangle came.
+    [[nodiscard]] std::size_t lost() const { return lost_; }
+    [[nodiscard]] std::size_t added() const {
+        return std::accumulate(parts_.begin(), parts_.end(), std::size_t{0},
+                               [](std::size_t sum, const Part& part) { return sum + part.added.size(); });
+    }
+
+private:
+    struct Part {
+        std::vector<glm::uvec3> triangles;
+        std::vector<glm::vec3> added;
+    };
+    void append(const mesh::VertexSpan& vertices) {
+        mesh_.positions.insert(mesh_.positions.end(), vertices.positions.begin(), vertices.positions.end());
+    }
+
+    std::size_t most_parts_, taken_ = 0, lost_ = 0;
+    mesh::TriangleMesh mesh_;
+    std::vector<Part> parts_;
+};
+
+tree::VesselTree grown(int branches) {
+    auto tree = test::grown_tree(branches);
+    REQUIRE(tree);
+    return std::move(*tree);
+}
+
+} // namespace
+
+TEST_CASE("a tile is joined after all that it touches are filled, and let go after they are joined") {
+    const field::ConvolutionField field = mesh::make_field(grown(150), {}, {});
+    const field::CullingSegments culling(field);
+    const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, culling.origin, 16, 0.0);
+    Job job;
+    const mesh::bricks::Octree octree = mesh::bricks::build_octree(field, culling, sizing, job);
+    const auto batches = mesh::bricks::schedule_tiles(octree, 256);
+    REQUIRE(batches.size() > 8);
+
+    constexpr std::size_t kNever = SIZE_MAX;
+    std::vector<std::size_t> filled(octree.tiles.size(), kNever), joined(filled), dropped(filled);
+    std::size_t most_at_work = 0;
+    std::size_t at_work = 0;
+    std::uint32_t next = 0;
+    for (std::size_t b = 0; b < batches.size(); ++b) {
+        for (const std::uint32_t tile : batches[b].fill) {
+            CHECK(tile == next++);
+            filled[tile] = b;
+        }
+        for (const std::uint32_t tile : batches[b].join) {
+            CHECK(joined[tile] == kNever);
+            joined[tile] = b;
+        }
+        for (const std::uint32_t tile : batches[b].drop) {
+            CHECK(dropped[tile] == kNever);
+            dropped[tile] = b;
+        }
+        at_work += batches[b].fill.size();
+        most_at_work = std::max(most_at_work, at_work);
+        at_work -= batches[b].drop.size();
+    }
+    CHECK(next == octree.tiles.size());
+    CHECK(at_work == 0);
+    CHECK(most_at_work < octree.tiles.size() / 2);
+
+    // By the neighbourhoods that joining goes by, not by the pairs that the schedule does.
+    std::vector<std::uint32_t> all(octree.tiles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    LargeArray<mesh::bricks::Neighbourhood> around;
+    mesh::bricks::find_neighbours(octree, all, around);
+    for (std::uint32_t b = 0; b < octree.bricks.size(); ++b) {
+        const std::uint32_t tile = octree.bricks[b].tile;
+        for (int d = 0; d < mesh::bricks::kDirections; ++d) {
+            const auto kind = around[b].kind(d);
+            if (kind != mesh::bricks::Neighbour::kSame && kind != mesh::bricks::Neighbour::kCoarser) continue;
+            const std::uint32_t other = octree.bricks[around[b].brick[static_cast<std::size_t>(d)]].tile;
+            CHECK(filled[other] <= joined[tile]);
+            CHECK(filled[tile] <= joined[other]);
+            CHECK(joined[other] <= dropped[tile]);
+            CHECK(joined[tile] <= dropped[other]);
+        }
+    }
+}
+
+TEST_CASE("the parts of a streamed surface are the whole surface") {
+    const tree::VesselTree tree = grown(400);
+    const field::ConvolutionField field = mesh::make_field(tree, {}, {});
+    for (const double cell : {0.0, 0.4}) {
+        mesh::PolygonizeOptions options;
+        options.cell_mm = cell;
+        Job job;
+        mesh::PolygonizeStatistics of_whole, of_stream;
+        const auto whole = mesh::polygonize(field, options, job, &of_whole);
+        REQUIRE(whole);
+        Collector collector;
+        REQUIRE(mesh::polygonize_to(collector, field, options, job, &of_stream));
+        const mesh::TriangleMesh collected = collector.mesh();
+        CHECK(collected.positions == whole->positions);
+        CHECK(collected.triangles == whole->triangles);
+        CHECK(of_stream.evaluations == of_whole.evaluations);
+        CHECK(collector.lost() == 0);
+        CHECK(collector.added() > 0); // or this tree tries less than it should
+    }
+}
+
+TEST_CASE("a streamed file has the bytes of one that is written as a whole") {
+    const tree::VesselTree tree = grown(151);
+    std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
+    hidden[5] = hidden[60] = 1;
+    TemporaryFolder folder;
+    Job job;
+    const auto whole = mesh::make_surface(tree, {}, job, hidden);
+    REQUIRE(whole);
+    for (const std::string extension : {".ply", ".stl", ".obj"}) {
+        REQUIRE(io::write_mesh(whole->mesh, folder.path() / ("whole" + extension)));
+        auto file = io::SurfaceFile::create(folder.path() / ("streamed" + extension));
+        REQUIRE(file);
+        REQUIRE(mesh::stream_surface(tree, {}, **file, job, hidden));
+        CHECK((*file)->vertex_count() == whole->mesh.positions.size());
+        CHECK((*file)->triangle_count() == whole->mesh.triangles.size());
+        REQUIRE((*file)->commit());
+        CHECK(folder.text("whole" + extension) == folder.text("streamed" + extension));
+    }
+    CHECK(folder.names().size() == 6);
+}
+
+TEST_CASE("a stream ends when its sink is full, when it is cancelled, and when even it needs too much") {
+    const tree::VesselTree tree = grown(151);
+    Job job;
+    Collector small(3);
+    const auto full = mesh::stream_surface(tree, {}, small, job);
+    REQUIRE(!full);
+    CHECK(full.error().what.find("taken") != std::string::npos);
+
+    mesh::SurfaceOptions options;
+    options.memory_bytes = 1;
+    CHECK(mesh::asks_for_streaming(tree, options));
+    CHECK(!mesh::asks_for_streaming(tree, {}));
+    Collector any;
+    const auto refused = mesh::stream_surface(tree, options, any, job);
+    REQUIRE(!refused);
+    CHECK(refused.error().hint.find("--memory") != std::string::npos);
+
+    job.cancel();
+    const auto cancelled = mesh::stream_surface(tree, {}, any, job);
+    REQUIRE(!cancelled);
+    CHECK(cancelled.error().what == "cancelled");
+}
