@@ -1,14 +1,12 @@
 #include "app/commands/mesh.h"
 
-#include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
-#include "app/commands/progress_bar.h"
 #include "app/commands/surface_flags.h"
+#include "app/commands/write_surface.h"
 #include "app/numbers.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/output_file.h"
-#include "core/measure/mesh_components.h"
 
 #include <chrono>
 #include <iostream>
@@ -35,7 +33,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (auto format = io::mesh_format(flags.output); !format) return tl::unexpected(format.error());
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
 
-    auto start = std::chrono::steady_clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const auto opened = open_session(flags.file, flags.session, flags.surface);
     if (!opened) return tl::unexpected(opened.error());
     std::vector<std::uint8_t> hidden(opened->tree->branches.size(), 0);
@@ -43,39 +41,25 @@ Result<int> run_mesh(const MeshFlags& flags) {
         hidden[static_cast<std::size_t>(branch)] = 1;
     const double load_s = seconds_since(start);
 
-    start = std::chrono::steady_clock::now();
-    Job job;
-    auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        return mesh::make_surface(*opened->tree, opened->session.marks.options, job, hidden);
-    }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!surface) return tl::unexpected(surface.error());
-    const double mesh_s = seconds_since(start);
-    const mesh::TriangleMesh& mesh = surface->mesh;
-    say(flags.surface, counted(surface->statistics.evaluations, "evaluation", "evaluations") + " of the field in " +
-                           rounded(mesh_s) + " s");
-
-    start = std::chrono::steady_clock::now();
-    if (auto written = io::write_mesh(mesh, flags.output); !written) return tl::unexpected(written.error());
-    const double write_s = seconds_since(start);
-    const int components = measure::component_count(mesh);
+    const auto written = write_surface(*opened->tree, opened->session.marks.options, hidden, flags.output);
+    if (!written) return tl::unexpected(written.error());
+    say(flags.surface, counted(written->evaluations, "evaluation", "evaluations") + " of the field in " +
+                           rounded(written->mesh_s) + " s" + (written->streamed ? ", streamed to the disk" : ""));
 
     if (flags.json) {
-        const nlohmann::ordered_json report = {{"vertices", mesh.positions.size()},
-                                               {"triangles", mesh.triangles.size()},
-                                               {"components", components},
-                                               {"evaluations", surface->statistics.evaluations},
+        const nlohmann::ordered_json report = {{"vertices", written->vertices},
+                                               {"triangles", written->triangles},
+                                               {"components", written->components},
+                                               {"evaluations", written->evaluations},
                                                {"load_s", load_s},
-                                               {"mesh_s", mesh_s},
-                                               {"write_s", write_s}};
+                                               {"mesh_s", written->mesh_s},
+                                               {"write_s", written->write_s}};
         std::cout << report.dump(2) << '\n';
     } else {
-        std::cout << flags.output << ": " << counted(mesh.triangles.size(), "triangle", "triangles") << ", "
-                  << counted(mesh.positions.size(), "vertex", "vertices") << ", "
-                  << counted(static_cast<std::uint64_t>(components), "component", "components") << " in "
-                  << rounded(load_s + mesh_s + write_s) << " s\n";
+        std::cout << flags.output << ": " << counted(written->triangles, "triangle", "triangles") << ", "
+                  << counted(written->vertices, "vertex", "vertices") << ", "
+                  << counted(static_cast<std::uint64_t>(written->components), "component", "components") << " in "
+                  << rounded(load_s + written->mesh_s + written->write_s) << " s\n";
     }
     return kDone;
 }

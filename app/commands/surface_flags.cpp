@@ -70,6 +70,7 @@ mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
     if (given("--detail")) session.detail = surface.detail, session.cell_mm = 0.0;
     if (given("--cell")) session.cell_mm = surface.cell_mm;
     session.threads = surface.threads; // the machine's business, not the session's
+    session.memory_bytes = surface.memory_bytes;
     return session;
 }
 
@@ -100,6 +101,12 @@ void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
     command.add_option("--threads", surface.threads, "Threads to work with (default 0: one for each core)")
         ->type_name("N")
         ->check(number_between(0, 1024, "a whole number from 0 to 1024"));
+    command
+        .add_option("--memory", surface.memory_bytes,
+                    "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
+                    "surfaces to the disk")
+        ->type_name("SIZE")
+        ->transform(CLI::AsSizeValue(false));
     add_reading_flags(command, flags);
 }
 

@@ -1,0 +1,94 @@
+#include "app/commands/write_surface.h"
+
+#include "app/commands/interrupt.h"
+#include "app/commands/progress_bar.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/surface_file.h"
+#include "core/measure/mesh_components.h"
+
+#include <chrono>
+
+namespace ramus::app {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+tl::unexpected<Error> cancelled() { return fail("cancelled; nothing was written"); }
+
+// Counts the pieces of what passes through to the file.
+class CountingSink final : public mesh::SurfaceSink {
+public:
+    explicit CountingSink(io::SurfaceFile& file) : file_(file) {}
+
+    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& vertices) override {
+        components_.add_vertices(vertices.size());
+        return file_.add_vertices(vertices);
+    }
+    [[nodiscard]] bool add_triangles(const mesh::TrianglePart& part) override {
+        // Vertices that a part adds lie in the middle of others, which are joined without them.
+        const auto join = [&](std::uint32_t a, std::uint32_t b) {
+            if (((a | b) & mesh::TrianglePart::kAddedBit) == 0) components_.join(a, b);
+        };
+        for (const glm::uvec3& t : part.triangles) join(t.x, t.y), join(t.y, t.z), join(t.z, t.x);
+        return file_.add_triangles(part);
+    }
+    [[nodiscard]] int components() const { return components_.count(); }
+
+private:
+    io::SurfaceFile& file_;
+    measure::ComponentCounter components_;
+};
+
+Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
+                                      std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
+    auto start = std::chrono::steady_clock::now();
+    auto file = io::SurfaceFile::create(output);
+    if (!file) return tl::unexpected(file.error());
+    CountingSink sink(**file);
+    Job job;
+    const auto streamed = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        return mesh::stream_surface(tree, options, sink, job, hidden);
+    }();
+    if (job.cancelled()) return cancelled();
+    if (auto taken = (*file)->check(); !taken) return tl::unexpected(taken.error());
+    if (!streamed) return tl::unexpected(streamed.error());
+    WrittenSurface written{(*file)->vertex_count(), (*file)->triangle_count(), streamed->evaluations};
+    written.components = sink.components();
+    written.streamed = true;
+    written.mesh_s = seconds_since(start);
+    start = std::chrono::steady_clock::now();
+    if (auto committed = (*file)->commit(); !committed) return tl::unexpected(committed.error());
+    written.write_s = seconds_since(start);
+    return written;
+}
+
+} // namespace
+
+Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
+                                     std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
+    if (mesh::asks_for_streaming(tree, options, hidden)) return write_streamed(tree, options, hidden, output);
+    auto start = std::chrono::steady_clock::now();
+    Job job;
+    const auto surface = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        return mesh::make_surface(tree, options, job, hidden);
+    }();
+    if (job.cancelled()) return cancelled();
+    if (!surface) return tl::unexpected(surface.error());
+    WrittenSurface written{surface->mesh.positions.size(), surface->mesh.triangles.size(),
+                           surface->statistics.evaluations};
+    written.mesh_s = seconds_since(start);
+    start = std::chrono::steady_clock::now();
+    if (auto saved = io::write_mesh(surface->mesh, output); !saved) return tl::unexpected(saved.error());
+    written.write_s = seconds_since(start);
+    written.components = measure::component_count(surface->mesh);
+    return written;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,53 @@
+"""Surfaces larger than the memory they may take."""
+
+import filecmp
+import json
+import os
+import subprocess
+import unittest
+
+from ramus import RAMUS, TUBE, CommandLineTest
+
+
+class Streaming(CommandLineTest):
+    COMMAND = ["mesh", "tube.swc", "--detail", "400", "--memory", "256M", "-o"]
+
+    def setUp(self):
+        super().setUp()
+        self.write("tube.swc", TUBE)
+
+    def test_streaming_keeps_to_its_memory_and_gives_the_same_file(self):
+        # What a process had at its peak counts what its parent had when it began: this one stays small.
+        with subprocess.Popen([RAMUS, *self.COMMAND, "streamed.ply", "--json", "--verbose"], cwd=self.folder,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            report = json.loads(process.stdout.read())
+            said = process.stderr.read()
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn("streamed", said)
+        self.assertEqual(report["components"], 1)
+        self.assertLess(usage.ru_maxrss * 1024, 256 << 20)
+        whole = json.loads(self.expect_done("mesh", "tube.swc", "--detail", "400", "-o", "whole.ply", "--json").stdout)
+        self.assertEqual((whole["triangles"], whole["components"]), (report["triangles"], report["components"]))
+        # Less than the mesh alone: 32 bytes a vertex, 12 a triangle.
+        self.assertLess(usage.ru_maxrss * 1024, 28 * whole["triangles"])
+        self.assertTrue(filecmp.cmp(self.folder / "streamed.ply", self.folder / "whole.ply", shallow=False))
+
+    def test_streaming_to_a_full_disk(self):
+        for output in ("out.ply", "out.stl"):
+            with self.subTest(output):
+                before = self.write(output, "what was there before")
+                self.expect_failure(*self.COMMAND, output, largest_file=1 << 20, says=[output, "ulimit -f"])
+                self.assertEqual(before.read_text(), "what was there before")
+                self.assertEqual(self.names(), sorted(["tube.swc", output]))
+                before.unlink()
+
+    def test_too_little_memory_even_for_streaming(self):
+        self.expect_failure("mesh", "tube.swc", "--detail", "400", "--memory", "64M", "-o", "out.ply",
+                            says=["million triangles", "MB", "--memory", "--detail"])
+        self.assertEqual(self.names(), ["tube.swc"])
+
+
+if __name__ == "__main__":
+    unittest.main()
