@@ -2,21 +2,47 @@
 
 #include <GL/osmesa.h>
 #include <array>
+#include <dlfcn.h>
 
 namespace ramus::render {
 
 namespace {
 
+// Loaded when it is first needed: it brings a compiler of 100 MB, which the window and most commands do without.
+struct OsMesa {
+    decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+    decltype(&OSMesaMakeCurrent) make_current = nullptr;
+    decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
+    decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+    bool complete = false;
+
+    OsMesa() {
+        void* const library = dlopen(RAMUS_OSMESA, RTLD_NOW | RTLD_LOCAL);
+        if (library == nullptr) return;
+        const auto find = [&](auto& function, const char* name) {
+            function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
+            return function != nullptr;
+        };
+        complete = find(create_context, "OSMesaCreateContextAttribs") && find(make_current, "OSMesaMakeCurrent") &&
+                   find(get_proc_address, "OSMesaGetProcAddress") && find(destroy_context, "OSMesaDestroyContext");
+    }
+};
+
+const OsMesa& osmesa() {
+    static const OsMesa library;
+    return library;
+}
+
 class OsMesaGlContext final : public GlContext {
 public:
     explicit OsMesaGlContext(OSMesaContext context) : context_(context) {}
-    ~OsMesaGlContext() override { OSMesaDestroyContext(context_); }
+    ~OsMesaGlContext() override { osmesa().destroy_context(context_); }
 
     Result<void> make_current() override {
         // OSMesa wants a colour buffer; nobody draws into it.
-        if (OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
+        if (osmesa().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
             return fail("OSMesa could not make its context current", {}, "check the installation of libosmesa6");
-        return load_gl([](const char* name) { return reinterpret_cast<GlFunction>(OSMesaGetProcAddress(name)); });
+        return load_gl([](const char* name) { return reinterpret_cast<GlFunction>(osmesa().get_proc_address(name)); });
     }
 
 private:
@@ -43,7 +69,8 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
                                          0,
                                          0,
                                          0};
-    OSMesaContext handle = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+    if (!osmesa().complete) return fail("OSMesa is not there", RAMUS_OSMESA, "install Mesa's libosmesa6 22 or newer");
+    OSMesaContext handle = osmesa().create_context(attributes.data(), nullptr);
     if (handle == nullptr) return fail("OSMesa has no OpenGL 4.5 context", {}, "install Mesa's libosmesa6 22 or newer");
     std::unique_ptr<GlContext> context = std::make_unique<OsMesaGlContext>(handle);
     if (auto current = context->make_current(); !current) return tl::unexpected(current.error());
