@@ -56,10 +56,10 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
     return ready;
 }
 
-Result<void> SurfaceMaker::make(const SurfaceRequest& request, Job& job, const Show& show) {
+Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job) {
     const auto work = [&] {
-        return request.options.method == mesh::Method::kTruncatedCones ? make_cones(request, job, show)
-                                                                       : make_surface(request, job, show);
+        return request.options.method == mesh::Method::kTruncatedCones ? next_cones(request, job)
+                                                                       : next_surface(request, job);
     };
     try {
         if (request.options.threads <= 0) return work();
@@ -72,63 +72,61 @@ Result<void> SurfaceMaker::make(const SurfaceRequest& request, Job& job, const S
     }
 }
 
-Result<void> SurfaceMaker::make_cones(const SurfaceRequest& request, Job& job, const Show& show) {
+Result<ReadySurface> SurfaceMaker::next_cones(const SurfaceRequest& request, Job& job) const {
     auto cones = make_ready(*tree_, request, job);
-    if (!cones) return tl::unexpected(cones.error());
-    show(*cones);
-    if (cones->mesh->triangle_count() < kPreviewFrom) return {};
+    if (!cones || cones->mesh->triangle_count() < kPreviewFrom) return cones;
     SurfaceRequest rough = request;
     rough.options.detail = std::min(request.options.detail, kPreviewDetail);
     const auto preview = make_ready(*tree_, rough, job);
     if (!preview) return tl::unexpected(preview.error());
     cones->preview = preview->mesh;
-    show(std::move(*cones));
-    return {};
+    return cones;
 }
 
 bool SurfaceMaker::changes_much(const SurfaceRequest& request) const {
-    if (!made_ || made_->options != request.options || !surface_.mesh) return true;
+    if (!surface_of_ || surface_of_->options != request.options) return true;
     std::vector<int> changed;
-    std::ranges::set_symmetric_difference(made_->hidden, request.hidden, std::back_inserter(changed));
+    std::ranges::set_symmetric_difference(surface_of_->hidden, request.hidden, std::back_inserter(changed));
     return 4 * changed.size() > tree_->branches.size();
 }
 
-Result<void> SurfaceMaker::make_surface(const SurfaceRequest& request, Job& job, const Show& show) {
+Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, Job& job) {
     const auto start = std::chrono::steady_clock::now();
-    const bool preview_first = changes_much(request) && request.options.detail > kPreviewDetail;
-    if (!field_ || made_->options != request.options) field_ = mesh::make_field(*tree_, request.options, {});
-    made_ = request;
+    if (!field_ || field_options_ != request.options) {
+        field_ = mesh::make_field(*tree_, request.options, {});
+        field_options_ = request.options;
+    }
     const auto hidden = hidden_flags(request.hidden, tree_->branches.size());
     const field::ConvolutionField field = hidden.empty() ? *field_ : field_->without(hidden);
-    mesh::PolygonizeOptions options;
-    options.detail = kPreviewDetail;
-    ReadySurface ready{.request = request, .mesh = nullptr, .preview = nullptr, .provisional = true};
-    const auto make_preview = [&]() -> Result<void> {
+
+    ReadySurface ready{.request = request, .mesh = nullptr, .preview = nullptr};
+    const bool previews = request.options.detail > kPreviewDetail;
+    const bool preview_first = previews && preview_of_ != request && changes_much(request);
+    if (previews) {
+        mesh::PolygonizeOptions options;
+        options.detail = kPreviewDetail;
+        preview_of_.reset();
         auto made = follow(preview_, field, options, job);
         if (!made) return tl::unexpected(made.error());
+        preview_of_ = request;
         ready.preview = std::move(*made);
-        return {};
-    };
-    if (preview_first) {
-        if (auto made = make_preview(); !made) return made;
-        ready.mesh = ready.preview;
-        ready.seconds = seconds_since(start);
-        show(ready);
     }
-    mesh::PolygonizeOptions fine;
-    fine.detail = request.options.detail;
-    fine.cell_mm = request.options.cell_mm;
-    auto made = follow(surface_, field, fine, job);
-    if (!made) return tl::unexpected(made.error());
-    ready.mesh = std::move(*made);
-    ready.provisional = false;
+    if (preview_first) {
+        ready.mesh = ready.preview;
+        ready.provisional = true;
+    } else {
+        mesh::PolygonizeOptions options;
+        options.detail = request.options.detail;
+        options.cell_mm = request.options.cell_mm;
+        surface_of_.reset();
+        auto made = follow(surface_, field, options, job);
+        if (!made) return tl::unexpected(made.error());
+        surface_of_ = request;
+        ready.mesh = std::move(*made);
+        if (ready.mesh->triangle_count() < kPreviewFrom) ready.preview = nullptr;
+    }
     ready.seconds = seconds_since(start);
-    if (ready.mesh->triangle_count() < kPreviewFrom) ready.preview = nullptr;
-    show(ready);
-    if (preview_first || ready.mesh->triangle_count() < kPreviewFrom) return {};
-    if (auto also = make_preview(); !also) return also;
-    show(std::move(ready));
-    return {};
+    return ready;
 }
 
 Result<SurfaceMaker::Paged> SurfaceMaker::follow(Followed& followed, const field::ConvolutionField& field,

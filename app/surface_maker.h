@@ -1,5 +1,5 @@
 // SurfaceMaker: makes the surface of one tree for the window and follows what becomes of it. Hiding and showing
-// branches recompute what they touch; whatever changes everything shows a preview first, the same surface with fewer
+// branches recompute what they touch; whatever changes everything gives a preview first, the same surface with fewer
 // triangles, which also stands in while the view moves. One thread at a time; what it hands out is immutable.
 #pragma once
 
@@ -49,9 +49,9 @@ class SurfaceMaker {
 public:
     explicit SurfaceMaker(std::shared_ptr<const tree::VesselTree> tree) : tree_(std::move(tree)) {}
 
-    // Calls `show` with every better picture, the last one is what was asked for.
-    using Show = std::function<void(ReadySurface)>;
-    Result<void> make(const SurfaceRequest& request, Job& job, const Show& show);
+    // The next better picture of what is asked for. While it is provisional, ask again: showing it first lets the
+    // picture have the machine for itself.
+    [[nodiscard]] Result<ReadySurface> next(const SurfaceRequest& request, Job& job);
 
 private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
@@ -59,15 +59,16 @@ private:
         mesh::Polygonizer polygonizer{mesh::Polygonizer::Purpose::kUpdates};
         Paged mesh; // of the polygonizer's state
     };
-    Result<void> make_cones(const SurfaceRequest& request, Job& job, const Show& show);
-    Result<void> make_surface(const SurfaceRequest& request, Job& job, const Show& show);
+    [[nodiscard]] Result<ReadySurface> next_cones(const SurfaceRequest& request, Job& job) const;
+    [[nodiscard]] Result<ReadySurface> next_surface(const SurfaceRequest& request, Job& job);
     Result<Paged> follow(Followed& followed, const field::ConvolutionField& field,
                          const mesh::PolygonizeOptions& options, Job& job);
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;
-    std::optional<field::ConvolutionField> field_; // of all branches, under the options of `made_`
-    std::optional<SurfaceRequest> made_;           // the last one begun
+    std::optional<field::ConvolutionField> field_; // of all branches, under field_options_
+    mesh::SurfaceOptions field_options_;
+    std::optional<SurfaceRequest> surface_of_, preview_of_; // what the two are up to
     Followed surface_, preview_;
 };
 

@@ -46,12 +46,18 @@ void Worker::drain() {
     }
 }
 
+void Worker::wait(std::chrono::milliseconds most) {
+    std::unique_lock lock(mutex_);
+    delivered_.wait_for(lock, most, [this] { return !deliveries_.empty(); });
+}
+
 void Worker::deliver(Delivery delivery) {
     {
         const std::lock_guard lock(mutex_);
         if (ending_) return;
         deliveries_.push_back(std::move(delivery));
     }
+    delivered_.notify_all();
     if (wake_) wake_();
 }
 

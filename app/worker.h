@@ -5,6 +5,7 @@
 
 #include "core/base/job.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -31,6 +32,8 @@ public:
     void start(std::string title, Task task);
     void cancel();
     void drain();
+    // Waits until there is something to drain, at most so long.
+    void wait(std::chrono::milliseconds most);
 
     [[nodiscard]] bool busy() const { return current_ != nullptr; }
     [[nodiscard]] const std::string& title() const { return title_; } // of the running task
@@ -53,7 +56,7 @@ private:
     std::string title_;
 
     std::mutex mutex_; // guards what follows
-    std::condition_variable changed_;
+    std::condition_variable changed_, delivered_;
     std::optional<Order> order_;
     std::vector<Delivery> deliveries_;
     bool ending_ = false;

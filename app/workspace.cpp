@@ -2,6 +2,7 @@
 
 #include "app/session_file.h"
 #include "app/tree_source.h"
+#include "core/tree/thin.h"
 
 #include <chrono>
 
@@ -50,10 +51,13 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     // it.
     constexpr std::size_t kRoughFrom = 2000; // segments
     constexpr int kRough = 6;
-    if (loaded.tree->segment_count() > kRoughFrom) options.detail = std::min(options.detail, kRough);
-    auto cones = make_ready(*loaded.tree, request, job);
+    constexpr double kRoughSpacing = 2.5; // radii
+    const bool rough = loaded.tree->segment_count() > kRoughFrom;
+    if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
+    auto cones = make_ready(rough ? tree::thinned(*loaded.tree, kRoughSpacing) : *loaded.tree, request, job);
     if (!cones) return tl::unexpected(cones.error());
     loaded.cones = std::move(*cones);
+    loaded.cones.provisional = true;
     return loaded;
 }
 
@@ -88,12 +92,14 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     document.open(std::move(loaded.tree), std::move(loaded.session));
     shown_ = std::move(loaded.cones);
     opened_ = Opened{path, loaded.has_camera};
+    just_shown_ = true;
     changed_ = true;
 }
 
 void Workspace::take(ReadySurface surface) {
     shown_ = std::move(surface);
     changed_ = true;
+    just_shown_ = shown_.provisional;
     if (shown_.provisional) return;
     std::erase_if(kept_, [&](const ReadySurface& kept) { return kept.request == shown_.request; });
     kept_.push_front(shown_);
@@ -109,10 +115,16 @@ SurfaceRequest Workspace::request() const {
 void Workspace::start_surface() {
     if (!document.tree()) return;
     SurfaceRequest request = this->request();
-    if (wanted_ == request) return;
-    // When only other branches are hidden, what is being made is the way to what is wanted now: this goes on when that
-    // is done. Otherwise it is in vain.
-    if (mesher_.busy() && wanted_ && wanted_->options == request.options) return;
+    if (wanted_ == request) {
+        if (shown_.provisional && shown_.request == request && !mesher_.busy() && problem_.empty()) {
+            refining_ = true;
+            make_next(request);
+        }
+        return;
+    }
+    if (mesher_.busy() && worth_finishing(request)) return;
+    const bool small_change = wanted_ && wanted_->options == request.options && shown_.mesh && !shown_.provisional;
+    refining_ = false;
     wanted_ = request;
     problem_.clear();
     mesher_.cancel();
@@ -123,12 +135,29 @@ void Workspace::start_surface() {
         shown_ = surface;
         return;
     }
+    make_next(request);
+    if (!small_change) return;
+    mesher_.wait(kPatience);
+    mesher_.drain();
+}
+
+// When only other branches are hidden, what is being made is the way to what is wanted now. And while somebody drags a
+// slider, previews that never get finished would show nothing.
+bool Workspace::worth_finishing(const SurfaceRequest& request) const {
+    if (wanted_ && wanted_->options == request.options) return true;
+    return !refining_ && std::chrono::steady_clock::now() - started_ < kShort;
+}
+
+void Workspace::make_next(const SurfaceRequest& request) {
+    started_ = std::chrono::steady_clock::now();
     mesher_.start("Computing the surface", [this, request, maker = maker_](Job& job, const Worker::Post& post) {
-        const auto made = maker->make(
-            request, job, [&](ReadySurface surface) { post([this, surface = std::move(surface)] { take(surface); }); });
-        if (made || job.cancelled()) return;
-        post([this, message = made.error().message()] {
-            problem_ = message;
+        const auto made = maker->next(request, job);
+        if (job.cancelled()) return;
+        post([this, made] {
+            if (made)
+                take(*made);
+            else
+                problem_ = made.error().message();
             changed_ = true;
         });
     });
@@ -153,7 +182,8 @@ bool Workspace::update() {
     const bool was_busy = busy();
     loader_.drain();
     mesher_.drain();
-    start_surface();
+    // A picture is drawn before a better one is begun: both want the whole machine.
+    if (!std::exchange(just_shown_, false)) start_surface();
     return std::exchange(changed_, false) || was_busy != busy();
 }
 

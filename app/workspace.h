@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/io/tree_reader.h"
 
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -43,7 +44,8 @@ public:
     io::ReadOptions reading; // of files that are opened from now on
 
     void cancel_work();
-    // Takes what the workers finished and starts what the session needs. True when something changed.
+    // Takes what the workers finished and starts what the session needs. True when something changed. Call it again
+    // after the picture has been drawn.
     bool update();
 
     Document document;
@@ -75,9 +77,14 @@ public:
 
 private:
     static constexpr std::size_t kKeptSurfaces = 3;
+    // A branch that is hidden is gone from the surface within a frame or two: then the next picture is the right one.
+    static constexpr std::chrono::milliseconds kPatience{25};
+    static constexpr std::chrono::milliseconds kShort{500}; // what is being made is let finish
 
     [[nodiscard]] SurfaceRequest request() const;
     void take(ReadySurface surface);
+    void make_next(const SurfaceRequest& request);
+    [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;
     void start_surface();
 
     std::shared_ptr<const TreeFacts> facts_;
@@ -85,12 +92,15 @@ private:
     std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
     std::optional<mesh::SurfaceOptions> tried_;
     std::optional<SurfaceRequest> wanted_;
-    std::shared_ptr<SurfaceMaker> maker_; // used on the mesher's thread only
+    std::shared_ptr<SurfaceMaker> maker_;           // used on the mesher's thread only
+    std::chrono::steady_clock::time_point started_; // the mesher's task
+    bool refining_ = false;                         // it makes a surface whose preview is shown
     std::string problem_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;
     bool changed_ = false;
-    Worker loader_, mesher_; // last: their threads end first
+    bool just_shown_ = false; // a picture that something better shall follow
+    Worker loader_, mesher_;  // last: their threads end first
 };
 
 } // namespace ramus::app

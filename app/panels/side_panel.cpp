@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <optional>
+#include <string>
 #include <type_traits>
 
 namespace ramus::app {
@@ -61,7 +63,8 @@ void draw_tree(InterfaceContext& context) {
     }
 }
 
-// A slider that changes the session once, when it is let go: every step would be a surface and a step of undo.
+// A slider that changes the session once, when it is let go: every step would be a step of undo. The surface follows
+// while it is held.
 template <class T> struct Slider {
     T value{};
     bool held = false;
@@ -115,6 +118,13 @@ void draw_options(InterfaceContext& context) {
     row(
         "Detail", "detail", "Triangles around a vessel", detail, options.detail,
         [&](int& value) { ImGui::SliderInt("##slider", &value, 6, 48, "", flags); }, whole);
+    const auto as_spelled = [](float value) { return std::stod(digits(value, 4)); };
+    mesh::SurfaceOptions tried = options;
+    if (smooth.held) tried.smooth_passes = smooth.value;
+    if (prune.held) tried.prune_ratio = as_spelled(prune.value);
+    if (width.held) tried.width = as_spelled(width.value);
+    if (detail.held) tried.detail = detail.value;
+    context.workspace.try_options(tried == options ? std::nullopt : std::optional(tried));
 }
 
 void draw_surface(InterfaceContext& context) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <imgui.h>
+#include <mutex>
 
 namespace ramus::app {
 
@@ -53,6 +54,15 @@ std::string last_error() {
     return text == nullptr ? "" : text;
 }
 
+// Workers may outlive the window, and begin before it.
+std::mutex wake_mutex;
+bool can_wake = false;
+
+void let_wake(bool can) {
+    const std::lock_guard lock(wake_mutex);
+    can_wake = can;
+}
+
 } // namespace
 
 Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, float scale) {
@@ -91,11 +101,13 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(handle, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(handle, window.get());
+    let_wake(true);
     window->connect();
     return window;
 }
 
 GlfwWindow::~GlfwWindow() {
+    let_wake(false);
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
@@ -211,6 +223,9 @@ void GlfwWindow::wait(double seconds) {
         glfwWaitEventsTimeout(seconds);
 }
 
-void wake_window() { glfwPostEmptyEvent(); }
+void wake_window() {
+    const std::lock_guard lock(wake_mutex);
+    if (can_wake) glfwPostEmptyEvent();
+}
 
 } // namespace ramus::app

@@ -42,7 +42,7 @@ private:
     std::string title_;
 };
 
-// May be called from any thread: wait() returns.
+// May be called from any thread: wait() returns. Does nothing while there is no window.
 void wake_window();
 
 } // namespace ramus::app

@@ -63,24 +63,23 @@ int run_window(const WindowOptions& options) {
         if (!read) return complain(read.error());
         script = std::move(*read);
     }
+    // The file is read while the display and the graphics driver get ready.
+    Workspace workspace(wake_window);
+    workspace.reading = options.read;
+    Session empty;
+    empty.marks.options = options.surface;
+    workspace.document.open(nullptr, empty);
+    if (const auto file = first_file(options)) workspace.open(*file);
+
     const ImguiContext imgui;
     auto window = GlfwWindow::create(options.size, options.scale);
     if (!window) return complain(window.error());
     auto renderer = render::Renderer::create();
     if (!renderer) return complain(renderer.error());
-    Workspace workspace(wake_window);
-    workspace.reading = options.read;
-    Marks first;
-    first.options = options.surface;
-    Session empty;
-    empty.marks = first;
-    workspace.document.open(nullptr, empty);
-
     auto viewer = Viewer::create(workspace, **renderer, (*window)->scale());
     if (!viewer) return complain(viewer.error());
     (*window)->attach(viewer->get());
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
-    if (const auto file = first_file(options)) workspace.open(*file);
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
     (*window)->show();
     const auto done = loop(**window, **viewer, workspace, options, std::move(script));

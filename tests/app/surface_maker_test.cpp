@@ -19,8 +19,11 @@ struct Shop {
     void make(const SurfaceRequest& request) {
         shown.clear();
         Job job;
-        REQUIRE(maker.make(request, job, [&](ReadySurface surface) { shown.push_back(std::move(surface)); }));
-        REQUIRE_FALSE(shown.empty());
+        do {
+            auto made = maker.next(request, job);
+            REQUIRE(made);
+            shown.push_back(std::move(*made));
+        } while (shown.back().provisional);
         for (const ReadySurface& surface : shown) CHECK(surface.request == request);
     }
 };
@@ -95,7 +98,7 @@ TEST_CASE("a surface that was cancelled leaves nothing wrong behind") {
     request.options.width = 3.0;
     Job cancelled;
     cancelled.cancel();
-    CHECK_FALSE(shop.maker.make(request, cancelled, [](const ReadySurface&) {}));
+    CHECK_FALSE(shop.maker.next(request, cancelled));
     request.hidden = {1};
     shop.make(request);
     Job job;
