@@ -45,6 +45,13 @@ std::string gl_description() {
     return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
 }
 
+bool is_software_rasteriser() {
+    const std::string name = gl_description();
+    for (const char* known : {"llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader"})
+        if (name.find(known) != std::string::npos) return true;
+    return false;
+}
+
 int gl_error_count() {
     for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
         // With debug output on, the callback has already counted this one.

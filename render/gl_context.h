@@ -23,6 +23,9 @@ using GlLoader = GlFunction (*)(const char* name);
 // "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6"
 [[nodiscard]] std::string gl_description();
 
+// Whether the processor draws, triangle by triangle, instead of a graphics card.
+[[nodiscard]] bool is_software_rasteriser();
+
 // GL errors that the driver reported since the process began (debug messages of type error, and glGetError by the
 // renderer after each frame). A correct program keeps it at 0; tests check it. The last one is logged in
 // `gl_last_error`.

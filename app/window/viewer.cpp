@@ -2,13 +2,18 @@
 
 #include "app/panels/recent_files.h"
 #include "app/window/theme.h"
+#include "render/gl_context.h"
 
 #include <algorithm>
+#include <chrono>
 #include <glad/gl.h>
 #include <imgui.h>
 #include <limits>
 
 namespace ramus::app {
+
+Viewer::Viewer(Workspace& workspace, render::Renderer& renderer)
+    : workspace_(workspace), renderer_(renderer), pace_(render::is_software_rasteriser()) {}
 
 Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Renderer& renderer, float scale) {
     std::unique_ptr<Viewer> viewer(new Viewer(workspace, renderer));
@@ -45,7 +50,6 @@ bool Viewer::over_picture(glm::dvec2 at) const {
 Viewing Viewer::viewing() const {
     Viewing viewing{.size = layout_.view_size, .pixel_ratio = scale_, .hovered = interface_.hovered};
     if (interface_.listed != tree::kNoBranch) viewing.hovered = interface_.listed;
-    if (mouse_.dragging() && now_ - moved_at_ < kRestSeconds) viewing.quality = render::Quality::kInteractive;
     return viewing;
 }
 
@@ -113,11 +117,15 @@ bool Viewer::draw(double now, unsigned framebuffer) {
 
     render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
     frame.preview = workspace_.shown().preview;
+    frame.quality = pace_.quality(frame, mouse_.dragging(), workspace_.shown().provisional, now);
+    const auto start = std::chrono::steady_clock::now();
     const auto drawn = renderer_.draw(frame, kUploadBudget);
     if (!drawn) {
         say(drawn.error().message());
         return false;
     }
+    if (drawn->geometry)
+        pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     quality_ = frame.quality;
     upload_pending_ = drawn->pending;
     if (drawn->shaded) pick_wanted_ = true;
@@ -141,7 +149,7 @@ double Viewer::wait_seconds(double now) const {
     double wait = std::numeric_limits<double>::infinity();
     if (pick_pending_) wait = std::min(wait, kPollSeconds);
     if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
-    if (quality_ != render::Quality::kFull) wait = std::min(wait, std::max(0.0, moved_at_ + kRestSeconds - now) + 1e-3);
+    if (quality_ != render::Quality::kFull) wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
     if (now < interface_.notice.until) wait = std::min(wait, interface_.notice.until - now + 1e-3);
     return wait;
 }

@@ -12,6 +12,7 @@
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
 #include "app/window/imgui_renderer.h"
+#include "app/window/pace.h"
 #include "app/workspace.h"
 #include "render/renderer.h"
 
@@ -70,14 +71,13 @@ public:
 private:
     // ImGui needs a few frames until popups and their sizes have settled.
     static constexpr int kFramesAfterEvent = 3;
-    static constexpr int kDialogFrames = 14;     // what lies behind a dialog fades
-    static constexpr double kRestSeconds = 0.12; // a drag that pauses is drawn in full quality
+    static constexpr int kDialogFrames = 14; // what lies behind a dialog fades
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.1;
     static constexpr double kCaretSeconds = 0.25;
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
-    Viewer(Workspace& workspace, render::Renderer& renderer) : workspace_(workspace), renderer_(renderer) {}
+    Viewer(Workspace& workspace, render::Renderer& renderer);
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(layout_.view_at); }
     [[nodiscard]] Viewing viewing() const;
@@ -101,7 +101,7 @@ private:
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
     bool camera_moved_ = false;
-    double moved_at_ = -1e9;
+    Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     int frames_left_ = kFramesAfterEvent;
     bool upload_pending_ = false; // not all of the surface is on the graphics card

@@ -51,10 +51,7 @@ void Viewer::mouse_wheel(glm::dvec2 notches) {
     shake();
 }
 
-void Viewer::move_camera(const render::Camera& camera) {
-    workspace_.document.set_camera(camera);
-    moved_at_ = now_;
-}
+void Viewer::move_camera(const render::Camera& camera) { workspace_.document.set_camera(camera); }
 
 void Viewer::clicked(const Click& click) {
     if (!workspace_.document.tree()) return;
