@@ -23,17 +23,13 @@ class CountingSink final : public mesh::SurfaceSink {
 public:
     explicit CountingSink(io::SurfaceFile& file) : file_(file) {}
 
-    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& vertices) override {
-        components_.add_vertices(vertices.size());
-        return file_.add_vertices(vertices);
+    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
+        components_.add_vertices(more.size());
+        return file_.add_vertices(more);
     }
-    [[nodiscard]] bool add_triangles(const mesh::TrianglePart& part) override {
-        // Vertices that a part adds lie in the middle of others, which are joined without them.
-        const auto join = [&](std::uint32_t a, std::uint32_t b) {
-            if (((a | b) & mesh::TrianglePart::kAddedBit) == 0) components_.join(a, b);
-        };
-        for (const glm::uvec3& t : part.triangles) join(t.x, t.y), join(t.y, t.z), join(t.z, t.x);
-        return file_.add_triangles(part);
+    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
+        for (const glm::uvec3& t : more) components_.join(t.x, t.y), components_.join(t.x, t.z);
+        return file_.add_triangles(more, vertices);
     }
     [[nodiscard]] int components() const { return components_.count(); }
 

@@ -58,11 +58,12 @@ template <class File> void write_ply_vertices(const mesh::VertexSpan& vertices, 
     }
 }
 
-inline void write_ply_face(const glm::uvec3& triangle, OutputFile& file) {
-    Record<13> face;
+inline constexpr std::size_t kPlyFace = 13; // bytes
+[[nodiscard]] inline Record<kPlyFace> ply_face(const glm::uvec3& triangle) {
+    Record<kPlyFace> face;
     face.put(std::uint8_t{3});
     face.put(triangle);
-    face.write(file);
+    return face;
 }
 
 [[nodiscard]] std::string stl_header(std::uint64_t triangles);

@@ -13,7 +13,7 @@ void write_ply(const mesh::TriangleMesh& mesh, OutputFile& file) {
     const VertexArrays arrays{!mesh.normals.empty(), !mesh.radii.empty(), !mesh.branches.empty()};
     file.write(ply_header(arrays, mesh.positions.size(), mesh.triangles.size()));
     write_ply_vertices(vertices_of(mesh), file);
-    for (const glm::uvec3& triangle : mesh.triangles) write_ply_face(triangle, file);
+    for (const glm::uvec3& triangle : mesh.triangles) ply_face(triangle).write(file);
 }
 
 void write_stl(const mesh::TriangleMesh& mesh, OutputFile& file) {

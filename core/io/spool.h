@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -31,6 +32,16 @@ public:
     [[nodiscard]] std::uint64_t size() const { return flushed_ + used_; }
     // `count` bytes from `offset` on, all of which have been written. Unset after a failure.
     void read(std::uint64_t offset, void* bytes, std::size_t count);
+
+    // All of it, in order.
+    template <class File> void copy_to(File& file) {
+        const auto bytes = std::make_unique_for_overwrite<std::byte[]>(kBufferSize);
+        for (std::uint64_t at = 0; at < size() && !failed(); at += kBufferSize) {
+            const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, size() - at));
+            read(at, bytes.get(), count);
+            file.write(bytes.get(), count);
+        }
+    }
 
     [[nodiscard]] bool failed() const { return error_ != 0; }
     [[nodiscard]] Result<void> check() const;

@@ -121,8 +121,9 @@ Result<void> Polygonizer::make(std::unique_ptr<State> state, Job& job) {
 
     if (!job.cancelled()) {
         slots_.place_vertices(octree_, tiles, cells_, slack_);
-        auto joined = bricks::join_tiles(state->field, octree_, tiles, cells_, vertices_of(slots_.mesh()),
-                                         JobStretch(job, 0.8F, 0.95F));
+        std::vector<bricks::JoinedTile> joined;
+        bricks::join_tiles(state->field, octree_, tiles, cells_, vertices_of(slots_.mesh()), joined,
+                           JobStretch(job, 0.8F, 0.95F));
         if (!job.cancelled()) slots_.place_triangles(tiles, std::move(joined), slack_);
     }
     statistics_.join_s = watch.lap();
@@ -210,8 +211,9 @@ bool Polygonizer::follow(std::unique_ptr<State> state, Job& job) {
     std::erase_if(beside, [&](std::uint32_t tile) { return !bricks::reaches_beyond(octree_, cells_, tile, changes); });
     for (const std::uint32_t tile : beside) slots_.remove_triangles(tile);
     const std::vector<std::uint32_t> rejoin = merged(refill, beside);
-    auto joined = bricks::join_tiles(state_->field, octree_, rejoin, cells_, vertices_of(slots_.mesh()),
-                                     JobStretch(job, 0.8F, 0.95F));
+    std::vector<bricks::JoinedTile> joined;
+    bricks::join_tiles(state_->field, octree_, rejoin, cells_, vertices_of(slots_.mesh()), joined,
+                       JobStretch(job, 0.8F, 0.95F));
     if (job.cancelled()) return false;
     slots_.place_triangles(rejoin, std::move(joined), slack_);
     statistics_.join_s = watch.lap();

@@ -30,8 +30,7 @@ public:
     [[nodiscard]] SurfaceEdit take_edit();
     // With gaps (MeshSlots), and without.
     [[nodiscard]] const TriangleMesh& slots() const { return slots_.mesh(); }
-    [[nodiscard]] TriangleMesh compact() const { return slots_.compact(octree_.tiles_in_order()); }
-    [[nodiscard]] TriangleMesh take_mesh() { return slots_.take_mesh(); } // plain after make(); the end of it
+    [[nodiscard]] TriangleMesh compact() const { return slots_.compact(bricks::schedule_tiles(octree_)); }
 
 private:
     // What belongs to one state of the tree.

@@ -25,6 +25,14 @@ std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int 
     return first + record(brick, index, cell).loop_of[static_cast<std::size_t>(edge_midpoint)];
 }
 
+void SurfaceCells::reuse_vertices() {
+    for (auto& block : vertices) {
+        block->count = 0;
+        spare.push_back(std::move(block));
+    }
+    vertices.clear();
+}
+
 void SurfaceVertices::make_room(std::size_t more) {
     const std::size_t room = count + more + field::kProjectionPadding;
     if (room <= positions.size()) return;
@@ -55,15 +63,9 @@ public:
     void store(const SurfaceVertices& from, TileCells& tile) {
         SurfaceVertices*& block = current_.local();
         if (block == nullptr || block->count + from.count > block->positions.size()) {
-            auto fresh = std::make_unique<SurfaceVertices>();
-            const std::size_t size = std::max(kBlock, from.count);
-            fresh->positions.resize(size);
-            fresh->normals.resize(size);
-            fresh->radii.resize(size);
-            fresh->branches.resize(size);
-            block = fresh.get();
             const std::lock_guard lock(mutex_);
-            surface_.vertices.push_back(std::move(fresh));
+            surface_.vertices.push_back(take_block(from.count));
+            block = surface_.vertices.back().get();
         }
         tile.vertices = block;
         tile.first_vertex = block->count;
@@ -78,6 +80,22 @@ public:
 
 private:
     static constexpr std::size_t kBlock = std::size_t{1} << 16;
+
+    std::unique_ptr<SurfaceVertices> take_block(std::size_t count) {
+        if (count <= kBlock && !surface_.spare.empty()) {
+            auto block = std::move(surface_.spare.back());
+            surface_.spare.pop_back();
+            return block;
+        }
+        auto block = std::make_unique<SurfaceVertices>();
+        const std::size_t size = std::max(kBlock, count);
+        block->positions.resize(size);
+        block->normals.resize(size);
+        block->radii.resize(size);
+        block->branches.resize(size);
+        return block;
+    }
+
     SurfaceCells& surface_;
     tbb::enumerable_thread_specific<SurfaceVertices*> current_{nullptr};
     std::mutex mutex_;

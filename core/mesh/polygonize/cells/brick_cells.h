@@ -88,10 +88,12 @@ struct TileCells {
 };
 
 struct SurfaceCells {
-    LargeArray<Neighbourhood> neighbours; // by brick
-    LargeArray<BrickCells> cells;         // by brick
-    std::vector<TileCells> tiles;         // by tile
-    std::vector<std::unique_ptr<SurfaceVertices>> vertices;
+    LargeArray<Neighbourhood> neighbours;                          // by brick
+    LargeArray<BrickCells> cells;                                  // by brick
+    std::vector<TileCells> tiles;                                  // by tile
+    std::vector<std::unique_ptr<SurfaceVertices>> vertices, spare; // blocks in use, and to be used
+
+    void reuse_vertices(); // all are in their places
 
     [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
         return (cells[brick].recorded >> cell & 1U) != 0;

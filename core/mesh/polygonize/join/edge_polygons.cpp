@@ -13,9 +13,22 @@ constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
 } // namespace
 
-void JoinedTile::write_triangles(const VertexSpan& vertices, std::span<glm::uvec3> out) const {
+void JoinedTile::write_triangles(const VertexSpan& vertices, std::uint64_t first_added,
+                                 std::span<glm::uvec3> out) const {
     cut_quads(vertices, quads, out);
-    std::ranges::copy(triangles, out.begin() + static_cast<std::ptrdiff_t>(2 * quads.size()));
+    auto next = out.begin() + static_cast<std::ptrdiff_t>(2 * quads.size());
+    for (glm::uvec3 triangle : triangles) {
+        for (int i = 0; i < 3; ++i)
+            if ((triangle[i] & kAddedBit) != 0)
+                triangle[i] = static_cast<std::uint32_t>(first_added) + (triangle[i] & ~kAddedBit);
+        *next++ = triangle;
+    }
+}
+
+void JoinedTile::clear() {
+    quads.clear();
+    triangles.clear();
+    added.count = 0;
 }
 
 void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedTile& out) const {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
-#include "core/mesh/surface_sink.h"
 
 #include <glm/vec4.hpp>
 #include <span>
@@ -12,8 +11,8 @@
 
 namespace ramus::mesh::bricks {
 
-// Marks indices of vertices that joining itself adds; they are numbered within the tile until all tiles are done.
-inline constexpr std::uint32_t kAddedBit = TrianglePart::kAddedBit;
+// Marks indices of vertices that joining itself adds; they are numbered within the tile until they have their places.
+inline constexpr std::uint32_t kAddedBit = 0x80000000U;
 
 struct JoinedTile {
     std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
@@ -21,8 +20,9 @@ struct JoinedTile {
     SurfaceVertices added;
 
     [[nodiscard]] std::size_t triangle_count() const { return 2 * quads.size() + triangles.size(); }
-    // Writes them all, first those of the quads. `vertices`: those joined.
-    void write_triangles(const VertexSpan& vertices, std::span<glm::uvec3> out) const;
+    // Writes them all, first those of the quads. `vertices`: those joined; `first_added`: the place of the first added.
+    void write_triangles(const VertexSpan& vertices, std::uint64_t first_added, std::span<glm::uvec3> out) const;
+    void clear();
 };
 
 class EdgePolygons {

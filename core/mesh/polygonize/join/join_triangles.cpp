@@ -138,22 +138,22 @@ private:
 
 } // namespace
 
-std::vector<JoinedTile> join_tiles(const field::ConvolutionField& field, const Octree& octree,
-                                   std::span<const std::uint32_t> tiles, const SurfaceCells& surface,
-                                   const VertexSpan& vertices, const JobStretch& job) {
-    std::vector<JoinedTile> joined(tiles.size());
+void join_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
+                const SurfaceCells& surface, const VertexSpan& vertices, std::vector<JoinedTile>& joined,
+                const JobStretch& job) {
+    joined.resize(tiles.size());
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
         BrickJoiner joiner(field, octree, surface, vertices);
         const Tile& tile = octree.tiles[tiles[t]];
+        joined[t].clear();
         // Euler: about as many quads as vertices.
         joined[t].quads.reserve(surface.tiles[tiles[t]].vertex_count * 9 / 8 + 64);
         for (std::uint32_t b = tile.first_brick; b < tile.first_brick + tile.brick_count; ++b)
             joiner.join(b, joined[t]);
         job.report(static_cast<float>(++done) / static_cast<float>(joined.size()));
     });
-    return joined;
 }
 
 } // namespace ramus::mesh::bricks

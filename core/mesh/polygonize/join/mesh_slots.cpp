@@ -97,11 +97,7 @@ void MeshSlots::place_triangles(std::span<const std::uint32_t> tiles, std::vecto
         const TileSlots& slots = slots_[tiles[t]];
         copy_vertices(joined[t].added, 0, slots.added.first, joined[t].added.count, mesh_);
         const auto out = std::span(mesh_.triangles).subspan(slots.triangles.first, slots.triangles.count);
-        joined[t].write_triangles(vertices_of(mesh_), out);
-        for (glm::uvec3& triangle : out.subspan(2 * joined[t].quads.size()))
-            for (int i = 0; i < 3; ++i)
-                if ((triangle[i] & kAddedBit) != 0)
-                    triangle[i] = static_cast<std::uint32_t>(slots.added.first) + (triangle[i] & ~kAddedBit);
+        joined[t].write_triangles(vertices_of(mesh_), slots.added.first, out);
         joined[t] = {};
     });
 }
@@ -122,16 +118,19 @@ void MeshSlots::remove_triangles(std::uint32_t tile) {
 
 SurfaceEdit MeshSlots::take_edit() { return std::exchange(edit_, {}); }
 
-TriangleMesh MeshSlots::compact(std::span<const std::uint32_t> order) const {
-    // Where each vertex goes: first the tiles' own, then those that came with triangles.
+TriangleMesh MeshSlots::compact(std::span<const TileBatch> order) const {
+    // Where each vertex goes.
     std::vector<std::uint32_t> place(mesh_.positions.size());
     std::uint32_t vertices = 0;
     std::uint64_t triangles = 0;
     const auto count = [&](const SlotRange& range) {
         for (std::uint64_t n = 0; n < range.count; ++n) place[range.first + n] = vertices++;
     };
-    for (const std::uint32_t tile : order) count(slots_[tile].vertices);
-    for (const std::uint32_t tile : order) count(slots_[tile].added), triangles += slots_[tile].triangles.count;
+    for (const TileBatch& batch : order) {
+        for (const std::uint32_t tile : batch.fill) count(slots_[tile].vertices);
+        for (const std::uint32_t tile : batch.join)
+            count(slots_[tile].added), triangles += slots_[tile].triangles.count;
+    }
     TriangleMesh mesh;
     resize_vertices(mesh, vertices);
     mesh.triangles.resize(triangles);
@@ -144,13 +143,15 @@ TriangleMesh MeshSlots::compact(std::span<const std::uint32_t> order) const {
         }
     };
     std::uint64_t at = 0;
-    for (const std::uint32_t tile : order) {
-        copy(slots_[tile].vertices);
-        copy(slots_[tile].added);
-        const SlotRange& range = slots_[tile].triangles;
-        for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
-            const glm::uvec3& t = mesh_.triangles[n];
-            mesh.triangles[at++] = {place[t.x], place[t.y], place[t.z]};
+    for (const TileBatch& batch : order) {
+        for (const std::uint32_t tile : batch.fill) copy(slots_[tile].vertices);
+        for (const std::uint32_t tile : batch.join) {
+            copy(slots_[tile].added);
+            const SlotRange& range = slots_[tile].triangles;
+            for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {
+                const glm::uvec3& t = mesh_.triangles[n];
+                mesh.triangles[at++] = {place[t.x], place[t.y], place[t.z]};
+            }
         }
     }
     return mesh;

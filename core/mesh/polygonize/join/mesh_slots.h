@@ -1,9 +1,10 @@
 // MeshSlots: a mesh whose vertices and triangles stand tile by tile, so that some tiles can be exchanged without moving
-// what the others have. Filled once, tile by tile in order, it is the plain mesh. Where tiles have gone, vertices that
+// what the others have. Where tiles have gone, vertices that
 // no triangle uses and triangles without area are left until something else takes their place.
 #pragma once
 
 #include "core/mesh/polygonize/join/edge_polygons.h"
+#include "core/mesh/polygonize/octree/tile_schedule.h"
 #include "core/mesh/surface_edit.h"
 
 #include <cstdint>
@@ -26,9 +27,8 @@ public:
     // What was written since the last call.
     [[nodiscard]] SurfaceEdit take_edit();
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
-    [[nodiscard]] TriangleMesh take_mesh() { return std::move(mesh_); }
-    // The tiles' vertices and triangles in the given order, as if they had been placed so at first.
-    [[nodiscard]] TriangleMesh compact(std::span<const std::uint32_t> order) const;
+    // Without gaps, in the order of a schedule of all tiles: as polygonize() gives it.
+    [[nodiscard]] TriangleMesh compact(std::span<const TileBatch> order) const;
 
 private:
     struct TileSlots {

@@ -1,4 +1,4 @@
-#include "core/mesh/polygonize/stream/tile_schedule.h"
+#include "core/mesh/polygonize/octree/tile_schedule.h"
 
 #include "core/mesh/polygonize/octree/neighbours.h"
 
@@ -7,11 +7,11 @@
 namespace ramus::mesh::bricks {
 
 std::vector<TileBatch> schedule_tiles(const Octree& octree, std::size_t batch_bricks) {
-    const std::size_t tiles = octree.tiles.size();
+    const std::vector<std::uint32_t> order = octree.tiles_in_order();
     std::vector<TileBatch> batches;
-    std::vector<std::uint32_t> filled_in(tiles);
+    std::vector<std::uint32_t> filled_in(octree.tiles.size());
     std::size_t bricks = batch_bricks;
-    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+    for (const std::uint32_t tile : order) {
         if (bricks >= batch_bricks) batches.emplace_back(), bricks = 0;
         filled_in[tile] = static_cast<std::uint32_t>(batches.size() - 1);
         batches.back().fill.push_back(tile);
@@ -28,7 +28,7 @@ std::vector<TileBatch> schedule_tiles(const Octree& octree, std::size_t batch_br
     };
     const std::vector<std::uint32_t> joined_in = latest_around(filled_in);
     const std::vector<std::uint32_t> dropped_in = latest_around(joined_in);
-    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+    for (const std::uint32_t tile : order) {
         batches[joined_in[tile]].join.push_back(tile);
         batches[dropped_in[tile]].drop.push_back(tile);
     }

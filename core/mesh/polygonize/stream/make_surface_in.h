@@ -1,0 +1,14 @@
+// The steps of polygonizing, into whatever store.
+#pragma once
+
+#include "core/mesh/polygonize/polygonize.h"
+#include "core/mesh/polygonize/stream/surface_store.h"
+
+namespace ramus::mesh {
+
+// Fails when that road is not feasible, when the store is full, or when cancelled.
+[[nodiscard]] Result<void> make_surface_in(bricks::SurfaceStore& store, const field::ConvolutionField& field,
+                                           const PolygonizeOptions& options, Road road, Job& job,
+                                           PolygonizeStatistics* statistics);
+
+} // namespace ramus::mesh

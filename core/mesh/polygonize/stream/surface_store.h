@@ -1,0 +1,43 @@
+// SurfaceStore: where a surface is put while it is made, batch after batch.
+#pragma once
+
+#include "core/mesh/polygonize/cells/brick_cells.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace ramus::mesh::bricks {
+
+class SurfaceStore {
+public:
+    SurfaceStore() = default;
+    SurfaceStore(const SurfaceStore&) = delete;
+    SurfaceStore& operator=(const SurfaceStore&) = delete;
+    virtual ~SurfaceStore() = default;
+
+    // Told before all else.
+    virtual void expect([[maybe_unused]] std::size_t bricks) {}
+    // Room for so many vertices in all. False: it cannot take them.
+    [[nodiscard]] virtual bool resize_vertices(std::size_t count) = 0;
+    // To its places from `at` on go `count` vertices of `from`, those from `begin` on.
+    virtual void put_vertices(std::size_t at, const SurfaceVertices& from, std::size_t begin, std::size_t count) = 0;
+    [[nodiscard]] virtual VertexSpan vertices() const = 0;
+    // Room for so many more triangles, all of which will be written.
+    [[nodiscard]] virtual std::span<glm::uvec3> add_triangles(std::size_t count) = 0;
+    // Vertices that no triangle to come will name.
+    virtual void release_vertices(std::size_t first, std::size_t end) = 0;
+    // All that was added is there.
+    virtual void end_batch() = 0;
+};
+
+// Copies `count` vertices of `from`, those from `begin` on, to the places from `at` on of arrays like those of a mesh.
+template <class Arrays>
+void copy_vertices(const SurfaceVertices& from, std::size_t begin, Arrays& to, std::size_t at, std::size_t count) {
+    std::copy_n(from.positions.data() + begin, count, to.positions.data() + at);
+    std::copy_n(from.normals.data() + begin, count, to.normals.data() + at);
+    std::copy_n(from.radii.data() + begin, count, to.radii.data() + at);
+    std::copy_n(from.branches.data() + begin, count, to.branches.data() + at);
+}
+
+} // namespace ramus::mesh::bricks
