@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <numeric>
 #include <oneapi/tbb/parallel_for.h>
@@ -38,6 +40,7 @@ struct BenchOptions {
     bool finest_cell = false; // one cell size: smallest radius / 1.5
     int smooth = 1;
     bool compare = true; // with all segments, with one thread, with cones
+    std::string table;   // file to append to; empty: none
 };
 
 double seconds_of(const std::function<void()>& work) {
@@ -104,6 +107,52 @@ Timing time_runs(const field::ConvolutionField& field, const mesh::PolygonizeOpt
     return timing;
 }
 
+// What one tree came to. Times are medians over the runs, in seconds; zero where they were not asked for.
+struct Row {
+    std::string name;
+    double segments = 0, triangles = 0, vertices = 0, evaluations = 0;
+    double time = 0, best = 0, alone = 0; // with all threads, its best run, and with one thread
+    double bricks = 0, cells = 0, join = 0;
+    double peak_bytes = 0;
+    double all_evaluations = 0, all_seconds = 0; // had every sample summed over all segments
+    double cones = 0;
+
+    // Of the whole process, what is beyond the mesh.
+    [[nodiscard]] double beyond() const { return peak_bytes - 12.0 * triangles - 32.0 * vertices; }
+};
+
+void print(const Row& row, bool compare) {
+    std::printf("%-22s %7.0f %8.3f %7.3f %6.2f %6.2f ", row.name.c_str(), row.segments, row.triangles / 1e6, row.time,
+                row.triangles / row.time / 1e6, row.triangles / row.best / 1e6);
+    if (compare)
+        std::printf("%6.2f", row.triangles / row.alone / 1e6);
+    else
+        std::printf("%6s", "");
+    std::printf(" %4.0f %4.0f %4.0f  %7.1f %6.1f  %6.0f %5.1f ", 1e3 * row.bricks, 1e3 * row.cells, 1e3 * row.join,
+                row.evaluations / 1e6, row.evaluations / row.vertices, row.peak_bytes / (1 << 20),
+                row.beyond() / row.triangles);
+    if (compare)
+        std::printf(" %6.0fx %6.0fx  %7.4f", row.all_evaluations / row.evaluations, row.all_seconds / row.time,
+                    row.cones);
+    std::printf("\n");
+}
+
+// For scripts: a line of numbers as they are, below one of names.
+void append(const std::string& file, const Row& row, const BenchOptions& options) {
+    const bool fresh = !std::filesystem::exists(file);
+    std::ofstream out(file, std::ios::app);
+    if (fresh)
+        out << "name\tdetail\tone_cell\tthreads\tsegments\ttriangles\tvertices\tevaluations\tseconds\tbest\tone_thread"
+               "\tbricks\tcells\tjoin\tpeak_bytes\tbeyond_mesh\tall_evaluations\tall_seconds\tcones\n";
+    out << row.name << '\t' << options.detail << '\t' << (options.finest_cell || options.cell_mm > 0.0) << '\t'
+        << options.threads;
+    for (const double number :
+         {row.segments, row.triangles, row.vertices, row.evaluations, row.time, row.best, row.alone, row.bricks,
+          row.cells, row.join, row.peak_bytes, row.beyond(), row.all_evaluations, row.all_seconds, row.cones})
+        out << '\t' << number;
+    out << '\n';
+}
+
 void measure(const std::string& name, const tree::VesselTree& tree, const BenchOptions& options) {
     mesh::SurfaceOptions surface_options;
     surface_options.smooth_passes = options.smooth;
@@ -113,45 +162,38 @@ void measure(const std::string& name, const tree::VesselTree& tree, const BenchO
     polygonize_options.detail = options.detail;
     polygonize_options.cell_mm = options.finest_cell ? field.frame().thinnest / 1.5 : options.cell_mm;
     const Timing timing = time_runs(field, polygonize_options, options.runs, options.threads);
-    const mesh::TriangleMesh& mesh = timing.mesh;
-    if (mesh.triangles.empty()) {
+    if (timing.mesh.triangles.empty()) {
         std::printf("%-22s could not be meshed\n", name.c_str());
         return;
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto triangles = static_cast<double>(mesh.triangles.size());
-    const double itself = 12.0 * triangles + 32.0 * static_cast<double>(mesh.positions.size());
-    const double beyond = (1024.0 * static_cast<double>(usage.ru_maxrss) - itself) / triangles;
-    const auto evaluations = static_cast<double>(timing.statistics.evaluations);
-    const double time = median(timing.total);
-    std::printf("%-22s %7zu %8.3f %7.3f %6.2f %6.2f ", name.c_str(), field.present().size(), triangles / 1e6, time,
-                triangles / time / 1e6, triangles / *std::ranges::min_element(timing.total) / 1e6);
-    const auto show_rest = [&] {
-        std::printf(" %4.0f %4.0f %4.0f  %7.1f %6.1f  %6ld %5.1f ", 1e3 * median(timing.bricks),
-                    1e3 * median(timing.cells), 1e3 * median(timing.join), evaluations / 1e6,
-                    evaluations / static_cast<double>(mesh.positions.size()), usage.ru_maxrss / 1024, beyond);
-    };
-    if (!options.compare) {
-        std::printf("%6s", "");
-        show_rest();
-        std::printf("\n");
-        return;
+    Row row;
+    row.name = name;
+    row.segments = static_cast<double>(field.present().size());
+    row.triangles = static_cast<double>(timing.mesh.triangles.size());
+    row.vertices = static_cast<double>(timing.mesh.positions.size());
+    row.evaluations = static_cast<double>(timing.statistics.evaluations);
+    row.time = median(timing.total);
+    row.best = *std::ranges::min_element(timing.total);
+    row.bricks = median(timing.bricks);
+    row.cells = median(timing.cells);
+    row.join = median(timing.join);
+    row.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    if (options.compare) {
+        row.alone = median(time_runs(field, polygonize_options, options.runs, 1).total);
+        row.all_evaluations = static_cast<double>(timing.statistics.samples) * row.segments;
+        row.all_seconds = all_segments_seconds(field, timing.mesh, timing.statistics.samples);
+        std::vector<double> cones;
+        Job job;
+        for (int run = 0; run <= options.runs; ++run) {
+            const double seconds = seconds_of([&] { (void)mesh::cones(prepared, options.detail, job); });
+            if (run > 0) cones.push_back(seconds);
+        }
+        row.cones = median(cones);
     }
-    const Timing alone = time_runs(field, polygonize_options, options.runs, 1);
-    std::printf("%6.2f", triangles / median(alone.total) / 1e6);
-    show_rest();
-    const double all_evaluations =
-        static_cast<double>(timing.statistics.samples) * static_cast<double>(field.present().size());
-    const double all_seconds = all_segments_seconds(field, mesh, timing.statistics.samples);
-    std::vector<double> cone;
-    Job job;
-    for (int run = 0; run <= options.runs; ++run) {
-        const double seconds = seconds_of([&] { (void)mesh::cones(prepared, options.detail, job); });
-        if (run > 0) cone.push_back(seconds);
-    }
-    std::printf(" %6.0fx %6.0fx  %7.4f\n", all_evaluations / evaluations, all_seconds / time, median(cone));
-    std::fflush(stdout);
+    print(row, options.compare);
+    if (!options.table.empty()) append(options.table, row, options);
 }
 
 // In a child process, before any thread exists.
@@ -192,6 +234,7 @@ int main(int argc, char** argv) {
     app.add_flag("--finest-cell", options.finest_cell, "one cell size everywhere: the smallest radius / 1.5");
     app.add_option("--smooth", options.smooth)->capture_default_str()->check(CLI::NonNegativeNumber);
     app.add_flag("--quick", quick, "Without comparing with one thread, all segments and cones");
+    app.add_option("--table", options.table, "file of tab-separated values to append to");
     CLI11_PARSE(app, argc, argv);
     options.compare = !quick;
 

@@ -15,7 +15,7 @@ namespace {
 struct Needs {
     double first, per_triangle;
 };
-constexpr Needs kWhole{0.0, 120.0};
+constexpr Needs kWhole{32e6, 80.0};
 constexpr Needs kStream{64e6, 16.0};
 
 double memory_for(const bricks::Sizing& sizing, Road road) {

@@ -1,0 +1,82 @@
+"""From the surface benchmark's table of values to the README's table and plot.
+
+    report.py surfaces.tsv FOLDER      writes FOLDER/table.md and FOLDER/speed.svg
+"""
+
+import csv
+import pathlib
+import subprocess
+import sys
+
+COLUMNS = (
+    ("tree", None),
+    ("cells", None),
+    ("segments", lambda r: f"{r['segments']:,.0f}"),
+    ("million triangles", lambda r: f"{r['triangles'] / 1e6:.2f}"),
+    ("s", lambda r: f"{r['seconds']:.3g}"),
+    ("million/s", lambda r: f"{r['triangles'] / r['seconds'] / 1e6:.1f}"),
+    ("best", lambda r: f"{r['triangles'] / r['best'] / 1e6:.1f}"),
+    ("one core", lambda r: f"{r['triangles'] / r['one_thread'] / 1e6:.1f}" if r["one_thread"] else ""),
+    ("octree, cells, joining (ms)", lambda r: " ".join(f"{1e3 * r[step]:.0f}" for step in ("bricks", "cells", "join"))),
+    ("evaluations a vertex", lambda r: f"{r['evaluations'] / r['vertices']:.0f}"),
+    ("beyond the mesh (B/triangle)", lambda r: f"{r['beyond_mesh'] / r['triangles']:.0f}"),
+    ("all segments: evaluations, time", lambda r: "{:.0f}x {:.0f}x".format(
+        r["all_evaluations"] / r["evaluations"], r["all_seconds"] / r["seconds"]) if r["all_seconds"] else ""),
+)
+
+PLOT = """
+set terminal svg size 760,420 font "sans-serif,13" background "white"
+set output "{svg}"
+set logscale xy
+set xlabel "million triangles"
+set ylabel "seconds"
+set key left top reverse Left
+set grid
+set pointsize 0.8
+plot 0.1 * x with lines dashtype 2 linecolor "#999999" title "10 million triangles a second", \\
+{curves}
+"""
+
+
+def read(file):
+    with open(file, encoding="ascii", newline="") as lines:
+        for row in csv.DictReader(lines, delimiter="\t"):
+            yield {name: text if name == "name" else float(text) for name, text in row.items()}
+
+
+def cells(row):
+    return "one size" if row["one_cell"] else f"detail {row['detail']:.0f}"
+
+
+def table(rows):
+    yield "| " + " | ".join(name for name, _ in COLUMNS) + " |"
+    yield "|---|---" + "|--:" * (len(COLUMNS) - 2) + "|"
+    for row in rows:
+        shown = [row["name"].replace("_", " "), cells(row)] + [show(row) for _, show in COLUMNS[2:]]
+        yield "| " + " | ".join(shown) + " |"
+
+
+def plot(rows, folder):
+    kinds = {}
+    for row in rows:
+        kind = "grown, " + cells(row) if row["name"].startswith("grown") else "read from files, " + cells(row)
+        kinds.setdefault(kind, []).append((row["triangles"] / 1e6, row["seconds"]))
+    curves = []
+    for number, (kind, points) in enumerate(kinds.items()):
+        data = folder / f"speed-{number}.dat"
+        data.write_text("".join(f"{x} {y}\n" for x, y in sorted(points)), encoding="ascii")
+        style = "points" if kind.startswith("read") else "linespoints"
+        curves.append(f'  "{data}" with {style} pointtype {5 + 2 * number} title "{kind}"')
+    script = PLOT.format(svg=folder / "speed.svg", curves=", \\\n".join(curves))
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def main():
+    rows = list(read(sys.argv[1]))
+    folder = pathlib.Path(sys.argv[2])
+    (folder / "table.md").write_text("\n".join(table(rows)) + "\n", encoding="ascii")
+    plot(rows, folder)
+
+
+if __name__ == "__main__":
+    main()
