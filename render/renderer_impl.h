@@ -44,7 +44,7 @@ private:
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     void draw_occlusion(const Frame& frame);
-    void shade(const Frame& frame, const GpuMesh* mesh);
+    Result<void> shade(const Frame& frame, const GpuMesh* mesh);
     void draw_overlays(const Frame& frame);
     enum class Pixels { kAll, kCovered };
     void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
@@ -52,8 +52,8 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, resolve_, occlude_, blur_, background_, overlay_;
-    std::array<Program, 4> shade_; // with glass: + 1, with an outline: + 2
+    Program geometry_, resolve_, occlude_, blur_, background_, enlarge_, overlay_;
+    std::array<Program, 4> shade_; // with glass: + 1, with an outline: + 2; made when needed
     VertexArray no_vertices_;
     Buffer view_block_, look_block_, branch_buffer_;
     Texture branch_texture_;

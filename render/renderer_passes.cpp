@@ -47,11 +47,9 @@ Result<void> Renderer::Impl::initialise() {
                                              {&occlude_, "fullscreen.vert", "occlusion.frag"},
                                              {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
                                              {&background_, "fullscreen.vert", "background.frag"},
+                                             {&enlarge_, "fullscreen.vert", "enlarge.frag"},
                                              {&overlay_, "fullscreen.vert", "overlay.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
-    const std::array defines{"", "#define GLASS\n", "#define OUTLINE\n", "#define GLASS\n#define OUTLINE\n"};
-    for (std::size_t i = 0; i < shade_.size(); ++i)
-        if (auto made = make(shade_[i], "fullscreen.vert", "shade.frag", defines[i]); !made) return made;
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer();
     look_block_ = make_buffer();
@@ -239,7 +237,7 @@ void Renderer::Impl::draw_occlusion(const Frame& frame) {
     }
 }
 
-void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
+Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     // One small record a branch; nothing else changes when the user points at things.
     const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->shown()->branch_count() : 0));
     std::vector<std::array<std::uint8_t, 4>> records(count);
@@ -298,16 +296,28 @@ void Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     glBindTextureUnit(6, branch_texture_);
     glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
     fullscreen(background_);
+    const std::size_t variant = (has_glass_ ? 1U : 0U) + (any_selected ? 2U : 0U);
+    if (shade_[variant] == 0) {
+        constexpr std::array kDefines{"", "#define GLASS\n", "#define OUTLINE\n", "#define GLASS\n#define OUTLINE\n"};
+        auto made = make_program("fullscreen.vert", "shade.frag", kDefines[variant]);
+        if (!made) return tl::unexpected(made.error());
+        shade_[variant] = std::move(*made);
+    }
     // An outline reaches beyond the surface it surrounds.
-    fullscreen(shade_[(has_glass_ ? 1U : 0U) + (any_selected ? 2U : 0U)],
-               any_selected ? Pixels::kAll : Pixels::kCovered);
+    fullscreen(shade_[variant], any_selected ? Pixels::kAll : Pixels::kCovered);
+    return {};
 }
 
 void Renderer::Impl::draw_overlays(const Frame& frame) {
-    glBlitNamedFramebuffer(lit_target_, picture_target_, 0, 0, inner_.x, inner_.y, 0, 0, size_.x, size_.y,
-                           GL_COLOR_BUFFER_BIT, inner_ == size_ ? GL_NEAREST : GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
     glViewport(0, 0, size_.x, size_.y);
+    if (inner_ == size_) {
+        glBlitNamedFramebuffer(lit_target_, picture_target_, 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
+                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    } else {
+        glBindTextureUnit(0, lit_);
+        fullscreen(enlarge_);
+    }
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -367,7 +377,10 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
         if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
         done.geometry = true;
     }
-    shade(frame, drawn_);
+    if (auto shaded = shade(frame, drawn_); !shaded) {
+        last_.reset();
+        return tl::unexpected(shaded.error());
+    }
     draw_overlays(frame);
     done.shaded = true;
     restore_state();
