@@ -57,6 +57,7 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
 }
 
 Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job) {
+    const std::lock_guard turn(turn_);
     const auto work = [&] {
         return request.options.method == mesh::Method::kTruncatedCones ? next_cones(request, job)
                                                                        : next_surface(request, job);

@@ -1,6 +1,7 @@
 // SurfaceMaker: makes the surface of one tree for the window and follows what becomes of it. Hiding and showing
 // branches recompute what they touch; whatever changes everything gives a preview first, the same surface with fewer
-// triangles, which also stands in while the view moves. One thread at a time; what it hands out is immutable.
+// triangles, which also stands in while the view moves. Any thread may ask; they take turns. What it hands out is
+// immutable.
 #pragma once
 
 #include "app/session.h"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -66,6 +68,7 @@ private:
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;
+    std::mutex turn_;                              // guards what follows
     std::optional<field::ConvolutionField> field_; // of all branches, under field_options_
     mesh::SurfaceOptions field_options_;
     std::optional<SurfaceRequest> surface_of_, preview_of_; // what the two are up to

@@ -5,13 +5,24 @@
 #include "core/tree/thin.h"
 
 #include <chrono>
+#include <oneapi/tbb/task_arena.h>
 
 namespace ramus::app {
 
 namespace {
 
+constexpr const char* kComputing = "Computing the surface";
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// While the window comes up, and draws the cones, one core is free.
+Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& request, std::size_t segments, Job& job) {
+    constexpr std::size_t kMany = 100'000; // there the surface is what takes time, and wants all cores
+    if (segments > kMany) return maker.next(request, job);
+    tbb::task_arena one(1);
+    return one.execute([&] { return maker.next(request, job); });
 }
 
 } // namespace
@@ -42,6 +53,7 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     session.tree.checksum = *checksum;
     loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
     loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    loaded.maker = std::make_shared<SurfaceMaker>(loaded.tree);
     loaded.seconds = seconds_since(start);
 
     SurfaceRequest request = surface_request(session.marks);
@@ -51,7 +63,7 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     // it.
     constexpr std::size_t kRoughFrom = 2000; // segments
     constexpr int kRough = 6;
-    constexpr double kRoughSpacing = 2.5; // radii
+    constexpr double kRoughSpacing = 4.0; // radii
     const bool rough = loaded.tree->segment_count() > kRoughFrom;
     if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
     auto cones = make_ready(rough ? tree::thinned(*loaded.tree, kRoughSpacing) : *loaded.tree, request, job);
@@ -64,19 +76,29 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
 Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
+    first_is_coming_ = false;
     loader_.start("Reading " + path.filename().string(),
                   [this, path, like = document.marks(), how = reading](Job& job, const Worker::Post& post) {
                       auto loaded = load(path, like, how, job);
                       if (job.cancelled()) return;
+                      if (!loaded) {
+                          post([this, error = loaded.error()] {
+                              errors_.push_back(error);
+                              changed_ = true;
+                          });
+                          return;
+                      }
+                      const SurfaceRequest request = surface_request(loaded->session.marks);
+                      const auto maker = loaded->maker;
+                      const std::size_t segments = loaded->tree->segment_count();
                       // std::function wants something to copy.
-                      auto result = std::make_shared<Result<LoadedTree>>(std::move(loaded));
-                      post([this, path, result] {
-                          if (*result)
-                              adopt(std::move(**result), path);
-                          else
-                              errors_.push_back(result->error());
-                          changed_ = true;
+                      const auto shared = std::make_shared<LoadedTree>(std::move(*loaded));
+                      post([this, path, shared] {
+                          adopt(std::move(*shared), path);
+                          first_is_coming_ = true;
                       });
+                      auto first = first_surface(*maker, request, segments, job);
+                      if (first && !job.cancelled()) post([this, first] { take(*first); });
                   });
     changed_ = true;
 }
@@ -88,7 +110,7 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     problem_.clear();
     kept_.clear();
     facts_ = std::move(loaded.facts);
-    maker_ = std::make_shared<SurfaceMaker>(loaded.tree);
+    maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(loaded.tree);
     document.open(std::move(loaded.tree), std::move(loaded.session));
     shown_ = std::move(loaded.cones);
     opened_ = Opened{path, loaded.has_camera};
@@ -114,6 +136,9 @@ SurfaceRequest Workspace::request() const {
 
 void Workspace::start_surface() {
     if (!document.tree()) return;
+    // The first surface of a tree comes with it.
+    if (first_is_coming_ && loader_.busy()) return;
+    first_is_coming_ = false;
     SurfaceRequest request = this->request();
     if (wanted_ == request) {
         if (shown_.provisional && shown_.request == request && !mesher_.busy() && problem_.empty()) {
@@ -150,7 +175,7 @@ bool Workspace::worth_finishing(const SurfaceRequest& request) const {
 
 void Workspace::make_next(const SurfaceRequest& request) {
     started_ = std::chrono::steady_clock::now();
-    mesher_.start("Computing the surface", [this, request, maker = maker_](Job& job, const Worker::Post& post) {
+    mesher_.start(kComputing, [this, request, maker = maker_](Job& job, const Worker::Post& post) {
         const auto made = maker->next(request, job);
         if (job.cancelled()) return;
         post([this, made] {
@@ -164,9 +189,13 @@ void Workspace::make_next(const SurfaceRequest& request) {
 }
 
 void Workspace::cancel_work() {
-    if (loader_.busy())
+    if (loader_.busy()) {
         loader_.cancel();
-    else if (mesher_.busy()) {
+        if (std::exchange(first_is_coming_, false)) {
+            wanted_ = request();
+            problem_ = "cancelled";
+        }
+    } else if (mesher_.busy()) {
         mesher_.cancel();
         problem_ = "cancelled";
     }
@@ -188,8 +217,8 @@ bool Workspace::update() {
 }
 
 std::string Workspace::activity() const {
-    if (loader_.busy()) return loader_.title();
-    return mesher_.busy() ? mesher_.title() : std::string{};
+    if (loader_.busy() && !first_is_coming_) return loader_.title();
+    return busy() ? kComputing : std::string{};
 }
 
 float Workspace::progress() const { return loader_.busy() ? loader_.progress() : mesher_.progress(); }

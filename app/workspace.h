@@ -25,6 +25,7 @@ struct LoadedTree {
     std::shared_ptr<const TreeFacts> facts;
     Session session;
     bool has_camera = false;
+    std::shared_ptr<SurfaceMaker> maker; // of this tree; null: none yet
     ReadySurface cones;
     double seconds = 0.0; // reading
 };
@@ -55,6 +56,10 @@ public:
     // Whether what is shown is the surface of the session as it is now.
     [[nodiscard]] bool surface_ready() const {
         return shown_.mesh && !shown_.provisional && shown_.request == surface_request(document.marks());
+    }
+    // Whether cones stand in for the surface.
+    [[nodiscard]] bool shown_cones() const {
+        return shown_.provisional && shown_.request.options.method == mesh::Method::kTruncatedCones;
     }
     // Options that are being tried, while a slider is held, say: the surface follows them instead of the session's.
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
@@ -92,15 +97,16 @@ private:
     std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
     std::optional<mesh::SurfaceOptions> tried_;
     std::optional<SurfaceRequest> wanted_;
-    std::shared_ptr<SurfaceMaker> maker_;           // used on the mesher's thread only
+    std::shared_ptr<SurfaceMaker> maker_;
     std::chrono::steady_clock::time_point started_; // the mesher's task
     bool refining_ = false;                         // it makes a surface whose preview is shown
     std::string problem_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;
     bool changed_ = false;
-    bool just_shown_ = false; // a picture that something better shall follow
-    Worker loader_, mesher_;  // last: their threads end first
+    bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
+    bool just_shown_ = false;      // a picture that something better shall follow
+    Worker loader_, mesher_;       // last: their threads end first
 };
 
 } // namespace ramus::app

