@@ -100,44 +100,47 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     const auto hidden = hidden_flags(request.hidden, tree_->branches.size());
     const field::ConvolutionField field = hidden.empty() ? *field_ : field_->without(hidden);
 
-    ReadySurface ready{.request = request, .mesh = nullptr, .preview = nullptr};
+    // What changes much is seen in the preview first; what changes little is soon there, and its preview comes after.
     const bool previews = request.options.detail > kPreviewDetail;
     const bool preview_first = previews && preview_of_ != request && changes_much(request);
-    if (previews) {
+    if (preview_first || (previews && preview_of_ != request && surface_of_ == request)) {
         mesh::PolygonizeOptions options;
         options.detail = kPreviewDetail;
         preview_of_.reset();
-        auto made = follow(preview_, field, options, job);
-        if (!made) return tl::unexpected(made.error());
+        if (auto made = follow(preview_, field, options, job); !made) return tl::unexpected(made.error());
         preview_of_ = request;
-        ready.preview = std::move(*made);
     }
-    if (preview_first) {
-        ready.mesh = ready.preview;
-        ready.provisional = true;
-    } else {
+    if (!preview_first && surface_of_ != request) {
         mesh::PolygonizeOptions options;
         options.detail = request.options.detail;
         options.cell_mm = request.options.cell_mm;
         surface_of_.reset();
-        auto made = follow(surface_, field, options, job);
-        if (!made) return tl::unexpected(made.error());
+        if (auto made = follow(surface_, field, options, job); !made) return tl::unexpected(made.error());
         surface_of_ = request;
-        ready.mesh = std::move(*made);
-        if (ready.mesh->triangle_count() < kPreviewFrom) ready.preview = nullptr;
+    }
+    ReadySurface ready;
+    ready.request = request;
+    ready.mesh = preview_first ? preview_.current : surface_.current;
+    ready.provisional = preview_first;
+    if (preview_first || ready.mesh->triangle_count() >= kPreviewFrom) {
+        if (preview_of_ == request) ready.preview = preview_.current;
+        ready.preview_follows = previews && !ready.preview;
     }
     ready.seconds = seconds_since(start);
     return ready;
 }
 
-Result<SurfaceMaker::Paged> SurfaceMaker::follow(Followed& followed, const field::ConvolutionField& field,
-                                                 const mesh::PolygonizeOptions& options, Job& job) {
+Result<void> SurfaceMaker::follow(Followed& followed, const field::ConvolutionField& field,
+                                  const mesh::PolygonizeOptions& options, Job& job) const {
     if (field.segments().empty()) return fail("the tree has no segments", {}, "nothing to make a surface of");
-    // The polygonizer stays where it is: what comes next is likely to be near that.
-    if (field.present().empty()) return paged({}, *tree_);
+    if (field.present().empty()) {
+        // The polygonizer stays where it is: what comes next is likely to be near that.
+        followed.current = paged({}, *tree_);
+        return {};
+    }
     if (auto updated = followed.polygonizer.update(field, options, job); !updated) {
         followed.mesh = nullptr;
-        return tl::unexpected(updated.error());
+        return updated;
     }
     const mesh::SurfaceEdit edit = followed.polygonizer.take_edit();
     const mesh::TriangleMesh& slots = followed.polygonizer.slots();
@@ -145,7 +148,8 @@ Result<SurfaceMaker::Paged> SurfaceMaker::follow(Followed& followed, const field
         followed.mesh = paged(slots, *tree_);
     else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())
         followed.mesh = std::make_shared<const render::PagedMesh>(followed.mesh->edited(slots, edit));
-    return followed.mesh;
+    followed.current = followed.mesh;
+    return {};
 }
 
 } // namespace ramus::app

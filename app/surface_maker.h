@@ -42,6 +42,7 @@ struct ReadySurface {
     std::shared_ptr<const render::PagedMesh> preview; // for while the view moves; null: none, or not yet
     double seconds = 0.0;
     bool provisional = false; // the preview (or rough cones) in place of the surface
+    bool preview_follows = false;
 };
 
 // The surface from nothing; without any triangle when every branch is hidden.
@@ -51,20 +52,20 @@ class SurfaceMaker {
 public:
     explicit SurfaceMaker(std::shared_ptr<const tree::VesselTree> tree) : tree_(std::move(tree)) {}
 
-    // The next better picture of what is asked for. While it is provisional, ask again: showing it first lets the
-    // picture have the machine for itself.
+    // The next better picture of what is asked for. While it is provisional or its preview follows, ask again.
     [[nodiscard]] Result<ReadySurface> next(const SurfaceRequest& request, Job& job);
 
 private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
     struct Followed {
         mesh::Polygonizer polygonizer{mesh::Polygonizer::Purpose::kUpdates};
-        Paged mesh; // of the polygonizer's state
+        Paged mesh;    // of the polygonizer's state
+        Paged current; // what was asked for last
     };
     [[nodiscard]] Result<ReadySurface> next_cones(const SurfaceRequest& request, Job& job) const;
     [[nodiscard]] Result<ReadySurface> next_surface(const SurfaceRequest& request, Job& job);
-    Result<Paged> follow(Followed& followed, const field::ConvolutionField& field,
-                         const mesh::PolygonizeOptions& options, Job& job);
+    [[nodiscard]] Result<void> follow(Followed& followed, const field::ConvolutionField& field,
+                                      const mesh::PolygonizeOptions& options, Job& job) const;
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;

@@ -122,6 +122,7 @@ void Workspace::take(ReadySurface surface) {
     shown_ = std::move(surface);
     changed_ = true;
     just_shown_ = shown_.provisional;
+    awaited_ = false;
     if (shown_.provisional) return;
     std::erase_if(kept_, [&](const ReadySurface& kept) { return kept.request == shown_.request; });
     kept_.push_front(shown_);
@@ -166,6 +167,12 @@ void Workspace::start_surface() {
     mesher_.drain();
 }
 
+void Workspace::await_preview() {
+    if (!shown_.preview_follows || !mesher_.busy() || std::exchange(awaited_, true)) return;
+    mesher_.wait(kPreviewPatience);
+    mesher_.drain();
+}
+
 // When only other branches are hidden, what is being made is the way to what is wanted now. And while somebody drags a
 // slider, previews that never get finished would show nothing.
 bool Workspace::worth_finishing(const SurfaceRequest& request) const {
@@ -176,15 +183,18 @@ bool Workspace::worth_finishing(const SurfaceRequest& request) const {
 void Workspace::make_next(const SurfaceRequest& request) {
     started_ = std::chrono::steady_clock::now();
     mesher_.start(kComputing, [this, request, maker = maker_](Job& job, const Worker::Post& post) {
-        const auto made = maker->next(request, job);
-        if (job.cancelled()) return;
-        post([this, made] {
-            if (made)
-                take(*made);
-            else
-                problem_ = made.error().message();
-            changed_ = true;
-        });
+        for (bool more = true; more;) {
+            const auto made = maker->next(request, job);
+            if (job.cancelled()) return;
+            more = made && made->preview_follows;
+            post([this, made] {
+                if (made)
+                    take(*made);
+                else
+                    problem_ = made.error().message();
+                changed_ = true;
+            });
+        }
     });
 }
 

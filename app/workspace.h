@@ -61,6 +61,9 @@ public:
     [[nodiscard]] bool shown_cones() const {
         return shown_.provisional && shown_.request.options.method == mesh::Method::kTruncatedCones;
     }
+    // Waits a moment for the preview of the surface that is shown, when it is about to come. For who draws so slowly
+    // that the surface itself would take longer.
+    void await_preview();
     // Options that are being tried, while a slider is held, say: the surface follows them instead of the session's.
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
 
@@ -84,6 +87,7 @@ private:
     static constexpr std::size_t kKeptSurfaces = 3;
     // A branch that is hidden is gone from the surface within a frame or two: then the next picture is the right one.
     static constexpr std::chrono::milliseconds kPatience{25};
+    static constexpr std::chrono::milliseconds kPreviewPatience{80};
     static constexpr std::chrono::milliseconds kShort{500}; // what is being made is let finish
 
     [[nodiscard]] SurfaceRequest request() const;
@@ -104,6 +108,7 @@ private:
     std::optional<Opened> opened_;
     std::deque<Error> errors_;
     bool changed_ = false;
+    bool awaited_ = false;         // the preview of what is shown
     bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
     bool just_shown_ = false;      // a picture that something better shall follow
     Worker loader_, mesher_;       // last: their threads end first

@@ -22,6 +22,8 @@ public:
 
     // The quality to draw `frame` in at `now`. `moving`: a drag goes on; `provisional`: a better mesh is being made.
     [[nodiscard]] render::Quality quality(const render::Frame& frame, bool moving, bool provisional, double now);
+    // Whether `frame` would take long in full quality.
+    [[nodiscard]] bool slow(const render::Frame& frame) const;
     // What a frame took whose triangles were drawn.
     void drawn(const render::Frame& frame, double seconds);
     // When a frame that was drawn quickly is due to be drawn fully.
@@ -36,7 +38,6 @@ private:
         std::vector<render::BranchState> states;
         bool operator==(const View&) const = default;
     };
-    [[nodiscard]] bool slow(const render::Frame& frame) const;
 
     bool software_;
     double full_seconds_ = 0.0; // of the last full frame, 0: there was none

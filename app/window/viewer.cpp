@@ -116,6 +116,10 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     }
 
     render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
+    if (pace_.slow(frame)) {
+        workspace_.await_preview();
+        frame.mesh = workspace_.shown().mesh;
+    }
     frame.preview = workspace_.shown().preview;
     frame.quality = pace_.quality(frame, mouse_.dragging(), workspace_.shown().provisional, now);
     // Rough cones are there for a blink.

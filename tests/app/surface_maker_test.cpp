@@ -23,7 +23,7 @@ struct Shop {
             auto made = maker.next(request, job);
             REQUIRE(made);
             shown.push_back(std::move(*made));
-        } while (shown.back().provisional);
+        } while (shown.back().provisional || shown.back().preview_follows);
         for (const ReadySurface& surface : shown) CHECK(surface.request == request);
     }
 };
