@@ -1,0 +1,54 @@
+// When a window draws quickly and when fully.
+#include "app/window/pace.h"
+#include "tests/support/tube_mesh.h"
+
+#include <doctest/doctest.h>
+
+using namespace ramus;
+using namespace ramus::app;
+using render::Quality;
+
+namespace {
+
+render::Frame a_frame() {
+    mesh::TriangleMesh mesh;
+    test::add_capsule(mesh, {0, 0, 0}, {0, 0, 50}, 5.0F, 5.0F, 0);
+    render::Frame frame;
+    frame.mesh = std::make_shared<const render::PagedMesh>(mesh);
+    frame.states.assign(2, render::BranchState::kNormal);
+    return frame;
+}
+
+} // namespace
+
+TEST_CASE("where full frames are quick, only a drag is drawn otherwise") {
+    Pace pace(false);
+    render::Frame frame = a_frame();
+    CHECK(pace.quality(frame, false, false, 1.0) == Quality::kFull);
+    frame.camera.position.x += 1.0;
+    CHECK(pace.quality(frame, true, false, 2.0) == Quality::kInteractive);
+    CHECK(pace.quality(frame, true, false, 2.0 + 2.0 * Pace::kRestSeconds) == Quality::kFull); // the drag pauses
+    frame.camera.position.x += 1.0;
+    CHECK(pace.quality(frame, false, false, 3.0) == Quality::kFull);
+}
+
+TEST_CASE("where they are slow, what changes is drawn quickly until it rests") {
+    Pace pace(true);
+    render::Frame frame = a_frame();
+    CHECK(pace.quality(frame, false, true, 1.0) == Quality::kInteractive);
+    CHECK(pace.quality(frame, false, true, 1.5) == Quality::kInteractive); // something better is coming
+    CHECK(pace.quality(frame, false, false, 1.5) == Quality::kFull);
+    pace.drawn(frame, 1.0);
+    frame.states[1] = render::BranchState::kHidden;
+    CHECK(pace.quality(frame, false, false, 2.0) == Quality::kInteractive);
+    CHECK(pace.rests_at() == doctest::Approx(2.0 + Pace::kRestSeconds));
+    CHECK(pace.quality(frame, false, false, pace.rests_at()) == Quality::kFull);
+    // No triangle is drawn for these.
+    frame.states[0] = render::BranchState::kHighlighted;
+    frame.hovered = 1;
+    CHECK(pace.quality(frame, false, false, 3.0) == Quality::kFull);
+    // A small tree is drawn fast enough even so.
+    pace.drawn(frame, 0.01);
+    frame.camera.position.x += 1.0;
+    CHECK(pace.quality(frame, false, false, 4.0) == Quality::kFull);
+}
