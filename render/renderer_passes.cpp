@@ -257,6 +257,10 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     bool any_selected = false;
     for (const int id : frame.selected) {
         if (id < 0 || static_cast<std::size_t>(id) >= count) continue;
+        // An outline is dear; what is hidden has none.
+        if (static_cast<std::size_t>(id) < frame.states.size() &&
+            frame.states[static_cast<std::size_t>(id)] == BranchState::kHidden)
+            continue;
         auto& flags = records[static_cast<std::size_t>(id)][3];
         flags = static_cast<std::uint8_t>((flags & ~1) | 8); // what is selected is never calm
         any_selected = true;
