@@ -142,7 +142,9 @@ void Workspace::start_surface() {
     first_is_coming_ = false;
     SurfaceRequest request = this->request();
     if (wanted_ == request) {
-        if (shown_.provisional && shown_.request == request && !mesher_.busy() && problem_.empty()) {
+        // What is only being tried is about to change: its preview is enough.
+        const bool refine = shown_.provisional && shown_.request == request && !tried_;
+        if (refine && !mesher_.busy() && problem_.empty()) {
             refining_ = true;
             make_next(request);
         }
