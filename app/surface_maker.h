@@ -58,7 +58,7 @@ public:
 private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
     struct Followed {
-        mesh::Polygonizer polygonizer{mesh::Polygonizer::Purpose::kUpdates};
+        mesh::Polygonizer polygonizer;
         Paged mesh;    // of the polygonizer's state
         Paged current; // what was asked for last
     };

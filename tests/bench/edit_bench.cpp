@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
 
     const mesh::SurfaceOptions usual;
     mesh::PolygonizeOptions options;
-    mesh::Polygonizer polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+    mesh::Polygonizer polygonizer;
     std::vector<std::uint8_t> hidden(tree->branches.size(), 0);
     Job job;
     const auto update = [&](Row& row, const field::ConvolutionField& field) {
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     const field::ConvolutionField all = mesh::make_field(*tree, usual, {});
     Row whole;
     for (int run = 0; run < runs; ++run) {
-        polygonizer = mesh::Polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+        polygonizer = mesh::Polygonizer();
         update(whole, all);
     }
     print("the whole surface", whole);

@@ -12,15 +12,15 @@ COLUMNS = (
     ("tree", None),
     ("cells", None),
     ("segments", lambda r: f"{r['segments']:,.0f}"),
-    ("million triangles", lambda r: f"{r['triangles'] / 1e6:.2f}"),
+    ("million triang.", lambda r: f"{r['triangles'] / 1e6:.2f}"),
     ("s", lambda r: f"{r['seconds']:.3g}"),
-    ("million/s", lambda r: f"{r['triangles'] / r['seconds'] / 1e6:.1f}"),
+    ("million / s", lambda r: f"{r['triangles'] / r['seconds'] / 1e6:.1f}"),
     ("best", lambda r: f"{r['triangles'] / r['best'] / 1e6:.1f}"),
     ("one core", lambda r: f"{r['triangles'] / r['one_thread'] / 1e6:.1f}" if r["one_thread"] else ""),
-    ("octree, cells, joining (ms)", lambda r: " ".join(f"{1e3 * r[step]:.0f}" for step in ("bricks", "cells", "join"))),
-    ("evaluations a vertex", lambda r: f"{r['evaluations'] / r['vertices']:.0f}"),
-    ("beyond the mesh (B/triangle)", lambda r: f"{r['beyond_mesh'] / r['triangles']:.0f}"),
-    ("all segments: evaluations, time", lambda r: "{:.0f}x {:.0f}x".format(
+    ("octree, cells, join, ms", lambda r: " ".join(f"{1e3 * r[step]:.0f}" for step in ("bricks", "cells", "join"))),
+    ("eval. / vertex", lambda r: f"{r['evaluations'] / r['vertices']:.0f}"),
+    ("B / triang. beyond mesh", lambda r: f"{r['beyond_mesh'] / r['triangles']:.0f}"),
+    ("all segments: eval., time", lambda r: "{:.0f}x {:.0f}x".format(
         r["all_evaluations"] / r["evaluations"], r["all_seconds"] / r["seconds"]) if r["all_seconds"] else ""),
 )
 
@@ -30,12 +30,16 @@ set output "{svg}"
 set logscale xy
 set xlabel "million triangles"
 set ylabel "seconds"
-set key left top reverse Left
+set key right bottom reverse Left
 set grid
 set pointsize 0.8
+set xrange [0.1:300]
+set yrange [0.01:100]
 plot 0.1 * x with lines dashtype 2 linecolor "#999999" title "10 million triangles a second", \\
+  "+" using (1.1):(53) every ::::0 with points pointtype 2 linecolor "black" title "the paper's largest tree", \\
 {curves}
 """
+COLOURS = ("#009e73", "#0072b2", "#d55e00", "#7f3f98")
 
 
 def read(file):
@@ -66,7 +70,8 @@ def plot(rows, folder):
         data = folder / f"speed-{number}.dat"
         data.write_text("".join(f"{x} {y}\n" for x, y in sorted(points)), encoding="ascii")
         style = "points" if kind.startswith("read") else "linespoints"
-        curves.append(f'  "{data}" with {style} pointtype {5 + 2 * number} title "{kind}"')
+        colour = COLOURS[number % len(COLOURS)]
+        curves.append(f'  "{data}" with {style} pointtype {5 + 2 * number} linecolor "{colour}" title "{kind}"')
     script = PLOT.format(svg=folder / "speed.svg", curves=", \\\n".join(curves))
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 

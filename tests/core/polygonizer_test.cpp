@@ -74,7 +74,7 @@ TEST_CASE("hiding and showing branches gives the surface made from nothing, bit 
     for (const double cell : {0.0, 0.5}) {
         mesh::PolygonizeOptions options;
         options.cell_mm = cell;
-        mesh::Polygonizer polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+        mesh::Polygonizer polygonizer;
         Follower follower;
         std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
         std::mt19937 random(5);
@@ -94,7 +94,7 @@ TEST_CASE("hiding and showing branches gives the surface made from nothing, bit 
 
 TEST_CASE("pruning, smoothing, width and detail give the surface made from nothing, bit for bit") {
     const tree::VesselTree tree = grown(120);
-    mesh::Polygonizer polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+    mesh::Polygonizer polygonizer;
     Follower follower;
     mesh::PolygonizeOptions options;
     mesh::SurfaceOptions surface;
@@ -114,7 +114,7 @@ TEST_CASE("pruning, smoothing, width and detail give the surface made from nothi
 TEST_CASE("a change costs in proportion to what it touches") {
     const tree::VesselTree tree = grown(400);
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
-    mesh::Polygonizer polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+    mesh::Polygonizer polygonizer;
     Job job;
     REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
     const std::uint64_t whole = polygonizer.statistics().evaluations;
@@ -130,7 +130,7 @@ TEST_CASE("a change costs in proportion to what it touches") {
 
 TEST_CASE("a polygonizer whose work was cancelled starts anew") {
     const tree::VesselTree tree = grown(60);
-    mesh::Polygonizer polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+    mesh::Polygonizer polygonizer;
     Job cancelled;
     cancelled.cancel();
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
@@ -144,7 +144,7 @@ TEST_CASE("a polygonizer whose work was cancelled starts anew") {
 
 TEST_CASE("a tree of which everything is hidden has no surface, and gets it back") {
     const tree::VesselTree tree = grown(30);
-    mesh::Polygonizer polygonizer(mesh::Polygonizer::Purpose::kUpdates);
+    mesh::Polygonizer polygonizer;
     Follower follower;
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
     check_update(polygonizer, follower, mesh::make_field(tree, {}, hidden), {});

@@ -18,7 +18,7 @@ namespace {
 // A surface that branches come and go from, and what a viewer sees of it.
 struct Explorer {
     tree::VesselTree tree = test::grown_tree(300).value();
-    mesh::Polygonizer polygonizer{mesh::Polygonizer::Purpose::kUpdates};
+    mesh::Polygonizer polygonizer;
     std::shared_ptr<const PagedMesh> mesh;
     std::unique_ptr<GlContext> context = make_osmesa_context().value();
     std::unique_ptr<Renderer> renderer = Renderer::create().value();

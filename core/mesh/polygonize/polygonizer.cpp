@@ -13,6 +13,9 @@ namespace ramus::mesh {
 
 namespace {
 
+// Share of room that is left in all arrays for what updates will bring.
+constexpr double kSlack = 0.25;
+
 // Entries of `a` that are not in `b`, and the other way round: absent there, or different.
 void find_changed_segments(const field::ConvolutionField& a, const field::ConvolutionField& b,
                            std::vector<std::uint32_t>& only_a, std::vector<std::uint32_t>& only_b) {
@@ -106,25 +109,23 @@ Result<void> Polygonizer::make(std::unique_ptr<State> state, Job& job) {
     statistics_.bricks_s = watch.lap();
     statistics_.bricks = live_bricks_ = octree_.bricks.size();
     job.report(0.15F);
-    if (slack_ > 0.0) {
-        const auto roomy = [&](auto& array) {
-            array.reserve(array.size() + static_cast<std::size_t>(slack_ * static_cast<double>(array.size())));
-        };
-        roomy(octree_.nodes), roomy(octree_.bricks), roomy(octree_.lists), roomy(cells_.neighbours);
-        cells_.cells.resize(octree_.bricks.size());
-        roomy(cells_.cells);
-    }
+    const auto roomy = [&](auto& array) {
+        array.reserve(array.size() + static_cast<std::size_t>(kSlack * static_cast<double>(array.size())));
+    };
+    roomy(octree_.nodes), roomy(octree_.bricks), roomy(octree_.lists), roomy(cells_.neighbours);
+    cells_.cells.resize(octree_.bricks.size());
+    roomy(cells_.cells);
 
     if (!job.cancelled()) bricks::fill_tiles(state->field, octree_, tiles, cells_, JobStretch(job, 0.15F, 0.8F));
     count(tiles);
     statistics_.cells_s = watch.lap();
 
     if (!job.cancelled()) {
-        slots_.place_vertices(octree_, tiles, cells_, slack_);
+        slots_.place_vertices(octree_, tiles, cells_, kSlack);
         std::vector<bricks::JoinedTile> joined;
         bricks::join_tiles(state->field, octree_, tiles, cells_, vertices_of(slots_.mesh()), joined,
                            JobStretch(job, 0.8F, 0.95F));
-        if (!job.cancelled()) slots_.place_triangles(tiles, std::move(joined), slack_);
+        if (!job.cancelled()) slots_.place_triangles(tiles, std::move(joined), kSlack);
     }
     statistics_.join_s = watch.lap();
     if (job.cancelled()) {
@@ -206,7 +207,7 @@ bool Polygonizer::follow(std::unique_ptr<State> state, Job& job) {
     count(refill);
     statistics_.cells_s = watch.lap();
 
-    slots_.place_vertices(octree_, refill, cells_, slack_);
+    slots_.place_vertices(octree_, refill, cells_, kSlack);
     std::vector<std::uint32_t> beside = bricks::tiles_beside(octree_, changes);
     std::erase_if(beside, [&](std::uint32_t tile) { return !bricks::reaches_beyond(octree_, cells_, tile, changes); });
     for (const std::uint32_t tile : beside) slots_.remove_triangles(tile);
@@ -215,7 +216,7 @@ bool Polygonizer::follow(std::unique_ptr<State> state, Job& job) {
     bricks::join_tiles(state_->field, octree_, rejoin, cells_, vertices_of(slots_.mesh()), joined,
                        JobStretch(job, 0.8F, 0.95F));
     if (job.cancelled()) return false;
-    slots_.place_triangles(rejoin, std::move(joined), slack_);
+    slots_.place_triangles(rejoin, std::move(joined), kSlack);
     statistics_.join_s = watch.lap();
     return true;
 }

@@ -16,10 +16,6 @@ namespace ramus::mesh {
 
 class Polygonizer {
 public:
-    // Room for growth is left in all arrays when the surface is to be updated.
-    enum class Purpose { kOnce, kUpdates };
-    explicit Polygonizer(Purpose purpose) : slack_(purpose == Purpose::kUpdates ? 0.25 : 0.0) {}
-
     // From nothing. Nothing is left when it fails.
     [[nodiscard]] Result<void> make(field::ConvolutionField field, const PolygonizeOptions& options, Job& job);
     // To another state of the tree, in the same frame; from nothing where that does not help: the first time, and after
@@ -47,7 +43,6 @@ private:
     void count(std::span<const std::uint32_t> tiles);
     void clear();
 
-    double slack_;
     std::unique_ptr<State> state_; // null: there is no surface
     bricks::Octree octree_;
     bricks::SurfaceCells cells_;
