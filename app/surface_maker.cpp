@@ -101,17 +101,17 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     const field::ConvolutionField field = hidden.empty() ? *field_ : field_->without(hidden);
 
     // What changes much is seen in the preview first; what changes little is soon there, and its preview comes after.
+    mesh::PolygonizeOptions options;
+    options.memory_bytes = static_cast<double>(request.options.memory_bytes);
     const bool previews = request.options.detail > kPreviewDetail;
     const bool preview_first = previews && preview_of_ != request && changes_much(request);
     if (preview_first || (previews && preview_of_ != request && surface_of_ == request)) {
-        mesh::PolygonizeOptions options;
         options.detail = kPreviewDetail;
         preview_of_.reset();
         if (auto made = follow(preview_, field, options, job); !made) return tl::unexpected(made.error());
         preview_of_ = request;
     }
     if (!preview_first && surface_of_ != request) {
-        mesh::PolygonizeOptions options;
         options.detail = request.options.detail;
         options.cell_mm = request.options.cell_mm;
         surface_of_.reset();

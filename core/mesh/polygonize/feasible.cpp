@@ -17,9 +17,10 @@ struct Needs {
 };
 constexpr Needs kWhole{32e6, 80.0};
 constexpr Needs kStream{64e6, 16.0};
+constexpr Needs kFollow{32e6, 150.0};
 
 double memory_for(const bricks::Sizing& sizing, Road road) {
-    const Needs& needs = road == Road::kWhole ? kWhole : kStream;
+    const Needs& needs = road == Road::kWhole ? kWhole : road == Road::kStream ? kStream : kFollow;
     return needs.first + needs.per_triangle * sizing.expected_triangles;
 }
 

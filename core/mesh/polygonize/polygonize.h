@@ -23,8 +23,9 @@ struct PolygonizeOptions {
     double memory_bytes = 0.0; // refuse what is forecast to take more; 0 = half of the machine's
 };
 
-// A mesh as a whole, or part by part (stream/polygonize_to.h).
-enum class Road { kWhole, kStream };
+// A mesh as a whole, part by part (stream/polygonize_to.h), or with all that it takes to follow its tree
+// (polygonizer.h).
+enum class Road { kWhole, kStream, kFollow };
 
 // Whether that road is open, or would be refused. As rough as its forecast of the triangles.
 [[nodiscard]] bool is_feasible(const field::ConvolutionField& field, const PolygonizeOptions& options, Road road);

@@ -78,7 +78,7 @@ Result<void> Polygonizer::update(field::ConvolutionField field, const Polygonize
     bricks::Sizing sizing = bricks::make_sizing(field, culling.origin, options.detail, options.cell_mm);
     auto state = std::make_unique<State>(State{std::move(field), culling, std::move(sizing), options});
     if (!follows) return make(std::move(state), job);
-    if (auto possible = check_feasible(state->field, state->sizing, options, Road::kWhole); !possible) return possible;
+    if (auto possible = check_feasible(state->field, state->sizing, options, Road::kFollow); !possible) return possible;
     if (!follow(std::move(state), job)) {
         clear();
         return fail("cancelled");
@@ -99,7 +99,7 @@ void Polygonizer::clear() {
 Result<void> Polygonizer::make(std::unique_ptr<State> state, Job& job) {
     clear();
     whole_ = true;
-    if (auto possible = check_feasible(state->field, state->sizing, state->options, Road::kWhole); !possible)
+    if (auto possible = check_feasible(state->field, state->sizing, state->options, Road::kFollow); !possible)
         return possible;
     Stopwatch watch;
     octree_ = bricks::build_octree(state->field, state->culling, state->sizing, job);
