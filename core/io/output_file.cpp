@@ -1,6 +1,6 @@
 #include "core/io/output_file.h"
 
-#include "core/io/write_error.h"
+#include "core/io/writing.h"
 
 #include <array>
 #include <atomic>
@@ -136,16 +136,7 @@ Result<OutputFile> OutputFile::create(const fs::path& target) {
 }
 
 void OutputFile::flush(const std::byte* bytes, std::size_t count) {
-    while (count > 0 && state_->error == 0) {
-        const ssize_t done = ::write(state_->descriptor, bytes, count);
-        if (done < 0 && errno == EINTR) continue;
-        if (done <= 0) {
-            state_->error = done < 0 ? errno : ENOSPC;
-            return;
-        }
-        bytes += done;
-        count -= static_cast<std::size_t>(done);
-    }
+    if (state_->error == 0) state_->error = write_all(state_->descriptor, bytes, count);
 }
 
 void OutputFile::write_through(const void* bytes, std::size_t count) {

@@ -1,6 +1,6 @@
 #include "core/io/spool.h"
 
-#include "core/io/write_error.h"
+#include "core/io/writing.h"
 
 #include <cerrno>
 #include <cstdlib>
@@ -60,16 +60,7 @@ Spool::~Spool() {
 
 void Spool::flush(const std::byte* bytes, std::size_t count) {
     flushed_ += count;
-    while (count > 0 && error_ == 0) {
-        const ssize_t done = ::write(descriptor_, bytes, count);
-        if (done < 0 && errno == EINTR) continue;
-        if (done <= 0) {
-            error_ = done < 0 ? errno : ENOSPC;
-            return;
-        }
-        bytes += done;
-        count -= static_cast<std::size_t>(done);
-    }
+    if (error_ == 0) error_ = write_all(descriptor_, bytes, count);
 }
 
 void Spool::write_through(const void* bytes, std::size_t count) {

@@ -1,8 +1,9 @@
-#include "core/io/write_error.h"
+#include "core/io/writing.h"
 
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <unistd.h>
 
 namespace ramus::io {
 
@@ -25,6 +26,17 @@ tl::unexpected<Error> write_error(const std::filesystem::path& target, int code)
     default:
         return fail("cannot be written: " + std::string(std::strerror(code)), where, "choose another place for it");
     }
+}
+
+int write_all(int descriptor, const std::byte* bytes, std::size_t count) {
+    while (count > 0) {
+        const ssize_t done = ::write(descriptor, bytes, count);
+        if (done < 0 && errno == EINTR) continue;
+        if (done <= 0) return done < 0 ? errno : ENOSPC;
+        bytes += done;
+        count -= static_cast<std::size_t>(done);
+    }
+    return 0;
 }
 
 } // namespace ramus::io
