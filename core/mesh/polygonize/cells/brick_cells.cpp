@@ -55,44 +55,37 @@ std::uint64_t append_projected(const field::LocalSegments& local, field::Project
 
 namespace {
 
-// Where finished tiles' vertices wait: blocks that go back to the system as a whole. One for each thread.
+// Where tiles' vertices wait for their places: blocks that go back to the system as a whole. One for each thread.
 class VertexBlocks {
 public:
     explicit VertexBlocks(SurfaceCells& surface) : surface_(surface) {}
 
-    void store(const SurfaceVertices& from, TileCells& tile) {
+    // This thread's block, with room for what most tiles make; it grows for the others.
+    SurfaceVertices& block() {
         SurfaceVertices*& block = current_.local();
-        if (block == nullptr || block->count + from.count > block->positions.size()) {
+        if (block == nullptr || block->positions.size() - block->count < kRoom) {
             const std::lock_guard lock(mutex_);
-            surface_.vertices.push_back(take_block(from.count));
+            surface_.vertices.push_back(take_block());
             block = surface_.vertices.back().get();
         }
-        tile.vertices = block;
-        tile.first_vertex = block->count;
-        tile.vertex_count = from.count;
-        const auto at = static_cast<std::ptrdiff_t>(block->count);
-        std::copy_n(from.positions.begin(), from.count, block->positions.begin() + at);
-        std::copy_n(from.normals.begin(), from.count, block->normals.begin() + at);
-        std::copy_n(from.radii.begin(), from.count, block->radii.begin() + at);
-        std::copy_n(from.branches.begin(), from.count, block->branches.begin() + at);
-        block->count += from.count;
+        return *block;
     }
 
 private:
     static constexpr std::size_t kBlock = std::size_t{1} << 16;
+    static constexpr std::size_t kRoom = kBlock / 8;
 
-    std::unique_ptr<SurfaceVertices> take_block(std::size_t count) {
-        if (count <= kBlock && !surface_.spare.empty()) {
+    std::unique_ptr<SurfaceVertices> take_block() {
+        if (!surface_.spare.empty()) {
             auto block = std::move(surface_.spare.back());
             surface_.spare.pop_back();
             return block;
         }
         auto block = std::make_unique<SurfaceVertices>();
-        const std::size_t size = std::max(kBlock, count);
-        block->positions.resize(size);
-        block->normals.resize(size);
-        block->radii.resize(size);
-        block->branches.resize(size);
+        block->positions.resize(kBlock);
+        block->normals.resize(kBlock);
+        block->radii.resize(kBlock);
+        block->branches.resize(kBlock);
         return block;
     }
 
@@ -160,11 +153,14 @@ void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std:
         thread_local BrickSampler sampler;
         const Tile& tile = octree.tiles[tiles[t]];
         TileCells made;
-        sampler.begin(field, octree, tile, surface.neighbours);
+        SurfaceVertices& vertices = blocks.block();
+        made.vertices = &vertices;
+        made.first_vertex = vertices.count;
+        sampler.begin(field, octree, tile, surface.neighbours, vertices);
         // Backwards, so that a brick finds its upper neighbours' samples there.
         for (std::uint32_t n = tile.brick_count; n-- > 0;)
             sampler.fill(tile.first_brick + n, surface.cells[tile.first_brick + n], made);
-        blocks.store(sampler.vertices(), made);
+        made.vertex_count = vertices.count - made.first_vertex;
         surface.tiles[tiles[t]] = std::move(made);
         job.report(static_cast<float>(++done) / static_cast<float>(tiles.size()));
     });

@@ -49,12 +49,13 @@ constexpr glm::ivec3 place_of(int cell) { return {cell & 3, cell >> 2 & 3, cell 
 } // namespace
 
 void BrickSampler::begin(const field::ConvolutionField& field, const Octree& octree, const Tile& tile,
-                         const LargeArray<Neighbourhood>& neighbours) {
+                         const LargeArray<Neighbourhood>& neighbours, SurfaceVertices& vertices) {
     field_ = &field;
     octree_ = &octree;
     all_neighbours_ = &neighbours;
     first_brick_ = tile.first_brick;
-    vertices_.count = 0;
+    vertices_ = &vertices;
+    first_vertex_ = vertices.count;
     isovalue_ = static_cast<float>(field.kernel().isovalue);
     if (own_.size() < tile.brick_count) own_.resize(tile.brick_count);
 }
@@ -77,7 +78,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, TileCells& tile)
     if (neighbours_->finer == 0) assemble_values();
     cells.inside = {static_cast<std::uint64_t>(inside_), static_cast<std::uint64_t>(inside_ >> 64)};
     cells.first.fill(kNoVertex);
-    cells.first_vertex = static_cast<std::uint32_t>(vertices_.count);
+    cells.first_vertex = static_cast<std::uint32_t>(vertices_->count - first_vertex_);
     cells.first_record = static_cast<std::uint32_t>(tile.records.size());
     projection_.clear();
     sort_cells(cells);
@@ -88,7 +89,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, TileCells& tile)
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(projection_.size());
         add_recorded_vertices(traced, tile, tile.records.emplace_back());
     }
-    tile.evaluations += append_projected(local_, projection_, vertices_);
+    tile.evaluations += append_projected(local_, projection_, *vertices_);
     tile.samples += projection_.size();
 }
 

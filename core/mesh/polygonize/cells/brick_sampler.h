@@ -18,10 +18,10 @@ namespace ramus::mesh::bricks {
 class BrickSampler {
 public:
     void begin(const field::ConvolutionField& field, const Octree& octree, const Tile& tile,
-               const LargeArray<Neighbourhood>& neighbours);
-    // Bricks from the last of the tile to the first. Leaves the indices in `cells` relative to the tile.
+               const LargeArray<Neighbourhood>& neighbours, SurfaceVertices& vertices);
+    // Bricks from the last of the tile to the first. Appends their vertices to what begin() was given; leaves the
+    // indices in `cells` relative to the tile.
     void fill(std::uint32_t index, BrickCells& cells, TileCells& tile);
-    [[nodiscard]] const SurfaceVertices& vertices() const { return vertices_; } // of the tile so far
 
 private:
     // The brick's points at half-cell spacing, 9 a side; only those that are hanging corners are sampled.
@@ -76,8 +76,9 @@ private:
     const LargeArray<Neighbourhood>* all_neighbours_ = nullptr;
     std::uint32_t first_brick_ = 0;
     float isovalue_ = 0.0F;
-    SurfaceVertices vertices_;
-    LargeArray<OwnSamples> own_; // by brick of the tile; the last brick_count - n are filled
+    SurfaceVertices* vertices_ = nullptr; // to which the tile's are appended
+    std::size_t first_vertex_ = 0;        // of the tile
+    LargeArray<OwnSamples> own_;          // by brick of the tile; the last brick_count - n are filled
 
     // Of the brick.
     const Brick* brick_ = nullptr;
