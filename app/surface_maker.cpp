@@ -1,7 +1,8 @@
 #include "app/surface_maker.h"
 
+#include "core/base/stopwatch.h"
+
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <new>
 #include <oneapi/tbb/task_arena.h>
@@ -12,10 +13,6 @@ namespace {
 
 constexpr int kPreviewDetail = 6;
 constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a software rasteriser keeps up
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 render::Box box_of(const tree::VesselTree& tree) {
     render::Box box;
@@ -42,7 +39,7 @@ std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, c
 }
 
 Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const auto hidden = hidden_flags(request.hidden, tree.branches.size());
     ReadySurface ready{.request = request, .mesh = nullptr, .preview = nullptr};
     if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) {
@@ -52,7 +49,7 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
         if (!made) return tl::unexpected(made.error());
         ready.mesh = paged(made->mesh, tree);
     }
-    ready.seconds = seconds_since(start);
+    ready.seconds = watch.seconds();
     return ready;
 }
 
@@ -92,7 +89,7 @@ bool SurfaceMaker::changes_much(const SurfaceRequest& request) const {
 }
 
 Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, Job& job) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     if (!field_ || field_options_ != request.options) {
         field_ = mesh::make_field(*tree_, request.options, {});
         field_options_ = request.options;
@@ -126,7 +123,7 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
         if (preview_of_ == request) ready.preview = preview_.current;
         ready.preview_follows = previews && !ready.preview;
     }
-    ready.seconds = seconds_since(start);
+    ready.seconds = watch.seconds();
     return ready;
 }
 

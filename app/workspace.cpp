@@ -2,6 +2,7 @@
 
 #include "app/session_file.h"
 #include "app/tree_source.h"
+#include "core/base/stopwatch.h"
 #include "core/tree/thin.h"
 
 #include <chrono>
@@ -12,10 +13,6 @@ namespace ramus::app {
 namespace {
 
 constexpr const char* kComputing = "Computing the surface";
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // While the window comes up, and draws the cones, one core is free.
 Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& request, std::size_t segments, Job& job) {
@@ -29,7 +26,7 @@ Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& re
 
 Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
                         Job& job) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     LoadedTree loaded;
     Session& session = loaded.session;
     const bool from_session = is_session_file(path);
@@ -54,7 +51,7 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
     loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
     loaded.maker = std::make_shared<SurfaceMaker>(loaded.tree);
-    loaded.seconds = seconds_since(start);
+    loaded.seconds = watch.seconds();
 
     SurfaceRequest request = surface_request(session.marks);
     mesh::SurfaceOptions& options = request.options;

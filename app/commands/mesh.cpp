@@ -5,10 +5,10 @@
 #include "app/commands/surface_flags.h"
 #include "app/commands/write_surface.h"
 #include "app/numbers.h"
+#include "core/base/stopwatch.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/output_file.h"
 
-#include <chrono>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -24,22 +24,18 @@ struct MeshFlags {
     bool json = false;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 Result<int> run_mesh(const MeshFlags& flags) {
     // What would fail at the end shall fail at the beginning.
     if (auto format = io::mesh_format(flags.output); !format) return tl::unexpected(format.error());
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
 
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const auto opened = open_session(flags.file, flags.session, flags.surface);
     if (!opened) return tl::unexpected(opened.error());
     std::vector<std::uint8_t> hidden(opened->tree->branches.size(), 0);
     for (const int branch : branches_in_state(opened->session.marks, render::BranchState::kHidden))
         hidden[static_cast<std::size_t>(branch)] = 1;
-    const double load_s = seconds_since(start);
+    const double load_s = watch.seconds();
 
     const auto written = write_surface(*opened->tree, opened->session.marks.options, hidden, flags.output);
     if (!written) return tl::unexpected(written.error());

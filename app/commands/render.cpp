@@ -7,6 +7,7 @@
 #include "app/headless_interface.h"
 #include "app/panels/interface.h"
 #include "app/script.h"
+#include "core/base/stopwatch.h"
 #include "core/io/output_file.h"
 #include "core/io/tree_reader.h"
 #include "render/gl_context.h"
@@ -14,7 +15,6 @@
 #include "render/renderer.h"
 
 #include <charconv>
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -34,10 +34,6 @@ struct RenderFlags {
     double tolerance = 0.001; // of the pixels
     int benchmark = 0;        // frames
 };
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // "1600x1200", within what can be drawn; else a message for the user.
 std::string read_size(const std::string& text, glm::ivec2& size) {
@@ -93,7 +89,7 @@ Result<void> run_benchmark(render::Renderer& renderer, render::Frame frame, cons
                            nlohmann::json& report) {
     const render::Camera start_camera = frame.camera;
     std::uint64_t triangles = 0;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     for (int i = 0; i < flags.benchmark; ++i) {
         frame.camera = render::turned(start_camera, 360.0 * (i + 1) / flags.benchmark, 0.0);
         const auto done = renderer.draw(frame);
@@ -101,7 +97,7 @@ Result<void> run_benchmark(render::Renderer& renderer, render::Frame frame, cons
         triangles += done->triangles;
         (void)renderer.pick(0.0, 0.0); // waits until the frame is there
     }
-    const double seconds = seconds_since(start), fps = flags.benchmark / std::max(seconds, 1e-9);
+    const double seconds = watch.seconds(), fps = flags.benchmark / std::max(seconds, 1e-9);
     const double mean = static_cast<double>(triangles) / flags.benchmark;
     report["frames"] = flags.benchmark;
     report["seconds"] = seconds;
@@ -186,7 +182,7 @@ Result<int> run_render(const RenderFlags& flags) {
 
     const auto frame = stage.frame();
     if (!frame) return tl::unexpected(frame.error());
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const auto done = (*renderer)->draw(*frame);
     if (!done) return tl::unexpected(done.error());
     auto image = flags.interface ? draw_interface(flags, document, stage, **renderer, run)
@@ -196,7 +192,7 @@ Result<int> run_render(const RenderFlags& flags) {
     nlohmann::json report{{"size", {image->width, image->height}},
                           {"triangles", done->triangles},
                           {"mesh_s", stage.surface().seconds},
-                          {"draw_s", seconds_since(start)},
+                          {"draw_s", watch.seconds()},
                           {"camera", render::to_json(document.session().camera)}};
     int status = kDone;
     if (!flags.output.empty()) {

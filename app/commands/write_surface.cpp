@@ -2,19 +2,14 @@
 
 #include "app/commands/interrupt.h"
 #include "app/commands/progress_bar.h"
+#include "core/base/stopwatch.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/surface_file.h"
 #include "core/measure/mesh_components.h"
 
-#include <chrono>
-
 namespace ramus::app {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 tl::unexpected<Error> cancelled() { return fail("cancelled; nothing was written"); }
 
@@ -40,7 +35,7 @@ private:
 
 Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                                       std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
-    auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     auto file = io::SurfaceFile::create(output);
     if (!file) return tl::unexpected(file.error());
     CountingSink sink(**file);
@@ -56,10 +51,9 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
     WrittenSurface written{(*file)->vertex_count(), (*file)->triangle_count(), streamed->evaluations};
     written.components = sink.components();
     written.streamed = true;
-    written.mesh_s = seconds_since(start);
-    start = std::chrono::steady_clock::now();
+    written.mesh_s = watch.lap();
     if (auto committed = (*file)->commit(); !committed) return tl::unexpected(committed.error());
-    written.write_s = seconds_since(start);
+    written.write_s = watch.lap();
     return written;
 }
 
@@ -68,7 +62,7 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
 Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                                      std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
     if (mesh::asks_for_streaming(tree, options, hidden)) return write_streamed(tree, options, hidden, output);
-    auto start = std::chrono::steady_clock::now();
+    Stopwatch watch;
     Job job;
     const auto surface = [&] {
         const CancelOnInterrupt cancel(job);
@@ -79,10 +73,9 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     if (!surface) return tl::unexpected(surface.error());
     WrittenSurface written{surface->mesh.positions.size(), surface->mesh.triangles.size(),
                            surface->statistics.evaluations};
-    written.mesh_s = seconds_since(start);
-    start = std::chrono::steady_clock::now();
+    written.mesh_s = watch.lap();
     if (auto saved = io::write_mesh(surface->mesh, output); !saved) return tl::unexpected(saved.error());
-    written.write_s = seconds_since(start);
+    written.write_s = watch.lap();
     written.components = measure::component_count(surface->mesh);
     return written;
 }

@@ -5,8 +5,9 @@
 
 namespace ramus {
 
-double machine_memory() {
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+double memory_limit(double asked) {
+    if (asked > 0.0) return asked;
+    return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
 double process_memory() {

@@ -1,8 +1,8 @@
 #include "core/mesh/surface.h"
 
 #include "core/base/memory.h"
+#include "core/base/stopwatch.h"
 #include "core/mesh/cones.h"
-#include "core/mesh/polygonize/stopwatch.h"
 #include "core/mesh/polygonize/stream/polygonize_to.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
     PolygonizeOptions chosen;
     chosen.detail = options.detail;
     chosen.cell_mm = options.cell_mm;
-    const double limit = options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : 0.5 * machine_memory();
+    const double limit = memory_limit(static_cast<double>(options.memory_bytes));
     chosen.memory_bytes = std::max(1.0, limit - process_memory());
     return chosen;
 }

@@ -30,7 +30,7 @@ std::string megabytes(double bytes) { return std::to_string(std::llround(bytes /
 
 Result<void> check_feasible(const field::ConvolutionField& field, const bricks::Sizing& sizing,
                             const PolygonizeOptions& options, Road road) {
-    const double limit = options.memory_bytes > 0.0 ? options.memory_bytes : 0.5 * machine_memory();
+    const double limit = memory_limit(options.memory_bytes);
     const double needed = memory_for(sizing, road);
     if (!(needed <= limit)) {
         const char* remedy = options.cell_mm > 0.0 ? "raise --cell or --memory"

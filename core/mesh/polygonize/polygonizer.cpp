@@ -1,8 +1,8 @@
 #include "core/mesh/polygonize/polygonizer.h"
 
+#include "core/base/stopwatch.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
-#include "core/mesh/polygonize/stopwatch.h"
 
 #include <algorithm>
 #include <cstring>

@@ -10,9 +10,8 @@
 #include "core/io/tree_reader.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
-#include "core/tree/build_tree.h"
-#include "core/tree/grow/grow.h"
 #include "peers.h"
+#include "tests/support/grown_tree.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -68,23 +67,6 @@ constexpr double kMiB = 1048576.0;
 double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];
-}
-
-Result<tree::VesselTree> grown_tree(int branches) {
-    Job job;
-    tree::GrowOptions options;
-    options.branches = branches;
-    const auto grown = tree::grow(options, job);
-    if (!grown) return tl::unexpected(grown.error());
-    tree::Graph graph;
-    graph.points = grown->points;
-    for (std::uint32_t i = 0; i < grown->parents.size(); ++i) {
-        if (grown->parents[i] < 0)
-            graph.roots.push_back(i);
-        else
-            graph.edges.emplace_back(static_cast<std::uint32_t>(grown->parents[i]), i);
-    }
-    return tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string("grown"); });
 }
 
 Made ramus_surface(const Scene& scene, const mesh::PolygonizeOptions& options) {
@@ -295,7 +277,8 @@ int main(int argc, char** argv) {
                 "triang.", "ml", "closed", "speed", "ramus'");
     bool all = true;
     for (const int count : branches)
-        if (count > 0) all &= compare("grown, " + std::to_string(count) + " branches", grown_tree(count), options);
+        if (count > 0)
+            all &= compare("grown, " + std::to_string(count) + " branches", test::grown_tree(count), options);
     for (const std::string& file : files)
         all &= compare(std::filesystem::path(file).stem().string(), io::read_tree(file), options);
     return all ? 0 : 1;

@@ -7,6 +7,7 @@
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -76,6 +77,15 @@ struct SurfaceVertices {
 
     void make_room(std::size_t more);
 };
+
+// Copies `count` vertices of `from`, those from `begin` on, to the places from `at` on of arrays like those of a mesh.
+template <class Arrays>
+void copy_vertices(const SurfaceVertices& from, std::size_t begin, Arrays& to, std::size_t at, std::size_t count) {
+    std::copy_n(from.positions.data() + begin, count, to.positions.data() + at);
+    std::copy_n(from.normals.data() + begin, count, to.normals.data() + at);
+    std::copy_n(from.radii.data() + begin, count, to.radii.data() + at);
+    std::copy_n(from.branches.data() + begin, count, to.branches.data() + at);
+}
 
 // What the bricks of one tile make.
 struct TileCells {

@@ -10,16 +10,6 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-void copy_vertices(const SurfaceVertices& from, std::size_t begin, std::uint64_t to, std::size_t count,
-                   TriangleMesh& mesh) {
-    const auto at = static_cast<std::ptrdiff_t>(to);
-    const auto b = static_cast<std::ptrdiff_t>(begin);
-    std::copy_n(from.positions.begin() + b, count, mesh.positions.begin() + at);
-    std::copy_n(from.normals.begin() + b, count, mesh.normals.begin() + at);
-    std::copy_n(from.radii.begin() + b, count, mesh.radii.begin() + at);
-    std::copy_n(from.branches.begin() + b, count, mesh.branches.begin() + at);
-}
-
 template <class T> void grow(LargeArray<T>& array, std::uint64_t count, double slack) {
     if (count > array.capacity()) array.reserve(count + static_cast<std::uint64_t>(slack * static_cast<double>(count)));
     if (count > array.size()) array.resize(count);
@@ -74,7 +64,7 @@ void MeshSlots::place_vertices(const Octree& octree, std::span<const std::uint32
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         TileCells& cells = surface.tiles[tiles[t]];
         const std::uint64_t first = slots_[tiles[t]].vertices.first;
-        copy_vertices(*cells.vertices, cells.first_vertex, first, cells.vertex_count, mesh_);
+        copy_vertices(*cells.vertices, cells.first_vertex, mesh_, first, cells.vertex_count);
         cells.vertices = nullptr;
         const Tile& tile = octree.tiles[tiles[t]];
         for (std::uint32_t b = tile.first_brick; b < tile.first_brick + tile.brick_count; ++b)
@@ -95,7 +85,7 @@ void MeshSlots::place_triangles(std::span<const std::uint32_t> tiles, std::vecto
     grow(mesh_.triangles, triangle_space_.end(), slack);
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         const TileSlots& slots = slots_[tiles[t]];
-        copy_vertices(joined[t].added, 0, slots.added.first, joined[t].added.count, mesh_);
+        copy_vertices(joined[t].added, 0, mesh_, slots.added.first, joined[t].added.count);
         const auto out = std::span(mesh_.triangles).subspan(slots.triangles.first, slots.triangles.count);
         joined[t].write_triangles(vertices_of(mesh_), slots.added.first, out);
         joined[t] = {};

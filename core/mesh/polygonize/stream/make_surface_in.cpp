@@ -1,7 +1,7 @@
 #include "core/mesh/polygonize/stream/make_surface_in.h"
 
+#include "core/base/stopwatch.h"
 #include "core/mesh/polygonize/feasible.h"
-#include "core/mesh/polygonize/stopwatch.h"
 #include "core/mesh/polygonize/stream/surface_stream.h"
 
 namespace ramus::mesh {

@@ -3,7 +3,6 @@
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -30,14 +29,5 @@ public:
     // All that was added is there.
     virtual void end_batch() = 0;
 };
-
-// Copies `count` vertices of `from`, those from `begin` on, to the places from `at` on of arrays like those of a mesh.
-template <class Arrays>
-void copy_vertices(const SurfaceVertices& from, std::size_t begin, Arrays& to, std::size_t at, std::size_t count) {
-    std::copy_n(from.positions.data() + begin, count, to.positions.data() + at);
-    std::copy_n(from.normals.data() + begin, count, to.normals.data() + at);
-    std::copy_n(from.radii.data() + begin, count, to.radii.data() + at);
-    std::copy_n(from.branches.data() + begin, count, to.branches.data() + at);
-}
 
 } // namespace ramus::mesh::bricks

@@ -1,7 +1,7 @@
 #include "core/mesh/polygonize/stream/surface_stream.h"
 
 #include "core/base/paged_array.h"
-#include "core/mesh/polygonize/stopwatch.h"
+#include "core/base/stopwatch.h"
 
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,10 +1,10 @@
-// Stopwatch for the phases that statistics report.
+// Stopwatch: seconds for people and statistics, by a clock that nobody sets.
 #pragma once
 
 #include <chrono>
 #include <utility>
 
-namespace ramus::mesh {
+namespace ramus {
 
 class Stopwatch {
 public:
@@ -23,4 +23,4 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-} // namespace ramus::mesh
+} // namespace ramus
