@@ -17,6 +17,9 @@ namespace ramus::field::HWY_NAMESPACE {
 using D8 = hn::CappedTag<float, kChildren>;
 using V8 = hn::Vec<D8>;
 
+// Square of half a box's edge, in supports of a segment, from which on the box counts as large.
+constexpr float kLarge = 4.0F;
+
 // Boxes seen from one segment. How far a box extends along the axis and away from it is what bounds are made of: along
 // a direction n a cube reaches h (|nx| + |ny| + |nz|) to either side of its middle, h being half its edge.
 struct BoxView {
@@ -59,6 +62,15 @@ HWY_INLINE void add_lower(D8 d, const CullingSegment& s, const BoxView& box, hn:
     lower = hn::Add(lower, hn::IfThenElseZero(reaches, hn::Mul(gauss, filter)));
 }
 
+// Notes which of the boxes from the first on a segment reaches, and returns whether there are any.
+HWY_INLINE bool note(D8 d, hn::Mask<D8> reaches, std::size_t first, std::uint8_t& reaching) {
+    HWY_ALIGN std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, reaches, bits);
+    const unsigned reached = bits[0] & ((1U << hn::Lanes(d)) - 1);
+    reaching = static_cast<std::uint8_t>(reaching | reached << first);
+    return reached != 0;
+}
+
 void CullChildren(const Kernel& kernel, const CullingSegment* segments, const std::uint32_t* list, std::size_t count,
                   glm::vec3 middle, float child_side, float half_extent, std::uint8_t* HWY_RESTRICT reaching,
                   ChildBounds& bounds) {
@@ -69,6 +81,8 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
     const V8 corner2 = hn::Set(d, 3.0F * half_extent * half_extent); // squared distance of a corner from the middle
     const V8 zero = hn::Zero(d);
     const V8 isovalue = hn::Set(d, static_cast<float>(kernel.isovalue));
+    // The margin covers the rounding of single precision far from the origin.
+    const auto support2_per_radius2 = static_cast<float>(kFadeEnd * 1.001 / (kernel.sqrt_w * kernel.sqrt_w));
     const ChildCentres centres(middle, child_side);
     for (std::size_t m = 0; m < count; ++m) reaching[m] = 0;
     for (std::size_t first = 0; first < kChildren; first += lanes) {
@@ -86,6 +100,25 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
             const V8 uy = hn::Set(d, s.uy);
             const V8 uz = hn::Set(d, s.uz);
             const V8 length = hn::Set(d, s.length);
+            // A first bound of the distance, along the axes of the boxes. Close where they are large.
+            const V8 half_length = hn::Mul(hn::Set(d, 0.5F), length);
+            const auto apart = [&](V8 p, V8 u) {
+                const V8 from_middle = hn::Abs(hn::NegMulAdd(half_length, u, p));
+                return hn::Max(hn::Sub(from_middle, hn::MulAdd(half_length, hn::Abs(u), h)), zero);
+            };
+            const V8 gx = apart(px, ux);
+            const V8 gy = apart(py, uy);
+            const V8 gz = apart(pz, uz);
+            const float thickest = std::max(s.radius, s.radius + s.slope * s.length);
+            const float support2 = thickest * thickest * support2_per_radius2;
+            auto reaches = hn::Lt(hn::MulAdd(gz, gz, hn::MulAdd(gy, gy, hn::Mul(gx, gx))), hn::Set(d, support2));
+            if (half_extent * half_extent > kLarge * support2) {
+                // No box lies within the support, so there is nothing to gain for the lower bound; and boxes so large
+                // are split in any case.
+                upper = hn::IfThenElse(reaches, isovalue, upper);
+                note(d, reaches, first, reaching[m]);
+                continue;
+            }
             BoxView box;
             box.t = hn::MulAdd(pz, uz, hn::MulAdd(py, uy, hn::Mul(px, ux)));
             box.along = hn::Mul(h, hn::Set(d, std::abs(s.ux) + std::abs(s.uy) + std::abs(s.uz)));
@@ -104,19 +137,16 @@ void CullChildren(const Kernel& kernel, const CullingSegment* segments, const st
             const V8 slope = hn::Set(d, s.slope);
             const V8 r1 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Sub(box.t, box.along), length), zero), radius);
             const V8 r2 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Add(box.t, box.along), length), zero), radius);
-            box.coarse = hn::Div(sqrt_w, hn::Max(r1, r2));
+            const V8 r_max = hn::Max(r1, r2);
+            // The second bound: away from the line and beyond its ends. Close where boxes are small.
             const V8 distance2 = hn::MulAdd(gap, gap, hn::Mul(box.nearest, box.nearest));
-            // The margin covers the rounding of single precision far from the origin.
-            const auto reaches = hn::Lt(hn::Mul(distance2, hn::Mul(box.coarse, box.coarse)),
-                                        hn::Set(d, static_cast<float>(kFadeEnd * 1.001)));
-            HWY_ALIGN std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, reaches, bits);
-            const unsigned reached = bits[0] & ((1U << lanes) - 1);
-            if (reached == 0) continue;
-            reaching[m] = static_cast<std::uint8_t>(reaching[m] | reached << first);
+            reaches =
+                hn::And(reaches, hn::Lt(distance2, hn::Mul(hn::Mul(r_max, r_max), hn::Set(d, support2_per_radius2))));
+            if (!note(d, reaches, first, reaching[m])) continue;
+            box.coarse = hn::Div(sqrt_w, r_max);
+            box.fine = hn::Div(sqrt_w, hn::Min(r1, r2));
             // |q + offset|^2 = |q|^2 + 2 q . offset + |offset|^2, each part at its greatest.
             box.farthest = hn::Sqrt(hn::Add(hn::MulAdd(hn::Set(d, 2.0F), extent_off, off2), corner2));
-            box.fine = hn::Div(sqrt_w, hn::Min(r1, r2));
             // Where it is certain that the field may reach the isovalue, by how much does not matter.
             if (!hn::AllFalse(d, hn::And(reaches, hn::Lt(upper, isovalue)))) add_upper(d, s, box, reaches, upper);
             add_lower(d, s, box, reaches, lower);

@@ -72,7 +72,18 @@ HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, con
         const V thickest = hn::Max(r1, r2);
         // A little more than the fade's end and the error function's covers the rounding.
         const V reach = hn::Mul(thickest, thickest);
-        const V distance2 = hn::Mul(hn::MulAdd(gap, gap, hn::Mul(nearest, nearest)), hn::Mul(sqrt_w, sqrt_w));
+        // Along the box's own axes as well.
+        const V half_length = hn::Mul(hn::Set(d, 0.5F), length);
+        const auto apart = [&](V p, V u, V h) {
+            const V from_middle = hn::Abs(hn::NegMulAdd(half_length, u, p));
+            return hn::Max(hn::Sub(from_middle, hn::MulAdd(half_length, hn::Abs(u), h)), zero);
+        };
+        const V gx = apart(px, ux, hx);
+        const V gy = apart(py, uy, hy);
+        const V gz = apart(pz, uz, hz);
+        const V apart2 = hn::MulAdd(gz, gz, hn::MulAdd(gy, gy, hn::Mul(gx, gx)));
+        const V distance2 =
+            hn::Mul(hn::Max(apart2, hn::MulAdd(gap, gap, hn::Mul(nearest, nearest))), hn::Mul(sqrt_w, sqrt_w));
         const M reaches = hn::And(hn::Lt(distance2, hn::Mul(reach, hn::Set(d, static_cast<float>(kFadeEnd * 1.003)))),
                                   hn::FirstN(d, local.count - m));
         const V far = hn::Mul(thickest, hn::Set(d, kErrorFunctionEnd * 1.001F));

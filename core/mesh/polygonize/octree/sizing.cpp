@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <utility>
 
 namespace ramus::mesh::bricks {
 
@@ -31,12 +29,7 @@ glm::dvec3 end_of(const field::FieldSegment& s) {
     return start_of(s) + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz);
 }
 
-double distance_to_chord(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
-    const glm::dvec3 chord = b - a;
-    const double squared = glm::dot(chord, chord);
-    const double t = squared > 0.0 ? std::clamp(glm::dot(p - a, chord) / squared, 0.0, 1.0) : 0.0;
-    return glm::distance(p, a + t * chord);
-}
+double squared(glm::dvec3 v) { return glm::dot(v, v); }
 
 // A run ends with its branch, so that what a branch asks for depends on nothing else. Voxel-spaced centerlines have
 // segments far shorter than the vessel is wide; judging each would cost more than meshing.
@@ -45,18 +38,21 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
     const double r1 = s[next].end_radius();
     const double thinnest = std::min({run.thinnest, r0, r1});
     const double thickest = std::max({run.thickest, r0, r1});
-    if (thickest > kPieceRatio * thinnest) return false;
-    const glm::dvec3 a = start_of(s[run.first]);
-    const glm::dvec3 b = end_of(s[next]);
     constexpr std::size_t kLongest = 16; // bounds the work of this check
-    if (next - run.first >= kLongest || s[next].branch != s[run.first].branch) return false;
-    double off = 0.0;
-    for (std::size_t i = run.first; i <= next; ++i) {
-        if (i > run.first && glm::distance(start_of(s[i]), end_of(s[i - 1])) > 1e-3 * thinnest) return false;
-        off = std::max(off, distance_to_chord(start_of(s[i]), a, b));
+    if (thickest > kPieceRatio * thinnest || next - run.first >= kLongest || s[next].branch != s[run.first].branch)
+        return false;
+    if (glm::distance(start_of(s[next]), end_of(s[next - 1])) > 1e-3 * thinnest) return false;
+    const glm::dvec3 a = start_of(s[run.first]);
+    const glm::dvec3 chord = end_of(s[next]) - a;
+    const double inverse = squared(chord) > 0.0 ? 1.0 / squared(chord) : 0.0;
+    double off2 = 0.0;
+    for (std::size_t i = next; i > run.first; --i) {
+        const glm::dvec3 from_a = start_of(s[i]) - a;
+        const double t = std::clamp(glm::dot(from_a, chord) * inverse, 0.0, 1.0);
+        off2 = std::max(off2, squared(from_a - t * chord));
     }
-    if (off > kRunBend * thinnest) return false;
-    run.last = next, run.thinnest = thinnest, run.thickest = thickest, run.off = off;
+    if (off2 > kRunBend * kRunBend * thinnest * thinnest) return false;
+    run.last = next, run.thinnest = thinnest, run.thickest = thickest, run.off = std::sqrt(off2);
     return true;
 }
 
@@ -74,15 +70,17 @@ std::uint32_t morton(glm::uvec3 n) {
 glm::vec3 end_of(const SizingPiece& piece) { return piece.start + piece.length * piece.direction; }
 
 void group_pieces(Sizing& sizing, float half_extent) {
-    std::vector<std::uint32_t> key;
-    key.reserve(sizing.pieces.size());
+    // By place along the curve; of the same place in order.
+    std::vector<std::uint64_t> order;
+    order.reserve(sizing.pieces.size());
     for (const SizingPiece& piece : sizing.pieces) {
         const glm::vec3 place = (0.5F * (piece.start + end_of(piece)) + half_extent) / (2.0F * half_extent);
-        key.push_back(morton(glm::uvec3(glm::clamp(place * 1024.0F, 0.0F, 1023.0F))));
+        const std::uint64_t key = morton(glm::uvec3(glm::clamp(place * 1024.0F, 0.0F, 1023.0F)));
+        order.push_back(key << 32 | order.size());
     }
-    sizing.grouped.resize(sizing.pieces.size());
-    std::iota(sizing.grouped.begin(), sizing.grouped.end(), 0U);
-    std::ranges::sort(sizing.grouped, {}, [&](std::uint32_t p) { return std::pair(key[p], p); });
+    std::ranges::sort(order);
+    sizing.grouped.reserve(order.size());
+    for (const std::uint64_t entry : order) sizing.grouped.push_back(static_cast<std::uint32_t>(entry));
     const std::size_t count = (sizing.pieces.size() + Sizing::kGroupPieces - 1) / Sizing::kGroupPieces;
     sizing.groups.resize(count);
     for (std::uint32_t g = 0; g < count; ++g) {
