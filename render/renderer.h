@@ -30,7 +30,9 @@ struct DrawStatistics {
     bool geometry = false;       // triangles were drawn (else the last geometry was shaded again)
     bool shaded = false;         // false: the frame was the same as the one before
     std::uint64_t uploaded = 0;  // bytes of meshes sent to the GPU
-    bool pending = false;        // the frame's mesh is not all there yet: the one before was drawn. Draw again.
+    bool pending = false;        // the frame's mesh is not all there yet: its preview was drawn, or the mesh before it.
+                                 // Draw again.
+    Quality quality = Quality::kFull; // that it was drawn in: quick while only the preview is there
 };
 
 // How much of a mesh a draw() may send, in bytes. A large mesh then comes over several frames, none of which waits.

@@ -117,19 +117,24 @@ void Renderer::Impl::make_glass_layer() {
     glass_target_ = make_framebuffer({glass_surface_}, glass_depth_);
 }
 
-// The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for.
+// The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for. The
+// preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in vain.
 Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
     std::size_t left = upload_budget;
-    mesh_.follow(wanted.mesh, left);
     preview_.follow(wanted.preview, left);
+    mesh_.follow(wanted.mesh, left);
     done.uploaded = upload_budget - left;
-    done.pending = mesh_.shown() != wanted.mesh || preview_.shown() != wanted.preview;
-    const bool quick = wanted.quality == Quality::kInteractive && wanted.preview && preview_.shown() == wanted.preview;
+    const bool mesh_there = mesh_.shown() == wanted.mesh;
+    const bool preview_there = wanted.preview && preview_.shown() == wanted.preview;
+    done.pending = !mesh_there || preview_.shown() != wanted.preview;
+    Frame frame = wanted;
+    if (preview_there && !mesh_there) frame.quality = Quality::kInteractive;
+    const bool quick = preview_there && frame.quality == Quality::kInteractive;
     const GpuMesh& mesh = quick ? preview_ : mesh_;
     drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
-    Frame frame = wanted;
     frame.mesh = mesh.shown();
     frame.preview = nullptr;
+    done.quality = frame.quality;
     return frame;
 }
 

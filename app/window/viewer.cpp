@@ -130,7 +130,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         say(drawn.error().message());
         return false;
     }
-    if (drawn->geometry)
+    if (drawn->geometry && drawn->quality == frame.quality)
         pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     quality_ = frame.quality;
     upload_pending_ = drawn->pending;
