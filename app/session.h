@@ -31,14 +31,42 @@ inline constexpr std::array kColourings{ColourBy::kNothing, ColourBy::kGeneratio
                                         ColourBy::kDiameter, ColourBy::kBranch};
 [[nodiscard]] std::string_view name_of(ColourBy quantity); // "nothing", "generation", ...
 
+// Something measured, kept and drawn until it is removed.
+struct Measurement {
+    enum class Kind { kDistance, kPath, kDiameter, kAngle };
+    Kind kind = Kind::kDistance;
+    std::array<glm::dvec3, 2> points{};                            // kDistance: mm, RAS
+    std::array<int, 2> branches{tree::kNoBranch, tree::kNoBranch}; // kPath: both; kDiameter, kAngle: the first
+    double fraction = 0.5; // kDiameter: where on the branch, of its length from the parent's end
+    bool operator==(const Measurement&) const = default;
+};
+
+// What distances and diameters mean to who plans an operation.
+struct Planning {
+    std::vector<double> bands_mm{5.0, 10.0, 20.0}; // margins around lesions, ascending, positive
+    double reconstruct_mm = 5.0;                   // a cut vessel of a larger diameter must be reconstructed
+    bool operator==(const Planning&) const = default;
+};
+
+// How defocused branches look.
+struct GlassLook {
+    double opacity = 1.0; // 0: only their centerlines; 1: the usual veil; 2: nearly solid
+    double grey = 0.7;    // 0 black to 1 white
+    bool operator==(const GlassLook&) const = default;
+};
+
 // Everything that undo and redo cover.
 struct Marks {
-    std::vector<int> selection;              // branch ids, ascending
-    std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
-    std::vector<std::array<double, 4>> lesions;
-    std::vector<std::pair<int, double>> cuts;
+    std::vector<int> selection;                 // branch ids, ascending
+    std::vector<render::BranchState> states;    // by branch id; branches beyond its end are normal
+    std::vector<std::array<double, 4>> lesions; // spheres: centre and radius, mm, RAS
+    std::vector<std::string> lesion_meshes;     // files of closed meshes, absolute
+    std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
+    std::vector<Measurement> measurements;
     std::map<int, std::string> names;
     ColourBy colour_by = ColourBy::kNothing;
+    Planning planning;
+    GlassLook glass;
     mesh::SurfaceOptions options;
     bool operator==(const Marks&) const = default;
 };

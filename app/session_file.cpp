@@ -67,11 +67,17 @@ json options_json(const Marks& marks) {
                {"detail", options.detail},
                {"colour_by", std::string(name_of(marks.colour_by))}};
     if (options.cell_mm > 0.0) value["cell"] = options.cell_mm;
+    value["bands"] = marks.planning.bands_mm;
+    value["reconstruct"] = marks.planning.reconstruct_mm;
+    value["glass_opacity"] = marks.glass.opacity;
+    value["glass_grey"] = marks.glass.grey;
     return value;
 }
 
 void read_options(const json& value, Marks& marks) {
-    expect_only(value, "options", {"method", "smooth", "prune", "width", "detail", "cell", "colour_by"});
+    expect_only(value, "options",
+                {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "bands", "reconstruct",
+                 "glass_opacity", "glass_grey"});
     mesh::SurfaceOptions& options = marks.options;
     if (value.contains("method")) {
         const std::string method = text(value["method"], "method");
@@ -83,6 +89,17 @@ void read_options(const json& value, Marks& marks) {
     if (value.contains("width")) options.width = number(value["width"], "width", 0.1, 100.0);
     if (value.contains("detail")) options.detail = integer(value["detail"], "detail", 4, 512);
     if (value.contains("cell")) options.cell_mm = number(value["cell"], "cell", 0.0, 1e9);
+    if (value.contains("bands")) {
+        if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
+        marks.planning.bands_mm.clear();
+        for (const json& band : value["bands"]) marks.planning.bands_mm.push_back(number(band, "band", 1e-6, 1e6));
+        if (!std::ranges::is_sorted(marks.planning.bands_mm)) throw Refusal{"bands do not ascend"};
+    }
+    if (value.contains("reconstruct"))
+        marks.planning.reconstruct_mm = number(value["reconstruct"], "reconstruct", 0.0, 1e6);
+    if (value.contains("glass_opacity"))
+        marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
+    if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
     if (value.contains("colour_by")) {
         const std::string wanted = text(value["colour_by"], "colour_by");
         const auto found =
@@ -104,6 +121,53 @@ void read_states(const json& value, Marks& marks) {
     }
 }
 
+constexpr std::array<std::pair<Measurement::Kind, const char*>, 4> kMeasurementNames{
+    {{Measurement::Kind::kDistance, "distance"},
+     {Measurement::Kind::kPath, "path"},
+     {Measurement::Kind::kDiameter, "diameter"},
+     {Measurement::Kind::kAngle, "angle"}}};
+
+json measurement_json(const Measurement& m) {
+    json value;
+    for (const auto& [kind, name] : kMeasurementNames)
+        if (kind == m.kind) value["kind"] = name;
+    if (m.kind == Measurement::Kind::kDistance)
+        for (const glm::dvec3& p : m.points) value["points"].push_back({p.x, p.y, p.z});
+    else if (m.kind == Measurement::Kind::kPath)
+        value["branches"] = m.branches;
+    else
+        value["branches"] = {m.branches[0]};
+    if (m.kind == Measurement::Kind::kDiameter) value["fraction"] = m.fraction;
+    return value;
+}
+
+Measurement measurement(const json& value) {
+    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction"});
+    Measurement found;
+    const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
+    const auto known =
+        std::ranges::find(kMeasurementNames, wanted, [](const auto& k) { return std::string(k.second); });
+    if (known == kMeasurementNames.end()) throw Refusal{"unknown measurement \"" + wanted + "\""};
+    found.kind = known->first;
+    const json points = value.value("points", json::array());
+    const json branches = value.value("branches", json::array());
+    const std::size_t wants_points = found.kind == Measurement::Kind::kDistance ? 2 : 0;
+    const std::size_t wants_branches = found.kind == Measurement::Kind::kPath ? 2 : wants_points == 0 ? 1 : 0;
+    if (!points.is_array() || points.size() != wants_points || !branches.is_array() ||
+        branches.size() != wants_branches)
+        throw Refusal{"a measurement of kind " + wanted + " has " + std::to_string(wants_points) + " points and " +
+                      std::to_string(wants_branches) + " branches"};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!points[i].is_array() || points[i].size() != 3) throw Refusal{"a point is not [x, y, z]"};
+        for (int k = 0; k < 3; ++k)
+            found.points[i][k] = number(points[i][static_cast<std::size_t>(k)], "coordinate of a point", -1e9, 1e9);
+    }
+    for (std::size_t i = 0; i < branches.size(); ++i)
+        found.branches[i] = integer(branches[i], "branch id of a measurement", 0, kMostBranches);
+    if (value.contains("fraction")) found.fraction = number(value["fraction"], "fraction", 0.0, 1.0);
+    return found;
+}
+
 void read_plans(const json& value, Marks& marks) {
     for (const json& lesion : value.value("lesions", json::array())) {
         if (!lesion.is_array() || lesion.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
@@ -111,6 +175,8 @@ void read_plans(const json& value, Marks& marks) {
         for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(lesion[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
         marks.lesions.push_back(sphere);
     }
+    for (const json& found : value.value("measurements", json::array()))
+        marks.measurements.push_back(measurement(found));
     for (const json& cut : value.value("cuts", json::array())) {
         if (!cut.is_array() || cut.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
         marks.cuts.emplace_back(integer(cut[0], "branch id of a cut", 0, kMostBranches),
@@ -141,11 +207,17 @@ json to_json(const Session& session, const fs::path& folder) {
     for (const auto& [state, name] : kStateNames) states[name] = branches_in_state(session.marks, state);
     json names = json::object();
     for (const auto& [id, name] : session.marks.names) names[std::to_string(id)] = name;
+    json meshes = json::array();
+    for (const std::string& mesh : session.marks.lesion_meshes) meshes.push_back(written_path(mesh, folder).string());
+    json measurements = json::array();
+    for (const Measurement& m : session.marks.measurements) measurements.push_back(measurement_json(m));
     return {{"version", kSessionVersion},
             {"tree", {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}}},
             {"selection", session.marks.selection},
             {"states", states},
             {"lesions", session.marks.lesions},
+            {"lesion_meshes", meshes},
+            {"measurements", measurements},
             {"cuts", session.marks.cuts},
             {"names", names},
             {"camera", render::to_json(session.camera)},
@@ -155,7 +227,8 @@ json to_json(const Session& session, const fs::path& folder) {
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
         expect_only(value, "the session",
-                    {"version", "tree", "selection", "states", "lesions", "cuts", "names", "camera", "options"});
+                    {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "cuts", "measurements",
+                     "names", "camera", "options"});
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -169,6 +242,9 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("selection")) session.marks.selection = ids(value["selection"], "selection");
         if (value.contains("states")) read_states(value["states"], session.marks);
         read_plans(value, session.marks);
+        for (const json& mesh : value.value("lesion_meshes", json::array()))
+            session.marks.lesion_meshes.push_back(
+                (folder / text(mesh, "path of a lesion")).lexically_normal().string());
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("camera")) {
             auto camera = render::camera_from_json(value["camera"], where);
@@ -238,6 +314,7 @@ Result<void> check_against(const Session& session, const tree::VesselTree& tree,
     if (!marks.selection.empty()) largest = std::max(largest, marks.selection.back());
     if (!marks.names.empty()) largest = std::max(largest, marks.names.rbegin()->first);
     for (const auto& cut : marks.cuts) largest = std::max(largest, cut.first);
+    for (const Measurement& m : marks.measurements) largest = std::max({largest, m.branches[0], m.branches[1]});
     if (largest >= static_cast<int>(tree.branches.size()))
         return fail("there is no branch " + std::to_string(largest) + " in a tree of " +
                         std::to_string(tree.branches.size()),

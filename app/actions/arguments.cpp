@@ -1,0 +1,65 @@
+#include "app/actions/arguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+
+namespace ramus::app::actions {
+
+Result<int> branch_id(const Document& document, const std::string& word) {
+    int id = -1;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
+    if (error != std::errc{} || end != word.data() + word.size()) return fail("\"" + word + "\" is not a branch id");
+    if (id < 0 || id >= document.branch_count())
+        return fail("there is no branch " + word, {},
+                    "ids go from 0 to " + std::to_string(document.branch_count() - 1) + " in this tree");
+    return id;
+}
+
+Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments) {
+    if (arguments.empty()) return fail("which branches?", {}, "give their ids");
+    std::vector<int> ids;
+    for (const std::string& word : arguments) {
+        const auto id = branch_id(document, word);
+        if (!id) return tl::unexpected(id.error());
+        ids.push_back(*id);
+    }
+    return ids;
+}
+
+std::optional<double> number_in(const std::string& word, double least, double most) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !(value >= least && value <= most)) return {};
+    return value;
+}
+
+Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments, std::string_view command,
+                                            std::string_view extension) {
+    if (arguments.size() > 1)
+        return fail(std::string(command) + " takes one file", {}, "put quotes around a name with blanks");
+    return arguments.empty() ? context.host.suggested_file(extension) : std::filesystem::path(arguments[0]);
+}
+
+void select_these(Document& document, std::vector<int> ids) {
+    Marks next = document.marks();
+    next.selection = canonical(std::move(ids));
+    document.change(std::move(next));
+}
+
+std::vector<int> unselected(const Document& document) {
+    std::vector<int> rest(static_cast<std::size_t>(document.branch_count()));
+    std::iota(rest.begin(), rest.end(), 0);
+    std::erase_if(rest, [&](int id) { return is_selected(document.marks(), id); });
+    return rest;
+}
+
+Result<void> expect_selection(const Document& document) {
+    if (document.marks().selection.empty()) return fail("nothing is selected", {}, "select branches first");
+    return {};
+}
+
+bool has_tree(const Document& document) { return document.branch_count() > 0; }
+bool has_selection(const Document& document) { return !document.marks().selection.empty(); }
+
+} // namespace ramus::app::actions

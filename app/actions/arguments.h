@@ -1,0 +1,31 @@
+// What commands share: reading their words, and when they make sense. A reading that fails says what was wrong.
+#pragma once
+
+#include "app/command_table.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ramus::app::actions {
+
+[[nodiscard]] Result<int> branch_id(const Document& document, const std::string& word);
+[[nodiscard]] Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments); // one at least
+// A number from `least` to `most` and nothing else.
+[[nodiscard]] std::optional<double> number_in(const std::string& word, double least, double most);
+// The one file of a command, or the host's suggestion.
+[[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
+                                                          std::string_view command, std::string_view extension);
+
+// Makes these branches, in any order, the selection.
+void select_these(Document& document, std::vector<int> ids);
+// All that is not selected.
+[[nodiscard]] std::vector<int> unselected(const Document& document);
+// Fails when nothing is selected.
+[[nodiscard]] Result<void> expect_selection(const Document& document);
+
+// For Command::enabled.
+[[nodiscard]] bool has_tree(const Document& document);
+[[nodiscard]] bool has_selection(const Document& document);
+
+} // namespace ramus::app::actions

@@ -1,0 +1,120 @@
+// From where the tree is looked at.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+
+namespace ramus::app::actions {
+
+namespace {
+
+// All that is not hidden, from where `camera` looks.
+render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
+    const auto mesh = context.host.picture_mesh();
+    if (!mesh) return camera;
+    // A surface from before they were hidden may be what there is.
+    const Marks& marks = context.document.marks();
+    const auto visible =
+        mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+    return visible.empty() ? camera : render::fitted(camera, visible, context.host.picture_size());
+}
+
+void move_camera(ActionContext& context, const render::Camera& camera) {
+    context.document.set_camera(camera);
+    context.host.camera_moved();
+}
+
+Result<void> view(ActionContext& context, Arguments arguments) {
+    const auto view = arguments.size() == 1 ? render::view_named(arguments[0]) : std::nullopt;
+    if (!view)
+        return fail("view takes the name of a view", {}, "anterior, posterior, left, right, superior or inferior");
+    move_camera(context, fitted_to_picture(context, render::looking(context.document.session().camera, *view)));
+    return {};
+}
+
+Result<void> fit(ActionContext& context, Arguments) {
+    move_camera(context, fitted_to_picture(context, context.document.session().camera));
+    return {};
+}
+
+Result<void> orthographic(ActionContext& context, Arguments arguments) {
+    const render::Camera& camera = context.document.session().camera;
+    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
+        return fail("orthographic is on or off");
+    const bool wanted = arguments.empty() ? !camera.orthographic : arguments[0] == "on";
+    move_camera(context, render::with_projection(camera, wanted));
+    return {};
+}
+
+bool is_orthographic(const Document& document) { return document.session().camera.orthographic; }
+
+} // namespace
+
+std::vector<Command> camera_commands() {
+    return {
+        {"view",
+         "NAME",
+         "Looks from anterior, posterior, left, right, superior or inferior at the whole tree.",
+         "",
+         "",
+         {},
+         view},
+        {"view",
+         "NAME",
+         "The viewer stands in front of the patient.",
+         "View",
+         "Anterior",
+         {"A"},
+         view,
+         {"anterior"},
+         has_tree},
+        {"view",
+         "NAME",
+         "The viewer stands behind the patient.",
+         "View",
+         "Posterior",
+         {"P"},
+         view,
+         {"posterior"},
+         has_tree},
+        {"view", "NAME", "The viewer stands at the patient's left.", "View", "Left", {"L"}, view, {"left"}, has_tree},
+        {"view",
+         "NAME",
+         "The viewer stands at the patient's right.",
+         "View",
+         "Right",
+         {"R"},
+         view,
+         {"right"},
+         has_tree},
+        {"view",
+         "NAME",
+         "The viewer looks down from the head.",
+         "View",
+         "Superior",
+         {"S"},
+         view,
+         {"superior"},
+         has_tree},
+        {"view", "NAME", "The viewer looks up from the feet.", "View", "Inferior", {"I"}, view, {"inferior"}, has_tree},
+        {"fit",
+         "",
+         "Brings the whole tree into the picture, from where the viewer stands.",
+         "View",
+         "Fit",
+         {"F", "0"},
+         fit,
+         {},
+         has_tree},
+        {"orthographic",
+         "[on|off]",
+         "Switches between parallel and central projection.",
+         "View",
+         "Orthographic",
+         {"O"},
+         orthographic,
+         {},
+         has_tree,
+         is_orthographic},
+    };
+}
+
+} // namespace ramus::app::actions

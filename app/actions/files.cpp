@@ -1,0 +1,96 @@
+// Trees, sessions and pictures; the way back; the window itself.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/session_file.h"
+
+namespace ramus::app::actions {
+
+namespace {
+
+Result<void> open(ActionContext& context, Arguments arguments) {
+    if (arguments.size() > 1) return fail("open takes one file", {}, "put quotes around a name with blanks");
+    return arguments.empty() ? context.host.ask_for_file() : context.host.open(arguments[0]);
+}
+
+Result<void> save(ActionContext& context, Arguments arguments) {
+    const auto path = file_argument(context, arguments, "save", ".ramus.json");
+    if (!path) return tl::unexpected(path.error());
+    if (auto written = write_session(context.document.session(), *path); !written) return written;
+    context.document.mark_saved();
+    context.host.say("Session saved: " + path->string());
+    return {};
+}
+
+Result<void> shot(ActionContext& context, Arguments arguments) {
+    const auto path = file_argument(context, arguments, "shot", ".png");
+    if (!path) return tl::unexpected(path.error());
+    if (auto written = context.host.write_picture(*path); !written) return written;
+    context.host.say("Picture saved: " + path->string());
+    return {};
+}
+
+Result<void> quit(ActionContext& context, Arguments) { return context.host.quit(); }
+
+Result<void> undo(ActionContext& context, Arguments) {
+    return context.document.undo() ? Result<void>{} : fail("there is nothing to undo");
+}
+
+Result<void> redo(ActionContext& context, Arguments) {
+    return context.document.redo() ? Result<void>{} : fail("there is nothing to redo");
+}
+
+Result<void> panel(ActionContext& context, Arguments) { return context.host.toggle("panel"); }
+
+Result<void> help(ActionContext& context, Arguments) { return context.host.toggle("help"); }
+
+bool can_undo(const Document& document) { return document.can_undo(); }
+bool can_redo(const Document& document) { return document.can_redo(); }
+
+} // namespace
+
+std::vector<Command> file_commands() {
+    return {
+        {"open",
+         "[FILE]",
+         "Opens a tree or a session; without FILE, asks for one.",
+         "File",
+         "Open...",
+         {"Ctrl+O"},
+         open},
+        {"save",
+         "[FILE]",
+         "Writes the session: what is selected, hidden and highlighted, the camera, the options.",
+         "File",
+         "Save session",
+         {"Ctrl+S"},
+         save,
+         {},
+         has_tree},
+        {"shot", "[FILE]", "Writes the picture as PNG.", "File", "Save picture", {"F12"}, shot, {}, has_tree},
+        {"quit", "", "Closes ramus.", "File", "Quit", {"Ctrl+Q"}, quit},
+    };
+}
+
+std::vector<Command> history_commands() {
+    return {
+        {"undo", "", "Takes the last change back.", "Edit", "Undo", {"Ctrl+Z"}, undo, {}, can_undo},
+        {"redo",
+         "",
+         "Makes the change that was taken back again.",
+         "Edit",
+         "Redo",
+         {"Ctrl+Shift+Z", "Ctrl+Y"},
+         redo,
+         {},
+         can_redo},
+    };
+}
+
+std::vector<Command> window_commands() {
+    return {
+        {"panel", "", "Shows or hides the side panel.", "View", "Side panel", {"Tab"}, panel},
+        {"help", "", "Shows what the mouse and the keys do.", "Help", "Mouse and keys", {"F1", "?"}, help},
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,19 @@
+// The parts of the command table, one file each: what the commands of a part do stands beside their entries.
+#pragma once
+
+#include "app/command_table.h"
+
+#include <vector>
+
+namespace ramus::app::actions {
+
+[[nodiscard]] std::vector<Command> file_commands();
+[[nodiscard]] std::vector<Command> history_commands();
+[[nodiscard]] std::vector<Command> selection_commands();
+[[nodiscard]] std::vector<Command> state_commands();
+[[nodiscard]] std::vector<Command> camera_commands();
+[[nodiscard]] std::vector<Command> colour_commands();
+[[nodiscard]] std::vector<Command> surface_commands();
+[[nodiscard]] std::vector<Command> window_commands();
+
+} // namespace ramus::app::actions

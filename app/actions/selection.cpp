@@ -1,0 +1,142 @@
+// Which branches are selected.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace ramus::app::actions {
+
+namespace {
+
+// Every branch is visited once: subtree() of each of them would cost their product.
+std::vector<int> with_dependents(const Document& document, std::vector<int> open) {
+    std::vector<char> found(static_cast<std::size_t>(document.branch_count()), 0);
+    std::vector<int> ids;
+    while (!open.empty()) {
+        const int id = open.back();
+        open.pop_back();
+        if (std::exchange(found[static_cast<std::size_t>(id)], 1) != 0) continue;
+        ids.push_back(id);
+        const auto& children = document.tree()->branches[static_cast<std::size_t>(id)].children;
+        open.insert(open.end(), children.begin(), children.end());
+    }
+    return ids;
+}
+
+Result<void> select(ActionContext& context, Arguments arguments) {
+    auto ids = branch_ids(context.document, arguments);
+    if (!ids) return tl::unexpected(ids.error());
+    select_these(context.document, std::move(*ids));
+    return {};
+}
+
+Result<void> select_add(ActionContext& context, Arguments arguments) {
+    auto ids = branch_ids(context.document, arguments);
+    if (!ids) return tl::unexpected(ids.error());
+    ids->insert(ids->end(), context.document.marks().selection.begin(), context.document.marks().selection.end());
+    select_these(context.document, std::move(*ids));
+    return {};
+}
+
+Result<void> select_subtree(ActionContext& context, Arguments arguments) {
+    const auto ids = branch_ids(context.document, arguments);
+    if (!ids) return tl::unexpected(ids.error());
+    select_these(context.document, with_dependents(context.document, *ids));
+    return {};
+}
+
+Result<void> select_toggle(ActionContext& context, Arguments arguments) {
+    const auto ids = branch_ids(context.document, arguments);
+    if (!ids) return tl::unexpected(ids.error());
+    std::vector<int> next;
+    const std::vector<int> toggled = canonical(*ids);
+    std::ranges::set_symmetric_difference(context.document.marks().selection, toggled, std::back_inserter(next));
+    select_these(context.document, std::move(next));
+    return {};
+}
+
+Result<void> select_none(ActionContext& context, Arguments) {
+    select_these(context.document, {});
+    return {};
+}
+
+Result<void> select_dependents(ActionContext& context, Arguments) {
+    select_these(context.document, with_dependents(context.document, context.document.marks().selection));
+    return {};
+}
+
+Result<void> select_upstream(ActionContext& context, Arguments) {
+    std::vector<char> found(static_cast<std::size_t>(context.document.branch_count()), 0);
+    std::vector<int> ids;
+    for (int id : context.document.marks().selection)
+        for (; id != tree::kNoBranch && std::exchange(found[static_cast<std::size_t>(id)], 1) == 0;
+             id = context.document.tree()->branches[static_cast<std::size_t>(id)].parent)
+            ids.push_back(id);
+    select_these(context.document, std::move(ids));
+    return {};
+}
+
+Result<void> select_invert(ActionContext& context, Arguments) {
+    select_these(context.document, unselected(context.document));
+    return {};
+}
+
+Result<void> dismiss(ActionContext& context, Arguments arguments) {
+    return context.host.dismiss() ? Result<void>{} : select_none(context, arguments);
+}
+
+} // namespace
+
+std::vector<Command> selection_commands() {
+    return {
+        {"select", "ID...", "Selects these branches and no others.", "", "", {}, select},
+        {"select-add", "ID...", "Adds these branches to the selection.", "", "", {}, select_add},
+        {"select-dependents",
+         "",
+         "Selects also all that depends on the selected branches.",
+         "Select",
+         "Dependents",
+         {"D"},
+         select_dependents,
+         {},
+         has_selection},
+        {"select-upstream",
+         "",
+         "Selects also the way from the selected branches to the root.",
+         "Select",
+         "Upstream",
+         {"U"},
+         select_upstream,
+         {},
+         has_selection},
+        {"select-invert",
+         "",
+         "Selects what is not selected, and nothing else.",
+         "Select",
+         "Invert",
+         {"Ctrl+I"},
+         select_invert,
+         {},
+         has_tree},
+        {"select-subtree",
+         "ID...",
+         "Selects these branches and all that depends on them, and no others.",
+         "",
+         "",
+         {},
+         select_subtree},
+        {"select-toggle",
+         "ID...",
+         "Takes each of these branches into the selection, or out of it.",
+         "",
+         "",
+         {},
+         select_toggle},
+        {"select-none", "", "Selects nothing.", "Select", "Nothing", {}, select_none, {}, has_selection},
+        {"dismiss", "", "Closes what lies on top; with nothing there, selects nothing.", "", "", {"Escape"}, dismiss},
+    };
+}
+
+} // namespace ramus::app::actions
