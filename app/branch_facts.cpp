@@ -29,8 +29,9 @@ TreeFacts facts_of(const tree::VesselTree& tree) {
             const double r1 = point.radius;
             own.length_mm += step;
             weighted += step * (r0 + r1);
-            facts.volume_mm3 += std::numbers::pi / 3.0 * step * (r0 * r0 + r0 * r1 + r1 * r1);
+            own.volume_mm3 += std::numbers::pi / 3.0 * step * (r0 * r0 + r0 * r1 + r1 * r1);
         }
+        facts.volume_mm3 += own.volume_mm3;
         own.mean_diameter_mm = own.length_mm > 0.0 ? weighted / own.length_mm : own.max_diameter_mm;
         facts.length_mm += own.length_mm;
         facts.min_diameter_mm = std::min(facts.min_diameter_mm, own.min_diameter_mm);
@@ -39,14 +40,21 @@ TreeFacts facts_of(const tree::VesselTree& tree) {
         facts.leaves += branch.children.empty() ? 1 : 0;
     }
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto& children = tree.branches[static_cast<std::size_t>(order[i])].children;
+        const auto id = static_cast<std::size_t>(order[i]);
+        const auto& children = tree.branches[id].children;
+        const double end = facts.branches[id].root_distance_mm + facts.branches[id].length_mm;
+        for (const int child : children) facts.branches[static_cast<std::size_t>(child)].root_distance_mm = end;
         order.insert(order.end(), children.begin(), children.end());
     }
     for (std::size_t i = order.size(); i-- > 0;) {
         const auto id = static_cast<std::size_t>(order[i]);
         const int parent = tree.branches[id].parent;
-        if (parent != tree::kNoBranch)
-            facts.branches[static_cast<std::size_t>(parent)].dependents += facts.branches[id].dependents + 1;
+        if (parent == tree::kNoBranch) continue;
+        const BranchFacts& own = facts.branches[id];
+        BranchFacts& above = facts.branches[static_cast<std::size_t>(parent)];
+        above.dependents += own.dependents + 1;
+        above.dependent_length_mm += own.dependent_length_mm + own.length_mm;
+        above.dependent_volume_mm3 += own.dependent_volume_mm3 + own.volume_mm3;
     }
     return facts;
 }

@@ -12,7 +12,11 @@ struct BranchFacts {
     double mean_diameter_mm = 0.0; // along the centerline
     double min_diameter_mm = 0.0;
     double max_diameter_mm = 0.0;
-    int dependents = 0; // branches that are reached only through this one
+    double volume_mm3 = 0.0;          // of the cones between the points
+    double root_distance_mm = 0.0;    // along the vessels, from the root to where the branch begins
+    int dependents = 0;               // branches that are reached only through this one
+    double dependent_length_mm = 0.0; // of those, without this one
+    double dependent_volume_mm3 = 0.0;
 };
 
 struct TreeFacts {

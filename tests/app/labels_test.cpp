@@ -1,0 +1,87 @@
+// Names that follow their dependents, and what a branch's facts sum up.
+#include "app/branch_facts.h"
+#include "app/labels.h"
+#include "tests/support/grown_tree.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <numbers>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+tree::VesselTree grown(int branches) {
+    auto tree = test::grown_tree(branches);
+    REQUIRE(tree);
+    return *tree;
+}
+
+} // namespace
+
+TEST_CASE("a label is the name of the nearest named branch towards the root") {
+    const tree::VesselTree tree = grown(200);
+    const TreeFacts facts = facts_of(tree);
+    int inner = tree::kNoBranch; // with children that have children
+    for (std::size_t id = 0; id < tree.branches.size() && inner < 0; ++id)
+        if (tree.branches[id].generation == 2 && facts.branches[id].dependents > 4) inner = static_cast<int>(id);
+    REQUIRE(inner >= 0);
+    const int child = tree.branches[static_cast<std::size_t>(inner)].children.front();
+    const BranchNames names{{inner, "right hepatic"}, {child, "segment VI"}};
+
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {
+        const auto below = [&](int root) {
+            const auto ids = tree::subtree(tree, root);
+            return std::binary_search(ids.begin(), ids.end(), id);
+        };
+        CHECK(label_of(tree, names, id) == (below(child) ? "segment VI" : below(inner) ? "right hepatic" : ""));
+    }
+}
+
+TEST_CASE("labels of all branches at once agree with labels one by one") {
+    const tree::VesselTree tree = grown(500);
+    for (const BranchNames& names :
+         {BranchNames{}, BranchNames{{0, "trunk"}}, BranchNames{{0, "trunk"}, {7, "a"}, {40, "b"}, {123, "c"}}}) {
+        const std::vector<int> sources = label_sources(tree, names);
+        REQUIRE(sources.size() == tree.branches.size());
+        for (int id = 0; id < static_cast<int>(sources.size()); ++id)
+            CHECK(sources[static_cast<std::size_t>(id)] == label_source(tree, names, id));
+    }
+}
+
+TEST_CASE("facts sum up what depends on a branch, and how far it is from the root") {
+    const tree::VesselTree tree = grown(300);
+    const TreeFacts facts = facts_of(tree);
+    double volume = 0.0;
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {
+        const BranchFacts& own = facts.branches[static_cast<std::size_t>(id)];
+        volume += own.volume_mm3;
+        double length = 0.0, below = 0.0;
+        const auto ids = tree::subtree(tree, id);
+        for (const int other : ids) {
+            if (other == id) continue;
+            length += facts.branches[static_cast<std::size_t>(other)].length_mm;
+            below += facts.branches[static_cast<std::size_t>(other)].volume_mm3;
+        }
+        CHECK(own.dependents + 1 == static_cast<int>(ids.size()));
+        CHECK(own.dependent_length_mm == doctest::Approx(length));
+        CHECK(own.dependent_volume_mm3 == doctest::Approx(below));
+        double way = 0.0;
+        for (const int step : path_to(tree, id))
+            if (step != id) way += facts.branches[static_cast<std::size_t>(step)].length_mm;
+        CHECK(own.root_distance_mm == doctest::Approx(way));
+    }
+    CHECK(volume == doctest::Approx(facts.volume_mm3));
+}
+
+TEST_CASE("the volume of a straight vessel is its cylinder's") {
+    tree::VesselTree tree;
+    for (int i = 0; i < 3; ++i) tree.points.push_back({{5.0 * i, 0.0, 0.0}, 2.0});
+    tree.branches.emplace_back().points = {0, 1, 2};
+    tree.roots = {0};
+    const TreeFacts facts = facts_of(tree);
+    CHECK(facts.branches[0].volume_mm3 == doctest::Approx(std::numbers::pi * 4.0 * 10.0));
+    CHECK(facts.branches[0].dependent_volume_mm3 == 0.0);
+    CHECK(facts.branches[0].root_distance_mm == 0.0);
+}
