@@ -13,7 +13,7 @@ std::vector<Command> make_table() {
     using namespace actions;
     std::vector<Command> table;
     for (auto part : {file_commands, history_commands, selection_commands, state_commands, camera_commands,
-                      colour_commands, surface_commands, window_commands})
+                      colour_commands, surface_commands, tool_commands, window_commands})
         for (Command& command : part()) table.push_back(std::move(command));
     return table;
 }
@@ -62,6 +62,7 @@ Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
 Result<void> Host::toggle(std::string_view part) {
     return fail("there is no " + std::string(part) + " without a window");
 }
+Result<void> Host::use_tool(std::string_view) { return fail("there is no tool without a window"); }
 Result<void> Host::quit() { return fail("quit needs a window"); }
 
 } // namespace ramus::app

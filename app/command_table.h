@@ -16,6 +16,9 @@
 
 namespace ramus::app {
 
+struct Command;
+struct ToolSettings; // app/tools/tool.h
+
 // What a command needs from its surroundings. The window implements all of it, `ramus render` what makes sense there.
 class Host {
 public:
@@ -38,6 +41,9 @@ public:
     virtual Result<void> toggle(std::string_view part); // "help", "panel"
     virtual bool dismiss() { return false; }            // closes what lies on top, if anything does
     virtual Result<void> quit();
+    virtual Result<void> use_tool(std::string_view name);                      // one of tool_kinds()
+    [[nodiscard]] virtual std::string_view tool() const { return "navigate"; } // the one in use
+    virtual ToolSettings* tool_settings() { return nullptr; }                  // null: there is no mouse
 };
 
 struct ActionContext {
@@ -58,6 +64,7 @@ struct Command {
     std::vector<std::string> preset{};                             // arguments that the menu and the keys give
     bool (*enabled)(const Document&) = nullptr;                    // null: always
     bool (*checked)(const Document&) = nullptr;                    // null: not a switch
+    bool (*in_use)(const Host&, const Command&) = nullptr;         // a switch of the interface, not of the document
     [[nodiscard]] bool scripted() const { return preset.empty(); } // false: an entry that gives arguments to another
 };
 

@@ -78,7 +78,9 @@ void InterfaceContext::perform(std::string_view name, const std::vector<std::str
 void draw_interface(InterfaceContext& context) {
     context.interface.listed = tree::kNoBranch;
     draw_empty_view(context);
+    draw_tool_drawing(context);
     draw_menu_bar(context);
+    draw_tool_bar(context);
     draw_side_panel(context);
     draw_status_bar(context);
     draw_tooltip(context);

@@ -4,6 +4,7 @@
 
 #include "app/command_table.h"
 #include "app/panels/open_dialog.h"
+#include "app/tools/tool_kinds.h"
 #include "app/workspace.h"
 
 #include <array>
@@ -42,6 +43,10 @@ struct Interface {
     std::vector<int> list_order;   // of the list of branches
     const TreeFacts* list_of = nullptr;
     int shown_selection = tree::kNoBranch; // the list was scrolled to it
+    const ToolKind* tool_kind = &tool_kinds().front();
+    std::unique_ptr<Tool> tool; // null: the mouse turns the view
+    ToolSettings tool_settings;
+    ToolDrawing tool_drawing; // of the tool, for this frame
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
     [[nodiscard]] bool dialog_open() const { return help_open || open_dialog.open || !errors.empty(); }
@@ -65,6 +70,8 @@ void draw_interface(InterfaceContext& context);
 
 // The parts, one file each.
 void draw_menu_bar(InterfaceContext& context);
+void draw_tool_drawing(InterfaceContext& context);
+void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);

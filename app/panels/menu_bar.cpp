@@ -15,7 +15,8 @@ namespace {
 void draw_entry(InterfaceContext& context, const Command& command) {
     const Document& document = context.workspace.document;
     const bool enabled = command.enabled == nullptr || command.enabled(document);
-    const bool checked = command.checked != nullptr && command.checked(document);
+    const bool checked = (command.checked != nullptr && command.checked(document)) ||
+                         (command.in_use != nullptr && command.in_use(context.host, command));
     if (ImGui::MenuItem(command.label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked,
                         enabled))
         context.perform(command);

@@ -76,6 +76,12 @@ void draw_notice(const Notice& notice, float width) {
     if (shown != notice.text) widgets::tooltip(notice.text.c_str());
 }
 
+void draw_hint(const std::string& hint, float width) {
+    const std::string shown = widgets::fitted(hint, width);
+    widgets::quiet(shown.c_str());
+    if (shown != hint) widgets::tooltip(hint.c_str());
+}
+
 float draw_progress(InterfaceContext& context) {
     const float scale = theme::scale();
     const std::string text = context.workspace.activity();
@@ -136,6 +142,8 @@ void draw_status_bar(InterfaceContext& context) {
     ImGui::SetCursorPos(left);
     if (context.now < context.interface.notice.until)
         draw_notice(context.interface.notice, edge - left.x - 24.0F * theme::scale());
+    else if (context.interface.tool)
+        draw_hint(context.interface.tool->hint(), edge - left.x - 24.0F * theme::scale());
     else
         draw_path(context, edge);
     ImGui::End();

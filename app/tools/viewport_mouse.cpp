@@ -16,7 +16,8 @@ void ViewportMouse::press(MouseButton button, Modifiers modifiers, glm::dvec2 at
 std::optional<Click> ViewportMouse::release(MouseButton button, glm::dvec2 at, double seconds) {
     if (held_ != button) return {};
     held_.reset();
-    if (dragging_ || button != MouseButton::kLeft) return {};
+    if (dragging_ || button == MouseButton::kMiddle) return {};
+    if (button == MouseButton::kRight) return Click{Click::Kind::kSecondary, at};
     // Only plain clicks make a double-click: a quick Alt+click after a click still takes all that depends on it.
     const bool plain = !modifiers_.alt && !modifiers_.ctrl && !modifiers_.shift;
     const bool second = plain && seconds - last_click_seconds_ < kDoubleClickSeconds &&

@@ -21,6 +21,7 @@ struct Click {
         kSelectWithDependents, // Alt
         kToggle,               // Ctrl
         kCentre,               // the second click of a double-click
+        kSecondary,            // the right button
     };
     Kind kind;
     glm::dvec2 at;

@@ -108,6 +108,8 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
 
 GlfwWindow::~GlfwWindow() {
     let_wake(false);
+    for (const auto& [kind, shape] : cursors_)
+        if (shape != nullptr) glfwDestroyCursor(shape);
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
@@ -196,6 +198,15 @@ void GlfwWindow::set_title(const std::string& title) {
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(window_, title.c_str());
+}
+
+void GlfwWindow::set_cursor(Cursor cursor) {
+    if (cursor == cursor_) return;
+    cursor_ = cursor;
+    GLFWcursor*& shape = cursors_[cursor];
+    if (shape == nullptr && cursor != Cursor::kArrow)
+        shape = glfwCreateStandardCursor(cursor == Cursor::kHand ? GLFW_HAND_CURSOR : GLFW_CROSSHAIR_CURSOR);
+    glfwSetCursor(window_, shape); // null: the arrow
 }
 
 glm::ivec2 GlfwWindow::framebuffer_size() const {

@@ -5,10 +5,12 @@
 #include "core/base/error.h"
 #include "render/gl_context.h"
 
+#include <map>
 #include <memory>
 #include <string>
 
 struct GLFWwindow;
+struct GLFWcursor;
 
 namespace ramus::app {
 
@@ -23,6 +25,7 @@ public:
     void attach(Viewer* viewer); // null: events go nowhere
     void show();
     void set_title(const std::string& title);
+    void set_cursor(Cursor cursor); // over the window's content
     [[nodiscard]] glm::ivec2 framebuffer_size() const;
     [[nodiscard]] float scale() const; // pixels per point
     [[nodiscard]] bool close_wanted() const;
@@ -40,6 +43,8 @@ private:
     float fixed_scale_; // 0: the display's
     Viewer* viewer_ = nullptr;
     std::string title_;
+    Cursor cursor_ = Cursor::kArrow;
+    std::map<Cursor, GLFWcursor*> cursors_; // made when first wanted
 };
 
 // May be called from any thread: wait() returns. Does nothing while there is no window.

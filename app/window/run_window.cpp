@@ -50,6 +50,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, cons
             continue;
         }
         window.set_title(viewer.title());
+        window.set_cursor(viewer.cursor());
         status.update(viewer, workspace);
         window.wait(viewer.wait_seconds(glfwGetTime()));
     }

@@ -23,6 +23,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["resting"] = viewer.resting();
     status["hovered"] = interface.hovered;
     status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
+    status["tool"] = viewer.tool();
     status["help"] = interface.help_open;
     status["open_dialog"] = interface.open_dialog.open;
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();

@@ -61,6 +61,7 @@ void Viewer::take_news() {
                 render::camera_for(picture_mesh()->positions(), render::View::kAnterior, layout_.view_size));
         interface_.hovered = tree::kNoBranch;
         interface_.shown_selection = tree::kNoBranch;
+        (void)use_tool(tool()); // what it had begun was about the other tree
         remember_file(opened->path);
         pick_wanted_ = true;
         shake();
@@ -73,7 +74,8 @@ void Viewer::take_pick() {
     const auto pick = renderer_.poll_pick();
     if (!pick) return;
     pick_pending_ = false;
-    const int hovered = pointer_over_picture_ && !mouse_.dragging() ? pick->branch : tree::kNoBranch;
+    const int hovered =
+        pointer_over_picture_ && !mouse_.dragging() && points_at_branches() ? pick->branch : tree::kNoBranch;
     if (hovered != interface_.hovered) shake();
     interface_.hovered = hovered;
 }
@@ -82,8 +84,8 @@ void Viewer::ask_pick() {
     if (!pick_wanted_ || mouse_.held()) return;
     pick_wanted_ = false;
     pointer_over_picture_ = over_picture(pointer_);
-    interface_.tooltip = pointer_over_picture_;
-    if (!pointer_over_picture_) {
+    interface_.tooltip = pointer_over_picture_ && points_at_branches();
+    if (!interface_.tooltip) {
         if (interface_.hovered != tree::kNoBranch) shake();
         interface_.hovered = tree::kNoBranch;
         return;
@@ -105,6 +107,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     interface_waits_ = !input_.apply(io);
     ImGui::NewFrame();
     const int listed = interface_.listed;
+    interface_.tool_drawing =
+        interface_.tool ? interface_.tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
     InterfaceContext context{interface_, workspace_, *this, layout_, now};
     draw_interface(context);
     ImGui::Render();
@@ -222,6 +226,24 @@ Result<void> Viewer::toggle(std::string_view part) {
         interface_.help_open = !interface_.help_open;
     else
         interface_.panel_open = !interface_.panel_open;
+    shake();
+    return {};
+}
+
+bool Viewer::dismiss() {
+    if (interface_.dismiss()) return true;
+    if (!interface_.tool) return false;
+    if (!interface_.tool->escape()) (void)use_tool(kNavigate);
+    return true;
+}
+
+Result<void> Viewer::use_tool(std::string_view name) {
+    const ToolKind* kind = find_tool(name);
+    if (kind == nullptr) return fail("there is no tool " + std::string(name));
+    interface_.tool_kind = kind;
+    interface_.tool = kind->make != nullptr ? kind->make() : nullptr;
+    tool_mouse_.abandon();
+    pick_wanted_ = true;
     shake();
     return {};
 }

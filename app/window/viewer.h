@@ -9,6 +9,7 @@
 #include "app/compose.h"
 #include "app/keys.h"
 #include "app/panels/interface.h"
+#include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
 #include "app/window/imgui_renderer.h"
@@ -54,6 +55,7 @@ public:
     [[nodiscard]] const Interface& interface() const { return interface_; }
     [[nodiscard]] bool resting() const; // the picture is the final one of what is known now
     [[nodiscard]] std::string title() const;
+    [[nodiscard]] Cursor cursor() const;
     void tell(const Error& error) { interface_.errors.push_back(error); }
 
     // Host
@@ -65,8 +67,11 @@ public:
     Result<void> open(const std::filesystem::path& path) override;
     Result<void> ask_for_file() override;
     Result<void> toggle(std::string_view part) override;
-    bool dismiss() override { return interface_.dismiss(); }
+    bool dismiss() override;
     Result<void> quit() override;
+    Result<void> use_tool(std::string_view name) override;
+    [[nodiscard]] std::string_view tool() const override { return interface_.tool_kind->name; }
+    ToolSettings* tool_settings() override { return &interface_.tool_settings; }
 
 private:
     // ImGui needs a few frames until popups and their sizes have settled.
@@ -80,11 +85,14 @@ private:
     Viewer(Workspace& workspace, render::Renderer& renderer);
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(layout_.view_at); }
+    [[nodiscard]] bool points_at_branches() const { return !interface_.tool || interface_.tool->points_at_branches(); }
     [[nodiscard]] Viewing viewing() const;
     void take_news();
     void take_pick();
     void ask_pick();
     void clicked(const Click& click);
+    [[nodiscard]] Pointing pointing(Modifiers modifiers);
+    void perform_tool();
     void move_camera(const render::Camera& camera);
     void run(const Command& command);
 
@@ -95,6 +103,7 @@ private:
     Interface interface_;
     Layout layout_;
     ViewportMouse mouse_;
+    ToolMouse tool_mouse_;
     float scale_ = 1.0F;
     double now_ = 0.0;
     glm::dvec2 pointer_{-1.0};

@@ -15,6 +15,9 @@ void Viewer::mouse_moved(glm::dvec2 at) {
             interface_.hovered = tree::kNoBranch;
             interface_.tooltip = false;
         }
+    } else if (interface_.tool && (tool_mouse_.held() || over_picture(at))) {
+        tool_mouse_.move(*interface_.tool, pointing({}));
+        perform_tool();
     }
     pick_wanted_ = true;
     shake();
@@ -30,7 +33,16 @@ void Viewer::mouse_left() {
 void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
     now_ = now;
     const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
-    if (down && over_picture(pointer_))
+    if (tool_mouse_.held()) { // one button at a time
+        if (!down && button == MouseButton::kLeft && interface_.tool) {
+            tool_mouse_.release(*interface_.tool, pointing(modifiers));
+            perform_tool();
+            pick_wanted_ = true;
+        }
+    } else if (down && button == MouseButton::kLeft && interface_.tool && !mouse_.held() && over_picture(pointer_)) {
+        tool_mouse_.press(*interface_.tool, pointing(modifiers), now);
+        perform_tool();
+    } else if (down && over_picture(pointer_))
         mouse_.press(button, modifiers, in_picture(pointer_));
     else if (!down && mouse_.held()) {
         if (const auto click = mouse_.release(button, in_picture(pointer_), now)) clicked(*click);
@@ -53,8 +65,35 @@ void Viewer::mouse_wheel(glm::dvec2 notches) {
 
 void Viewer::move_camera(const render::Camera& camera) { workspace_.document.set_camera(camera); }
 
+Pointing Viewer::pointing(Modifiers modifiers) {
+    return {.at = in_picture(pointer_),
+            .modifiers = modifiers,
+            .held = tool_mouse_.held(),
+            .size = layout_.view_size,
+            .pixel_ratio = scale_,
+            .document = workspace_.document,
+            .settings = interface_.tool_settings,
+            .pick_at = [this](glm::dvec2 at) { return renderer_.pick(at.x, at.y); }};
+}
+
+void Viewer::perform_tool() {
+    if (!interface_.tool) return;
+    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
+    for (const CommandLine& line : interface_.tool->take_commands())
+        context.perform(line.front(), {line.begin() + 1, line.end()});
+}
+
+Cursor Viewer::cursor() const {
+    return interface_.tool && over_picture(pointer_) ? interface_.tool->cursor() : Cursor::kArrow;
+}
+
 void Viewer::clicked(const Click& click) {
     if (!workspace_.document.tree()) return;
+    if (click.kind == Click::Kind::kSecondary) {
+        if (interface_.tool) interface_.tool->right_click(pointing({}));
+        perform_tool();
+        return;
+    }
     const render::Pick pick = renderer_.pick(click.at.x, click.at.y);
     InterfaceContext context{interface_, workspace_, *this, layout_, now_};
     const bool hit = pick.branch >= 0 && pick.branch < workspace_.document.branch_count();
@@ -74,6 +113,8 @@ void Viewer::clicked(const Click& click) {
         break;
     case Click::Kind::kCentre:
         if (hit) move_camera(render::centred_on(workspace_.document.session().camera, pick.position));
+        break;
+    case Click::Kind::kSecondary:
         break;
     }
 }

@@ -1,0 +1,40 @@
+// What the mouse does over the picture, and how.
+#include "app/actions/groups.h"
+#include "app/tools/tool_kinds.h"
+
+namespace ramus::app::actions {
+
+namespace {
+
+Result<void> tool(ActionContext& context, Arguments arguments) {
+    const ToolKind* kind = arguments.size() == 1 ? find_tool(arguments[0]) : nullptr;
+    if (kind == nullptr) {
+        std::string names;
+        for (const ToolKind& each : tool_kinds()) names += (names.empty() ? "" : ", ") + each.name;
+        return fail("tool takes the name of a tool", {}, names);
+    }
+    return context.host.use_tool(kind->name);
+}
+
+bool is_in_hand(const Host& host, const Command& entry) { return host.tool() == entry.preset.front(); }
+
+} // namespace
+
+std::vector<Command> tool_commands() {
+    std::vector<Command> commands{
+        {"tool",
+         "NAME",
+         "Gives the mouse a tool over the picture: navigate, lasso, lasso-polygon and others.",
+         "",
+         "",
+         {},
+         tool}};
+    for (const ToolKind& kind : tool_kinds()) {
+        Command entry{"tool", "NAME", kind.help, "Tools", kind.label, kind.keys, tool, {kind.name}};
+        entry.in_use = is_in_hand;
+        commands.push_back(std::move(entry));
+    }
+    return commands;
+}
+
+} // namespace ramus::app::actions

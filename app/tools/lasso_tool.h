@@ -1,0 +1,47 @@
+// The lasso, drawn free-hand or clicked as a polygon. What comes out is one `lasso` command. Shift at its beginning
+// adds to the selection, Ctrl takes away from it.
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace ramus::app {
+
+class LassoBase : public Tool {
+public:
+    bool escape() override;
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+
+protected:
+    void begin(const Pointing& pointing);
+    void finish(const Pointing& pointing, std::vector<glm::dvec2> outline); // nothing when it encloses nothing
+    [[nodiscard]] glm::vec4 colour() const;
+
+    std::vector<glm::dvec2> points_; // so far
+    Modifiers modifiers_;            // when it began
+};
+
+class LassoTool final : public LassoBase {
+public:
+    void press(const Pointing& pointing) override;
+    void move(const Pointing& pointing) override;
+    void release(const Pointing& pointing) override;
+    [[nodiscard]] Cursor cursor() const override { return Cursor::kLasso; }
+    [[nodiscard]] std::string hint() const override;
+};
+
+class PolygonLassoTool final : public LassoBase {
+public:
+    void press(const Pointing& pointing) override;
+    void double_click(const Pointing& pointing) override;
+    void right_click(const Pointing& pointing) override;
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+    [[nodiscard]] Cursor cursor() const override { return Cursor::kLassoPolygon; }
+    [[nodiscard]] std::string hint() const override;
+
+private:
+    static constexpr double kClosingReach = 8.0; // points: a click this near the first corner closes the polygon
+    [[nodiscard]] bool closes(const Pointing& pointing) const;
+    void close(const Pointing& pointing);
+};
+
+} // namespace ramus::app
