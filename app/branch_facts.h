@@ -1,7 +1,10 @@
-// What a person wants to know of a branch, computed once for a whole tree: tooltips, the panel and colours look it up.
+// What a person wants to know of a branch, computed once for a whole tree: tooltips, panels, commands and colours look
+// it up. "Depends" is core/tree/dependency.h's: reached only through the branch, right in networks with loops too.
 #pragma once
 
-#include "core/tree/vessel_tree.h"
+#include "core/measure/amount.h"
+#include "core/measure/tree_statistics.h"
+#include "core/tree/dependency.h"
 
 #include <vector>
 
@@ -17,6 +20,7 @@ struct BranchFacts {
     int dependents = 0;               // branches that are reached only through this one
     double dependent_length_mm = 0.0; // of those, without this one
     double dependent_volume_mm3 = 0.0;
+    int dependent_leaves = 0; // of those, the ones that end freely
 };
 
 struct TreeFacts {
@@ -27,6 +31,10 @@ struct TreeFacts {
     double max_diameter_mm = 0.0;
     int generations = 0;
     int leaves = 0;
+
+    tree::Dependency dependency;
+    measure::TreeStatistics statistics;
+    std::vector<measure::Amount> dependents; // by id: what depends on it, without itself
 };
 
 [[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);

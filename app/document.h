@@ -2,6 +2,8 @@
 // through change(), which remembers the value before; the camera and files are not covered. No GL, no window.
 #pragma once
 
+#include "app/branch_facts.h"
+#include "app/plan.h"
 #include "app/session.h"
 
 #include <cstdint>
@@ -11,13 +13,20 @@ namespace ramus::app {
 
 class Document {
 public:
-    // Another tree, or none: history starts anew.
-    void open(std::shared_ptr<const tree::VesselTree> tree, Session session);
+    // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already.
+    void open(std::shared_ptr<const tree::VesselTree> tree, Session session,
+              std::shared_ptr<const TreeFacts> facts = nullptr);
 
     [[nodiscard]] const Session& session() const { return session_; }
     [[nodiscard]] const Marks& marks() const { return session_.marks; }
     [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& tree() const { return tree_; }
+    [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
+    [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
     [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
+
+    // What follows from lesions, cuts and limits, as they are now: computed when it is first asked for. Null without a
+    // tree.
+    [[nodiscard]] std::shared_ptr<const Plan> plan() const;
 
     // Nothing is remembered when nothing differs.
     void change(Marks next);
@@ -35,6 +44,9 @@ public:
 private:
     static constexpr std::size_t kMostSteps = 1000;
     std::shared_ptr<const tree::VesselTree> tree_;
+    std::shared_ptr<const TreeFacts> facts_;
+    mutable std::shared_ptr<const Plan> plan_; // of `planned_`
+    mutable Marks planned_;                    // of these, what plans follow from
     Session session_;
     Marks saved_;
     std::vector<Marks> past_, future_;

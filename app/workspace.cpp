@@ -106,9 +106,8 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     tried_.reset();
     problem_.clear();
     kept_.clear();
-    facts_ = std::move(loaded.facts);
     maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(loaded.tree);
-    document.open(std::move(loaded.tree), std::move(loaded.session));
+    document.open(std::move(loaded.tree), std::move(loaded.session), std::move(loaded.facts));
     shown_ = std::move(loaded.cones);
     opened_ = Opened{path, loaded.has_camera};
     just_shown_ = true;

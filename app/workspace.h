@@ -51,7 +51,7 @@ public:
 
     Document document;
 
-    [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; }
+    [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return document.facts(); }
     [[nodiscard]] const ReadySurface& shown() const { return shown_; }
     // Whether what is shown is the surface of the session as it is now.
     [[nodiscard]] bool surface_ready() const {
@@ -96,7 +96,6 @@ private:
     [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;
     void start_surface();
 
-    std::shared_ptr<const TreeFacts> facts_;
     ReadySurface shown_;
     std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
     std::optional<mesh::SurfaceOptions> tried_;

@@ -8,3 +8,4 @@ find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp) # its CMake files ask for packages that it does not need

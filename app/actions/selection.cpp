@@ -10,21 +10,6 @@ namespace ramus::app::actions {
 
 namespace {
 
-// Every branch is visited once: subtree() of each of them would cost their product.
-std::vector<int> with_dependents(const Document& document, std::vector<int> open) {
-    std::vector<char> found(static_cast<std::size_t>(document.branch_count()), 0);
-    std::vector<int> ids;
-    while (!open.empty()) {
-        const int id = open.back();
-        open.pop_back();
-        if (std::exchange(found[static_cast<std::size_t>(id)], 1) != 0) continue;
-        ids.push_back(id);
-        const auto& children = document.tree()->branches[static_cast<std::size_t>(id)].children;
-        open.insert(open.end(), children.begin(), children.end());
-    }
-    return ids;
-}
-
 Result<void> select(ActionContext& context, Arguments arguments) {
     auto ids = branch_ids(context.document, arguments);
     if (!ids) return tl::unexpected(ids.error());
@@ -43,7 +28,7 @@ Result<void> select_add(ActionContext& context, Arguments arguments) {
 Result<void> select_subtree(ActionContext& context, Arguments arguments) {
     const auto ids = branch_ids(context.document, arguments);
     if (!ids) return tl::unexpected(ids.error());
-    select_these(context.document, with_dependents(context.document, *ids));
+    select_these(context.document, context.document.dependency().with_dependents(*ids));
     return {};
 }
 
@@ -63,7 +48,8 @@ Result<void> select_none(ActionContext& context, Arguments) {
 }
 
 Result<void> select_dependents(ActionContext& context, Arguments) {
-    select_these(context.document, with_dependents(context.document, context.document.marks().selection));
+    const Document& document = context.document;
+    select_these(context.document, document.dependency().with_dependents(document.marks().selection));
     return {};
 }
 

@@ -124,7 +124,7 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
     Workspace workspace({});
     LoadedTree loaded;
     loaded.tree = document.tree();
-    loaded.facts = std::make_shared<const TreeFacts>(facts_of(*document.tree()));
+    loaded.facts = document.facts();
     loaded.session = document.session();
     loaded.has_camera = true;
     loaded.cones = stage.surface();

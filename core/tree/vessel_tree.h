@@ -51,8 +51,8 @@ struct VesselTree {
 // Length of one branch's centerline in mm.
 [[nodiscard]] double length_mm(const VesselTree& tree, const Branch& branch);
 
-// The branch and all that depends on it (its descendants), ascending ids. For a network with loops: all whose spanning
-// path from the root passes through it, reached only through it.
+// The branch and all that depends on it, that is, all that is reached only through it: ascending ids. Looks at the
+// whole tree; who asks more than once has core/tree/dependency.h.
 [[nodiscard]] std::vector<int> subtree(const VesselTree& tree, int branch);
 
 } // namespace ramus::tree

@@ -145,8 +145,9 @@ TEST_CASE("loops keep every branch, and the hierarchy spans them") {
         check_promises(tree, 6);
         CHECK(tree.branches.size() == 4);
         CHECK(tree.loop_count == 1);
-        // What lies behind both ways depends on one of them only, the one that the spanning tree took.
+        // What lies behind both ways depends on the stem before them and on neither of the two.
         CHECK(tree::subtree(tree, 0).size() == 4);
+        for (const int way : {1, 2}) CHECK(tree::subtree(tree, way) == std::vector<int>{way});
     }
 }
 

@@ -1,0 +1,29 @@
+// Places along a branch's centerline: what the vessel is like at a fraction of its length, and how much of it lies
+// between two fractions. Fractions run from 0 at the parent's end to 1, by length; radii are linear between the points,
+// volumes those of the truncated cones between them. mm, mm3.
+#pragma once
+
+#include "core/tree/vessel_tree.h"
+
+#include <glm/vec3.hpp>
+
+namespace ramus::measure {
+
+struct BranchPlace {
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0, 0.0, 1.0}; // of the segment there, outward, unit length
+    double radius_mm = 0.0;
+};
+
+// `fraction` outside 0 to 1 means the nearer end.
+[[nodiscard]] BranchPlace place_on(const tree::VesselTree& tree, int branch, double fraction);
+
+struct BranchPart {
+    double length_mm = 0.0;
+    double volume_mm3 = 0.0;
+};
+
+// Nothing when `from` is not below `to`.
+[[nodiscard]] BranchPart part_of(const tree::VesselTree& tree, int branch, double from, double to);
+
+} // namespace ramus::measure

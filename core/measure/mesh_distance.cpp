@@ -1,0 +1,243 @@
+#include "core/measure/mesh_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+
+namespace ramus::measure {
+
+namespace {
+
+using Triangle = std::array<glm::dvec3, 3>;
+using Box = MeshDistance::Box;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+double square(const glm::dvec3& v) { return glm::dot(v, v); }
+
+double to_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 along = b - a;
+    const double length = square(along);
+    const double t = length > 0.0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
+    return square(p - a - t * along);
+}
+
+// Squared. Triangles without an area are the longest of their edges.
+double to_triangle(const glm::dvec3& p, const Triangle& t) {
+    const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+    const double area = square(normal);
+    bool over = area > 0.0;
+    for (std::size_t i = 0; i < 3 && over; ++i)
+        over = glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) >= 0.0;
+    if (over) {
+        const double height = glm::dot(p - t[0], normal);
+        return height * height / area;
+    }
+    return std::min({to_edge(p, t[0], t[1]), to_edge(p, t[1], t[2]), to_edge(p, t[2], t[0])});
+}
+
+double to_box(const glm::dvec3& p, const Box& box) {
+    return square(glm::max(glm::max(box.least - p, p - box.most), glm::dvec3(0.0)));
+}
+
+double between(const Box& a, const Box& b) {
+    return square(glm::max(glm::max(a.least - b.most, b.least - a.most), glm::dvec3(0.0)));
+}
+
+bool crosses(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
+    const glm::dvec3 near = (box.least - from) * inverse;
+    const glm::dvec3 far = (box.most - from) * inverse;
+    const glm::dvec3 enter = glm::min(near, far);
+    const glm::dvec3 leave = glm::max(near, far);
+    const double last = std::min({leave.x, leave.y, leave.z});
+    return last >= 0.0 && std::max({enter.x, enter.y, enter.z}) <= last;
+}
+
+} // namespace
+
+MeshDistance::MeshDistance(const mesh::TriangleMesh& mesh) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(mesh.triangles.size());
+    for (const glm::uvec3& t : mesh.triangles)
+        triangles.push_back(
+            {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])});
+    build(std::move(triangles));
+}
+
+void MeshDistance::build(std::vector<Triangle> triangles) {
+    constexpr std::uint32_t kLeaf = 4;
+    std::vector<std::uint32_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), 0U);
+    struct Open {
+        std::uint32_t first, count;
+        std::int64_t second_of; // the node whose second child this is; -1: a first child
+    };
+    std::vector<Open> open{{0, static_cast<std::uint32_t>(triangles.size()), -1}};
+    while (!open.empty()) {
+        const Open part = open.back();
+        open.pop_back();
+        if (part.second_of >= 0)
+            nodes_[static_cast<std::size_t>(part.second_of)].first = static_cast<std::uint32_t>(nodes_.size());
+        Node node;
+        node.box = {glm::dvec3(kFar), glm::dvec3(-kFar)};
+        Box middles = node.box;
+        for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
+            const Triangle& t = triangles[order[i]];
+            for (const glm::dvec3& corner : t)
+                node.box = {glm::min(node.box.least, corner), glm::max(node.box.most, corner)};
+            const glm::dvec3 middle = t[0] + t[1] + t[2];
+            middles = {glm::min(middles.least, middle), glm::max(middles.most, middle)};
+        }
+        if (part.count <= kLeaf) {
+            node.first = part.first;
+            node.count = part.count;
+            nodes_.push_back(node);
+            continue;
+        }
+        const glm::dvec3 size = middles.most - middles.least;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const std::uint32_t half = part.count / 2;
+        const auto begin = order.begin() + part.first;
+        std::nth_element(begin, begin + half, begin + part.count, [&](std::uint32_t a, std::uint32_t b) {
+            const auto along = [&](const Triangle& t) { return t[0][axis] + t[1][axis] + t[2][axis]; };
+            const double x = along(triangles[a]), y = along(triangles[b]);
+            return x < y || (x == y && a < b);
+        });
+        const auto at = static_cast<std::int64_t>(nodes_.size());
+        nodes_.push_back(node);
+        open.push_back({part.first + half, part.count - half, at});
+        open.push_back({part.first, half, -1});
+    }
+    corners_.reserve(order.size());
+    for (const std::uint32_t i : order) corners_.push_back(triangles[i]);
+}
+
+double MeshDistance::surface_distance(const glm::dvec3& point) const {
+    double best = kFar; // squared
+    std::vector<std::pair<std::uint32_t, double>> open{{0, to_box(point, nodes_[0].box)}};
+    while (!open.empty()) {
+        const auto [at, least] = open.back();
+        open.pop_back();
+        if (least >= best) continue;
+        const Node& node = nodes_[at];
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+            best = std::min(best, to_triangle(point, corners_[i]));
+        if (node.count > 0) continue;
+        const std::pair near{at + 1, to_box(point, nodes_[at + 1].box)};
+        const std::pair far{node.first, to_box(point, nodes_[node.first].box)};
+        open.push_back(near.second < far.second ? far : near);
+        open.push_back(near.second < far.second ? near : far);
+    }
+    return std::sqrt(best);
+}
+
+double MeshDistance::wall_distance(const tree::Point& a, const tree::Point& b, double best) const {
+    const double thickest = std::max(a.radius, b.radius);
+    const Box around{glm::min(a.position, b.position), glm::max(a.position, b.position)};
+    const glm::dvec3 middle = 0.5 * (a.position + b.position);
+    const double half = 0.5 * glm::distance(a.position, b.position);
+    std::vector<std::pair<std::uint32_t, double>> open{{0, std::sqrt(between(around, nodes_[0].box)) - thickest}};
+    while (!open.empty()) {
+        const auto [at, least] = open.back();
+        open.pop_back();
+        if (least >= best) continue;
+        const Node& node = nodes_[at];
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Triangle& triangle = corners_[i];
+            const auto gap = [&](double t) {
+                return std::sqrt(to_triangle(a.position + t * (b.position - a.position), triangle)) -
+                       (a.radius + t * (b.radius - a.radius));
+            };
+            if (std::sqrt(to_triangle(middle, triangle)) - half - thickest >= best) continue;
+            // The gap is convex along the segment (a distance to a convex set, less something linear).
+            constexpr double kGolden = 0.6180339887498949;
+            double from = 0.0, to = 1.0;
+            double x = to - kGolden, y = from + kGolden;
+            double at_x = gap(x), at_y = gap(y);
+            while (to - from > 1e-6) {
+                if (at_x <= at_y) {
+                    to = std::exchange(y, x);
+                    at_y = at_x;
+                    x = to - kGolden * (to - from);
+                    at_x = gap(x);
+                } else {
+                    from = std::exchange(x, y);
+                    at_x = at_y;
+                    y = from + kGolden * (to - from);
+                    at_y = gap(y);
+                }
+            }
+            best = std::min({best, at_x, at_y, gap(0.0), gap(1.0)});
+        }
+        if (node.count > 0) continue;
+        const std::pair near{at + 1, std::sqrt(between(around, nodes_[at + 1].box)) - thickest};
+        const std::pair far{node.first, std::sqrt(between(around, nodes_[node.first].box)) - thickest};
+        open.push_back(near.second < far.second ? far : near);
+        open.push_back(near.second < far.second ? near : far);
+    }
+    return best;
+}
+
+int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const {
+    const glm::dvec3 inverse = 1.0 / direction; // no coordinate of a direction is 0
+    int turns = 0;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+        const std::uint32_t at = open.back();
+        open.pop_back();
+        const Node& node = nodes_[at];
+        if (!crosses(node.box, point, inverse)) continue;
+        if (node.count == 0) {
+            open.push_back(at + 1);
+            open.push_back(node.first);
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Triangle& t = corners_[i];
+            const glm::dvec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
+            const glm::dvec3 across = glm::cross(direction, e2);
+            const double volume = glm::dot(e1, across);
+            const double scale = std::sqrt(square(e1) * square(e2));
+            if (scale == 0.0) continue;
+            const glm::dvec3 to_point = point - t[0];
+            constexpr double kClose = 1e-10;
+            if (std::abs(volume) <= kClose * scale) { // seen from its edge: another ray knows, if it is there at all
+                const glm::dvec3 normal = glm::cross(e1, e2);
+                const double off = glm::dot(to_point, normal);
+                if (off * off <= 1e-16 * square(normal) * (square(to_point) + scale)) grazed = true;
+                continue;
+            }
+            const double u = glm::dot(to_point, across) / volume;
+            const glm::dvec3 q = glm::cross(to_point, e1);
+            const double v = glm::dot(direction, q) / volume;
+            const double w = 1.0 - u - v;
+            if (glm::dot(e2, q) / volume <= 0.0) continue; // behind
+            const double least = std::min({u, v, w});
+            if (std::abs(least) < kClose) grazed = true;
+            if (least > 0.0) turns += volume > 0.0 ? 1 : -1;
+        }
+    }
+    return turns;
+}
+
+bool MeshDistance::inside(const glm::dvec3& point) const {
+    if (to_box(point, nodes_[0].box) > 0.0) return false;
+    // Along no axis and no diagonal, where meshes that people make have their edges.
+    constexpr std::array<glm::dvec3, 5> kDirections{{{0.8506508, 0.4472136, 0.2763932},
+                                                     {-0.3090170, 0.7639320, -0.5665278},
+                                                     {0.1836035, -0.5257311, 0.8305895},
+                                                     {-0.6180340, -0.3819660, 0.6871340},
+                                                     {0.4370160, 0.2360680, -0.8679420}}};
+    int turns = 0;
+    for (const glm::dvec3& direction : kDirections) {
+        bool grazed = false;
+        turns = winding(point, direction, grazed);
+        if (!grazed) break;
+    }
+    return turns != 0;
+}
+
+double MeshDistance::distance(const glm::dvec3& point) const { return inside(point) ? 0.0 : surface_distance(point); }
+
+} // namespace ramus::measure

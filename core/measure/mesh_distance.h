@@ -1,0 +1,51 @@
+// MeshDistance: how far things lie from a closed triangle mesh; 0 inside. A tree of boxes over the triangles answers in
+// microseconds. Inside is where the surface winds around the point (so solids may overlap, and a shell turned inward
+// makes a hole), told along a ray, and along another one where that grazes an edge. Immutable; any number of threads
+// may ask. Distances are those to the triangles, exact but for rounding.
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramus::measure {
+
+class MeshDistance {
+public:
+    // Of the mesh's positions and triangles; the mesh need not outlive it. The mesh has a triangle at least.
+    explicit MeshDistance(const mesh::TriangleMesh& mesh);
+
+    // mm from the nearest point of the solid: 0 inside.
+    [[nodiscard]] double distance(const glm::dvec3& point) const;
+    [[nodiscard]] bool inside(const glm::dvec3& point) const;
+    // Of the surface, inside too.
+    [[nodiscard]] double surface_distance(const glm::dvec3& point) const;
+    // The least of `best` and, over all places of the segment, (surface distance) - (radius there, linear between the
+    // ends): negative where the vessel's wall goes through the surface. To within 1e-6 of the segment's length.
+    [[nodiscard]] double wall_distance(const tree::Point& a, const tree::Point& b, double best) const;
+
+    struct Box {
+        glm::dvec3 least{0.0}, most{0.0};
+    };
+    [[nodiscard]] const Box& bounds() const { return nodes_.front().box; }
+    [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }
+
+private:
+    struct Node {
+        Box box;
+        std::uint32_t first = 0; // a leaf: its first triangle; else its second child, the first one follows it
+        std::uint32_t count = 0; // of triangles; 0: not a leaf
+    };
+    using Triangle = std::array<glm::dvec3, 3>;
+    void build(std::vector<Triangle> triangles);
+    [[nodiscard]] int winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const;
+
+    std::vector<Node> nodes_;
+    std::vector<Triangle> corners_; // in the order of the leaves
+};
+
+} // namespace ramus::measure

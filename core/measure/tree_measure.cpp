@@ -1,0 +1,131 @@
+#include "core/measure/tree_measure.h"
+
+#include "core/measure/branch_place.h"
+#include "core/tree/network.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace ramus::measure {
+
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+// The centerline between two fractions, in the order of the way.
+void append_places(const tree::VesselTree& tree, int branch, double from, double to, std::vector<glm::dvec3>& places) {
+    const auto& points = tree.branches[static_cast<std::size_t>(branch)].points;
+    const double length = tree::length_mm(tree, tree.branches[static_cast<std::size_t>(branch)]);
+    std::vector<glm::dvec3> way{place_on(tree, branch, std::min(from, to)).position};
+    double before = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        before += glm::distance(tree.points[points[i - 1]].position, tree.points[points[i]].position);
+        if (before > std::min(from, to) * length && before < std::max(from, to) * length)
+            way.push_back(tree.points[points[i]].position);
+    }
+    way.push_back(place_on(tree, branch, std::max(from, to)).position);
+    if (from > to) std::ranges::reverse(way);
+    for (const glm::dvec3& place : way)
+        if (places.empty() || places.back() != place) places.push_back(place);
+}
+
+double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
+}
+
+constexpr double kChordDiameters = 1.5; // tuned: beyond the voxels' noise, before most vessels bend away
+
+// From an end of the branch into it.
+glm::dvec3 chord(const tree::VesselTree& tree, int branch, bool from_end) {
+    const tree::Branch& whole = tree.branches[static_cast<std::size_t>(branch)];
+    const tree::Point& node = tree.points[from_end ? whole.points.back() : whole.points.front()];
+    const double length = tree::length_mm(tree, whole);
+    const double share = std::min(kChordDiameters * 2.0 * node.radius / length, 1.0);
+    const BranchPlace place = place_on(tree, branch, from_end ? 1.0 - share : share);
+    const glm::dvec3 way = place.position - node.position;
+    const double far = glm::length(way);
+    if (far > 1e-9 * length) return way / far;
+    return from_end ? -place_on(tree, branch, 1.0).direction : place_on(tree, branch, 0.0).direction; // a ring
+}
+
+} // namespace
+
+std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to) {
+    Path path;
+    path.branches = {from};
+    if (from == to) {
+        path.places = {place_on(tree, from, 0.5).position};
+        return path;
+    }
+    const tree::Network network(tree);
+    std::vector<double> length;
+    length.reserve(tree.branches.size());
+    for (const tree::Branch& branch : tree.branches) length.push_back(tree::length_mm(tree, branch));
+    const auto n = [](int index) { return static_cast<std::size_t>(index); };
+
+    // Dijkstra's way from both ends of the first branch to the nearer end of the other, half of each counted.
+    std::vector<double> best(n(network.node_count()), kFar);
+    std::vector<int> through(n(network.node_count()), tree::kNoBranch);
+    using Open = std::pair<double, int>;
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+    const auto offer = [&](int node, double far, int branch) {
+        if (far >= best[n(node)]) return;
+        best[n(node)] = far;
+        through[n(node)] = branch;
+        open.emplace(far, node);
+    };
+    for (const int node : network.ends[n(from)]) offer(node, 0.5 * length[n(from)], from);
+    while (!open.empty()) {
+        const auto [far, node] = open.top();
+        open.pop();
+        if (far > best[n(node)]) continue;
+        for (const int branch : network.at(node)) offer(network.across(branch, node), far + length[n(branch)], branch);
+    }
+    const auto [start, end] = network.ends[n(to)];
+    int node = best[n(start)] <= best[n(end)] ? start : end;
+    if (best[n(node)] == kFar) return {};
+    path.length_mm = best[n(node)] + 0.5 * length[n(to)];
+
+    std::vector<std::pair<int, double>> back{{to, node == start ? 0.0 : 1.0}}; // and at which end the way enters it
+    while (true) {
+        const int branch = through[n(node)];
+        const bool at_end = network.ends[n(branch)][1] == node;
+        if (branch == from) {
+            append_places(tree, from, 0.5, at_end ? 1.0 : 0.0, path.places);
+            break;
+        }
+        back.emplace_back(branch, at_end ? 0.0 : 1.0);
+        node = network.across(branch, node);
+    }
+    for (std::size_t i = back.size(); i-- > 0;) {
+        const auto [branch, enters] = back[i];
+        path.branches.push_back(branch);
+        append_places(tree, branch, enters, i == 0 ? 0.5 : 1.0 - enters, path.places);
+    }
+    return path;
+}
+
+glm::dvec3 start_direction(const tree::VesselTree& tree, int branch) { return chord(tree, branch, false); }
+glm::dvec3 end_direction(const tree::VesselTree& tree, int branch) { return -chord(tree, branch, true); }
+
+Branching branching_of(const tree::VesselTree& tree, int branch) {
+    const tree::Branch& own = tree.branches[static_cast<std::size_t>(branch)];
+    Branching found;
+    found.place = tree.points[own.points.front()].position;
+    const glm::dvec3 direction = start_direction(tree, branch);
+    if (own.parent != tree::kNoBranch)
+        found.to_parent_deg = degrees_between(end_direction(tree, own.parent), direction);
+    for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+        const int other = static_cast<int>(b);
+        if (other == branch || tree.branches[b].points.front() != own.points.front()) continue;
+        found.siblings_deg.emplace_back(other, degrees_between(direction, start_direction(tree, other)));
+    }
+    return found;
+}
+
+} // namespace ramus::measure

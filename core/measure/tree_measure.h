@@ -1,0 +1,39 @@
+// What people measure on a tree: ways along the vessels, angles where they branch. Straight distances and diameters at
+// a place are in core/measure/branch_place.h. mm and degrees.
+#pragma once
+
+#include "core/tree/vessel_tree.h"
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ramus::measure {
+
+struct Path {
+    double length_mm = 0.0;
+    std::vector<int> branches;      // from the first to the last, both included
+    std::vector<glm::dvec3> places; // the centerline of the way, from place to place
+};
+
+// The shortest way along centerlines from the middle of one branch to the middle of another, through loops as well as
+// through the hierarchy; from a branch to itself 0. Nothing when no way leads from the one to the other.
+[[nodiscard]] std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to);
+
+// The branching where a branch begins. Directions are chords, for the first segment alone says more about the voxels
+// than about the vessel: from the branching to the place one and a half of its diameters along the centerline, or to
+// the other end of a branch that is shorter.
+struct Branching {
+    glm::dvec3 place{0.0};
+    std::optional<double> to_parent_deg;              // between the parent's way on and the branch: 0 is straight on
+    std::vector<std::pair<int, double>> siblings_deg; // between the branch and each branch that begins there too
+};
+
+[[nodiscard]] Branching branching_of(const tree::VesselTree& tree, int branch);
+
+// Unit direction of a branch where it begins, or, outward, where it ends; as a chord, see above.
+[[nodiscard]] glm::dvec3 start_direction(const tree::VesselTree& tree, int branch);
+[[nodiscard]] glm::dvec3 end_direction(const tree::VesselTree& tree, int branch);
+
+} // namespace ramus::measure

@@ -1,0 +1,168 @@
+#include "core/mesh/close_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <vector>
+
+namespace ramus::mesh {
+
+namespace {
+
+// Vertices at one place become the first of them in the order of x, y, z.
+void weld(TriangleMesh& mesh) {
+    std::vector<std::uint32_t> order(mesh.positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        const glm::vec3 &p = mesh.positions[a], &q = mesh.positions[b];
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        return p.z < q.z;
+    };
+    std::ranges::sort(order, before);
+    std::vector<std::uint32_t> now(order.size());
+    LargeArray<glm::vec3> kept;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || before(order[i - 1], order[i])) kept.push_back(mesh.positions[order[i]]);
+        now[order[i]] = static_cast<std::uint32_t>(kept.size() - 1);
+    }
+    LargeArray<glm::uvec3> triangles;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::uvec3 u(now[t.x], now[t.y], now[t.z]);
+        if (u.x != u.y && u.y != u.z && u.z != u.x) triangles.push_back(u);
+    }
+    mesh.positions = std::move(kept);
+    mesh.triangles = std::move(triangles);
+}
+
+struct HalfEdge {
+    std::uint32_t low, high, triangle;
+    bool rising; // the triangle runs from low to high
+    bool operator<(const HalfEdge& o) const {
+        if (low != o.low) return low < o.low;
+        return high != o.high ? high < o.high : triangle < o.triangle;
+    }
+    [[nodiscard]] bool same_edge(const HalfEdge& o) const { return low == o.low && high == o.high; }
+};
+
+std::vector<HalfEdge> half_edges(const TriangleMesh& mesh) {
+    std::vector<HalfEdge> all;
+    all.reserve(3 * mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = mesh.triangles[i][k], b = mesh.triangles[i][(k + 1) % 3];
+            all.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(i), a < b});
+        }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+Result<void> expect_two_each(const TriangleMesh& mesh, const std::vector<HalfEdge>& edges, const std::string& where) {
+    std::size_t open = 0, crowded = 0;
+    std::uint32_t first = 0;
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i + 1;
+        while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
+        if (end - i != 2) {
+            if (open + crowded == 0) first = edges[i].low;
+            ++(end - i == 1 ? open : crowded);
+        }
+        i = end;
+    }
+    if (open + crowded == 0) return {};
+    const glm::vec3& p = mesh.positions[first];
+    char place[96];
+    std::snprintf(place, sizeof place, "(%g, %g, %g)", double(p.x), double(p.y), double(p.z));
+    const auto edges_text = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " edge has " : " edges have "); };
+    return fail(
+        "the surface is not closed: " +
+            (open > 0 ? edges_text(open) + "one triangle only" : edges_text(crowded) + "more than two triangles") +
+            ", the first at " + place,
+        where, "close its holes in the program that made it");
+}
+
+double signed_volume(const TriangleMesh& mesh, const glm::uvec3& t) {
+    const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+    return glm::dot(a, glm::cross(b, c)) / 6.0;
+}
+
+// Every edge has two triangles here.
+Result<void> turn_alike(TriangleMesh& mesh, const std::vector<HalfEdge>& edges, const std::string& where) {
+    struct Neighbour {
+        std::uint32_t triangle = 0;
+        bool alike = true; // both run through the edge in opposite ways
+    };
+    std::vector<std::array<Neighbour, 3>> around(mesh.triangles.size());
+    std::vector<std::uint8_t> known(mesh.triangles.size(), 0);
+    for (std::size_t i = 0; i < edges.size(); i += 2) {
+        const HalfEdge &a = edges[i], &b = edges[i + 1];
+        const bool alike = a.rising != b.rising;
+        around[a.triangle][known[a.triangle]++] = {b.triangle, alike};
+        around[b.triangle][known[b.triangle]++] = {a.triangle, alike};
+    }
+    enum : std::uint8_t { kOpen, kKept, kTurned };
+    std::vector<std::uint8_t> turn(mesh.triangles.size(), kOpen);
+    double whole = 0.0;
+    std::vector<std::uint32_t> part;
+    for (std::uint32_t seed = 0; seed < turn.size(); ++seed) {
+        if (turn[seed] != kOpen) continue;
+        part.assign(1, seed);
+        turn[seed] = kKept;
+        bool mended = false;
+        for (std::size_t i = 0; i < part.size(); ++i)
+            for (const Neighbour& next : around[part[i]]) {
+                const std::uint8_t wanted = next.alike == (turn[part[i]] == kKept) ? kKept : kTurned;
+                std::uint8_t& now = turn[next.triangle];
+                if (now == kOpen) {
+                    now = wanted;
+                    mended = mended || wanted == kTurned;
+                    part.push_back(next.triangle);
+                } else if (now != wanted) {
+                    return fail("the surface has one side only and no inside", where, "give a closed surface");
+                }
+            }
+        double volume = 0.0;
+        for (const std::uint32_t t : part) {
+            if (turn[t] == kTurned) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
+            volume += signed_volume(mesh, mesh.triangles[t]);
+        }
+        if (mended && volume < 0.0) {
+            for (const std::uint32_t t : part) std::swap(mesh.triangles[t].y, mesh.triangles[t].z);
+            volume = -volume;
+        }
+        whole += volume;
+    }
+    if (whole < 0.0)
+        for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return {};
+}
+
+void add_normals(TriangleMesh& mesh) {
+    std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+        const glm::dvec3 normal = glm::cross(b - a, c - a); // as long as twice the area
+        for (int k = 0; k < 3; ++k) sums[t[k]] += normal;
+    }
+    mesh.normals.resize(sums.size());
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        const double length = glm::length(sums[v]);
+        mesh.normals[v] = length > 0.0 ? glm::vec3(sums[v] / length) : glm::vec3(0.0F, 0.0F, 1.0F);
+    }
+}
+
+} // namespace
+
+Result<TriangleMesh> closed_mesh(TriangleMesh loose, const std::string& where) {
+    weld(loose);
+    if (loose.triangles.empty()) return fail("there is no surface in it", where, "give a closed triangle mesh");
+    const std::vector<HalfEdge> edges = half_edges(loose);
+    if (auto closed = expect_two_each(loose, edges, where); !closed) return tl::unexpected(closed.error());
+    if (auto turned = turn_alike(loose, edges, where); !turned) return tl::unexpected(turned.error());
+    add_normals(loose);
+    return loose;
+}
+
+} // namespace ramus::mesh
