@@ -73,6 +73,10 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.states = session.marks.states;
     frame.selected = session.marks.selection;
     frame.hovered = viewing.hovered;
+    if (tree && frame.hovered >= 0 && frame.hovered < static_cast<int>(tree->branches.size())) {
+        frame.hovered_dependents = tree::subtree(*tree, frame.hovered);
+        std::erase(frame.hovered_dependents, frame.hovered);
+    }
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
     if (tree) frame.colours = branch_colours(*tree, session.marks.colour_by);

@@ -34,6 +34,10 @@ std::string digits(double value, int significant) {
     return text;
 }
 
+std::string length_text(double mm) { return mm < 999.5 ? digits(mm) + " mm" : digits(mm / 1000.0) + " m"; }
+
+std::string volume_text(double mm3) { return mm3 < 999.5 ? digits(mm3) + " mm\xC2\xB3" : digits(mm3 / 1000.0) + " ml"; }
+
 std::string seconds_text(double seconds) {
     return seconds < 0.9995 ? digits(1000.0 * seconds, 2) + " ms" : digits(seconds) + " s";
 }

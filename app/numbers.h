@@ -9,6 +9,8 @@ namespace ramus::app {
 [[nodiscard]] std::string grouped(std::uint64_t number);             // "1,234,567"
 [[nodiscard]] std::string rounded(double number);                    // "0.1235"
 [[nodiscard]] std::string digits(double value, int significant = 3); // "0.031", "12.3", "1,234"
+[[nodiscard]] std::string length_text(double mm);                    // "12.3 mm", "1.42 m"
+[[nodiscard]] std::string volume_text(double mm3);                   // "12.3 mm³", "1.42 ml"
 [[nodiscard]] std::string seconds_text(double seconds);              // "12 ms", "1.42 s"
 
 // "1 branch", "1,504 branches".

@@ -70,7 +70,8 @@ struct Frame {
     std::vector<BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<glm::vec3> colours; // sRGB by branch id, for colour-by; branches beyond its end have Appearance::vessel
     int hovered = kNoBranch;
-    std::vector<int> selected; // branch ids, any order
+    std::vector<int> hovered_dependents; // branch ids, any order: they glow with the hovered one, less than it
+    std::vector<int> selected;           // branch ids, any order
     Background background;
     Appearance appearance;
     Overlays overlays;

@@ -259,6 +259,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
             (any_highlight && !highlighted ? 1 : 0) | (highlighted ? 2 : 0) | (int(i) == frame.hovered ? 4 : 0);
         records[i] = {byte(colour.x), byte(colour.y), byte(colour.z), static_cast<std::uint8_t>(flags)};
     }
+    for (const int id : frame.hovered_dependents)
+        if (id >= 0 && static_cast<std::size_t>(id) < count) records[static_cast<std::size_t>(id)][3] |= 16;
     bool any_selected = false;
     for (const int id : frame.selected) {
         if (id < 0 || static_cast<std::size_t>(id) >= count) continue;

@@ -11,11 +11,11 @@ layout(binding = 2) uniform usampler2DMS glass_samples;
 layout(binding = 3) uniform sampler2DMS glass_depth_samples;
 layout(binding = 4) uniform usampler2D id_normal;
 layout(binding = 5) uniform sampler2D occlusion;
-layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alpha: 1 calm, 2 highlighted, 4 hovered, 8 selected
+layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alpha: 1 calm, 2 highlighted, 4 hovered, 8 selected, 16 depends on the hovered one
 
 layout(location = 0) out vec4 colour;
 
-const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u;
+const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kGlowing = 16u;
 
 struct Light {
     float diffuse;
@@ -56,6 +56,7 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     float cue = background_bottom.w * ((branch.a & kHighlighted) != 0u ? 0.25 : 0.68) * far * sqrt(far);
     radiance = mix(radiance, to_linear(0.5 * (background_top.rgb + background_bottom.rgb)), cue);
     if ((branch.a & kHovered) != 0u) radiance += (0.10 + 0.55 * pow(1.0 - facing, 2.0)) * mix(albedo, vec3(0.8), 0.55);
+    if ((branch.a & kGlowing) != 0u) radiance += (0.03 + 0.30 * pow(1.0 - facing, 2.0)) * mix(albedo, vec3(0.8), 0.35);
     return radiance;
 }
 
@@ -69,6 +70,7 @@ vec4 glass(uint id, vec3 n, vec3 position) {
     vec3 tint = glass_colour.rgb;
     if ((branch.a & kSelected) != 0u) tint = mix(tint, selection_colour.rgb, 0.7), veil += 0.12;
     if ((branch.a & kHovered) != 0u) tint *= 1.6, veil += 0.12;
+    if ((branch.a & kGlowing) != 0u) tint *= 1.3, veil += 0.06;
     vec3 radiance = tint * (0.55 + 0.85 * max(0.0, dot(n, kKey)));
     float shine = lights.w * 0.40 * pow(max(0.0, dot(n, normalize(kKey + v))), 60.0);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);

@@ -76,6 +76,7 @@ void draw_side_panel(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
+void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is
 void draw_help(InterfaceContext& context);
 void draw_open_dialog(InterfaceContext& context);
 void draw_error_dialog(InterfaceContext& context);

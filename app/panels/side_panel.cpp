@@ -48,8 +48,7 @@ void draw_tree(InterfaceContext& context) {
     widgets::fact("Branches", grouped(tree.branches.size()));
     widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.generations)));
     widgets::fact("Length", digits(facts.length_mm, 4) + " mm");
-    widgets::fact("Volume", facts.volume_mm3 < 1000.0 ? digits(facts.volume_mm3) + " mm\xC2\xB3"
-                                                      : digits(facts.volume_mm3 / 1000.0) + " ml");
+    widgets::fact("Volume", volume_text(facts.volume_mm3));
     widgets::fact("Diameter", range(facts.min_diameter_mm, facts.max_diameter_mm));
     if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
     if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));

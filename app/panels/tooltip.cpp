@@ -1,4 +1,5 @@
-// What lies under the pointer in the picture: the branch, its size, and what depends on it.
+// What lies under the pointer: the branch, its size, and what depends on it.
+#include "app/labels.h"
 #include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
@@ -8,38 +9,57 @@
 
 namespace ramus::app {
 
-void draw_tooltip(InterfaceContext& context) {
-    const Interface& interface = context.interface;
+void draw_branch_tooltip(const InterfaceContext& context, int id) {
     const Document& document = context.workspace.document;
-    const int id = interface.hovered;
-    if (!interface.tooltip || id < 0 || id >= document.branch_count() || !context.workspace.facts()) return;
+    if (id < 0 || id >= document.branch_count() || !context.workspace.facts()) return;
     const auto index = static_cast<std::size_t>(id);
     const BranchFacts& facts = context.workspace.facts()->branches[index];
+    const tree::Branch& branch = document.tree()->branches[index];
     const float scale = theme::scale();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {16.0F * scale, 3.0F * scale});
     ImGui::BeginTooltip();
-    const auto name = document.marks().names.find(id);
+    const std::string label = label_of(*document.tree(), document.marks().names, id);
+    const std::string number = "Branch " + std::to_string(id);
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
-    ImGui::TextUnformatted(name == document.marks().names.end() ? ("Branch " + std::to_string(id)).c_str()
-                                                                : name->second.c_str());
+    ImGui::TextUnformatted(label.empty() ? number.c_str() : widgets::fitted(label, 220.0F * scale).c_str());
     ImGui::PopStyleColor();
+    if (!label.empty()) {
+        ImGui::SameLine();
+        widgets::quiet(number.c_str());
+    }
     if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
-        const auto row = [](const char* label, const std::string& value) {
+        const auto row = [](const char* name, const std::string& value, const std::string& more = {}) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
-            widgets::quiet(label);
+            widgets::quiet(name);
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(value.c_str());
+            if (more.empty()) return;
+            ImGui::SameLine(0.0F, 8.0F * theme::scale());
+            widgets::quiet(more.c_str());
         };
-        row("Diameter", digits(facts.mean_diameter_mm) + " mm");
-        row("Length", digits(facts.length_mm) + " mm");
-        row("Generation", std::to_string(document.tree()->branches[index].generation));
-        row("Dependents", facts.dependents == 0 ? "none" : grouped(static_cast<std::uint64_t>(facts.dependents)));
+        const std::string least = digits(facts.min_diameter_mm);
+        const std::string most = digits(facts.max_diameter_mm);
+        row("Diameter", digits(facts.mean_diameter_mm) + " mm",
+            least == most ? std::string{} : least + " \xE2\x80\x93 " + most);
+        row("Length", length_text(facts.length_mm));
+        row("Generation", std::to_string(branch.generation));
+        row("Strahler order", std::to_string(branch.strahler));
+        if (facts.dependents == 0) {
+            row("Depend on it", "no branches");
+        } else {
+            row("Depend on it", counted(static_cast<std::uint64_t>(facts.dependents), "branch", "branches"));
+            row("", length_text(facts.dependent_length_mm), volume_text(facts.dependent_volume_mm3));
+        }
         ImGui::EndTable();
     }
     ImGui::EndTooltip();
     ImGui::PopStyleVar(2);
+}
+
+void draw_tooltip(InterfaceContext& context) {
+    if (context.interface.tooltip) draw_branch_tooltip(context, context.interface.hovered);
 }
 
 } // namespace ramus::app

@@ -203,6 +203,18 @@ TEST_CASE("hovering and highlighting touch the pixels of their branches only") {
             if (!touches) FAIL_CHECK("pixel ", x, ",", y, " changed without showing the branch");
         }
     CHECK(changed > 300);
+    // What depends on a hovered branch glows, less than the branch itself.
+    const glm::dvec2 on = scene.pixel_of({12.0, 8.0, 20.0});
+    const auto light = [&](const Image& image) {
+        const std::uint8_t* pixel = image.pixel(int(on.x), int(on.y));
+        return pixel[0] + pixel[1] + pixel[2];
+    };
+    scene.frame.hovered = 0;
+    scene.frame.hovered_dependents = {2};
+    const Image depending = scene.draw();
+    CHECK(light(depending) > light(before) + 5);
+    CHECK(light(depending) < light(hovered) - 5);
+    scene.frame.hovered_dependents.clear();
     // Highlighting makes the branch golden and leaves the empty background alone, while the rest goes calm.
     scene.frame.hovered = kNoBranch;
     scene.frame.states[2] = BranchState::kHighlighted;
