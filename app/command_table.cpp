@@ -1,6 +1,7 @@
 #include "app/command_table.h"
 
 #include "app/actions/groups.h"
+#include "app/phrases.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,6 +17,15 @@ std::vector<Command> make_table() {
                       colour_commands, surface_commands, tool_commands, window_commands})
         for (Command& command : part()) table.push_back(std::move(command));
     return table;
+}
+
+Result<void> run(ActionContext& context, const Command& command, Arguments arguments) {
+    Document& document = context.document;
+    document.begin_step();
+    auto done = command.action(context, arguments);
+    const MarksChange* change = document.last_change();
+    document.end_step(change == nullptr ? "" : phrase_of(command, arguments, *change, document.marks()));
+    return done;
 }
 
 } // namespace
@@ -38,17 +48,21 @@ const Command* command_for_key(std::string_view key) {
     return nullptr;
 }
 
+std::string label_of(const Command& command, const Document& document) {
+    return command.label_now == nullptr ? command.label : command.label_now(document);
+}
+
 Result<void> run_command(ActionContext& context, std::span<const std::string> words) {
     if (words.empty()) return {};
     const Command* command = find_command(words[0]);
     if (command == nullptr) return fail("there is no command \"" + words[0] + "\"", {}, "F1 in the window lists them");
     if (command->arguments.empty() && words.size() > 1) return fail(command->name + " takes no arguments");
-    return command->action(context, words.subspan(1));
+    return run(context, *command, words.subspan(1));
 }
 
 Result<void> run_entry(ActionContext& context, const Command& command) {
     if (command.enabled != nullptr && !command.enabled(context.document)) return {};
-    return command.action(context, command.preset);
+    return run(context, command, command.preset);
 }
 
 std::filesystem::path Host::suggested_file(std::string_view extension) const {

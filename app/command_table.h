@@ -65,6 +65,7 @@ struct Command {
     bool (*enabled)(const Document&) = nullptr;                    // null: always
     bool (*checked)(const Document&) = nullptr;                    // null: not a switch
     bool (*in_use)(const Host&, const Command&) = nullptr;         // a switch of the interface, not of the document
+    std::string (*label_now)(const Document&) = nullptr;           // the label, when it depends on the document
     [[nodiscard]] bool scripted() const { return preset.empty(); } // false: an entry that gives arguments to another
 };
 
@@ -72,8 +73,10 @@ struct Command {
 [[nodiscard]] const std::vector<Command>& command_table();
 [[nodiscard]] const Command* find_command(std::string_view name);
 [[nodiscard]] const Command* command_for_key(std::string_view key); // "Ctrl+Shift+Z"
+[[nodiscard]] std::string label_of(const Command& command, const Document& document);
 
-// The command as a line of a commands file, in the document's and host's hands. `words[0]` is the name.
+// The command as a line of a commands file, in the document's and host's hands. `words[0]` is the name. All that it
+// changes is one step of undo, with a phrase for a name (app/phrases.h).
 [[nodiscard]] Result<void> run_command(ActionContext& context, std::span<const std::string> words);
 // As the menu and the keys do.
 [[nodiscard]] Result<void> run_entry(ActionContext& context, const Command& command);

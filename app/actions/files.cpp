@@ -1,4 +1,4 @@
-// Trees, sessions and pictures; the way back; the window itself.
+// Trees, sessions and pictures; the window itself.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session_file.h"
@@ -16,7 +16,7 @@ Result<void> save(ActionContext& context, Arguments arguments) {
     const auto path = file_argument(context, arguments, "save", ".ramus.json");
     if (!path) return tl::unexpected(path.error());
     if (auto written = write_session(context.document.session(), *path); !written) return written;
-    context.document.mark_saved();
+    context.document.mark_saved(std::filesystem::absolute(*path).lexically_normal());
     context.host.say("Session saved: " + path->string());
     return {};
 }
@@ -31,20 +31,9 @@ Result<void> shot(ActionContext& context, Arguments arguments) {
 
 Result<void> quit(ActionContext& context, Arguments) { return context.host.quit(); }
 
-Result<void> undo(ActionContext& context, Arguments) {
-    return context.document.undo() ? Result<void>{} : fail("there is nothing to undo");
-}
-
-Result<void> redo(ActionContext& context, Arguments) {
-    return context.document.redo() ? Result<void>{} : fail("there is nothing to redo");
-}
-
 Result<void> panel(ActionContext& context, Arguments) { return context.host.toggle("panel"); }
 
 Result<void> help(ActionContext& context, Arguments) { return context.host.toggle("help"); }
-
-bool can_undo(const Document& document) { return document.can_undo(); }
-bool can_redo(const Document& document) { return document.can_redo(); }
 
 } // namespace
 
@@ -68,21 +57,6 @@ std::vector<Command> file_commands() {
          has_tree},
         {"shot", "[FILE]", "Writes the picture as PNG.", "File", "Save picture", {"F12"}, shot, {}, has_tree},
         {"quit", "", "Closes ramus.", "File", "Quit", {"Ctrl+Q"}, quit},
-    };
-}
-
-std::vector<Command> history_commands() {
-    return {
-        {"undo", "", "Takes the last change back.", "Edit", "Undo", {"Ctrl+Z"}, undo, {}, can_undo},
-        {"redo",
-         "",
-         "Makes the change that was taken back again.",
-         "Edit",
-         "Redo",
-         {"Ctrl+Shift+Z", "Ctrl+Y"},
-         redo,
-         {},
-         can_redo},
     };
 }
 

@@ -1,4 +1,5 @@
 // Menus from the command table at the left, buttons for the anatomical views at the right.
+#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/recent_files.h"
 #include "app/panels/widgets.h"
@@ -17,9 +18,35 @@ void draw_entry(InterfaceContext& context, const Command& command) {
     const bool enabled = command.enabled == nullptr || command.enabled(document);
     const bool checked = (command.checked != nullptr && command.checked(document)) ||
                          (command.in_use != nullptr && command.in_use(context.host, command));
-    if (ImGui::MenuItem(command.label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked,
-                        enabled))
+    const std::string label = label_of(command, document);
+    if (ImGui::MenuItem(label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked, enabled))
         context.perform(command);
+    widgets::tooltip(command.help.c_str());
+}
+
+// The last steps, newest first, down to what was there before them; the present one is marked.
+void draw_history(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    constexpr std::size_t kShown = 20;
+    constexpr std::size_t kUndoneShown = 8; // of them
+    if (!ImGui::BeginMenu("History", document.step_count() > 0)) return;
+    const std::size_t here = document.position();
+    const std::size_t last = std::min(document.step_count(), here + kUndoneShown);
+    const std::size_t first = last > kShown ? last - kShown : 0;
+    std::size_t chosen = here;
+    for (std::size_t after = last + 1; after-- > first;) { // what was there after so many steps
+        const bool undone = after > here;
+        std::string label = after == 0 ? "as it was opened" : document.step_name(after - 1);
+        if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+        ImGui::PushID(static_cast<int>(after));
+        if (ImGui::MenuItem(label.c_str(), undone ? "undone" : nullptr, after == here)) chosen = after;
+        ImGui::PopID();
+        if (undone) ImGui::PopStyleColor();
+    }
+    if (first > 0) widgets::quiet((grouped(first) + " earlier").c_str());
+    ImGui::EndMenu();
+    if (chosen < here) context.perform("undo", {std::to_string(here - chosen)});
+    if (chosen > here) context.perform("redo", {std::to_string(chosen - here)});
 }
 
 void draw_recent(InterfaceContext& context) {
@@ -50,6 +77,7 @@ void draw_menus(InterfaceContext& context) {
                 if (command.name == "quit" || command.name == "fit" || command.name == "panel") ImGui::Separator();
                 draw_entry(context, command);
                 if (command.name == "open") draw_recent(context);
+                if (command.name == "redo") draw_history(context);
             }
             ImGui::EndMenu();
         }

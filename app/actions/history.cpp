@@ -1,0 +1,77 @@
+// The way back, and forth again.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/numbers.h"
+
+namespace ramus::app::actions {
+
+namespace {
+
+// How many steps; `there`: how many there are.
+Result<std::size_t> steps(Arguments arguments, std::size_t there, const std::string& verb) {
+    if (there == 0) return fail("there is nothing to " + verb);
+    if (arguments.empty()) return 1;
+    const auto wanted = arguments.size() == 1 ? number_in(arguments[0], 1.0, 1e9) : std::nullopt;
+    if (!wanted || *wanted != static_cast<double>(static_cast<std::size_t>(*wanted)))
+        return fail(verb + " takes a number of steps");
+    if (*wanted > static_cast<double>(there))
+        return fail("there " + std::string(there == 1 ? "is" : "are") + " only " + counted(there, "step", "steps") +
+                    " to " + verb);
+    return static_cast<std::size_t>(*wanted);
+}
+
+Result<void> undo(ActionContext& context, Arguments arguments) {
+    auto wanted = steps(arguments, context.document.position(), "undo");
+    if (!wanted) return tl::unexpected(wanted.error());
+    while ((*wanted)-- > 0) context.document.undo();
+    return {};
+}
+
+Result<void> redo(ActionContext& context, Arguments arguments) {
+    auto wanted = steps(arguments, context.document.step_count() - context.document.position(), "redo");
+    if (!wanted) return tl::unexpected(wanted.error());
+    while ((*wanted)-- > 0) context.document.redo();
+    return {};
+}
+
+bool can_undo(const Document& document) { return document.can_undo(); }
+bool can_redo(const Document& document) { return document.can_redo(); }
+
+std::string undo_label(const Document& document) {
+    return document.can_undo() ? "Undo " + document.step_name(document.position() - 1) : "Undo";
+}
+
+std::string redo_label(const Document& document) {
+    return document.can_redo() ? "Redo " + document.step_name(document.position()) : "Redo";
+}
+
+} // namespace
+
+std::vector<Command> history_commands() {
+    return {
+        {"undo",
+         "[N]",
+         "Takes the last change back, or the last N.",
+         "Edit",
+         "Undo",
+         {"Ctrl+Z"},
+         undo,
+         {},
+         can_undo,
+         nullptr,
+         undo_label},
+        {"redo",
+         "[N]",
+         "Makes the change that was taken back again, or N of them.",
+         "Edit",
+         "Redo",
+         {"Ctrl+Shift+Z", "Ctrl+Y"},
+         redo,
+         {},
+         can_redo,
+         nullptr,
+         redo_label},
+    };
+}
+
+} // namespace ramus::app::actions

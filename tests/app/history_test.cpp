@@ -1,0 +1,286 @@
+#include "app/document.h"
+#include "app/script.h"
+#include "core/base/memory.h"
+
+#include <doctest/doctest.h>
+#include <random>
+
+using namespace ramus;
+using namespace ramus::app;
+using render::BranchState;
+
+namespace {
+
+std::shared_ptr<const tree::VesselTree> tree_of(std::size_t branches) {
+    auto tree = std::make_shared<tree::VesselTree>();
+    tree->branches.resize(branches);
+    return tree;
+}
+
+// One random edit of any kind that Marks knows.
+Marks edited(Marks marks, int branches, std::mt19937& random) {
+    const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+    const int branch = below(branches);
+    const double length = below(1000) / 8.0;
+    switch (below(12)) {
+    case 0:
+        marks.selection = {branch};
+        break;
+    case 1: { // half of them
+        std::vector<int> some;
+        for (int i = 0; i < branches; ++i)
+            if (below(2) == 0) some.push_back(i);
+        marks.selection = std::move(some);
+        break;
+    }
+    case 2:
+        marks.selection.clear();
+        break;
+    case 3:
+        set_state(marks, marks.selection, static_cast<BranchState>(below(4)));
+        break;
+    case 4:
+        for (int i = 0; i < branches; ++i) set_state(marks, std::vector<int>{i}, static_cast<BranchState>(below(4)));
+        break;
+    case 5:
+        marks.states.clear();
+        break;
+    case 6:
+        marks.lesions.push_back({length, 2.0, 3.0, 4.0});
+        if (marks.lesions.size() > 3) marks.lesions.erase(marks.lesions.begin() + below(3));
+        break;
+    case 7:
+        marks.cuts.emplace_back(branch, 0.5);
+        if (marks.cuts.size() > 4) marks.cuts.erase(marks.cuts.begin() + 1, marks.cuts.begin() + 3);
+        break;
+    case 8:
+        marks.names[branch] = "vessel " + std::to_string(below(100));
+        if (marks.names.size() > 5) marks.names.erase(marks.names.begin());
+        break;
+    case 9:
+        marks.measurements.push_back({Measurement::Kind::kPath, {}, {branch, below(branches)}, 0.5});
+        if (marks.measurements.size() > 2) marks.measurements.erase(marks.measurements.begin());
+        break;
+    case 10:
+        marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(5)) + ".stl");
+        marks.planning.bands_mm = {1.0, 2.0 + length};
+        break;
+    default:
+        marks.glass.opacity = length / 125.0;
+        marks.colour_by = kColourings[static_cast<std::size_t>(below(5))];
+        marks.options.detail = 8 + below(20);
+    }
+    return marks;
+}
+
+class NoHost final : public Host {
+public:
+    [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
+    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
+};
+
+struct Stage {
+    Document document;
+    NoHost host;
+    ActionContext context{document, host};
+    explicit Stage(std::size_t branches) { document.open(tree_of(branches), {}); }
+    Result<void> run(std::string_view text) {
+        const auto lines = parse_script(text, "c");
+        return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
+    }
+    [[nodiscard]] std::string last() const { return document.step_name(document.position() - 1); }
+};
+
+} // namespace
+
+TEST_CASE("ids survive packing, whatever they are") {
+    std::mt19937 random(7);
+    for (const int sparse : {1, 2, 7, 50, 1000}) {
+        std::vector<int> ids;
+        for (int id = static_cast<int>(random() % 500); id < 40'000;
+             id += 1 + static_cast<int>(random() % static_cast<unsigned>(sparse)))
+            ids.push_back(id);
+        CHECK(PackedIds(ids).ids() == ids);
+        CHECK(PackedIds(ids).count() == ids.size());
+    }
+    CHECK(PackedIds(std::vector<int>{}).ids().empty());
+    CHECK(PackedIds(std::vector<int>{0}).ids() == std::vector<int>{0});
+    CHECK(PackedIds(std::vector<int>{99'999'999}).ids() == std::vector<int>{99'999'999});
+    CHECK(PackedIds(std::vector<int>{0, 99'999'999}).ids() == std::vector<int>{0, 99'999'999});
+}
+
+TEST_CASE("any sequence of changes undone to the start equals the start, and every value on the way") {
+    std::mt19937 random(11);
+    for (const int branches : {1, 9, 300}) {
+        Document document;
+        document.open(tree_of(static_cast<std::size_t>(branches)), {});
+        std::vector<Marks> values{document.marks()};
+        for (int i = 0; i < 400; ++i) {
+            if (random() % 5 == 0 && document.undo()) values.pop_back(); // and another way from there
+            document.change(edited(document.marks(), branches, random));
+            if (document.marks() != values.back()) values.push_back(document.marks());
+        }
+        REQUIRE(document.position() == values.size() - 1);
+        for (std::size_t i = values.size() - 1; i-- > 0;) {
+            REQUIRE(document.undo());
+            REQUIRE(document.marks() == values[i]);
+        }
+        CHECK_FALSE(document.undo());
+        CHECK(document.marks() == Marks{});
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            REQUIRE(document.redo());
+            REQUIRE(document.marks() == values[i]);
+        }
+        CHECK_FALSE(document.redo());
+    }
+}
+
+TEST_CASE("ten thousand steps on a tree of thirty thousand branches take less than 200 MB, and all can be undone") {
+    constexpr int kBranches = 30'000;
+    std::mt19937 random(3);
+    // The worst there is: every step turns half of the selection and half of the states over, at random.
+    std::vector<Marks> scenes(16);
+    for (Marks& scene : scenes) {
+        scene.states.resize(kBranches);
+        for (int i = 0; i < kBranches; ++i) {
+            if (random() % 2 == 0) scene.selection.push_back(i);
+            scene.states[static_cast<std::size_t>(i)] = static_cast<BranchState>(random() % 4);
+        }
+        set_state(scene, {}, BranchState::kNormal);
+    }
+    Document document;
+    document.open(tree_of(kBranches), {});
+    const double before = process_memory();
+    for (std::size_t i = 0; i < 10'000; ++i) {
+        Marks next = scenes[i % scenes.size()];
+        next.names = document.marks().names;
+        next.names[static_cast<int>(i)] = "vessel"; // and a map that grows and grows
+        document.change(std::move(next));
+    }
+    const double taken = process_memory() - before;
+    MESSAGE("taken: " << taken / 1e6 << " MB");
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // those keep what was freed
+    if (before > 0.0) CHECK(taken < 200e6);
+#endif
+    CHECK(document.position() == 10'000);
+    const Marks end = document.marks();
+    while (document.undo()) {
+    }
+    CHECK(document.position() == 0);
+    CHECK(document.marks() == Marks{});
+    while (document.redo()) {
+    }
+    CHECK(document.marks() == end);
+}
+
+TEST_CASE("every step is called after the command that made it") {
+    Stage stage(1200);
+    const auto called = [&](std::string_view line) {
+        const auto done = stage.run(line);
+        REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
+        return stage.last();
+    };
+    CHECK(called("select 3 4 5") == "select 3 branches");
+    CHECK(called("hide") == "hide 3 branches");
+    CHECK(called("select 7") == "select branch 7");
+    CHECK(called("name 7 \"right portal\"") == "name 7 right portal");
+    CHECK(called("highlight") == "highlight right portal");
+    CHECK(called("select-invert") == "select invert: 1,199 branches");
+    CHECK(called("select-none") == "select none");
+    CHECK(called("surface detail 24") == "surface detail 24");
+    CHECK(called("colour-by generation") == "colour by generation");
+    CHECK(called("show-all") == "show all: 4 branches");
+
+    REQUIRE(stage.run("undo"));
+    CHECK(label_of(*find_command("undo"), stage.document) == "Undo colour by generation");
+    CHECK(label_of(*find_command("redo"), stage.document) == "Redo show all: 4 branches");
+    REQUIRE(stage.run("undo 9"));
+    CHECK(stage.document.marks() == Marks{});
+    CHECK(label_of(*find_command("undo"), stage.document) == "Undo");
+    REQUIRE(stage.run("redo 2"));
+    CHECK(branches_in_state(stage.document.marks(), BranchState::kHidden) == std::vector<int>{3, 4, 5});
+}
+
+TEST_CASE("undo and redo refuse what is no number of steps that are there, and change nothing then") {
+    Stage stage(10);
+    REQUIRE(stage.run("select 1\nselect 2\nundo"));
+    const auto refusal = [&](std::string_view line) {
+        const auto done = stage.run(line);
+        REQUIRE_FALSE(done);
+        CHECK(stage.document.marks().selection == std::vector<int>{1});
+        return done.error().what;
+    };
+    CHECK(refusal("undo 0") == "undo takes a number of steps");
+    CHECK(refusal("undo 1.5") == "undo takes a number of steps");
+    CHECK(refusal("undo all") == "undo takes a number of steps");
+    CHECK(refusal("undo 1 1") == "undo takes a number of steps");
+    CHECK(refusal("undo 2") == "there is only 1 step to undo");
+    CHECK(refusal("redo 99999999999") == "redo takes a number of steps");
+    CHECK(refusal("redo 7") == "there is only 1 step to redo");
+}
+
+TEST_CASE("what one command changes is one step") {
+    Document document;
+    document.open(tree_of(10), {});
+    const auto select = [&](int id) {
+        Marks next = document.marks();
+        next.selection = {id};
+        document.change(std::move(next));
+    };
+    document.begin_step();
+    select(1);
+    document.begin_step(); // a command that uses another
+    select(2);
+    document.end_step("inner");
+    select(3);
+    document.end_step("outer");
+    CHECK(document.step_count() == 1);
+    CHECK(document.step_name(0) == "outer");
+    REQUIRE(document.undo());
+    CHECK(document.marks().selection.empty());
+    REQUIRE(document.redo());
+    CHECK(document.marks().selection == std::vector<int>{3});
+    document.begin_step();
+    document.end_step("nothing");
+    CHECK(document.step_count() == 1);
+}
+
+TEST_CASE("a document knows how far it is from what was saved") {
+    Document document;
+    document.open(tree_of(10), {});
+    CHECK(document.unsaved_changes() == 0);
+    const auto hide = [&](int id) {
+        Marks next = document.marks();
+        set_state(next, std::vector<int>{id}, BranchState::kHidden);
+        document.change(std::move(next));
+    };
+    hide(1);
+    hide(2);
+    CHECK(document.unsaved_changes() == 2);
+    document.mark_saved("/data/plan.ramus.json");
+    CHECK(document.file() == "/data/plan.ramus.json");
+    CHECK_FALSE(document.modified());
+    REQUIRE(document.undo());
+    REQUIRE(document.undo());
+    CHECK(document.unsaved_changes() == 2);
+    hide(3); // and the way back to what was saved is gone
+    CHECK(document.unsaved_changes() == 3);
+    document.mark_saved(document.file());
+
+    Marks next = document.marks();
+    next.selection = {4};
+    document.change(std::move(next));
+    CHECK(document.modified());
+    CHECK_FALSE(document.has_unsaved_work()); // a click is not worth a question
+    hide(4);
+    CHECK(document.has_unsaved_work());
+
+    document.open(tree_of(10), {});
+    document.mark_unsaved(14);
+    CHECK(document.unsaved_changes() == 14);
+    hide(5);
+    CHECK(document.unsaved_changes() == 15);
+    document.mark_saved("/data/plan.ramus.json");
+    CHECK(document.unsaved_changes() == 0);
+}
