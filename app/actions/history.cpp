@@ -59,6 +59,7 @@ std::vector<Command> history_commands() {
          {},
          can_undo,
          nullptr,
+         nullptr,
          undo_label},
         {"redo",
          "[N]",
@@ -69,6 +70,7 @@ std::vector<Command> history_commands() {
          redo,
          {},
          can_redo,
+         nullptr,
          nullptr,
          redo_label},
     };
