@@ -5,7 +5,9 @@
 
 #include "core/tree/vessel_tree.h"
 #include "render/camera.h"
+#include "render/centerlines.h"
 #include "render/paged_mesh.h"
+#include "render/scene.h"
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -39,6 +41,10 @@ struct Appearance {
     glm::vec3 highlight{1.00F, 0.74F, 0.20F};
     glm::vec3 selection{0.36F, 0.80F, 1.00F};
     glm::vec3 glass{0.66F, 0.70F, 0.76F};
+    float glass_opacity = 1.0F; // 0: only the centerlines inside; 1: a veil; 2: nearly solid
+    glm::vec3 centerline{0.93F, 0.95F, 0.98F};
+    glm::vec3 lesion{0.80F, 0.78F, 0.26F};
+    glm::vec3 lost{0.36F, 0.34F, 0.52F};
     float key = 1.0F;
     float fill = 1.0F;
     float rim = 1.0F;
@@ -52,6 +58,7 @@ struct Appearance {
 struct Overlays {
     bool orientation_cube = true;
     bool scale_bar = true;
+    Legend legend;
     int inset_left = 0, inset_top = 0, inset_right = 0, inset_bottom = 0;
     bool operator==(const Overlays&) const = default;
 };
@@ -69,6 +76,14 @@ struct Frame {
     float pixel_ratio = 1.0F;        // overlay sizes: pixels per (1/96 inch) point on a HiDPI display
     std::vector<BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<glm::vec3> colours; // sRGB by branch id, for colour-by; branches beyond its end have Appearance::vessel
+    std::shared_ptr<const Centerlines> centerlines; // of the surface's branches; null: none
+    ColourScale scale;                              // instead of colours
+    Lesions lesions;
+    Margins margins;                // instead of colours, scale
+    std::vector<CutPlace> cuts;     // what lies beyond is lost, in place of every other colour
+    std::vector<std::uint8_t> lost; // by branch id, not 0: lost as a whole; branches beyond its end are not
+    std::vector<MarkLine> lines;
+    std::vector<MarkLabel> labels;
     int hovered = kNoBranch;
     std::vector<int> hovered_dependents; // branch ids, any order: they glow with the hovered one, less than it
     std::vector<int> selected;           // branch ids, any order

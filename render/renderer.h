@@ -18,9 +18,12 @@
 
 namespace ramus::render {
 
+inline constexpr int kNoLesion = -1;
+
 struct Pick {
-    int branch = kNoBranch;   // kNoBranch: nothing there
-    glm::dvec3 position{0.0}; // mm, on the surface; meaningless without a branch
+    int branch = kNoBranch;   // kNoBranch: no vessel there
+    int lesion = kNoLesion;   // of the frame's spheres, then its meshes; kNoLesion: none there
+    glm::dvec3 position{0.0}; // mm, on the surface; meaningless without a branch or a lesion
     bool operator==(const Pick&) const = default;
 };
 

@@ -1,15 +1,18 @@
-// The renderer's inside, shared by the files that implement it: renderer_passes.cpp draws, renderer_picking.cpp answers
-// what lies under a pixel, renderer.cpp is the public face.
+// The renderer's inside, shared by the files that implement it: passes/ draws, one pass or stage a file,
+// renderer_picking.cpp answers what lies under a pixel, renderer.cpp is the public face.
 #pragma once
 
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
+#include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
+#include "render/gpu_solids.h"
 #include "render/renderer.h"
 
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +23,10 @@ namespace ramus::render {
 struct ViewBlock {
     glm::vec4 clip_to_eye{0.0F}, pixel_to_eye{0.0F}, depth_range{0.0F}, picture{0.0F};
 };
+
+// Of the uniform blocks of look.glsl and scene.glsl, in bytes.
+inline constexpr GLsizeiptr kLookBlockBytes = 9 * 16;
+inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 class Renderer::Impl {
 public:
@@ -43,21 +50,31 @@ private:
     void make_glass_layer();
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
+    glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
+    void draw_solids(const Frame& frame, const glm::dmat4& to_clip);
+    void resolve();
     void draw_occlusion(const Frame& frame);
+    // What shade.frag is told, and which of its variants: bits of Variant.
+    enum Variant : unsigned { kGlass = 1, kOutline = 2, kSolids = 4, kMargins = 8, kScale = 16, kCuts = 32 };
+    unsigned send_records(const Frame& frame, const GpuMesh* mesh);
+    unsigned send_scene(const Frame& frame);
+    Result<const Program*> shading(unsigned variant);
     Result<void> shade(const Frame& frame, const GpuMesh* mesh);
     void draw_overlays(const Frame& frame);
+
     enum class Pixels { kAll, kCovered };
     void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
     void restore_state() const;
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, resolve_, occlude_, blur_, background_, enlarge_, overlay_;
-    std::array<Program, 4> shade_; // with glass: + 1, with an outline: + 2; made when needed
+    Program geometry_, capped_geometry_, centerline_, resolve_, occlude_, blur_, background_, enlarge_, overlay_, mark_;
+    std::map<unsigned, Program> shade_; // by variant, made when needed
     VertexArray no_vertices_;
-    Buffer view_block_, look_block_, branch_buffer_;
-    Texture branch_texture_;
-    std::size_t branch_capacity_ = 0;
+    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_;
+    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_;
+    std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0;
+    std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 
     glm::ivec2 size_{0};                                    // of the picture
     glm::ivec2 inner_{0};                                   // of what is drawn, smaller while the view moves
@@ -70,6 +87,8 @@ private:
     bool has_glass_ = false;
 
     GpuMesh mesh_, preview_;
+    GpuLines lines_;
+    GpuSolids solids_;
     const GpuMesh* drawn_ = nullptr; // the one of the last picture; null: nothing
 
     std::optional<Frame> last_;

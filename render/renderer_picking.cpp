@@ -34,7 +34,9 @@ Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, 
             if (squared >= nearest) continue;
             nearest = squared;
             const glm::dvec2 in_picture = pixel * glm::dvec2(size_) / glm::dvec2(inner_);
-            result.branch = static_cast<int>(ids[i]) - 1;
+            const int id = static_cast<int>(ids[i]) - 1;
+            result.branch = id < kFirstSolid ? id : kNoBranch;
+            result.lesion = id < kFirstSolid ? kNoLesion : id - kFirstSolid;
             result.position = unproject(camera, size_, {in_picture.x, size_.y - in_picture.y}, depths[i]);
         }
     }

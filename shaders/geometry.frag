@@ -1,5 +1,7 @@
 // What is seen at a sample: branch id + 1 (0 is nothing) and the normal towards the eye. Light comes later, once a pixel.
 #version 450 core
+// Variants: CAPPED draws the inside of a surface as a lid, LINE draws centerlines.
+#include "ids.glsl"
 
 in vec3 normal_eye;
 flat in int branch_id;
@@ -13,5 +15,13 @@ vec2 octahedral(vec3 n) {
 }
 
 void main() {
-    surface = uvec2(uint(branch_id + 1), packSnorm2x16(octahedral(normalize(normal_eye))));
+    uint id = uint(branch_id + 1);
+    vec3 normal = normalize(normal_eye);
+#ifdef CAPPED
+    if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0);
+#endif
+#ifdef LINE
+    id |= kLine;
+#endif
+    surface = uvec2(id, packSnorm2x16(octahedral(normal)));
 }

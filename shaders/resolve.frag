@@ -2,6 +2,7 @@
 // occlusion read this.
 #version 450 core
 #include "view.glsl"
+#include "ids.glsl"
 
 layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
@@ -27,6 +28,15 @@ void main() {
     opaque_depth = id_normal.x == 0u ? kNothing : eye_depth(nearest);
     picked_depth = opaque_depth;
     if (has_glass) {
+        // Lines are picked as their branch; they take no light from what they run before.
+        float solid = 0.0;
+        for (int s = 0; s < samples; ++s) {
+            float depth = texelFetch(depth_samples, pixel, s).x;
+            bool line = (texelFetch(surface_samples, pixel, s).x & kLine) != 0u;
+            solid = line ? solid : max(solid, depth);
+        }
+        opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
+        id_normal.x &= ~kLine;
         float pane = 0.0;
         seen = 0;
         for (int s = 0; s < samples; ++s) {

@@ -1,9 +1,12 @@
 // Light, states and background: samples to the picture's colours. All light is reckoned in linear light; the result is
 // sRGB with premultiplied alpha.
 #version 450 core
-// Variants: GLASS when anything is defocused, OUTLINE when anything is selected.
+// Variants: GLASS when anything is defocused, OUTLINE when anything is selected, SOLIDS when there are lesions, MARGINS
+// to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost.
 #include "view.glsl"
+#include "ids.glsl"
 #include "look.glsl"
+#include "scene.glsl"
 
 layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
@@ -11,11 +14,11 @@ layout(binding = 2) uniform usampler2DMS glass_samples;
 layout(binding = 3) uniform sampler2DMS glass_depth_samples;
 layout(binding = 4) uniform usampler2D id_normal;
 layout(binding = 5) uniform sampler2D occlusion;
-layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alpha: 1 calm, 2 highlighted, 4 hovered, 8 selected, 16 depends on the hovered one
+layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alpha the flags below
 
 layout(location = 0) out vec4 colour;
 
-const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kGlowing = 16u;
+const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kLost = 16u, kCut = 32u, kGlowing = 64u;
 
 struct Light {
     float diffuse;
@@ -33,10 +36,40 @@ Light lit(vec3 n, vec3 v, vec3 towards, float wrap, float shininess) {
 const vec3 kKey = vec3(-0.429, 0.572, 0.699);
 const vec3 kFill = vec3(0.772, -0.051, 0.634);
 
+#ifdef CUTS
+// What is lost is dark and hatched; a clean ring ends it at the cut.
+vec3 lost(vec3 albedo, uint flags, int branch, vec3 position) {
+    float pixel_mm = pixel_to_eye.z * (picture.w > 0.5 ? 1.0 : position.z);
+    float behind = (flags & kLost) != 0u ? 1e30 : -1e30;
+    if ((flags & kCut) != 0u) behind = max(behind, behind_cut(branch, position));
+    float across = fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * more.z));
+    float stripe = smoothstep(0.0, 0.16, across) * (1.0 - smoothstep(0.34, 0.5, across));
+    vec3 hatched = lost_colour.rgb * mix(0.50, 1.35, stripe);
+    vec3 found = mix(albedo, hatched, clamp(behind / pixel_mm + 0.5, 0.0, 1.0));
+    return mix(vec3(0.92), found, smoothstep(0.8, 1.6, abs(behind) / (pixel_mm * more.z)));
+}
+#endif
+
 vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
+#ifdef SOLIDS
+    bool solid = (id & kSolid) != 0u;
+    id = solid ? 1u : id;
+#endif
     uvec4 branch = texelFetch(branches, int(id) - 1);
     vec3 albedo = to_linear(vec3(branch.rgb) / 255.0);
+#ifdef SCALE
+    if ((branch.a & kHighlighted) == 0u) albedo = to_linear(colour_on_scale(int(id) - 1, position, vec3(branch.rgb) / 255.0));
+#endif
+#ifdef MARGINS
+    if ((branch.a & kHighlighted) == 0u) albedo = margin_colour(position);
+#endif
+#ifdef CUTS
+    if ((branch.a & (kLost | kCut)) != 0u) albedo = lost(albedo, branch.a, int(id) - 1, position);
+#endif
+#ifdef SOLIDS
+    if (solid) branch.a = 0u, albedo = lesion_colour.rgb;
+#endif
     float facing = clamp(dot(n, v), 0.0, 1.0);
     if ((branch.a & kSelected) != 0u) albedo = mix(albedo, selection_colour.rgb, 0.62);
     if ((branch.a & kCalm) != 0u) albedo = mix(vec3(dot(albedo, vec3(0.2126, 0.7152, 0.0722))), albedo, 0.38) * 0.62;
@@ -51,6 +84,9 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     float edge = pow(1.0 - facing, 3.0);
     radiance += lights.z * edge * open * (0.14 * albedo + 0.020 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
     if ((branch.a & kHighlighted) != 0u) radiance = radiance * 1.10 + 0.05 * albedo;
+#ifdef SOLIDS
+    if (solid) radiance = 0.92 * radiance + 0.55 * pow(1.0 - facing, 2.5) * mix(albedo, vec3(0.9), 0.4);
+#endif
 
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     float cue = background_bottom.w * ((branch.a & kHighlighted) != 0u ? 0.25 : 0.68) * far * sqrt(far);
@@ -61,6 +97,17 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
 }
 
 #ifdef GLASS
+// Centerlines are plain: no light, only the tree's depth.
+vec3 line(uint id, vec3 position) {
+    uint flags = texelFetch(branches, int(id) - 1).a;
+    vec3 radiance = line_colour.rgb;
+    if ((flags & kSelected) != 0u) radiance = mix(radiance, selection_colour.rgb, 0.8);
+    if ((flags & kHovered) != 0u) radiance = mix(radiance, vec3(1.0, 0.85, 0.55), 0.6);
+    if ((flags & kLost) != 0u) radiance = mix(radiance, lost_colour.rgb, 0.6);
+    float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
+    return mix(radiance, to_linear(0.5 * (background_top.rgb + background_bottom.rgb)), 0.62 * background_bottom.w * far);
+}
+
 // Clear grey glass: nearly nothing where it faces the eye, a veil towards its outline.
 vec4 glass(uint id, vec3 n, vec3 position) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
@@ -71,8 +118,13 @@ vec4 glass(uint id, vec3 n, vec3 position) {
     if ((branch.a & kSelected) != 0u) tint = mix(tint, selection_colour.rgb, 0.7), veil += 0.12;
     if ((branch.a & kHovered) != 0u) tint *= 1.6, veil += 0.12;
     if ((branch.a & kGlowing) != 0u) tint *= 1.3, veil += 0.06;
+#ifdef CUTS
+    if ((branch.a & kLost) != 0u) tint = mix(tint, 1.4 * lost_colour.rgb, 0.7);
+#endif
+    float opacity = more.y;
+    veil = opacity < 1.0 ? veil * opacity : mix(veil, 0.97, opacity - 1.0);
     vec3 radiance = tint * (0.55 + 0.85 * max(0.0, dot(n, kKey)));
-    float shine = lights.w * 0.40 * pow(max(0.0, dot(n, normalize(kKey + v))), 60.0);
+    float shine = min(opacity, 1.0) * lights.w * 0.40 * pow(max(0.0, dot(n, normalize(kKey + v))), 60.0);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     veil *= 1.0 - 0.5 * background_bottom.w * far;
     return vec4(radiance * veil + shine, clamp(veil + shine, 0.0, 1.0));
@@ -81,18 +133,21 @@ vec4 glass(uint id, vec3 n, vec3 position) {
 #endif
 
 #ifdef OUTLINE
+bool selected(uint id) {
+    return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id) - 1).a & kSelected) != 0u;
+}
+
 // Share of the ring around the pixel that differs from it in being selected.
 float outline(ivec2 pixel) {
     ivec2 last = ivec2(picture.xy) - 1;
     uint own = texelFetch(id_normal, pixel, 0).x;
-    bool inside = own != 0u && (texelFetch(branches, int(own) - 1).a & kSelected) != 0u;
+    bool inside = selected(own);
     float differing = 0.0;
     for (int i = 0; i < 12; ++i) {
         float angle = 0.5235988 * (float(i) + 0.5);
         ivec2 tap = clamp(pixel + ivec2(round(selection_colour.w * vec2(cos(angle), sin(angle)))), ivec2(0), last);
         uint id = texelFetch(id_normal, tap, 0).x;
-        bool chosen = id != 0u && (texelFetch(branches, int(id) - 1).a & kSelected) != 0u;
-        differing += chosen != inside ? 1.0 : 0.0;
+        differing += selected(id) != inside ? 1.0 : 0.0;
     }
     return smoothstep(0.0, 3.0, differing);
 }
@@ -128,9 +183,15 @@ void main() {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
         float value = whole ? mean_depth : texelFetch(depth_samples, pixel, s).x;
         vec3 normal = whole ? normalize(mean_normal) : unpack_normal(found.y);
-        vec4 here = vec4(shade(max(found.x, 1u), normal, eye_position(gl_FragCoord.xy, eye_depth(value)), occluded), 1.0);
+        vec3 position = eye_position(gl_FragCoord.xy, eye_depth(value));
+#ifdef GLASS
+        bool is_line = (found.x & kLine) != 0u;
+        found.x &= ~kLine;
+#endif
+        vec4 here = vec4(shade(max(found.x, 1u), normal, position, occluded), 1.0);
         if (found.x == 0u) here = behind;
 #ifdef GLASS
+        if (is_line) here.rgb = line(found.x, position);
         uvec2 pane = texelFetch(glass_samples, pixel, s).xy;
         float pane_value = texelFetch(glass_depth_samples, pixel, s).x;
         vec4 veil = glass(max(pane.x, 1u), unpack_normal(pane.y), eye_position(gl_FragCoord.xy, eye_depth(pane_value)));

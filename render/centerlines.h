@@ -1,0 +1,38 @@
+// Centerlines: where the vessels' middles run, for lines inside glass and for what is asked of a place along a branch:
+// how wide the vessel is there, how far from the root, before or behind a cut. Branches have the ids of the surface. An
+// immutable value, shared between frames; positions are single precision relative to `origin`.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+namespace ramus::render {
+
+struct Centerlines {
+    struct Detail {
+        float diameter_mm;
+        std::int32_t branch;
+        bool operator==(const Detail&) const = default;
+    };
+    struct Run {
+        std::uint32_t first = 0, count = 0; // points
+        bool operator==(const Run&) const = default;
+    };
+
+    std::vector<glm::vec4> points; // mm relative to origin; w: mm from the root along the tree
+    std::vector<Detail> details;   // of the same points
+    std::vector<Run> runs;         // by branch id, from the parent's end outward; a branch without a place has no point
+    glm::dvec3 origin{0.0};        // mm
+
+    // A place on a branch, `fraction` of its length from the parent's end; nothing where the branch has no points.
+    struct Place {
+        glm::dvec3 position{0.0}, along{0.0, 0.0, 1.0}; // mm; unit vector away from the root
+        double from_root_mm = 0.0, radius_mm = 0.0;
+    };
+    [[nodiscard]] std::optional<Place> at(int branch, double fraction) const;
+};
+
+} // namespace ramus::render

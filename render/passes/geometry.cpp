@@ -1,0 +1,164 @@
+#include "render/renderer_impl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kTaps = 20, kInteractiveTaps = 10;
+constexpr float kCenterlineWidth = 1.6F; // points
+constexpr double kOcclusionShare =
+    0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
+
+} // namespace
+
+// The near and far planes enclose all of `box`, and lesions beside it. Reversed depth, 1 at the near plane and 0 at the
+// far one: float depth is then as fine far away as near by.
+glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
+    const Camera& camera = frame.camera;
+    const CameraAxes axes = axes_of(camera);
+    const double middle = glm::dot(box.centre() - camera.position, axes.forward), radius = 1.001 * box.radius();
+    double far = middle + radius, near = middle - radius;
+    const auto include = [&](const glm::dvec3& centre, double reach) {
+        const double along = glm::dot(centre - camera.position, axes.forward);
+        near = std::min(near, along - 1.001 * reach);
+        far = std::max(far, along + 1.001 * reach);
+    };
+    for (const glm::dvec4& sphere : frame.lesions.spheres) include(glm::dvec3(sphere), sphere.w);
+    for (const auto& lesion : frame.lesions.meshes)
+        if (const Box around = solids_.bounds(*lesion); !around.empty()) include(around.centre(), around.radius());
+    if (!camera.orthographic) {
+        far = std::max(far, 1e-3 * radius);
+        near = std::max(near, 1e-4 * far);
+    }
+    glm::dmat4 projection = projection_matrix(camera, frame.size, near, far);
+    projection[2][2] = camera.orthographic ? 1.0 / (far - near) : near / (far - near);
+    projection[3][2] = camera.orthographic ? far / (far - near) : near * far / (far - near);
+
+    const glm::vec2 size(inner_);
+    const bool flat = camera.orthographic;
+    const double mm_at_unit_depth =
+        flat ? mm_per_pixel(camera, inner_) : 2.0 * std::tan(glm::radians(0.5 * camera.view_angle)) / size.y;
+    const double reach = std::max(4.0, kOcclusionShare * size.y);
+    // The depth cue spans the box's own depth.
+    const glm::dvec3 half = 0.5 * (box.empty() ? glm::dvec3(1.0) : box.upper - box.lower);
+    const double depth = std::max(glm::dot(half, glm::abs(axes.forward)), 1e-3 * radius);
+    view_.clip_to_eye = flat ? glm::vec4(0.0F, -(far - near), far / (far - near), 0.0F)
+                             : glm::vec4(0.0F, projection[2][2], projection[3][2], 0.0F);
+    view_.pixel_to_eye = {0.5F * size.x, 0.5F * size.y, mm_at_unit_depth, 0.0F};
+    view_.depth_range = {middle - depth, middle + depth, reach, reach * mm_at_unit_depth};
+    view_.picture = {size.x, size.y, view_.picture.z, flat ? 1.0F : 0.0F};
+    glNamedBufferSubData(view_block_, 0, sizeof view_, &view_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+    return projection * view_matrix(camera);
+}
+
+std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers) {
+    const glm::dmat4 to_clip = look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : Box{});
+    const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
+
+    has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
+    if (has_glass_) make_glass_layer();
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glEnable(GL_MULTISAMPLE);
+    std::uint64_t triangles = 0;
+    for (const Layer layer : {Layer::kOpaque, Layer::kGlass}) {
+        if (layer == Layer::kGlass && !has_glass_) break;
+        const bool opaque = layer == Layer::kOpaque;
+        glBindFramebuffer(GL_FRAMEBUFFER, opaque ? geometry_target_ : glass_target_);
+        const std::array<GLuint, 4> nothing{};
+        const GLfloat farthest = 0.0F;
+        glClearBufferuiv(GL_COLOR, 0, nothing.data());
+        glClearBufferfv(GL_DEPTH, 0, &farthest);
+        if (mesh != nullptr) {
+            // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
+            const bool capped = opaque && has_glass_;
+            const Program& program = capped ? capped_geometry_ : geometry_;
+            const glm::dmat4 mesh_to_clip = relative_to(mesh->shown()->origin());
+            if (capped) glDisable(GL_CULL_FACE);
+            glUseProgram(program);
+            glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip)));
+            glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+            triangles += mesh->draw(layers, layer, mesh_to_clip);
+            glEnable(GL_CULL_FACE);
+        }
+        if (opaque) draw_solids(frame, to_clip);
+    }
+    glDisable(GL_CULL_FACE);
+    // Seen through the glass, and hidden by what is opaque.
+    if (has_glass_ && lines_.shown() != nullptr) {
+        glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
+        glUseProgram(centerline_);
+        glBindVertexArray(no_vertices_);
+        glBindTextureUnit(0, lines_.points());
+        glBindTextureUnit(1, lines_.details());
+        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(relative_to(lines_.shown()->origin))));
+        const float pixels = kCenterlineWidth * frame.pixel_ratio * float(inner_.y) / float(size_.y);
+        glUniform3f(1, 0.5F * float(inner_.x), 0.5F * float(inner_.y), 0.5F * std::max(pixels, 1.0F));
+        lines_.draw(layers);
+    }
+    resolve();
+    return triangles;
+}
+
+// Three samples in four are the lesion's, the fourth is that of what lies behind: opaque-ish, in any order.
+void Renderer::Impl::draw_solids(const Frame& frame, const glm::dmat4& to_clip) {
+    if (frame.lesions.spheres.empty() && frame.lesions.meshes.empty()) return;
+    glUseProgram(geometry_);
+    glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+    if (view_.picture.z >= 4.0F) {
+        glEnable(GL_SAMPLE_MASK);
+        glSampleMaski(0, ~GLbitfield{4});
+    }
+    int id = kFirstSolid;
+    for (const glm::dvec4& sphere : frame.lesions.spheres) {
+        const glm::dmat4 placed = glm::scale(glm::translate(to_clip, glm::dvec3(sphere)), glm::dvec3(sphere.w));
+        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(placed)));
+        solids_.draw_sphere(id++);
+    }
+    for (const auto& lesion : frame.lesions.meshes) {
+        glUniformMatrix4fv(0, 1, GL_FALSE,
+                           glm::value_ptr(glm::mat4(glm::translate(to_clip, solids_.bounds(*lesion).centre()))));
+        solids_.draw(*lesion, id++);
+    }
+    glDisable(GL_SAMPLE_MASK);
+}
+
+void Renderer::Impl::resolve() {
+    glBindFramebuffer(GL_FRAMEBUFFER, resolve_target_);
+    glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
+    glEnable(GL_DEPTH_TEST);
+    glBindTextureUnit(0, surface_);
+    glBindTextureUnit(1, depth_);
+    glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
+    glBindTextureUnit(3, has_glass_ ? glass_depth_ : depth_);
+    glProgramUniform1i(resolve_, 0, has_glass_ ? 1 : 0);
+    fullscreen(resolve_);
+}
+
+void Renderer::Impl::draw_occlusion(const Frame& frame) {
+    glBindTextureUnit(0, id_normal_);
+    glBindTextureUnit(1, opaque_depth_);
+    glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
+    glProgramUniform1i(occlude_, 0, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
+    fullscreen(occlude_, Pixels::kCovered);
+    for (const bool across : {true, false}) {
+        glBindTextureUnit(0, across ? occlusion_ : half_blurred_);
+        glBindFramebuffer(GL_FRAMEBUFFER, across ? half_blur_target_ : blur_target_);
+        glProgramUniform2i(blur_, 0, across ? 1 : 0, across ? 0 : 1);
+        fullscreen(blur_, Pixels::kCovered);
+    }
+}
+
+} // namespace ramus::render

@@ -1,0 +1,168 @@
+#include "render/renderer_impl.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace ramus::render {
+
+namespace {
+
+Layer layer_of(BranchState state) {
+    if (state == BranchState::kHidden) return Layer::kNone;
+    return state == BranchState::kDefocused ? Layer::kGlass : Layer::kOpaque;
+}
+
+} // namespace
+
+Result<void> Renderer::Impl::initialise() {
+    const auto make = [](Program& program, std::string_view vertex, std::string_view fragment,
+                         std::string_view defines = {}) -> Result<void> {
+        auto made = make_program(vertex, fragment, defines);
+        if (!made) return tl::unexpected(made.error());
+        program = std::move(*made);
+        return {};
+    };
+    for (auto [program, vertex, fragment] : {std::tuple{&geometry_, "geometry.vert", "geometry.frag"},
+                                             {&resolve_, "fullscreen.vert", "resolve.frag"},
+                                             {&occlude_, "fullscreen.vert", "occlusion.frag"},
+                                             {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
+                                             {&background_, "fullscreen.vert", "background.frag"},
+                                             {&enlarge_, "fullscreen.vert", "enlarge.frag"},
+                                             {&overlay_, "fullscreen.vert", "overlay.frag"}})
+        if (auto made = make(*program, vertex, fragment); !made) return made;
+    if (auto made = make(capped_geometry_, "geometry.vert", "geometry.frag", "#define CAPPED\n"); !made) return made;
+    if (auto made = make(centerline_, "centerline.vert", "geometry.frag", "#define LINE\n"); !made) return made;
+    no_vertices_ = make_vertex_array();
+    view_block_ = make_buffer();
+    look_block_ = make_buffer();
+    scene_block_ = make_buffer();
+    glNamedBufferStorage(view_block_, sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(look_block_, kLookBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(scene_block_, kSceneBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return {};
+}
+
+// The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for. The
+// preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in vain.
+Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
+    std::size_t left = upload_budget;
+    preview_.follow(wanted.preview, left);
+    mesh_.follow(wanted.mesh, left);
+    done.uploaded = upload_budget - left;
+    const bool mesh_there = mesh_.shown() == wanted.mesh;
+    const bool preview_there = wanted.preview && preview_.shown() == wanted.preview;
+    done.pending = !mesh_there || preview_.shown() != wanted.preview;
+    Frame frame = wanted;
+    if (preview_there && !mesh_there) frame.quality = Quality::kInteractive;
+    const bool quick = preview_there && frame.quality == Quality::kInteractive;
+    const GpuMesh& mesh = quick ? preview_ : mesh_;
+    drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
+    frame.mesh = mesh.shown();
+    frame.preview = nullptr;
+    lines_.follow(wanted.centerlines);
+    solids_.follow(wanted.lesions.meshes);
+    done.quality = frame.quality;
+    return frame;
+}
+
+// Draws over every pixel, or only where a surface is: the early depth test is the one branch that a software rasteriser
+// really skips. The triangle lies at depth 0, the far plane.
+void Renderer::Impl::fullscreen(const Program& program, Pixels pixels) const {
+    if (pixels == Pixels::kCovered) {
+        glEnable(GL_DEPTH_TEST);
+        glDepthMask(GL_FALSE);
+        glDepthFunc(GL_LESS);
+    }
+    glUseProgram(program);
+    glBindVertexArray(no_vertices_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+}
+
+// OpenGL's own defaults, for whoever draws next into the window.
+void Renderer::Impl::restore_state() const {
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glDepthFunc(GL_LESS);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    for (GLuint unit = 0; unit < 14; ++unit) glBindTextureUnit(unit, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget) {
+    DrawStatistics done;
+    if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
+    const Frame frame = take_up(wanted, upload_budget, done);
+    if (last_ && *last_ == frame) return done;
+    const glm::ivec2 old_size = size_, old_inner = inner_;
+    if (auto resized = resize(frame.size, frame.quality); !resized) {
+        last_.reset();
+        return tl::unexpected(resized.error());
+    }
+    std::vector<Layer> layers(frame.states.size());
+    std::ranges::transform(frame.states, layers.begin(), layer_of);
+    while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
+
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_STENCIL_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glViewport(0, 0, inner_.x, inner_.y);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
+                               size_ == old_size && inner_ == old_inner && last_->quality == frame.quality &&
+                               last_layers_ == layers && last_->lesions == frame.lesions &&
+                               last_->pixel_ratio == frame.pixel_ratio &&
+                               (!has_glass_ || last_->centerlines == frame.centerlines) &&
+                               (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
+    if (!same_geometry) {
+        done.triangles = draw_geometry(frame, drawn_, layers);
+        if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
+        done.geometry = true;
+    }
+    if (auto shaded = shade(frame, drawn_); !shaded) {
+        last_.reset();
+        return tl::unexpected(shaded.error());
+    }
+    draw_overlays(frame);
+    done.shaded = true;
+    restore_state();
+    last_ = frame;
+    last_layers_ = std::move(layers);
+    if (const int errors = gl_error_count(); errors != 0 && glGetError() == GL_OUT_OF_MEMORY) {
+        last_.reset();
+        return fail("out of graphics memory", {}, "give a smaller size or a coarser --detail");
+    }
+    return done;
+}
+
+Image Renderer::Impl::read_image() const {
+    Image image(size_.x, size_.y);
+    if (size_.x == 0) return image;
+    Image upside_down(size_.x, size_.y);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTextureImage(picture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
+                      upside_down.rgba.data());
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
+    for (int y = 0; y < size_.y; ++y) std::copy_n(upside_down.pixel(0, size_.y - 1 - y), row, image.pixel(0, y));
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const int alpha = image.rgba[i + 3];
+        if (alpha == 0 || alpha == 255) continue;
+        for (std::size_t k = i; k < i + 3; ++k)
+            image.rgba[k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[k] * 255 + alpha / 2) / alpha));
+    }
+    return image;
+}
+
+void Renderer::Impl::present(unsigned framebuffer, int x, int y) const {
+    if (size_.x == 0) return;
+    glDisable(GL_SCISSOR_TEST);
+    glBlitNamedFramebuffer(picture_target_, framebuffer, 0, 0, size_.x, size_.y, x, y, x + size_.x, y + size_.y,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+}
+
+} // namespace ramus::render

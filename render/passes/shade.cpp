@@ -1,0 +1,125 @@
+#include "render/renderer_impl.h"
+
+#include "render/colour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <string>
+
+namespace ramus::render {
+
+namespace {
+
+// The uniform block of look.glsl.
+struct LookBlock {
+    glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
+        lesion_colour, lost_colour;
+};
+static_assert(sizeof(LookBlock) == kLookBlockBytes);
+
+// As in shade.frag.
+constexpr unsigned kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kCut = 32, kGlowing = 64;
+
+std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F))); }
+
+bool hidden(const Frame& frame, std::size_t id) {
+    return id < frame.states.size() && frame.states[id] == BranchState::kHidden;
+}
+
+} // namespace
+
+// One small record a branch; nothing else changes when the user points at things. Returns the variants that they need.
+unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh) {
+    const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->shown()->branch_count() : 0));
+    std::vector<std::array<std::uint8_t, 4>> records(count);
+    const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
+    unsigned variant = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const BranchState state = i < frame.states.size() ? frame.states[i] : BranchState::kNormal;
+        const bool highlighted = state == BranchState::kHighlighted;
+        const glm::vec3 own = i < frame.colours.size() ? frame.colours[i] : frame.appearance.vessel;
+        const glm::vec3 colour = highlighted ? frame.appearance.highlight : own;
+        unsigned flags = (any_highlight && !highlighted ? kCalm : 0U) | (highlighted ? kHighlighted : 0U) |
+                         (int(i) == frame.hovered ? kHovered : 0U);
+        if (i < frame.lost.size() && frame.lost[i] != 0) flags |= kLost, variant |= kCuts;
+        records[i] = {byte(colour.x), byte(colour.y), byte(colour.z), static_cast<std::uint8_t>(flags)};
+    }
+    for (const int id : frame.hovered_dependents)
+        if (id >= 0 && static_cast<std::size_t>(id) < count) records[static_cast<std::size_t>(id)][3] |= kGlowing;
+    for (const int id : frame.selected) {
+        const auto index = static_cast<std::size_t>(id);
+        if (id < 0 || index >= count || hidden(frame, index)) continue; // an outline is dear; what is hidden has none
+        std::uint8_t& flags = records[index][3];
+        flags = static_cast<std::uint8_t>((flags & ~kCalm) | kSelected); // what is selected is never calm
+        variant |= kOutline;
+    }
+    for (const CutPlace& cut : frame.cuts) {
+        const auto index = static_cast<std::size_t>(cut.branch);
+        if (cut.branch < 0 || index >= count || !lines_.shown() || !lines_.shown()->at(cut.branch, cut.fraction))
+            continue;
+        records[index][3] |= kCut;
+        variant |= kCuts;
+    }
+    if (count > branch_capacity_) {
+        branch_capacity_ = count;
+        make_buffer_texture(branch_buffer_, branch_texture_, GL_RGBA8UI, nullptr, 4 * count);
+    }
+    glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(4 * count), records.data());
+    return variant;
+}
+
+Result<const Program*> Renderer::Impl::shading(unsigned variant) {
+    Program& program = shade_[variant];
+    if (program != 0) return &program;
+    std::string defines;
+    for (const auto& [bit, name] : {std::pair{kGlass, "GLASS"},
+                                    {kOutline, "OUTLINE"},
+                                    {kSolids, "SOLIDS"},
+                                    {kMargins, "MARGINS"},
+                                    {kScale, "SCALE"},
+                                    {kCuts, "CUTS"}})
+        if ((variant & bit) != 0) defines += std::string("#define ") + name + "\n";
+    auto made = make_program("fullscreen.vert", "shade.frag", defines);
+    if (!made) return tl::unexpected(made.error());
+    program = std::move(*made);
+    return &program;
+}
+
+Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
+    const unsigned variant = send_records(frame, mesh) | send_scene(frame) | (has_glass_ ? kGlass : 0U);
+    const bool outlined = (variant & kOutline) != 0;
+
+    const Appearance& a = frame.appearance;
+    const Background& b = frame.background;
+    const float point = frame.pixel_ratio * static_cast<float>(inner_.y) / static_cast<float>(size_.y);
+    const LookBlock look{glm::vec4(b.top, b.transparent ? 1.0F : 0.0F),
+                         glm::vec4(b.bottom, a.depth_cue),
+                         linear(a.glass, has_glass_ ? 1.0F : 0.0F),
+                         linear(a.selection, outlined ? std::max(1.0F, 1.6F * point) : 0.0F),
+                         {a.key, a.fill, a.rim, a.specular},
+                         {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), 0.0F},
+                         linear(a.centerline, 1.0F),
+                         linear(a.lesion, 1.0F),
+                         linear(a.lost, 1.0F)};
+    glNamedBufferSubData(look_block_, 0, sizeof look, &look);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
+    glBindTextureUnit(0, surface_);
+    glBindTextureUnit(1, depth_);
+    glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
+    glBindTextureUnit(3, has_glass_ ? glass_depth_ : depth_);
+    glBindTextureUnit(4, id_normal_);
+    glBindTextureUnit(5, blurred_);
+    glBindTextureUnit(6, branch_texture_);
+    glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
+    fullscreen(background_);
+    const auto program = shading(variant);
+    if (!program) return tl::unexpected(program.error());
+    // An outline reaches beyond the surface it surrounds.
+    fullscreen(**program, outlined ? Pixels::kAll : Pixels::kCovered);
+    return {};
+}
+
+} // namespace ramus::render

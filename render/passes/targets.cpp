@@ -1,0 +1,74 @@
+#include "render/renderer_impl.h"
+
+#include <algorithm>
+#include <string>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kSamples = 4;
+constexpr int kInteractiveDivisor = 2; // of width and height
+
+} // namespace
+
+Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
+    const int divisor = quality == Quality::kFull ? 1 : kInteractiveDivisor;
+    const glm::ivec2 inner = (size + divisor - 1) / divisor;
+    if (size == size_ && inner == inner_) return {};
+    GLint largest = 0, integer_samples = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
+    if (size.x > largest || size.y > largest)
+        return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
+                    "give a smaller size");
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    if (inner != inner_) {
+        const int w = inner.x, h = inner.y, s = std::clamp(integer_samples, 1, kSamples);
+        surface_ = make_texture(GL_RG32UI, w, h, s);
+        depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
+        covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
+        id_normal_ = make_texture(GL_RG32UI, w, h);
+        opaque_depth_ = make_texture(GL_R32F, w, h);
+        picked_depth_ = make_texture(GL_R32F, w, h);
+        occlusion_ = make_texture(GL_R8, w, h);
+        half_blurred_ = make_texture(GL_R8, w, h);
+        blurred_ = make_texture(GL_R8, w, h);
+        lit_ = make_texture(GL_RGBA8, w, h);
+        geometry_target_ = make_framebuffer({surface_}, depth_);
+        resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_}, covered_);
+        occlusion_target_ = make_framebuffer({occlusion_}, covered_);
+        half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
+        blur_target_ = make_framebuffer({blurred_}, covered_);
+        lit_target_ = make_framebuffer({lit_}, covered_);
+        glass_surface_ = Texture();
+        glass_depth_ = Texture();
+        glass_target_ = Framebuffer();
+        view_.picture.z = static_cast<float>(s);
+    }
+    if (size != size_) {
+        picture_ = make_texture(GL_RGBA8, size.x, size.y);
+        picture_target_ = make_framebuffer({picture_});
+    }
+    size_ = size;
+    inner_ = inner;
+    if (glGetError() != GL_NO_ERROR ||
+        glCheckNamedFramebufferStatus(geometry_target_, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        size_ = inner_ = glm::ivec2(0);
+        return fail("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                        " pixels does not fit into graphics memory",
+                    {}, "give a smaller size");
+    }
+    return {};
+}
+
+void Renderer::Impl::make_glass_layer() {
+    if (glass_target_ != 0) return;
+    const int s = static_cast<int>(view_.picture.z);
+    glass_surface_ = make_texture(GL_RG32UI, inner_.x, inner_.y, s);
+    glass_depth_ = make_texture(GL_DEPTH_COMPONENT32F, inner_.x, inner_.y, s);
+    glass_target_ = make_framebuffer({glass_surface_}, glass_depth_);
+}
+
+} // namespace ramus::render

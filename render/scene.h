@@ -1,0 +1,95 @@
+// What a picture shows beside vessels, and what their colours mean: lesions, margins around them, cuts, lines with
+// labels, a legend. Plain comparable values; places in mm (RAS), colours in sRGB, texts in Latin-1.
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ramus::render {
+
+// Colours that follow a value along the branches, from place to place. Needs Frame::centerlines.
+struct ColourScale {
+    enum class Value : std::uint8_t { kNone, kDiameter, kRootDistance };
+    Value value = Value::kNone;
+    float low = 0.0F, high = 1.0F; // mm
+    bool logarithmic = false;
+    std::vector<glm::vec3> ramp; // even steps from low to high
+    bool operator==(const ColourScale&) const = default;
+};
+
+// Signed distance to closed meshes on a grid, mm, negative inside. Beyond the grid counts as far.
+struct DistanceGrid {
+    glm::ivec3 size{0};
+    glm::dvec3 corner{0.0}; // mm, of the first sample
+    double step_mm = 1.0;
+    std::vector<float> values; // x fastest
+};
+
+// The colour of a place on the surface by how far it is from the lesions.
+struct Margins {
+    static constexpr std::size_t kMost = 16;
+    struct Band {
+        float within_mm;
+        glm::vec3 colour;
+        bool operator==(const Band&) const = default;
+    };
+    std::vector<Band> bands; // ascending; empty: no bands. At most kMost are shown.
+    glm::vec3 beyond{0.5F};
+    bool operator==(const Margins&) const = default;
+};
+
+struct Lesions {
+    std::vector<glm::dvec4> spheres; // centre and radius
+    std::vector<std::shared_ptr<const mesh::TriangleMesh>> meshes;
+    std::shared_ptr<const DistanceGrid> distances; // to the meshes; null: none
+    bool operator==(const Lesions&) const = default;
+};
+
+// A branch that is cut: of its length from the parent's end. Needs Frame::centerlines.
+struct CutPlace {
+    int branch = -1;
+    double fraction = 0.5;
+    bool operator==(const CutPlace&) const = default;
+};
+
+// A line over the picture, of constant width in points (1/96 inch). Fainter where vessels hide it.
+struct MarkLine {
+    std::vector<glm::dvec3> points;
+    glm::vec3 colour{1.0F};
+    float width = 1.6F;
+    bool operator==(const MarkLine&) const = default;
+};
+
+struct MarkLabel {
+    glm::dvec3 at{0.0};
+    std::string text;
+    bool operator==(const MarkLabel&) const = default;
+};
+
+// What the colours say: a bar with ticks, or swatches.
+struct Legend {
+    struct Tick {
+        double at; // of the bar, 0 to 1
+        std::string text;
+        bool operator==(const Tick&) const = default;
+    };
+    struct Swatch {
+        glm::vec3 colour;
+        std::string text;
+        bool hatched = false; // as what is lost is drawn
+        bool operator==(const Swatch&) const = default;
+    };
+    std::string title; // "Diameter (mm)"; empty: no legend
+    std::vector<glm::vec3> bar;
+    std::vector<Tick> ticks;
+    std::vector<Swatch> swatches;
+    bool operator==(const Legend&) const = default;
+};
+
+} // namespace ramus::render

@@ -1,0 +1,3 @@
+// What a sample's id says beside the branch: ids are a branch's + 1, 0 is nothing.
+const uint kLine = 0x80000000u;  // the centerline of that branch
+const uint kSolid = 0x40000000u; // a lesion, by its number + 1
