@@ -14,7 +14,7 @@ std::vector<Command> make_table() {
     using namespace actions;
     std::vector<Command> table;
     for (auto part : {file_commands, history_commands, selection_commands, state_commands, camera_commands,
-                      colour_commands, surface_commands, tool_commands, window_commands})
+                      colour_commands, glass_commands, surface_commands, tool_commands, window_commands})
         for (Command& command : part()) table.push_back(std::move(command));
     return table;
 }

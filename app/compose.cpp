@@ -1,5 +1,7 @@
 #include "app/compose.h"
 
+#include "app/centerlines.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,6 +81,12 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     }
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
+    const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
+    frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
+    // A grey with a cool tint, as bright as it says.
+    frame.appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
+    if (tree && std::ranges::find(frame.states, render::BranchState::kDefocused) != frame.states.end())
+        frame.centerlines = centerlines_of(tree, session.marks.options);
     if (tree) frame.colours = branch_colours(*tree, session.marks.colour_by);
     return frame;
 }

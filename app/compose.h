@@ -6,6 +6,7 @@
 #include "render/frame.h"
 
 #include <memory>
+#include <optional>
 
 namespace ramus::app {
 
@@ -16,6 +17,7 @@ struct Viewing {
     int hovered = render::kNoBranch;
     bool transparent = false;
     render::Quality quality = render::Quality::kFull;
+    std::optional<GlassLook> glass{}; // instead of the session's, while it is being tried
 };
 
 // `tree` may be null as long as the session colours by nothing; `mesh` may be null: an empty picture.

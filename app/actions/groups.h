@@ -13,6 +13,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> state_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
 [[nodiscard]] std::vector<Command> colour_commands();
+[[nodiscard]] std::vector<Command> glass_commands();
 [[nodiscard]] std::vector<Command> surface_commands();
 [[nodiscard]] std::vector<Command> tool_commands();
 [[nodiscard]] std::vector<Command> window_commands();

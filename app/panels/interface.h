@@ -10,6 +10,7 @@
 #include <array>
 #include <deque>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 
 namespace ramus::app {
@@ -43,6 +44,7 @@ struct Interface {
     std::vector<int> list_order;   // of the list of branches
     const TreeFacts* list_of = nullptr;
     int shown_selection = tree::kNoBranch; // the list was scrolled to it
+    std::optional<GlassLook> tried_glass;  // while a slider is held
     const ToolKind* tool_kind = &tool_kinds().front();
     std::unique_ptr<Tool> tool; // null: the mouse turns the view
     ToolSettings tool_settings;
@@ -73,6 +75,7 @@ void draw_menu_bar(InterfaceContext& context);
 void draw_tool_drawing(InterfaceContext& context);
 void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
+void draw_glass(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);

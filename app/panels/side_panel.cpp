@@ -1,6 +1,7 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
 #include "app/numbers.h"
 #include "app/panels/interface.h"
+#include "app/panels/slider_row.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
 
@@ -14,19 +15,6 @@
 namespace ramus::app {
 
 namespace {
-
-void section(const char* title) {
-    const float scale = theme::scale();
-    ImGui::Dummy({0.0F, 5.0F * scale});
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y},
-                                        ImGui::GetColorU32(theme::kLine));
-    ImGui::Dummy({0.0F, 4.0F * scale});
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kText);
-    ImGui::TextUnformatted(title);
-    ImGui::PopStyleColor();
-    ImGui::Dummy({0.0F, 1.0F * scale});
-}
 
 std::string range(double least, double most) {
     const std::string a = digits(least);
@@ -62,44 +50,18 @@ void draw_tree(InterfaceContext& context) {
     }
 }
 
-// A slider that changes the session once, when it is let go: every step would be a step of undo. The surface follows
-// while it is held.
-template <class T> struct Slider {
-    T value{};
-    bool held = false;
-};
-
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions& options = context.workspace.document.marks().options;
-    static Slider<int> smooth, detail;
-    static Slider<float> prune, width;
-    const float label_width = 70.0F * theme::scale();
+    static widgets::Slider<int> smooth, detail;
+    static widgets::Slider<float> prune, width;
     const auto row = [&](const char* label, const char* name, const char* help, auto& slider, auto current, auto draw,
                          auto as_text) {
         using T = decltype(slider.value);
-        if (!slider.held) slider.value = static_cast<T>(current);
-        ImGui::AlignTextToFramePadding();
-        widgets::quiet(label);
-        widgets::tooltip(help);
-        ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + label_width);
-        ImGui::SetNextItemWidth(-40.0F * theme::scale());
-        ImGui::PushID(name);
-        draw(slider.value);
-        slider.held = ImGui::IsItemActive();
-        const bool changed = ImGui::IsItemDeactivatedAfterEdit();
-        ImGui::SameLine();
-        const std::string shown = as_text(slider.value);
-        widgets::align_right(ImGui::CalcTextSize(shown.c_str()).x);
-        ImGui::TextUnformatted(shown.c_str());
-        if (changed) {
-            std::string text;
-            if constexpr (std::is_same_v<T, int>)
-                text = std::to_string(slider.value);
-            else
-                text = digits(slider.value, 4);
-            context.perform("surface", {name, text});
-        }
-        ImGui::PopID();
+        if (!widgets::slider_row(label, help, slider, static_cast<T>(current), draw, as_text)) return;
+        if constexpr (std::is_same_v<T, int>)
+            context.perform("surface", {name, std::to_string(slider.value)});
+        else
+            context.perform("surface", {name, digits(slider.value, 4)});
     };
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     const auto whole = [](int value) { return std::to_string(value); };
@@ -127,7 +89,7 @@ void draw_options(InterfaceContext& context) {
 }
 
 void draw_surface(InterfaceContext& context) {
-    section("Surface");
+    widgets::section("Surface");
     draw_options(context);
     const std::string& problem = context.workspace.surface_problem();
     if (problem.empty()) return;
@@ -202,7 +164,7 @@ void draw_actions(InterfaceContext& context) {
 }
 
 void draw_selection(InterfaceContext& context) {
-    section("Selection");
+    widgets::section("Selection");
     const Document& document = context.workspace.document;
     const auto& selection = document.marks().selection;
     if (selection.empty()) {
@@ -229,8 +191,9 @@ void draw_side_panel(InterfaceContext& context) {
     if (context.workspace.document.tree() && context.workspace.facts()) {
         draw_tree(context);
         draw_surface(context);
+        draw_glass(context);
         draw_selection(context);
-        section("Branches");
+        widgets::section("Branches");
         draw_branch_list(context);
     } else {
         widgets::quiet_wrapped("What ramus knows of a tree appears here.");

@@ -50,6 +50,7 @@ bool Viewer::over_picture(glm::dvec2 at) const {
 Viewing Viewer::viewing() const {
     Viewing viewing{.size = layout_.view_size, .pixel_ratio = scale_, .hovered = interface_.hovered};
     if (interface_.listed != tree::kNoBranch) viewing.hovered = interface_.listed;
+    viewing.glass = interface_.tried_glass;
     return viewing;
 }
 

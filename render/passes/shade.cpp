@@ -1,6 +1,5 @@
-#include "render/renderer_impl.h"
-
 #include "render/colour.h"
+#include "render/renderer_impl.h"
 
 #include <algorithm>
 #include <array>

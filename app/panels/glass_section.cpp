@@ -1,0 +1,32 @@
+// How defocused branches look; there while any branch is defocused.
+#include "app/numbers.h"
+#include "app/panels/interface.h"
+#include "app/panels/slider_row.h"
+
+#include <algorithm>
+
+namespace ramus::app {
+
+void draw_glass(InterfaceContext& context) {
+    const Marks& marks = context.workspace.document.marks();
+    context.interface.tried_glass.reset();
+    if (std::ranges::find(marks.states, render::BranchState::kDefocused) == marks.states.end()) return;
+    widgets::section("Glass");
+    static widgets::Slider<float> opacity, grey;
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+    const auto percent = [](float value) { return digits(100.0 * value, 3) + " %"; };
+    const bool opacity_changed = widgets::slider_row(
+        "Opacity", "0 leaves the centerlines of defocused branches, 200 % is nearly solid", opacity,
+        static_cast<float>(marks.glass.opacity),
+        [&](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, 2.0F, "", flags); }, percent);
+    const bool grey_changed = widgets::slider_row(
+        "Grey", "From black to white", grey, static_cast<float>(marks.glass.grey),
+        [&](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", flags); }, percent);
+    if (opacity.held || grey.held)
+        context.interface.tried_glass =
+            GlassLook{opacity.held ? opacity.value : marks.glass.opacity, grey.held ? grey.value : marks.glass.grey};
+    if (opacity_changed) context.perform("glass-opacity", {digits(opacity.value, 3)});
+    if (grey_changed) context.perform("glass-grey", {digits(grey.value, 3)});
+}
+
+} // namespace ramus::app

@@ -1,0 +1,40 @@
+// A slider of the side panel that changes the session once, when it is let go: every step would be a step of undo. What
+// it says while it is held is there to be tried.
+#pragma once
+
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <imgui.h>
+
+namespace ramus::app::widgets {
+
+template <class T> struct Slider {
+    T value{};
+    bool held = false;
+};
+
+// One row: label, slider, value. `draw(T&)` draws the slider itself, `as_text(T)` is what stands at the right. True
+// when it was let go at another value than `current`.
+template <class T, class Draw, class AsText>
+bool slider_row(const char* label, const char* help, Slider<T>& slider, T current, const Draw& draw,
+                const AsText& as_text) {
+    if (!slider.held) slider.value = current;
+    ImGui::AlignTextToFramePadding();
+    quiet(label);
+    tooltip(help);
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
+    ImGui::SetNextItemWidth(-40.0F * theme::scale());
+    ImGui::PushID(label);
+    draw(slider.value);
+    slider.held = ImGui::IsItemActive();
+    const bool changed = ImGui::IsItemDeactivatedAfterEdit();
+    ImGui::SameLine();
+    const std::string shown = as_text(slider.value);
+    align_right(ImGui::CalcTextSize(shown.c_str()).x);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopID();
+    return changed;
+}
+
+} // namespace ramus::app::widgets
