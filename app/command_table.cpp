@@ -13,8 +13,9 @@ namespace {
 std::vector<Command> make_table() {
     using namespace actions;
     std::vector<Command> table;
-    for (auto part : {file_commands, history_commands, selection_commands, state_commands, camera_commands,
-                      colour_commands, glass_commands, surface_commands, tool_commands, window_commands})
+    for (auto part :
+         {file_commands, history_commands, selection_commands, state_commands, camera_commands, colour_commands,
+          glass_commands, surface_commands, tool_commands, lasso_commands, window_commands})
         for (Command& command : part()) table.push_back(std::move(command));
     return table;
 }
@@ -68,6 +69,7 @@ Result<void> run_entry(ActionContext& context, const Command& command) {
 std::filesystem::path Host::suggested_file(std::string_view extension) const {
     return "ramus" + std::string(extension);
 }
+Result<render::BranchPicture> Host::branch_picture() { return fail("what is visible is not known without a picture"); }
 void Host::say(const std::string&) {}
 Result<void> Host::open(const std::filesystem::path&) {
     return fail("a file cannot be opened from here", {}, "give it on the command line");

@@ -7,6 +7,7 @@
 
 #include "app/document.h"
 #include "core/base/error.h"
+#include "render/renderer.h"
 
 #include <filesystem>
 #include <span>
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] virtual glm::ivec2 picture_size() const = 0; // pixels
     // What the picture shows; null: nothing.
     [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;
+    // What the picture of the document as it is now shows in each pixel.
+    virtual Result<render::BranchPicture> branch_picture();
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
     // Where pictures and sessions go that the user gave no name for.
     [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;
@@ -64,7 +67,7 @@ struct Command {
     std::vector<std::string> preset{};                             // arguments that the menu and the keys give
     bool (*enabled)(const Document&) = nullptr;                    // null: always
     bool (*checked)(const Document&) = nullptr;                    // null: not a switch
-    bool (*in_use)(const Host&, const Command&) = nullptr;         // a switch of the interface, not of the document
+    bool (*in_use)(Host&, const Command&) = nullptr;               // a switch of the interface, not of the document
     std::string (*label_now)(const Document&) = nullptr;           // the label, when it depends on the document
     [[nodiscard]] bool scripted() const { return preset.empty(); } // false: an entry that gives arguments to another
 };

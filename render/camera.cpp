@@ -75,15 +75,23 @@ double mm_per_pixel(const Camera& camera, glm::ivec2 size) {
     return 2.0 * half_height_mm(camera) / std::max(size.y, 1);
 }
 
+Projector::Projector(const Camera& camera, glm::ivec2 size)
+    : axes_(axes_of(camera)), position_(camera.position), half_width_px_(0.5 * size.x), half_height_px_(0.5 * size.y),
+      half_height_mm_(camera.orthographic ? camera.scale : tan_half_angle(camera)), orthographic_(camera.orthographic) {
+}
+
+std::optional<glm::dvec3> Projector::operator()(const glm::dvec3& point) const {
+    const glm::dvec3 v = point - position_;
+    const double depth = glm::dot(v, axes_.forward);
+    if (!orthographic_ && depth <= 0.0) return std::nullopt;
+    const double half = orthographic_ ? half_height_mm_ : depth * half_height_mm_;
+    const double pixels_per_mm = half_height_px_ / half;
+    return glm::dvec3(half_width_px_ + glm::dot(v, axes_.right) * pixels_per_mm,
+                      half_height_px_ - glm::dot(v, axes_.up) * pixels_per_mm, depth);
+}
+
 std::optional<glm::dvec3> project(const Camera& camera, glm::ivec2 size, const glm::dvec3& point) {
-    const CameraAxes axes = axes_of(camera);
-    const glm::dvec3 v = point - camera.position;
-    const double depth = glm::dot(v, axes.forward);
-    if (!camera.orthographic && depth <= 0.0) return std::nullopt;
-    const double half = camera.orthographic ? camera.scale : depth * tan_half_angle(camera);
-    const double pixels_per_mm = 0.5 * size.y / half;
-    return glm::dvec3(0.5 * size.x + glm::dot(v, axes.right) * pixels_per_mm,
-                      0.5 * size.y - glm::dot(v, axes.up) * pixels_per_mm, depth);
+    return Projector(camera, size)(point);
 }
 
 glm::dvec3 unproject(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel, double depth_mm) {

@@ -46,6 +46,21 @@ struct CameraAxes {
 
 // Pixel (x, y) and depth along the line of sight in mm of a point; nothing when it is not in front of the eye.
 [[nodiscard]] std::optional<glm::dvec3> project(const Camera& camera, glm::ivec2 size, const glm::dvec3& point);
+
+// project() for many points of one picture.
+class Projector {
+public:
+    Projector(const Camera& camera, glm::ivec2 size);
+    [[nodiscard]] std::optional<glm::dvec3> operator()(const glm::dvec3& point) const;
+
+private:
+    CameraAxes axes_;
+    glm::dvec3 position_;
+    double half_width_px_, half_height_px_;
+    double half_height_mm_; // of the picture; in perspective at a depth of 1 mm
+    bool orthographic_;
+};
+
 // The point seen at `pixel`, `depth_mm` along the line of sight away from the eye. Inverse of project().
 [[nodiscard]] glm::dvec3 unproject(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel, double depth_mm);
 

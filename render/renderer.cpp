@@ -32,6 +32,7 @@ Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_bud
 }
 Image Renderer::read_image() { return impl_->read_image(); }
 void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }
+BranchPicture Renderer::read_branches() { return impl_->read_branches(); }
 Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
 void Renderer::request_pick(double x, double y) { impl_->request_pick(x, y); }
 std::optional<Pick> Renderer::poll_pick() { return impl_->poll_pick(); }

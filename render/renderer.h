@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace ramus::render {
 
@@ -25,6 +26,17 @@ struct Pick {
     int lesion = kNoLesion;   // of the frame's spheres, then its meshes; kNoLesion: none there
     glm::dvec3 position{0.0}; // mm, on the surface; meaningless without a branch or a lesion
     bool operator==(const Pick&) const = default;
+};
+
+// The branch that each pixel shows, row by row from the top left.
+struct BranchPicture {
+    int width = 0, height = 0;
+    std::vector<int> branches; // kNoBranch: none
+    // Of the pixel that has this place in it; kNoBranch outside of the picture.
+    [[nodiscard]] int at(double x, double y) const {
+        if (!(x >= 0.0 && y >= 0.0 && x < width && y < height)) return kNoBranch;
+        return branches[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
 };
 
 // What the last draw() did, for --benchmark, --verbose and tests.
@@ -60,6 +72,8 @@ public:
 
     // The current picture. Straight alpha when the background is transparent.
     [[nodiscard]] Image read_image();
+    // What every pixel of the current picture shows, as pick() sees it; waits for the GPU.
+    [[nodiscard]] BranchPicture read_branches();
     // Copies the current picture into `framebuffer` (0 = the window's), its lower left corner at (x, y) in GL's sense.
     // Changes the bound draw framebuffer to that one. The picture's own pixels stay as they are: draw the interface
     // there.

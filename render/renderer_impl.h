@@ -34,6 +34,7 @@ public:
     Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget);
     Image read_image() const;
     void present(unsigned framebuffer, int x, int y) const;
+    BranchPicture read_branches() const;
     Pick pick(double x, double y);
     void request_pick(double x, double y);
     std::optional<Pick> poll_pick();

@@ -59,6 +59,29 @@ Pick Renderer::Impl::pick(double x, double y) {
     return nearest_in(window, ids.data(), depths.data(), last_->camera);
 }
 
+BranchPicture Renderer::Impl::read_branches() const {
+    BranchPicture picture;
+    if (!last_) return picture;
+    const auto inner_width = static_cast<std::size_t>(inner_.x), inner_height = static_cast<std::size_t>(inner_.y);
+    std::vector<std::uint32_t> ids(inner_width * inner_height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, inner_.x, inner_.y, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    picture.width = size_.x;
+    picture.height = size_.y;
+    const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
+    picture.branches.resize(width * height);
+    for (std::size_t y = 0; y < height; ++y) {
+        // GL counts from below; a picture that is drawn quickly has fewer pixels inside.
+        const std::uint32_t* row = &ids[inner_width * ((height - 1 - y) * inner_height / height)];
+        for (std::size_t x = 0; x < width; ++x)
+            picture.branches[y * width + x] = static_cast<int>(row[x * inner_width / width]) - 1;
+    }
+    return picture;
+}
+
 void Renderer::Impl::request_pick(double x, double y) {
     if (pick_fence_ != nullptr) glDeleteSync(pick_fence_);
     pick_fence_ = nullptr;

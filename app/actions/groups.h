@@ -16,6 +16,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> glass_commands();
 [[nodiscard]] std::vector<Command> surface_commands();
 [[nodiscard]] std::vector<Command> tool_commands();
+[[nodiscard]] std::vector<Command> lasso_commands();
 [[nodiscard]] std::vector<Command> window_commands();
 
 } // namespace ramus::app::actions

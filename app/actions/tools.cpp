@@ -16,7 +16,7 @@ Result<void> tool(ActionContext& context, Arguments arguments) {
     return context.host.use_tool(kind->name);
 }
 
-bool is_in_hand(const Host& host, const Command& entry) { return host.tool() == entry.preset.front(); }
+bool is_in_hand(Host& host, const Command& entry) { return host.tool() == entry.preset.front(); }
 
 } // namespace
 

@@ -29,6 +29,13 @@ Result<render::Frame> PictureStage::frame() {
     return compose(document_.session(), document_.tree(), surface_.mesh, viewing_);
 }
 
+Result<render::BranchPicture> PictureStage::branch_picture() {
+    const auto wanted = frame();
+    if (!wanted) return tl::unexpected(wanted.error());
+    if (const auto drawn = renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    return renderer_->read_branches();
+}
+
 Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
     const auto wanted = frame();
     if (!wanted) return tl::unexpected(wanted.error());

@@ -24,6 +24,7 @@ public:
     // Host
     [[nodiscard]] glm::ivec2 picture_size() const override { return viewing_.size; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
+    Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     void say(const std::string& sentence) override;
 

@@ -72,9 +72,13 @@ void draw_menus(InterfaceContext& context) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});
         if (ImGui::BeginMenu(menu.c_str())) {
+            std::string_view previous;
             for (const Command& command : command_table()) {
                 if (command.menu != menu) continue;
-                if (command.name == "quit" || command.name == "fit" || command.name == "panel") ImGui::Separator();
+                const bool new_switch = previous != command.name && command.name.starts_with("lasso-");
+                if (command.name == "quit" || command.name == "fit" || command.name == "panel" || new_switch)
+                    ImGui::Separator();
+                previous = command.name;
                 draw_entry(context, command);
                 if (command.name == "open") draw_recent(context);
                 if (command.name == "redo") draw_history(context);

@@ -36,14 +36,44 @@ void draw_button(InterfaceContext& context, const ToolKind& kind, float side) {
     widgets::tooltip(kind.label.c_str(), kind.keys.empty() ? nullptr : kind.keys.front().c_str());
 }
 
+// Entries of the command table as texts side by side; the one in use is marked.
+void draw_switch(InterfaceContext& context, std::string_view name, std::initializer_list<const char*> texts,
+                 float height) {
+    const char* const* text = texts.begin();
+    ImGui::PushFont(theme::small_font());
+    for (const Command& command : command_table()) {
+        if (command.name != name || command.scripted()) continue;
+        const bool chosen = command.in_use(context.host, command);
+        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentDim : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
+        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
+        if (ImGui::Button(*text, {ImGui::CalcTextSize(*text).x + 16.0F * theme::scale(), height}))
+            context.perform(command);
+        ImGui::PopStyleColor(2);
+        ImGui::PopFont();
+        widgets::tooltip(command.help.c_str());
+        ImGui::PushFont(theme::small_font());
+        ImGui::SameLine();
+        ++text;
+    }
+    ImGui::PopFont();
+}
+
+void draw_divider(float height) {
+    const float scale = theme::scale();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float x = std::round(at.x + 4.0F * scale);
+    ImGui::GetWindowDrawList()->AddLine({x, at.y + 6.0F * scale}, {x, at.y + height - 6.0F * scale},
+                                        ImGui::GetColorU32(theme::kQuiet), 1.0F);
+    ImGui::Dummy({8.0F * scale, height});
+    ImGui::SameLine();
+}
+
 } // namespace
 
 void draw_tool_bar(InterfaceContext& context) {
     if (context.workspace.document.branch_count() == 0) return;
     const float scale = theme::scale();
     const float side = kSide * scale, gap = kGap * scale, padding = 3.0F * scale;
-    const auto count = static_cast<float>(tool_kinds().size());
-    const float width = count * side + (count - 1.0F) * gap + 2.0F * padding;
     const float x = static_cast<float>(context.layout.view_at.x) + kMargin * scale;
     const float y = static_cast<float>(context.layout.view_at.y) + kMargin * scale;
     ImVec4 ground = theme::kBar;
@@ -53,12 +83,20 @@ void draw_tool_bar(InterfaceContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, 0.0F});
-    widgets::begin_fixed("tools", std::round(x), std::round(y), width, side + 2.0F * padding,
-                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    widgets::begin_fixed("tools", std::round(x), std::round(y), 0.0F, 0.0F,
+                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                             ImGuiWindowFlags_AlwaysAutoResize);
     for (const ToolKind& kind : tool_kinds()) {
         draw_button(context, kind, side);
         ImGui::SameLine();
     }
+    if (context.interface.tool_kind->name.starts_with("lasso")) {
+        draw_divider(side);
+        draw_switch(context, "lasso-mode", {"Half", "Any part"}, side);
+        draw_divider(side);
+        draw_switch(context, "lasso-depth", {"Through", "Visible"}, side);
+    }
+    ImGui::NewLine();
     ImGui::End();
     ImGui::PopStyleVar(4);
     ImGui::PopStyleColor();

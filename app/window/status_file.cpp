@@ -24,6 +24,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["hovered"] = interface.hovered;
     status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
     status["tool"] = viewer.tool();
+    status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
+                       {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["help"] = interface.help_open;
     status["open_dialog"] = interface.open_dialog.open;
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();

@@ -181,14 +181,24 @@ std::string Viewer::title() const {
 
 std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
 
-Result<void> Viewer::write_picture(const std::filesystem::path& path) {
-    // As `ramus render` draws the session: without what the pointer is doing.
+// As `ramus render` draws the session: without what the pointer is doing.
+Result<void> Viewer::draw_for_keeping() {
     const render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
                                         {.size = layout_.view_size, .pixel_ratio = scale_});
     if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     shake();
     drawn_ = 0;
+    return {};
+}
+
+Result<void> Viewer::write_picture(const std::filesystem::path& path) {
+    if (auto drawn = draw_for_keeping(); !drawn) return drawn;
     return render::write_png(renderer_.read_image(), path);
+}
+
+Result<render::BranchPicture> Viewer::branch_picture() {
+    if (auto drawn = draw_for_keeping(); !drawn) return tl::unexpected(drawn.error());
+    return renderer_.read_branches();
 }
 
 std::filesystem::path Viewer::suggested_file(std::string_view extension) const {

@@ -61,6 +61,7 @@ public:
     // Host
     [[nodiscard]] glm::ivec2 picture_size() const override { return layout_.view_size; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
+    Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     [[nodiscard]] std::filesystem::path suggested_file(std::string_view extension) const override;
     void say(const std::string& sentence) override;
@@ -90,6 +91,7 @@ private:
     void take_news();
     void take_pick();
     void ask_pick();
+    Result<void> draw_for_keeping();
     void clicked(const Click& click);
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     void perform_tool();

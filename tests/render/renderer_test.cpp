@@ -347,3 +347,28 @@ TEST_CASE("the small tree looks as it did when people last looked at it") {
     }
     CHECK_MESSAGE(alike, comparison->differing, " pixels differ; see ", folder.string());
 }
+
+TEST_CASE("the picture of branches says what pick says") {
+    Scene scene;
+    scene.frame.states[2] = BranchState::kHidden;
+    scene.frame.states[0] = BranchState::kDefocused;
+    for (const Quality quality : {Quality::kFull, Quality::kInteractive}) {
+        scene.frame.quality = quality;
+        (void)scene.draw();
+        const BranchPicture picture = scene.renderer->read_branches();
+        REQUIRE(picture.width == 400);
+        REQUIRE(picture.height == 300);
+        std::array<int, 5> seen{};
+        for (int y = 0; y < 300; y += 7)
+            for (int x = 0; x < 400; x += 7) {
+                const int branch = picture.at(x + 0.5, y + 0.5);
+                ++seen[static_cast<std::size_t>(branch + 1)];
+                // A pick finds also what a pixel just misses.
+                if (branch != kNoBranch) CHECK(scene.renderer->pick(x + 0.5, y + 0.5).branch == branch);
+            }
+        for (const std::size_t i : {0, 1, 2, 4}) CHECK(seen[i] > 0);
+        CHECK(seen[3] == 0); // it is hidden
+        CHECK(picture.at(-0.5, 10.0) == kNoBranch);
+        CHECK(picture.at(400.0, 10.0) == kNoBranch);
+    }
+}

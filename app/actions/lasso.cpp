@@ -1,0 +1,158 @@
+// Selecting by a line drawn around vessels, and how that is done by hand.
+#include "app/tools/lasso.h"
+
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/numbers.h"
+#include "app/surface_maker.h"
+#include "app/tools/tool.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace ramus::app::actions {
+
+namespace {
+
+struct LassoArguments {
+    bool any_part = false, visible = false, add = false, remove = false;
+    std::vector<glm::dvec2> corners;
+};
+
+std::optional<glm::dvec2> pixel(const std::string& word) {
+    constexpr double kFarthest = 1e6; // far outside of any picture, and still exact
+    const std::size_t comma = word.find(',');
+    if (comma == std::string::npos) return {};
+    const auto x = number_in(word.substr(0, comma), -kFarthest, kFarthest);
+    const auto y = number_in(word.substr(comma + 1), -kFarthest, kFarthest);
+    if (!x || !y) return {};
+    return glm::dvec2(*x, *y);
+}
+
+Result<LassoArguments> read(Arguments arguments) {
+    LassoArguments read;
+    for (const std::string& word : arguments) {
+        if (word.starts_with("--")) {
+            bool* flag = word == "--any"       ? &read.any_part
+                         : word == "--visible" ? &read.visible
+                         : word == "--add"     ? &read.add
+                         : word == "--remove"  ? &read.remove
+                                               : nullptr;
+            if (flag == nullptr) return fail("lasso has no option " + word, {}, "--any, --visible, --add or --remove");
+            *flag = true;
+        } else if (const auto corner = pixel(word)) {
+            read.corners.push_back(*corner);
+        } else {
+            return fail("\"" + word + "\" is not a pixel such as 120,80");
+        }
+    }
+    if (read.corners.size() < 3)
+        return fail("lasso takes at least three corners", {}, "pixels of the picture from its upper left: X,Y X,Y X,Y");
+    if (read.add && read.remove) return fail("lasso adds or removes, not both");
+    return read;
+}
+
+Result<void> lasso(ActionContext& context, Arguments arguments) {
+    auto wanted = read(arguments);
+    if (!wanted) return tl::unexpected(wanted.error());
+    if (!context.document.tree()) return fail("there is no tree to lasso");
+    std::optional<render::BranchPicture> picture;
+    if (wanted->visible) {
+        auto taken = context.host.branch_picture();
+        if (!taken) return tl::unexpected(taken.error());
+        picture = std::move(*taken);
+    }
+    const Document& document = context.document;
+    const LassoRule rule{.any_part = wanted->any_part, .visible = picture ? &*picture : nullptr};
+    const std::vector<int> hidden = branches_in_state(document.marks(), render::BranchState::kHidden);
+    std::vector<int> inside = branches_inside(*document.tree(), document.session().camera, context.host.picture_size(),
+                                              PixelPolygon(std::move(wanted->corners)), rule,
+                                              hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
+    const std::string count = counted(inside.size(), "branch", "branches");
+    const auto& selection = document.marks().selection;
+    std::vector<int> next;
+    if (wanted->add)
+        std::ranges::set_union(selection, inside, std::back_inserter(next));
+    else if (wanted->remove)
+        std::ranges::set_difference(selection, inside, std::back_inserter(next));
+    else
+        next = std::move(inside);
+    const bool more = !next.empty() && !wanted->remove;
+    select_these(context.document, std::move(next));
+    context.host.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
+    return {};
+}
+
+Result<void> set_switch(ActionContext& context, Arguments arguments, std::string_view command,
+                        const std::array<std::string_view, 2>& values, bool ToolSettings::*setting) {
+    const auto found = arguments.size() == 1 ? std::ranges::find(values, arguments[0]) : values.end();
+    if (found == values.end())
+        return fail(std::string(command) + " is " + std::string(values[0]) + " or " + std::string(values[1]));
+    ToolSettings* settings = context.host.tool_settings();
+    if (settings == nullptr)
+        return fail("there is no lasso in hand without a window", {}, "give lasso --any or --visible");
+    settings->*setting = found != values.begin();
+    return {};
+}
+
+Result<void> lasso_mode(ActionContext& context, Arguments arguments) {
+    return set_switch(context, arguments, "lasso-mode", {"half", "any"}, &ToolSettings::lasso_any_part);
+}
+
+Result<void> lasso_depth(ActionContext& context, Arguments arguments) {
+    return set_switch(context, arguments, "lasso-depth", {"through", "visible"}, &ToolSettings::lasso_visible);
+}
+
+bool is_mode(Host& host, const Command& entry) {
+    const ToolSettings* settings = host.tool_settings();
+    return settings != nullptr && settings->lasso_any_part == (entry.preset.front() == "any");
+}
+
+bool is_depth(Host& host, const Command& entry) {
+    const ToolSettings* settings = host.tool_settings();
+    return settings != nullptr && settings->lasso_visible == (entry.preset.front() == "visible");
+}
+
+} // namespace
+
+std::vector<Command> lasso_commands() {
+    std::vector<Command> commands{
+        {"lasso",
+         "[--any] [--visible] [--add|--remove] X,Y X,Y X,Y...",
+         "Selects what lies inside a polygon of pixels: branches with at least half their length inside, or any part.",
+         "",
+         "",
+         {},
+         lasso},
+        {"lasso-mode",
+         "half|any",
+         "What a lasso takes: at least half a branch, or any part of it.",
+         "",
+         "",
+         {},
+         lasso_mode},
+        {"lasso-depth",
+         "through|visible",
+         "Whether a lasso takes what lies behind, or only what is visible.",
+         "",
+         "",
+         {},
+         lasso_depth},
+    };
+    const auto entry = [&](const char* name, const char* value, const char* label, const char* help, auto action,
+                           auto in_use) {
+        Command command{name, "", help, "Tools", label, {}, action, {value}};
+        command.in_use = in_use;
+        commands.push_back(std::move(command));
+    };
+    entry("lasso-mode", "half", "Lasso at least half", "A branch is in with at least half its length.", lasso_mode,
+          is_mode);
+    entry("lasso-mode", "any", "Lasso any part", "A branch is in with any part of it.", lasso_mode, is_mode);
+    entry("lasso-depth", "through", "Lasso through the tree", "What lies behind is taken too.", lasso_depth, is_depth);
+    entry("lasso-depth", "visible", "Lasso what is visible", "Only what can be seen is taken.", lasso_depth, is_depth);
+    return commands;
+}
+
+} // namespace ramus::app::actions
