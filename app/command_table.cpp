@@ -15,7 +15,11 @@ std::vector<Command> make_table() {
     std::vector<Command> table;
     for (auto part :
          {file_commands, history_commands, selection_commands, state_commands, camera_commands, colour_commands,
+<<<<<<< HEAD
           glass_commands, surface_commands, tool_commands, lasso_commands, window_commands})
+=======
+          surface_commands, travel_commands, overview_commands, tool_commands, window_commands})
+>>>>>>> c0f8c9b (window: Show the tree as a flat picture too, linked both ways)
         for (Command& command : part()) table.push_back(std::move(command));
     return table;
 }
@@ -79,6 +83,7 @@ Result<void> Host::toggle(std::string_view part) {
     return fail("there is no " + std::string(part) + " without a window");
 }
 Result<void> Host::use_tool(std::string_view) { return fail("there is no tool without a window"); }
+Result<void> Host::arrange(std::string_view part, std::string_view) { return toggle(part); }
 Result<void> Host::quit() { return fail("quit needs a window"); }
 
 } // namespace ramus::app

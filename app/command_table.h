@@ -42,7 +42,10 @@ public:
     virtual Result<void> open(const std::filesystem::path& path);
     virtual Result<void> ask_for_file();
     virtual Result<void> toggle(std::string_view part); // "help", "panel"
-    virtual bool dismiss() { return false; }            // closes what lies on top, if anything does
+    // Sets a part of the window that has more to it than being there: "overview" to "on", "generation", ...
+    virtual Result<void> arrange(std::string_view part, std::string_view setting);
+    [[nodiscard]] virtual bool shows(std::string_view) const { return false; } // that part
+    virtual bool dismiss() { return false; } // closes what lies on top, if anything does
     virtual Result<void> quit();
     virtual Result<void> use_tool(std::string_view name);                      // one of tool_kinds()
     [[nodiscard]] virtual std::string_view tool() const { return "navigate"; } // the one in use

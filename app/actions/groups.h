@@ -17,6 +17,8 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> surface_commands();
 [[nodiscard]] std::vector<Command> tool_commands();
 [[nodiscard]] std::vector<Command> lasso_commands();
+[[nodiscard]] std::vector<Command> travel_commands();
+[[nodiscard]] std::vector<Command> overview_commands();
 [[nodiscard]] std::vector<Command> window_commands();
 
 } // namespace ramus::app::actions

@@ -13,7 +13,9 @@ namespace {
 constexpr float kBarHeight = 34.0F; // points
 constexpr float kStatusHeight = 28.0F;
 constexpr float kPanelWidth = 296.0F;
-constexpr float kLeastViewWidth = 320.0F; // the panel gives way in a narrow window
+constexpr float kLeastViewWidth = 320.0F;  // the panel gives way in a narrow window
+constexpr float kLeastViewHeight = 200.0F; // and the overview in a low one
+constexpr float kLeastOverviewHeight = 90.0F;
 
 // What to do when there is nothing to see.
 void draw_empty_view(InterfaceContext& context) {
@@ -37,7 +39,7 @@ void draw_empty_view(InterfaceContext& context) {
 
 } // namespace
 
-Layout layout_of(glm::ivec2 window, float scale, bool panel_open) {
+Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points) {
     const auto pixels = [&](float points) { return static_cast<int>(std::round(points * scale)); };
     Layout layout;
     layout.window = window;
@@ -46,8 +48,12 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open) {
     if (panel_open && window.x - pixels(kPanelWidth) >= pixels(kLeastViewWidth))
         layout.panel_width = pixels(kPanelWidth);
     layout.view_at = {0, layout.bar_height};
+    const int between = window.y - layout.bar_height - layout.status_height;
+    const int room = between - pixels(kLeastViewHeight);
+    if (overview_points > 0.0F && room >= pixels(kLeastOverviewHeight))
+        layout.overview_height = std::clamp(pixels(overview_points), pixels(kLeastOverviewHeight), room);
     layout.view_size =
-        glm::max(window - glm::ivec2(layout.panel_width, layout.bar_height + layout.status_height), glm::ivec2(1));
+        glm::max(glm::ivec2(window.x - layout.panel_width, between - layout.overview_height), glm::ivec2(1));
     return layout;
 }
 
@@ -82,6 +88,7 @@ void draw_interface(InterfaceContext& context) {
     draw_menu_bar(context);
     draw_tool_bar(context);
     draw_side_panel(context);
+    draw_overview(context);
     draw_status_bar(context);
     draw_tooltip(context);
     draw_help(context);

@@ -4,6 +4,7 @@
 
 #include "app/command_table.h"
 #include "app/panels/open_dialog.h"
+#include "app/panels/overview.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace.h"
 
@@ -21,9 +22,11 @@ struct Layout {
     int bar_height = 0;
     int status_height = 0;
     int panel_width = 0;                 // 0 when it is closed
+    int overview_height = 0;             // likewise; it lies under the picture
     glm::ivec2 view_at{0}, view_size{1}; // the picture
 };
-[[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open);
+// `overview_points`: how high it wants to be; 0: closed.
+[[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F);
 
 struct Notice {
     std::string text;
@@ -45,6 +48,8 @@ struct Interface {
     const TreeFacts* list_of = nullptr;
     int shown_selection = tree::kNoBranch; // the list was scrolled to it
     std::optional<GlassLook> tried_glass;  // while a slider is held
+    Overview overview;
+    PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
     std::unique_ptr<Tool> tool; // null: the mouse turns the view
     ToolSettings tool_settings;
@@ -77,6 +82,7 @@ void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
+void draw_overview(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
 void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is

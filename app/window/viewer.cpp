@@ -37,7 +37,7 @@ void Viewer::resize(glm::ivec2 window, float scale) {
         scale_ = scale;
     }
     mouse_.set_pixel_ratio(scale);
-    layout_ = layout_of(window, scale_, interface_.panel_open);
+    layout_ = layout_of(window, scale_, interface_.panel_open, interface_.overview.wanted_height());
     shake();
 }
 
@@ -98,7 +98,7 @@ void Viewer::ask_pick() {
 
 bool Viewer::draw(double now, unsigned framebuffer) {
     now_ = now;
-    layout_ = layout_of(layout_.window, scale_, interface_.panel_open);
+    layout_ = layout_of(layout_.window, scale_, interface_.panel_open, interface_.overview.wanted_height());
     take_news();
     take_pick();
 
@@ -124,6 +124,11 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     if (pace_.slow(frame)) {
         workspace_.await_preview();
         frame.mesh = workspace_.shown().mesh;
+    }
+    if (interface_.overview.open) {
+        PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents};
+        if (look != interface_.picture) shake();
+        interface_.picture = std::move(look);
     }
     frame.preview = workspace_.shown().preview;
     frame.quality = pace_.quality(frame, mouse_.dragging(), workspace_.shown().provisional, now);
@@ -235,10 +240,27 @@ Result<void> Viewer::ask_for_file() {
 Result<void> Viewer::toggle(std::string_view part) {
     if (part == "help")
         interface_.help_open = !interface_.help_open;
+    else if (part == "overview")
+        interface_.overview.open = !interface_.overview.open;
     else
         interface_.panel_open = !interface_.panel_open;
     shake();
     return {};
+}
+
+Result<void> Viewer::arrange(std::string_view part, std::string_view setting) {
+    if (part != "overview") return toggle(part);
+    interface_.overview.open = setting != "off";
+    if (setting == "generation") interface_.overview.depth = OverviewDepth::kGeneration;
+    if (setting == "distance") interface_.overview.depth = OverviewDepth::kDistance;
+    shake();
+    return {};
+}
+
+bool Viewer::shows(std::string_view part) const {
+    return part == "overview" ? interface_.overview.open
+           : part == "help"   ? interface_.help_open
+                              : interface_.panel_open;
 }
 
 bool Viewer::dismiss() {

@@ -68,6 +68,8 @@ public:
     Result<void> open(const std::filesystem::path& path) override;
     Result<void> ask_for_file() override;
     Result<void> toggle(std::string_view part) override;
+    Result<void> arrange(std::string_view part, std::string_view setting) override;
+    [[nodiscard]] bool shows(std::string_view part) const override;
     bool dismiss() override;
     Result<void> quit() override;
     Result<void> use_tool(std::string_view name) override;

@@ -1,0 +1,411 @@
+// The tree as a flat picture under the 3D one: hover, click and lasso work in both, and each shows what the other does.
+#include "app/panels/overview.h"
+
+#include "app/numbers.h"
+#include "app/panels/interface.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+using render::BranchState;
+
+std::size_t index(int id) { return static_cast<std::size_t>(id); }
+
+ImU32 packed(glm::vec4 colour) { return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, colour.a}); }
+
+// Everything but where lines are: as in the picture, hidden ones faint.
+void make_looks(Overview& overview, const Document& document, const PictureLook& picture) {
+    const Marks& marks = document.marks();
+    const bool fresh = overview.looks.size() == overview.layout.lines.size();
+    if (fresh && overview.looks_states == marks.states && overview.looks_selection == marks.selection &&
+        overview.looks_picture == picture)
+        return;
+    overview.looks_states = marks.states;
+    overview.looks_selection = marks.selection;
+    overview.looks_picture = picture;
+    const render::Appearance appearance;
+    const bool any_highlight = std::ranges::find(marks.states, BranchState::kHighlighted) != marks.states.end();
+    overview.looks.assign(overview.layout.lines.size(), {});
+    for (std::size_t id = 0; id < overview.looks.size(); ++id) {
+        glm::vec3 colour = id < picture.colours.size() ? picture.colours[id] : appearance.vessel;
+        float opacity = 1.0F;
+        switch (state_of(marks, static_cast<int>(id))) {
+        case BranchState::kNormal:
+            if (any_highlight) colour = glm::mix(glm::vec3(0.35F), colour, 0.4F) * 0.75F;
+            break;
+        case BranchState::kHighlighted:
+            colour = appearance.highlight;
+            break;
+        case BranchState::kDefocused:
+            colour = appearance.glass, opacity = 0.45F;
+            break;
+        case BranchState::kHidden:
+            colour = appearance.glass, opacity = 0.14F;
+            break;
+        }
+        overview.looks[id].colour = {colour, opacity};
+    }
+    for (const int id : marks.selection) {
+        Overview::Look& look = overview.looks[index(id)];
+        look.selected = true;
+        look.colour = {glm::mix(glm::vec3(look.colour), appearance.selection, 0.62F), std::max(look.colour.a, 0.6F)};
+    }
+    const auto brighten = [&](int id, float share) {
+        if (id < 0 || index(id) >= overview.looks.size()) return;
+        Overview::Look& look = overview.looks[index(id)];
+        look.hovered = true;
+        look.colour = {glm::mix(glm::vec3(look.colour), glm::vec3(1.0F), share), std::max(look.colour.a, 0.6F)};
+    };
+    for (const int id : picture.glowing) brighten(id, 0.35F);
+    brighten(picture.hovered, 0.85F);
+    const std::size_t count = overview.layout.order.size();
+    overview.colour_sums.assign(count + 1, glm::dvec4(0.0));
+    overview.selected_sums.assign(count + 1, 0);
+    overview.hovered_sums.assign(count + 1, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Overview::Look& look = overview.looks[index(overview.layout.order[i])];
+        overview.colour_sums[i + 1] = overview.colour_sums[i] + glm::dvec4(look.colour);
+        overview.selected_sums[i + 1] = overview.selected_sums[i] + (look.selected ? 1 : 0);
+        overview.hovered_sums[i + 1] = overview.hovered_sums[i] + (look.hovered ? 1 : 0);
+    }
+}
+
+Overview::Look look_of(const Overview& overview, const OverviewPiece& piece) {
+    if (!piece.merged) return overview.looks[index(piece.branch)];
+    const OverviewLine& line = overview.layout.lines[index(piece.branch)];
+    const auto begin = static_cast<std::size_t>(line.begin);
+    const auto end = static_cast<std::size_t>(line.end);
+    const auto count = static_cast<double>(end - begin);
+    Overview::Look look;
+    look.colour = glm::vec4((overview.colour_sums[end] - overview.colour_sums[begin]) / count);
+    look.selected = overview.selected_sums[end] > overview.selected_sums[begin];
+    look.hovered = overview.hovered_sums[end] > overview.hovered_sums[begin];
+    return look;
+}
+
+struct Canvas {
+    ImVec2 at;
+    ImVec2 size;
+    ImDrawList* list;
+    [[nodiscard]] glm::dvec2 to(const OverviewView& view, glm::dvec2 unit) const {
+        return view.to_pixel(unit) + glm::dvec2(at.x, at.y);
+    }
+};
+
+double line_width(const InterfaceContext& context, const OverviewView& view, const OverviewLine& line, int id) {
+    const TreeFacts& facts = *context.workspace.facts();
+    const double thickest = 9.0 * theme::scale();
+    const double room = (line.last - line.first) / (view.most.x - view.least.x) * view.pixels.x;
+    const double share = facts.branches[index(id)].mean_diameter_mm / std::max(facts.max_diameter_mm, 1e-9);
+    return std::max(std::round(std::min(thickest * share, 0.75 * room)), 1.0);
+}
+
+void draw_piece(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, bool frames) {
+    const Overview& overview = context.interface.overview;
+    const OverviewLine& line = overview.layout.lines[index(piece.branch)];
+    const Overview::Look look = look_of(overview, piece);
+    if (frames && !look.selected) return;
+    const auto width = static_cast<float>(piece.merged ? 1.0 : line_width(context, overview.view, line, piece.branch));
+    const glm::dvec2 top = canvas.to(overview.view, {line.at, line.from});
+    const glm::dvec2 bottom = canvas.to(overview.view, {line.at, piece.merged ? line.mean_end : line.to});
+    const float x = std::round(static_cast<float>(top.x) - 0.5F * width);
+    const float y0 = std::round(static_cast<float>(top.y));
+    const float y1 = std::max(std::round(static_cast<float>(bottom.y)), y0 + 1.0F);
+    if (frames) {
+        const float edge = std::max(1.0F, std::round(1.2F * theme::scale()));
+        const ImU32 colour = packed({render::Appearance{}.selection, 0.55F});
+        canvas.list->AddRectFilled({x - edge, y0}, {x + width + edge, y1}, colour);
+        return;
+    }
+    canvas.list->AddRectFilled({x, y0}, {x + width, y1}, packed(look.colour));
+    if (!piece.merged) return;
+    const auto deepest = static_cast<float>(canvas.to(overview.view, {line.at, line.deepest}).y);
+    glm::vec4 faint = look.colour;
+    faint.a *= 0.4F;
+    canvas.list->AddRectFilled({x, y1}, {x + width, std::round(deepest)}, packed(faint));
+}
+
+// From the parent's end across to where the branch begins.
+void draw_joint(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, double parent_at) {
+    const Overview& overview = context.interface.overview;
+    const OverviewLine& line = overview.layout.lines[index(piece.branch)];
+    const glm::dvec2 from = canvas.to(overview.view, {std::min(parent_at, line.at), line.from});
+    const glm::dvec2 to = canvas.to(overview.view, {std::max(parent_at, line.at), line.from});
+    if (to.x - from.x < 1.0) return;
+    const float thickness = std::max(1.0F, std::round(theme::scale()));
+    const float y = std::round(static_cast<float>(from.y));
+    const float left = std::max(std::round(static_cast<float>(from.x) - 0.5F), canvas.at.x - 4.0F);
+    const float right = std::min(std::round(static_cast<float>(to.x) + 0.5F), canvas.at.x + canvas.size.x + 4.0F);
+    glm::vec4 colour = look_of(overview, piece).colour;
+    colour.a *= 0.8F;
+    canvas.list->AddRectFilled({left, y}, {right, y + thickness}, packed(colour));
+}
+
+void draw_tree_lines(const InterfaceContext& context, const Canvas& canvas) {
+    const Overview& overview = context.interface.overview;
+    const OverviewLayout& layout = overview.layout;
+    const std::vector<OverviewPiece> pieces = visible_pieces(layout, overview.view);
+    for (const OverviewPiece& piece : pieces) draw_piece(context, canvas, piece, true);
+    const tree::VesselTree& tree = *context.workspace.document.tree();
+    for (const OverviewPiece& piece : pieces) {
+        const int parent = tree.branches[index(piece.branch)].parent;
+        if (parent != tree::kNoBranch) draw_joint(context, canvas, piece, layout.lines[index(parent)].at);
+    }
+    for (std::size_t i = 0; i < layout.roots.size(); ++i)
+        draw_joint(context, canvas, {layout.roots[i], false}, layout.root_middle[i]);
+    for (const OverviewPiece& piece : pieces) draw_piece(context, canvas, piece, false);
+    const float thin = std::max(1.0F, theme::scale());
+    for (const OverviewLink& link : layout.links) {
+        const Overview::Look& look = overview.looks[index(link.branch)];
+        const glm::dvec2 a = canvas.to(overview.view, link.from);
+        const glm::dvec2 b = canvas.to(overview.view, link.to);
+        const auto point = [](glm::dvec2 p) { return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y)); };
+        canvas.list->AddLine(point(a), point(b), packed(look.colour), look.selected ? 2.0F * thin : thin);
+    }
+}
+
+// Faint lines at even depths, named at the left.
+void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
+    const Overview& overview = context.interface.overview;
+    const OverviewView& view = overview.view;
+    const double depth = overview.layout.depth;
+    const double least_step = 22.0 * theme::scale() * (view.most.y - view.least.y) * depth / view.pixels.y;
+    double step = std::pow(10.0, std::ceil(std::log10(std::max(least_step, 1e-9))));
+    for (const double share : {0.2, 0.5})
+        if (step * share >= least_step) {
+            step *= share;
+            break;
+        }
+    const bool generations = overview.layout_depth == OverviewDepth::kGeneration;
+    if (generations) step = std::max(1.0, std::ceil(step));
+    ImGui::PushFont(theme::small_font());
+    const float half = 0.5F * ImGui::GetFontSize();
+    for (double value = 0.0; value <= depth * (1.0 + 1e-9); value += step) {
+        // A generation is a room between two lines.
+        const auto y = std::round(static_cast<float>(canvas.to(view, {0.0, value / depth}).y));
+        if (y < canvas.at.y - 1.0F || y > canvas.at.y + canvas.size.y + 1.0F) continue;
+        canvas.list->AddLine({canvas.at.x, y + 0.5F}, {canvas.at.x + canvas.size.x, y + 0.5F},
+                             ImGui::GetColorU32(ImVec4(1.0F, 1.0F, 1.0F, 0.05F)));
+        if (generations && value >= depth - 0.5) continue;
+        const std::string text = generations ? std::to_string(std::lround(value)) : digits(value, 3);
+        const auto middle = static_cast<float>(canvas.to(view, {0.0, (value + (generations ? 0.5 : 0.0)) / depth}).y);
+        const float top = std::clamp(middle - half, canvas.at.y - half, canvas.at.y + canvas.size.y - half);
+        canvas.list->AddText(
+            {std::round(canvas.at.x - 10.0F * theme::scale() - ImGui::CalcTextSize(text.c_str()).x), std::round(top)},
+            ImGui::GetColorU32(theme::kQuiet), text.c_str());
+    }
+    ImGui::PopFont();
+}
+
+void pick_with_click(InterfaceContext& context, int id) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (id != tree::kNoBranch) {
+        context.interface.overview.shown_selection = id; // it is in sight already
+        context.perform(io.KeyCtrl ? "select-toggle" : io.KeyAlt ? "select-subtree" : "select", {std::to_string(id)});
+    } else if (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift) {
+        context.perform("select-none", {});
+    }
+}
+
+void finish_lasso(InterfaceContext& context) {
+    Overview& overview = context.interface.overview;
+    const std::vector<int> ids = branches_within(overview.layout, overview.lasso);
+    overview.lasso.clear();
+    const bool adds = ImGui::GetIO().KeyCtrl;
+    if (ids.empty()) {
+        if (!adds) context.perform("select-none", {});
+        return;
+    }
+    std::vector<std::string> words;
+    words.reserve(ids.size());
+    for (const int id : ids) words.push_back(std::to_string(id));
+    overview.shown_selection = ids.size() == 1 ? ids.front() : tree::kNoBranch;
+    context.perform(adds ? "select-add" : "select", words);
+}
+
+// What the mouse does on the canvas; the branch under it.
+int handle_mouse(InterfaceContext& context, const Canvas& canvas) {
+    Overview& overview = context.interface.overview;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool over = ImGui::IsItemHovered();
+    const glm::dvec2 pixel(io.MousePos.x - canvas.at.x, io.MousePos.y - canvas.at.y);
+    if (ImGui::IsItemActivated()) {
+        overview.drag = io.KeyShift ? Overview::Drag::kLasso : Overview::Drag::kPan;
+        overview.dragged = false;
+        overview.last = io.MousePos;
+        overview.lasso.clear();
+    }
+    if (ImGui::IsItemActive() && overview.drag != Overview::Drag::kNone) {
+        const float far = 4.0F * theme::scale();
+        const ImVec2 moved(io.MousePos.x - overview.last.x, io.MousePos.y - overview.last.y);
+        if (!overview.dragged && moved.x * moved.x + moved.y * moved.y >= far * far) overview.dragged = true;
+        if (overview.dragged && overview.drag == Overview::Drag::kPan) {
+            overview.view = panned(overview.view, {moved.x, moved.y});
+            overview.last = io.MousePos;
+        } else if (overview.drag == Overview::Drag::kLasso) {
+            const glm::dvec2 unit = overview.view.to_unit(pixel);
+            if (overview.lasso.empty() ||
+                glm::distance(overview.view.to_pixel(overview.lasso.back()), pixel) > 2.0 * theme::scale())
+                overview.lasso.push_back(unit);
+        }
+    }
+    if (ImGui::IsItemDeactivated() && overview.drag != Overview::Drag::kNone) {
+        const bool lasso = overview.drag == Overview::Drag::kLasso;
+        overview.drag = Overview::Drag::kNone;
+        if (overview.dragged && lasso)
+            finish_lasso(context);
+        else if (!overview.dragged && over)
+            pick_with_click(context, branch_near(overview.layout, overview.view, pixel, 5.0 * theme::scale()));
+        overview.lasso.clear();
+    }
+    if (!over || overview.dragged) {
+        if (!ImGui::IsItemActive()) overview.dragged = false;
+        if (!over || ImGui::IsItemActive()) return tree::kNoBranch;
+    }
+    if (io.MouseWheel != 0.0F) {
+        const double factor = std::pow(1.25, io.MouseWheel);
+        overview.view = zoomed(overview.view, overview.layout, pixel,
+                               io.KeyCtrl ? glm::dvec2(1.0, factor) : glm::dvec2(factor, 1.0));
+    }
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        overview.view.least = glm::dvec2(0.0);
+        overview.view.most = glm::dvec2(1.0);
+    }
+    return branch_near(overview.layout, overview.view, pixel, 5.0 * theme::scale());
+}
+
+// A branch selected elsewhere comes into sight when this view is magnified.
+void follow_selection(Overview& overview, const Marks& marks) {
+    const int wanted = marks.selection.size() == 1 ? marks.selection.front() : tree::kNoBranch;
+    if (wanted == std::exchange(overview.shown_selection, wanted) || wanted == tree::kNoBranch) return;
+    const OverviewLine& line = overview.layout.lines[index(wanted)];
+    const glm::dvec2 middle(line.at, 0.5 * (line.from + line.to));
+    const glm::dvec2 pixel = overview.view.to_pixel(middle);
+    if (pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < overview.view.pixels.x && pixel.y < overview.view.pixels.y)
+        return;
+    overview.view = panned(overview.view, 0.5 * overview.view.pixels - pixel);
+}
+
+void draw_header(InterfaceContext& context) {
+    Overview& overview = context.interface.overview;
+    const float scale = theme::scale();
+    ImGui::TextUnformatted("Overview");
+    ImGui::SameLine(0.0F, 16.0F * scale);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8.0F * scale, 0.0F});
+    const auto choice = [&](const char* label, OverviewDepth depth, const char* setting, const char* help) {
+        const bool chosen = overview.depth == depth;
+        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
+        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? ImGui::GetStyleColorVec4(ImGuiCol_ButtonHovered)
+                                                      : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
+        if (ImGui::Button(label)) context.perform("overview", {setting});
+        ImGui::PopStyleColor(2);
+        widgets::tooltip(help);
+        ImGui::SameLine(0.0F, 2.0F * scale);
+    };
+    choice("Generation", OverviewDepth::kGeneration, "generation", "Downwards: branchings from the root");
+    choice("Path length", OverviewDepth::kDistance, "distance", "Downwards: mm along the vessels from the root");
+    const float close_width = ImGui::CalcTextSize("Close").x + 16.0F * scale;
+    const char* hint = "Wheel magnifies, Ctrl+wheel deepens, drag moves, Shift+drag is a lasso, double-click shows all";
+    ImGui::PushFont(theme::small_font());
+    const float hint_width = ImGui::CalcTextSize(hint).x;
+    if (ImGui::GetContentRegionAvail().x > hint_width + close_width + 40.0F * scale) {
+        ImGui::SameLine(0.0F, 20.0F * scale);
+        widgets::quiet(hint);
+        ImGui::SameLine();
+    }
+    ImGui::PopFont();
+    widgets::align_right(close_width);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    if (ImGui::Button("Close", {close_width, 0.0F})) context.perform("overview", {"off"});
+    ImGui::PopStyleColor(2);
+    widgets::tooltip("Opens again with", "T");
+    ImGui::PopStyleVar();
+}
+
+// The edge towards the picture can be dragged.
+void draw_splitter(InterfaceContext& context, float width) {
+    const float grip = 6.0F * theme::scale();
+    const ImVec2 at = ImGui::GetWindowPos();
+    ImGui::SetCursorScreenPos(at);
+    ImGui::InvisibleButton("##edge", {width, grip});
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    if (held) {
+        const float bottom = at.y + static_cast<float>(context.layout.overview_height);
+        context.interface.overview.height = std::max(90.0F, (bottom - ImGui::GetIO().MousePos.y) / theme::scale());
+    }
+    ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 0.5F}, {at.x + width, at.y + 0.5F},
+                                        ImGui::GetColorU32(held ? theme::kAccentDim : theme::kLine));
+}
+
+} // namespace
+
+void draw_overview(InterfaceContext& context) {
+    Overview& overview = context.interface.overview;
+    const Layout& layout = context.layout;
+    if (layout.overview_height == 0) return;
+    const float scale = theme::scale();
+    const auto width = static_cast<float>(layout.view_size.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0F * scale, 7.0F * scale});
+    widgets::begin_fixed("overview", 0.0F, static_cast<float>(layout.view_at.y + layout.view_size.y), width,
+                         static_cast<float>(layout.overview_height),
+                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    draw_splitter(context, width);
+    ImGui::SetCursorPos({14.0F * scale, 8.0F * scale});
+    draw_header(context);
+    const auto& facts = context.workspace.facts();
+    const Document& document = context.workspace.document;
+    if (!document.tree() || !facts || document.branch_count() == 0) {
+        ImGui::End();
+        return;
+    }
+    if (overview.layout_of != facts.get() || overview.layout_depth != overview.depth) {
+        const bool other_tree = overview.layout_of != facts.get();
+        overview.layout = overview_layout(*document.tree(), *facts, overview.depth);
+        overview.layout_of = facts.get();
+        overview.layout_depth = overview.depth;
+        overview.looks.clear();
+        overview.view.least.y = 0.0, overview.view.most.y = 1.0;
+        if (other_tree) overview.view = {};
+    }
+    const float margin = 40.0F * scale;
+    ImGui::SetCursorPosX(margin);
+    Canvas canvas{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail(), ImGui::GetWindowDrawList()};
+    canvas.at.y += 5.0F * scale;
+    canvas.size.y -= 7.0F * scale;
+    if (canvas.size.x >= 32.0F && canvas.size.y >= 16.0F) {
+        ImGui::SetCursorScreenPos(canvas.at);
+        ImGui::InvisibleButton("##canvas", canvas.size);
+        overview.view.pixels = {canvas.size.x, canvas.size.y};
+        const int under = handle_mouse(context, canvas);
+        if (under != tree::kNoBranch) context.interface.listed = under;
+        follow_selection(overview, document.marks());
+        make_looks(overview, document, context.interface.picture);
+        draw_scale(context, canvas);
+        canvas.list->PushClipRect(canvas.at, {canvas.at.x + canvas.size.x, canvas.at.y + canvas.size.y}, true);
+        draw_tree_lines(context, canvas);
+        std::vector<ImVec2> points;
+        for (const glm::dvec2& corner : overview.lasso) {
+            const glm::dvec2 at = canvas.to(overview.view, corner);
+            points.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y));
+        }
+        if (points.size() > 1)
+            canvas.list->AddPolyline(points.data(), static_cast<int>(points.size()), ImGui::GetColorU32(theme::kAccent),
+                                     ImDrawFlags_Closed, 1.5F * scale);
+        canvas.list->PopClipRect();
+        if (under != tree::kNoBranch) draw_branch_tooltip(context, under);
+    }
+    ImGui::End();
+}
+
+} // namespace ramus::app
