@@ -13,13 +13,21 @@ namespace {
 std::vector<Command> make_table() {
     using namespace actions;
     std::vector<Command> table;
-    for (auto part :
-         {file_commands, history_commands, selection_commands, state_commands, camera_commands, colour_commands,
-<<<<<<< HEAD
-          glass_commands, surface_commands, tool_commands, lasso_commands, window_commands})
-=======
-          surface_commands, travel_commands, overview_commands, tool_commands, window_commands})
->>>>>>> c0f8c9b (window: Show the tree as a flat picture too, linked both ways)
+    for (auto part : {
+             file_commands,      //
+             history_commands,   //
+             selection_commands, //
+             lasso_commands,     //
+             state_commands,     //
+             glass_commands,     //
+             camera_commands,    //
+             travel_commands,    //
+             overview_commands,  //
+             colour_commands,    //
+             surface_commands,   //
+             tool_commands,      //
+             window_commands,    //
+         })
         for (Command& command : part()) table.push_back(std::move(command));
     return table;
 }
