@@ -17,9 +17,13 @@ std::vector<Command> make_table() {
              file_commands,      //
              history_commands,   //
              selection_commands, //
+             relation_commands,  //
              lasso_commands,     //
              state_commands,     //
              glass_commands,     //
+             surgery_commands,   //
+             measure_commands,   //
+             report_commands,    //
              camera_commands,    //
              travel_commands,    //
              overview_commands,  //
@@ -90,6 +94,7 @@ Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
 Result<void> Host::toggle(std::string_view part) {
     return fail("there is no " + std::string(part) + " without a window");
 }
+Result<render::Image> Host::draw_picture(const render::Camera&, glm::ivec2) { return fail("there is no picture here"); }
 Result<void> Host::use_tool(std::string_view) { return fail("there is no tool without a window"); }
 Result<void> Host::arrange(std::string_view part, std::string_view) { return toggle(part); }
 Result<void> Host::quit() { return fail("quit needs a window"); }

@@ -7,6 +7,7 @@
 
 #include "app/document.h"
 #include "core/base/error.h"
+#include "render/image.h"
 #include "render/renderer.h"
 
 #include <filesystem>
@@ -34,6 +35,8 @@ public:
     // What the picture of the document as it is now shows in each pixel.
     virtual Result<render::BranchPicture> branch_picture();
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
+    // The session as another camera sees it, with scale bar and cube, for reports.
+    virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
     // Where pictures and sessions go that the user gave no name for.
     [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;
     virtual void camera_moved() {}                 // the command set another camera

@@ -53,19 +53,26 @@ Result<Image> read_png(const std::filesystem::path& path) {
     return image;
 }
 
-Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+Result<std::string> encode_png(const Image& image) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(image.width);
     png.height = static_cast<png_uint_32>(image.height);
     png.format = PNG_FORMAT_RGBA;
+    const auto refuse = [&] { return fail(std::string("the picture could not be encoded: ") + png.message); };
     png_alloc_size_t bytes = 0;
-    if (png_image_write_get_memory_size(png, bytes, 0, image.rgba.data(), 0, nullptr) == 0)
-        return fail(std::string("the picture could not be encoded: ") + png.message, path.string());
-    std::vector<char> encoded(bytes);
-    if (png_image_write_to_memory(&png, encoded.data(), &bytes, 0, image.rgba.data(), 0, nullptr) == 0)
-        return fail(std::string("the picture could not be encoded: ") + png.message, path.string());
-    return io::write_file(path, {encoded.data(), bytes});
+    if (png_image_write_get_memory_size(png, bytes, 0, image.rgba.data(), 0, nullptr) == 0) return refuse();
+    std::string encoded(bytes, '\0');
+    if (png_image_write_to_memory(&png, encoded.data(), &bytes, 0, image.rgba.data(), 0, nullptr) == 0) return refuse();
+    encoded.resize(bytes);
+    return encoded;
+}
+
+Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+    auto encoded = encode_png(image);
+    if (encoded) return io::write_file(path, *encoded);
+    encoded.error().where = path.string();
+    return tl::unexpected(encoded.error());
 }
 
 Result<Comparison> compare(const Image& actual, const Image& reference, int threshold) {

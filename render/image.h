@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <string>
 #include <vector>
 
 namespace ramus::render {
@@ -29,6 +30,7 @@ struct Image {
 
 // Any PNG (grey, palette, 16 bit, ...) as 8-bit RGBA.
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
+[[nodiscard]] Result<std::string> encode_png(const Image& image);
 [[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path);
 
 struct Comparison {

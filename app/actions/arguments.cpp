@@ -34,6 +34,27 @@ std::optional<double> number_in(const std::string& word, double least, double mo
     return value;
 }
 
+std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most) {
+    std::vector<double> numbers;
+    for (std::size_t at = 0; at <= word.size();) {
+        const std::size_t end = std::min(word.find(',', at), word.size());
+        const auto number = number_in(word.substr(at, end - at), -most, most);
+        if (!number) return {};
+        numbers.push_back(*number);
+        at = end + 1;
+    }
+    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+}
+
+Result<std::size_t> place_in_list(Arguments arguments, std::size_t count, const std::string& what) {
+    if (count == 0) return fail("there is no " + what);
+    const auto number =
+        arguments.size() == 1 ? number_in(arguments[0], 1.0, static_cast<double>(count)) : std::optional<double>();
+    if (!number || *number != static_cast<double>(static_cast<std::size_t>(*number)))
+        return fail("which " + what + "?", {}, "give its number, from 1 to " + std::to_string(count));
+    return static_cast<std::size_t>(*number) - 1;
+}
+
 Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments, std::string_view command,
                                             std::string_view extension) {
     if (arguments.size() > 1)
@@ -61,5 +82,9 @@ Result<void> expect_selection(const Document& document) {
 
 bool has_tree(const Document& document) { return document.branch_count() > 0; }
 bool has_selection(const Document& document) { return !document.marks().selection.empty(); }
+
+bool has_lesions(const Document& document) {
+    return !document.marks().lesions.empty() || !document.marks().lesion_meshes.empty();
+}
 
 } // namespace ramus::app::actions

@@ -13,9 +13,15 @@ namespace ramus::app::actions {
 [[nodiscard]] Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments); // one at least
 // A number from `least` to `most` and nothing else.
 [[nodiscard]] std::optional<double> number_in(const std::string& word, double least, double most);
+// "1.5,2,-3": as many numbers as asked for, each at most `most` from 0.
+[[nodiscard]] std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most);
+// The place in a list that people count from 1, as an index; `what`: "cut", of which there are `count`.
+[[nodiscard]] Result<std::size_t> place_in_list(Arguments arguments, std::size_t count, const std::string& what);
 // The one file of a command, or the host's suggestion.
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
+
+inline constexpr double kFarthestMm = 1e6; // of places, distances and diameters that people give
 
 // Makes these branches, in any order, the selection.
 void select_these(Document& document, std::vector<int> ids);
@@ -27,5 +33,6 @@ void select_these(Document& document, std::vector<int> ids);
 // For Command::enabled.
 [[nodiscard]] bool has_tree(const Document& document);
 [[nodiscard]] bool has_selection(const Document& document);
+[[nodiscard]] bool has_lesions(const Document& document);
 
 } // namespace ramus::app::actions

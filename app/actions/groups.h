@@ -10,7 +10,11 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> file_commands();
 [[nodiscard]] std::vector<Command> history_commands();
 [[nodiscard]] std::vector<Command> selection_commands();
+[[nodiscard]] std::vector<Command> relation_commands();
 [[nodiscard]] std::vector<Command> state_commands();
+[[nodiscard]] std::vector<Command> surgery_commands();
+[[nodiscard]] std::vector<Command> measure_commands();
+[[nodiscard]] std::vector<Command> report_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
 [[nodiscard]] std::vector<Command> colour_commands();
 [[nodiscard]] std::vector<Command> glass_commands();

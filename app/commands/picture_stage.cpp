@@ -43,6 +43,15 @@ Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
     return render::write_png(renderer_->read_image(), path);
 }
 
+Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size) {
+    auto wanted = frame();
+    if (!wanted) return tl::unexpected(wanted.error());
+    wanted->camera = camera;
+    wanted->size = size;
+    if (const auto drawn = renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    return renderer_->read_image();
+}
+
 void PictureStage::say(const std::string& sentence) { app::say(flags_, sentence); }
 
 } // namespace ramus::app

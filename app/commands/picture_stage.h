@@ -26,6 +26,7 @@ public:
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
+    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
     void say(const std::string& sentence) override;
 
 private:

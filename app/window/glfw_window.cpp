@@ -34,6 +34,10 @@ std::string name_of_key(int number, int scancode) {
         return "Tab";
     case GLFW_KEY_DELETE:
         return "Delete";
+    case GLFW_KEY_LEFT_BRACKET: // by their places: on many layouts the characters need a third key
+        return "[";
+    case GLFW_KEY_RIGHT_BRACKET:
+        return "]";
     default:
         break;
     }

@@ -186,6 +186,7 @@ std::string Viewer::title() const {
 
 std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
 
+<<<<<<< HEAD
 // As `ramus render` draws the session: without what the pointer is doing.
 Result<void> Viewer::draw_for_keeping() {
     const render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
@@ -199,6 +200,22 @@ Result<void> Viewer::draw_for_keeping() {
 Result<void> Viewer::write_picture(const std::filesystem::path& path) {
     if (auto drawn = draw_for_keeping(); !drawn) return drawn;
     return render::write_png(renderer_.read_image(), path);
+=======
+Result<void> Viewer::write_picture(const std::filesystem::path& path) {
+    const auto image = draw_picture(workspace_.document.session().camera, layout_.view_size);
+    return image ? render::write_png(*image, path) : tl::unexpected(image.error());
+}
+
+Result<render::Image> Viewer::draw_picture(const render::Camera& camera, glm::ivec2 size) {
+    // As `ramus render` draws the session: without what the pointer is doing.
+    render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
+                                  {.size = size, .pixel_ratio = scale_});
+    frame.camera = camera;
+    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+    shake();
+    drawn_ = 0;
+    return renderer_.read_image();
+>>>>>>> 2dfac91 (actions: Plan operations, measure and report by command)
 }
 
 Result<render::BranchPicture> Viewer::branch_picture() {
@@ -211,8 +228,8 @@ std::filesystem::path Viewer::suggested_file(std::string_view extension) const {
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::current_path(ignored);
     std::filesystem::path file = folder / (stem + std::string(extension));
-    // Pictures never replace one another; a session is saved over the last one.
-    for (int i = 2; extension == ".png" && std::filesystem::exists(file, ignored); ++i)
+    // Pictures and reports never replace one another; a session is saved over the last one.
+    for (int i = 2; extension != ".ramus.json" && std::filesystem::exists(file, ignored); ++i)
         file = folder / (stem + "-" + std::to_string(i) + std::string(extension));
     return file;
 }

@@ -63,6 +63,7 @@ public:
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
+    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
     [[nodiscard]] std::filesystem::path suggested_file(std::string_view extension) const override;
     void say(const std::string& sentence) override;
     Result<void> open(const std::filesystem::path& path) override;

@@ -1,0 +1,204 @@
+// Selection by what branches are to each other, and by what they are like.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/numbers.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ramus::app::actions {
+
+namespace {
+
+const tree::Branch& branch_of(const Document& document, int id) {
+    return document.tree()->branches[static_cast<std::size_t>(id)];
+}
+
+// Makes `ids` the selection, unless there are none: then what was asked for is not there.
+Result<void> select_found(ActionContext& context, std::vector<int> ids, const std::string& missing) {
+    if (ids.empty()) return fail(missing);
+    select_these(context.document, std::move(ids));
+    return {};
+}
+
+// A selection by value may well come out empty; how many it took is said.
+Result<void> select_and_say(ActionContext& context, std::vector<int> ids, const std::string& what) {
+    context.host.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
+    select_these(context.document, std::move(ids));
+    return {};
+}
+
+Result<void> select_parent(ActionContext& context, Arguments) {
+    if (auto some = expect_selection(context.document); !some) return some;
+    std::vector<int> ids;
+    for (const int id : context.document.marks().selection)
+        if (const int parent = branch_of(context.document, id).parent; parent != tree::kNoBranch) ids.push_back(parent);
+    return select_found(context, std::move(ids), "there is nothing between the selected branches and the root");
+}
+
+Result<void> select_children(ActionContext& context, Arguments) {
+    if (auto some = expect_selection(context.document); !some) return some;
+    std::vector<int> ids;
+    for (const int id : context.document.marks().selection) {
+        const auto& children = branch_of(context.document, id).children;
+        ids.insert(ids.end(), children.begin(), children.end());
+    }
+    return select_found(context, std::move(ids), "nothing branches off the selected branches");
+}
+
+Result<void> select_siblings(ActionContext& context, Arguments) {
+    const Document& document = context.document;
+    if (auto some = expect_selection(document); !some) return some;
+    std::vector<char> here(document.tree()->points.size(), 0);
+    for (const int id : document.marks().selection) here[branch_of(document, id).points.front()] = 1;
+    std::vector<int> ids;
+    for (const int id : unselected(document))
+        if (here[branch_of(document, id).points.front()] != 0) ids.push_back(id);
+    return select_found(context, std::move(ids), "no other branch begins where the selected ones do");
+}
+
+std::vector<int> of_generations(const Document& document, auto&& wanted) {
+    std::vector<int> ids;
+    for (int id = 0; id < document.branch_count(); ++id)
+        if (wanted(branch_of(document, id).generation)) ids.push_back(id);
+    return ids;
+}
+
+Result<void> select_same_generation(ActionContext& context, Arguments) {
+    const Document& document = context.document;
+    if (auto some = expect_selection(document); !some) return some;
+    std::vector<int> generations;
+    for (const int id : document.marks().selection) generations.push_back(branch_of(document, id).generation);
+    generations = canonical(std::move(generations));
+    select_these(context.document, of_generations(document, [&](int generation) {
+                     return std::ranges::binary_search(generations, generation);
+                 }));
+    return {};
+}
+
+Result<void> select_generation(ActionContext& context, Arguments arguments) {
+    constexpr double kMost = 1e9;
+    const auto least =
+        arguments.empty() || arguments.size() > 2 ? std::nullopt : number_in(arguments.front(), 0.0, kMost);
+    const auto most = least ? number_in(arguments.back(), *least, kMost) : std::nullopt;
+    if (!most || *least != static_cast<int>(*least) || *most != static_cast<int>(*most))
+        return fail("select-generation takes one generation, or the first and the last", {},
+                    "whole numbers; 0 is that of the roots");
+    auto ids = of_generations(context.document, [&](int g) { return g >= *least && g <= *most; });
+    return select_and_say(context, std::move(ids),
+                          *least == *most ? "of generation " + arguments[0]
+                                          : "of generations " + arguments[0] + " to " + arguments[1]);
+}
+
+Result<void> select_diameter(ActionContext& context, Arguments arguments) {
+    const auto least = arguments.size() == 2 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
+    const auto most = least ? number_in(arguments[1], *least, kFarthestMm) : std::nullopt;
+    if (!most) return fail("select-diameter takes the least and the largest mean diameter in mm");
+    std::vector<int> ids;
+    for (int id = 0; id < context.document.branch_count(); ++id) {
+        const double diameter = context.document.facts()->branches[static_cast<std::size_t>(id)].mean_diameter_mm;
+        if (diameter >= *least && diameter <= *most) ids.push_back(id);
+    }
+    return select_and_say(context, std::move(ids), "of " + arguments[0] + " to " + arguments[1] + " mm diameter");
+}
+
+Result<void> select_within(ActionContext& context, Arguments arguments) {
+    const Document& document = context.document;
+    const auto reach =
+        arguments.empty() || arguments.size() > 2 ? std::nullopt : number_in(arguments[0], 0.0, kFarthestMm);
+    const auto point = arguments.size() == 2 ? numbers_in(arguments[1], 3, kFarthestMm) : std::nullopt;
+    if (!reach || (arguments.size() == 2 && !point))
+        return fail("select-within takes a distance in mm, and may take a point X,Y,Z to count from");
+    std::vector<double> distances;
+    if (point) {
+        const measure::Lesions place{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
+        distances = measure::wall_distances(*document.tree(), place);
+    } else {
+        const auto plan = document.plan();
+        if (!plan || plan->lesion_distances_mm.empty())
+            return plan && !plan->troubles.empty()
+                       ? fail(plan->troubles.front())
+                       : fail("there is no lesion", {}, "place one first, or give a point X,Y,Z");
+        distances = plan->lesion_distances_mm;
+    }
+    std::vector<int> ids;
+    for (std::size_t id = 0; id < distances.size(); ++id)
+        if (distances[id] <= *reach) ids.push_back(static_cast<int>(id));
+    return select_and_say(context, std::move(ids),
+                          "within " + arguments[0] + (point ? " mm of the point" : " mm of the lesions"));
+}
+
+} // namespace
+
+std::vector<Command> relation_commands() {
+    return {
+        {"select-parent",
+         "",
+         "Selects the branches that the selected ones come from, instead of them.",
+         "Select",
+         "Parent",
+         {"["},
+         select_parent,
+         {},
+         has_selection},
+        {"select-children",
+         "",
+         "Selects the branches that come from the selected ones, instead of them.",
+         "Select",
+         "Children",
+         {"]"},
+         select_children,
+         {},
+         has_selection},
+        {"select-siblings",
+         "",
+         "Selects the other branches that begin where the selected ones do, instead of them.",
+         "Select",
+         "Siblings",
+         {},
+         select_siblings,
+         {},
+         has_selection},
+        {"select-same-generation",
+         "",
+         "Selects all branches of the selected ones' generations.",
+         "Select",
+         "Same generation",
+         {},
+         select_same_generation,
+         {},
+         has_selection},
+        {"select-generation",
+         "N [M]",
+         "Selects the branches of generation N, or of N to M; 0 is that of the roots.",
+         "",
+         "",
+         {},
+         select_generation},
+        {"select-diameter",
+         "MIN MAX",
+         "Selects the branches of a mean diameter of MIN to MAX mm.",
+         "",
+         "",
+         {},
+         select_diameter},
+        {"select-within",
+         "MM [X,Y,Z]",
+         "Selects the branches whose wall is at most MM from the lesions, or from a point.",
+         "",
+         "",
+         {},
+         select_within},
+        {"select-within",
+         "MM",
+         "Selects the branches whose wall is at most 10 mm from the lesions.",
+         "Select",
+         "Within 10 mm of the lesions",
+         {},
+         select_within,
+         {"10"},
+         has_lesions},
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,120 @@
+// Reports: tables as CSV, and everything on one page with pictures.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/report_page.h"
+#include "app/report_tables.h"
+#include "core/io/output_file.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace ramus::app::actions {
+
+namespace {
+
+struct Kind {
+    std::string_view name;
+    Table (*table)(const Document&);
+    bool (*there)(const Document&); // what its rows are about
+};
+
+// In the order of what is written when no kind is named.
+constexpr std::array<Kind, 4> kKinds{
+    {{"cuts", cuts_table, [](const Document& d) { return !d.marks().cuts.empty(); }},
+     {"bands", bands_table, [](const Document& d) { return !d.plan()->bands.empty(); }},
+     {"selection", selection_table, [](const Document& d) { return !d.marks().selection.empty(); }},
+     {"measurements", measurements_table, [](const Document& d) { return !d.marks().measurements.empty(); }}}};
+
+std::string now_text() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    char text[64] = "";
+    if (::localtime_r(&now, &local) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
+    return text;
+}
+
+Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
+    const Document& document = context.document;
+    const auto* kind = std::ranges::find_if(
+        kKinds, [&](const Kind& k) { return wanted.empty() ? k.there(document) : k.name == wanted; });
+    if (kind == kKinds.end())
+        return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
+                              : fail("a report is of selection, cuts, bands or measurements");
+    if (!kind->there(document))
+        return fail("there is nothing to report of " + std::string(kind->name), {},
+                    "cut, place a lesion, select or measure first");
+    if (auto written = io::write_file(path, csv_of(kind->table(document))); !written) return written;
+    context.host.say("Report of " + std::string(kind->name) + " saved: " + path.string());
+    return {};
+}
+
+Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
+    constexpr glm::ivec2 kLarge{1200, 800}, kSmall{720, 600};
+    const render::Camera& current = context.document.session().camera;
+    struct Wanted {
+        const char* caption;
+        render::Camera camera;
+        glm::ivec2 size;
+    };
+    std::vector<Wanted> wanted{{"As it was looked at", current, kLarge}};
+    if (const auto mesh = context.host.picture_mesh()) {
+        const Marks& marks = context.document.marks();
+        const auto visible =
+            mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+        if (!visible.empty())
+            for (const auto& [caption, view] :
+                 {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}})
+                wanted.push_back({caption, render::camera_for(visible, view, kSmall, current.orthographic), kSmall});
+    }
+    std::vector<ReportPicture> pictures;
+    for (const Wanted& one : wanted) {
+        const auto image = context.host.draw_picture(one.camera, one.size);
+        if (!image) return tl::unexpected(image.error());
+        auto png = render::encode_png(*image);
+        if (!png) return tl::unexpected(png.error());
+        pictures.push_back({one.caption, std::move(*png)});
+    }
+    return pictures;
+}
+
+Result<void> report(ActionContext& context, Arguments arguments) {
+    if (arguments.size() > 2)
+        return fail("report takes a file and what it is of", {}, "put quotes around a name with blanks");
+    const auto path =
+        file_argument(context, arguments.first(std::min<std::size_t>(arguments.size(), 1)), "report", ".html");
+    if (!path) return tl::unexpected(path.error());
+    if (!has_tree(context.document)) return fail("there is no tree to report of");
+    std::string extension = path->extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (extension == ".csv") return write_csv(context, *path, arguments.size() == 2 ? arguments[1] : "");
+    if (extension != ".html" && extension != ".htm")
+        return fail("a report is a .csv or an .html file", path->string(), "give the name one of these endings");
+    if (arguments.size() == 2)
+        return fail("a report as .html has everything", path->string(), "leave \"" + arguments[1] + "\" out");
+    if (auto possible = io::check_output(*path); !possible) return possible;
+    const auto pictures = take_pictures(context);
+    if (!pictures) return tl::unexpected(pictures.error());
+    if (auto written = io::write_file(*path, report_page(context.document, *pictures, now_text())); !written)
+        return written;
+    context.host.say("Report saved: " + path->string());
+    return {};
+}
+
+} // namespace
+
+std::vector<Command> report_commands() {
+    return {
+        {"report",
+         "[FILE [KIND]]",
+         "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
+         "measurements, the first of cuts, bands, selection, measurements that there is unless told.",
+         "Plan",
+         "Save report",
+         {},
+         report,
+         {},
+         has_tree},
+    };
+}
+
+} // namespace ramus::app::actions

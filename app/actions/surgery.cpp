@@ -1,0 +1,310 @@
+// What a surgeon plans: lesions with their margins, cuts with what they cost, and a look without the thin vessels.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/lesion_meshes.h"
+#include "app/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramus::app::actions {
+
+namespace {
+
+using render::BranchState;
+
+constexpr const char* kAskedLesion = "a lesion is X,Y,Z,R: its centre and its radius in mm";
+
+std::optional<std::array<double, 4>> sphere_in(const std::string& word) {
+    const auto numbers = numbers_in(word, 4, kFarthestMm);
+    if (!numbers || (*numbers)[3] <= 0.0) return {};
+    return std::array{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
+}
+
+Result<void> lesion(ActionContext& context, Arguments arguments) {
+    const auto sphere = arguments.size() == 1 ? sphere_in(arguments[0]) : std::nullopt;
+    if (!sphere) return fail(kAskedLesion);
+    Marks next = context.document.marks();
+    next.lesions.push_back(*sphere);
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> lesion_change(ActionContext& context, Arguments arguments) {
+    const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
+    if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
+    Marks next = context.document.marks();
+    const auto index = place_in_list(arguments.first(1), next.lesions.size(), "lesion");
+    if (!index) return tl::unexpected(index.error());
+    next.lesions[*index] = *sphere;
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> lesion_mesh(ActionContext& context, Arguments arguments) {
+    if (arguments.size() != 1)
+        return fail("lesion-mesh takes a file: .stl, .ply or .obj", {}, "put quotes around a name with blanks");
+    const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
+    Marks next = context.document.marks();
+    if (std::ranges::find(next.lesion_meshes, path.string()) != next.lesion_meshes.end())
+        return fail("this lesion is there already", path.string());
+    const auto mesh = app::lesion_mesh(path);
+    if (!mesh) return tl::unexpected(mesh.error());
+    context.host.say("Lesion of " + counted((*mesh)->mesh.triangles.size(), "triangle", "triangles") + ": " +
+                     path.filename().string());
+    next.lesion_meshes.push_back(path.string());
+    context.document.change(std::move(next));
+    return {};
+}
+
+// Spheres first, then meshes: as lists show them.
+Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
+    Marks next = context.document.marks();
+    const std::size_t spheres = next.lesions.size();
+    const auto index = place_in_list(arguments, spheres + next.lesion_meshes.size(), "lesion");
+    if (!index) return tl::unexpected(index.error());
+    if (*index < spheres)
+        next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(*index));
+    else
+        next.lesion_meshes.erase(next.lesion_meshes.begin() + static_cast<std::ptrdiff_t>(*index - spheres));
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> lesion_clear(ActionContext& context, Arguments) {
+    Marks next = context.document.marks();
+    next.lesions.clear();
+    next.lesion_meshes.clear();
+    context.document.change(std::move(next));
+    return {};
+}
+
+std::string cost_text(const measure::CutFigures& cut) {
+    const measure::Amount& lost = cut.lost;
+    return digits(cut.diameter_mm) + " mm wide" + (cut.reconstruct ? ", must be reconstructed" : "") +
+           "; lost: " + counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " +
+           digits(lost.length_mm, 4) + " mm, " + digits(lost.volume_mm3) + " mm\xC2\xB3, " +
+           counted(static_cast<std::uint64_t>(lost.leaves), "end", "ends");
+}
+
+Result<void> cut(ActionContext& context, Arguments arguments) {
+    Document& document = context.document;
+    Marks next = document.marks();
+    const std::size_t before = next.cuts.size();
+    const auto add = [&](int branch, double fraction) {
+        const std::pair place{branch, fraction};
+        if (std::ranges::find(next.cuts, place) == next.cuts.end()) next.cuts.push_back(place);
+    };
+    if (arguments.empty()) {
+        // Of a selected subtree only its stem: a cut there is what the rest depends on.
+        if (auto some = expect_selection(document); !some) return some;
+        for (const int id : next.selection) {
+            const auto above = document.dependency().upstream(id);
+            if (std::ranges::none_of(above, [&](int other) { return is_selected(next, other); })) add(id, 0.5);
+        }
+    } else {
+        const auto id = branch_id(document, arguments[0]);
+        if (!id) return tl::unexpected(id.error());
+        const auto fraction = arguments.size() == 1 ? 0.5 : number_in(arguments[1], 0.0, 1.0);
+        if (arguments.size() > 2 || !fraction)
+            return fail("cut takes a branch and where to cut it", {},
+                        "a fraction of its length from the parent's end, 0 to 1; 0.5 unless told");
+        add(*id, *fraction);
+    }
+    const std::size_t added = next.cuts.size() - before;
+    if (added == 0) return fail("there is a cut already");
+    document.change(std::move(next));
+    if (added == 1)
+        context.host.say("Cut " + std::to_string(before + 1) + ": " + cost_text(document.plan()->cuts.cuts.back()));
+    else
+        context.host.say(counted(added, "cut", "cuts"));
+    return {};
+}
+
+Result<void> cut_remove(ActionContext& context, Arguments arguments) {
+    Marks next = context.document.marks();
+    const auto index = place_in_list(arguments, next.cuts.size(), "cut");
+    if (!index) return tl::unexpected(index.error());
+    next.cuts.erase(next.cuts.begin() + static_cast<std::ptrdiff_t>(*index));
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> cut_clear(ActionContext& context, Arguments) {
+    Marks next = context.document.marks();
+    next.cuts.clear();
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> bands(ActionContext& context, Arguments arguments) {
+    constexpr std::size_t kMostBands = 20; // more cannot be told apart
+    std::vector<double> found;
+    for (const std::string& word : arguments) {
+        const auto margin = number_in(word, 1e-6, kFarthestMm);
+        if (!margin || (!found.empty() && *margin <= found.back())) {
+            found.clear();
+            break;
+        }
+        found.push_back(*margin);
+    }
+    if (found.empty() || found.size() > kMostBands)
+        return fail("bands takes 1 to " + std::to_string(kMostBands) + " margins in mm that ascend", {},
+                    "bands 5 10 20 is the default");
+    Marks next = context.document.marks();
+    next.planning.bands_mm = std::move(found);
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> reconstruct(ActionContext& context, Arguments arguments) {
+    const auto limit = arguments.size() == 1 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
+    if (!limit)
+        return fail("reconstruct takes a diameter in mm", {}, "cut vessels larger than that must be reconstructed");
+    Marks next = context.document.marks();
+    next.planning.reconstruct_mm = *limit;
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
+    struct Way {
+        std::string_view name;
+        BranchState state;
+        const char* done;
+    };
+    constexpr std::array<Way, 3> kWays{{{"show", BranchState::kNormal, "Shown"},
+                                        {"hide", BranchState::kHidden, "Hidden"},
+                                        {"defocus", BranchState::kDefocused, "Defocused"}}};
+    const auto limit = arguments.size() == 2 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
+    const auto* way = limit ? std::ranges::find(kWays, std::string_view(arguments[1]), &Way::name) : kWays.end();
+    if (way == kWays.end())
+        return fail("filter-diameter takes a diameter in mm, and show, hide or defocus", {},
+                    "it acts on the branches of a smaller mean diameter");
+    const TreeFacts& facts = *context.document.facts();
+    std::vector<int> thin;
+    double length = 0.0, volume = 0.0;
+    for (std::size_t id = 0; id < facts.branches.size(); ++id) {
+        if (facts.branches[id].mean_diameter_mm >= *limit) continue;
+        thin.push_back(static_cast<int>(id));
+        length += facts.branches[id].length_mm;
+        volume += facts.branches[id].volume_mm3;
+    }
+    Marks next = context.document.marks();
+    set_state(next, thin, way->state);
+    context.document.change(std::move(next));
+    const auto share = [](double part, double whole) {
+        return digits(whole > 0.0 ? 100.0 * part / whole : 0.0, 2) + " %";
+    };
+    context.host.say(std::string(way->done) + ": " + grouped(thin.size()) + " of " +
+                     counted(facts.branches.size(), "branch", "branches") + " below " + arguments[0] + " mm, " +
+                     share(static_cast<double>(thin.size()), static_cast<double>(facts.branches.size())) +
+                     " of them, " + share(length, facts.length_mm) + " of the length, " +
+                     share(volume, facts.volume_mm3) + " of the volume");
+    return {};
+}
+
+bool has_cuts(const Document& document) { return !document.marks().cuts.empty(); }
+
+} // namespace
+
+std::vector<Command> surgery_commands() {
+    return {
+        {"cut",
+         "[ID [FRACTION]]",
+         "Cuts a branch at a fraction of its length from the parent's end, in the middle unless told; without ID, the "
+         "selected ones that depend on no other selected one.",
+         "Plan",
+         "Cut the selected",
+         {"C"},
+         cut,
+         {},
+         has_selection},
+        {"cut-remove", "N", "Takes cut N of the list back.", "", "", {}, cut_remove},
+        {"cut-clear", "", "Takes all cuts back.", "Plan", "Remove all cuts", {}, cut_clear, {}, has_cuts},
+        {"reconstruct",
+         "MM",
+         "Sets the diameter above which a cut vessel must be reconstructed.",
+         "",
+         "",
+         {},
+         reconstruct},
+        {"lesion", "X,Y,Z,R", "Places a lesion: a sphere, its centre and radius in mm.", "", "", {}, lesion},
+        {"lesion-change",
+         "N X,Y,Z,R",
+         "Gives lesion N of the list another centre and radius.",
+         "",
+         "",
+         {},
+         lesion_change},
+        {"lesion-mesh",
+         "FILE",
+         "Places a lesion with the shape of a closed mesh: .stl, .ply or .obj, in mm.",
+         "",
+         "",
+         {},
+         lesion_mesh},
+        {"lesion-remove",
+         "N",
+         "Takes lesion N of the list away; meshes are counted after spheres.",
+         "",
+         "",
+         {},
+         lesion_remove},
+        {"lesion-clear",
+         "",
+         "Takes all lesions away.",
+         "Plan",
+         "Remove all lesions",
+         {},
+         lesion_clear,
+         {},
+         has_lesions},
+        {"bands", "MM...", "Sets the margins around lesions, ascending.", "", "", {}, bands},
+        {"bands",
+         "MM...",
+         "Sets the margins around lesions to 5, 10 and 20 mm.",
+         "Plan",
+         "Margins 5, 10, 20 mm",
+         {},
+         bands,
+         {"5", "10", "20"},
+         has_tree},
+        {"bands",
+         "MM...",
+         "Sets the margins around lesions to 2, 5 and 10 mm.",
+         "Plan",
+         "Margins 2, 5, 10 mm",
+         {},
+         bands,
+         {"2", "5", "10"},
+         has_tree},
+        {"filter-diameter",
+         "MM show|hide|defocus",
+         "Shows, hides or defocuses the branches of a mean diameter below MM, and says how many those are.",
+         "",
+         "",
+         {},
+         filter_diameter},
+        {"filter-diameter",
+         "MM show|hide|defocus",
+         "Hides the branches of a mean diameter below 1 mm.",
+         "Plan",
+         "Hide vessels below 1 mm",
+         {},
+         filter_diameter,
+         {"1", "hide"},
+         has_tree},
+        {"filter-diameter",
+         "MM show|hide|defocus",
+         "Makes the branches of a mean diameter below 2 mm grey glass.",
+         "Plan",
+         "Defocus vessels below 2 mm",
+         {},
+         filter_diameter,
+         {"2", "defocus"},
+         has_tree},
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,139 @@
+// Whatever is done can be undone: commands at random, in the hands of one who also makes mistakes.
+#include "core/tree/build_tree.h"
+#include "tests/support/command_stage.h"
+
+#include <doctest/doctest.h>
+#include <random>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+// 60 branches or so, with loops.
+tree::VesselTree network(std::mt19937& random) {
+    tree::Graph graph;
+    std::uniform_real_distribution<double> place(0.0, 60.0), radius(0.3, 5.0);
+    for (std::uint32_t i = 0; i < 60; ++i) {
+        graph.points.push_back({{place(random), place(random), place(random)}, radius(random)});
+        if (i > 0) graph.edges.emplace_back(random() % i, i);
+    }
+    for (int i = 0; i < 4; ++i) {
+        const std::uint32_t a = random() % 60, b = random() % 60;
+        if (a != b) graph.edges.emplace_back(a, b);
+    }
+    graph.roots = {0};
+    auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
+    REQUIRE(tree);
+    return std::move(*tree);
+}
+
+std::string random_command(std::mt19937& random, int branches) {
+    const auto number = [&](int most) { return std::to_string(random() % static_cast<unsigned>(most + 1)); };
+    const auto id = [&] { return number(branches - 1); };
+    const auto share = [&] { return "0." + number(9); };
+    const auto triple = [&] { return number(60) + "," + number(60) + "," + number(60); };
+    const std::vector<std::string> commands{"select " + id() + " " + id(),
+                                            "select-add " + id(),
+                                            "select-toggle " + id(),
+                                            "select-subtree " + id(),
+                                            "select-dependents",
+                                            "select-upstream",
+                                            "select-invert",
+                                            "select-none",
+                                            "select-parent",
+                                            "select-children",
+                                            "select-siblings",
+                                            "select-same-generation",
+                                            "select-generation " + number(5) + " " + number(9),
+                                            "select-diameter " + number(4) + " " + number(9),
+                                            "select-within " + number(20),
+                                            "select-within " + number(20) + " " + triple(),
+                                            "highlight",
+                                            "defocus",
+                                            "defocus-others",
+                                            "hide",
+                                            "show",
+                                            "show-all",
+                                            "name " + id() + " \"vessel " + number(99) + "\"",
+                                            "name " + id() + " \"\"",
+                                            "lesion " + triple() + "," + number(9),
+                                            "lesion-change " + number(3) + " " + triple() + ",2",
+                                            "lesion-remove " + number(3),
+                                            "lesion-clear",
+                                            "cut " + id(),
+                                            "cut " + id() + " " + share(),
+                                            "cut",
+                                            "cut-remove " + number(4),
+                                            "cut-clear",
+                                            "bands " + number(5) + " " + number(20),
+                                            "reconstruct " + number(9),
+                                            "filter-diameter " + number(6) + " hide",
+                                            "filter-diameter " + number(6) + " defocus",
+                                            "filter-diameter " + number(6) + " show",
+                                            "measure path " + id() + " " + id(),
+                                            "measure diameter " + id() + " " + share(),
+                                            "measure angle " + id(),
+                                            "measure distance " + triple() + " " + triple(),
+                                            "measure-remove " + number(3),
+                                            "measure-clear",
+                                            "surface detail " + number(40),
+                                            "surface width " + number(9),
+                                            "colour-by generation",
+                                            "colour-by nothing"};
+    return commands[random() % commands.size()];
+}
+
+} // namespace
+
+TEST_CASE("any sequence of commands undone to the start equals the start, redone to the end the end") {
+    std::mt19937 random(31);
+    int done = 0, refused = 0;
+    for (int round = 0; round < 25; ++round) {
+        test::CommandStage stage(network(random));
+        const Marks start = stage.marks();
+        std::vector<Marks> states{start};
+        for (int i = 0; i < 150; ++i) {
+            const std::string command = random_command(random, stage.document.branch_count());
+            const Marks before = stage.marks();
+            const auto result = stage.run(command);
+            ++(result ? done : refused);
+            if (!result) {
+                CAPTURE(command);
+                CHECK(stage.marks() == before); // a command that fails changes nothing
+            }
+            if (stage.marks() != before) states.push_back(stage.marks());
+        }
+        const Marks end = stage.marks();
+        const auto end_plan = *stage.document.plan();
+        for (std::size_t i = states.size(); i-- > 1;) {
+            REQUIRE(stage.marks() == states[i]); // one step a command, none lost
+            REQUIRE(stage.document.undo());
+        }
+        CHECK(stage.marks() == start);
+        CHECK_FALSE(stage.document.undo());
+        while (stage.document.redo()) {
+        }
+        CHECK(stage.marks() == end);
+        CHECK(stage.document.plan()->cuts.together == end_plan.cuts.together);
+        CHECK(stage.document.plan()->lesion_distances_mm == end_plan.lesion_distances_mm);
+    }
+    CHECK(done > 2000);
+    CHECK(refused > 100);
+}
+
+TEST_CASE("hiding and showing brings the session back exactly") {
+    std::mt19937 random(32);
+    for (int round = 0; round < 50; ++round) {
+        test::CommandStage stage(network(random));
+        const std::string id = std::to_string(random() % static_cast<unsigned>(stage.document.branch_count()));
+        stage.good("select-subtree " + id);
+        const Marks before = stage.marks();
+        stage.good("hide\nshow");
+        CHECK(stage.marks() == before);
+        stage.good("filter-diameter 3 hide\nshow-all");
+        CHECK(stage.marks() == before);
+        stage.good("hide\nselect-none\nshow-all\nselect-subtree " + id);
+        CHECK(stage.marks() == before);
+    }
+}
