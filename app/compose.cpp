@@ -1,68 +1,29 @@
 #include "app/compose.h"
 
 #include "app/centerlines.h"
+#include "app/colouring.h"
+#include "app/distance_grid.h"
+#include "app/marks_drawing.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/common.hpp>
 
 namespace ramus::app {
 
 namespace {
 
-// Stations of matplotlib's viridis (CC0): even steps look even, also in grey and to colour-blind eyes. The dark end is
-// lifted so that it stands out from the dark background.
-constexpr std::array<glm::vec3, 5> kRamp{glm::vec3{0.35F, 0.25F, 0.62F}, glm::vec3{0.23F, 0.42F, 0.66F},
-                                         glm::vec3{0.13F, 0.62F, 0.60F}, glm::vec3{0.45F, 0.80F, 0.38F},
-                                         glm::vec3{0.99F, 0.91F, 0.15F}};
-
-glm::vec3 ramp(double t) {
-    const double at = std::clamp(t, 0.0, 1.0) * (kRamp.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(at), kRamp.size() - 2);
-    return glm::mix(kRamp[below], kRamp[below + 1], static_cast<float>(at - static_cast<double>(below)));
-}
-
-// Neighbouring ids far apart on the colour circle: steps of the golden angle.
-glm::vec3 distinct(std::size_t index) {
-    const double hue = std::fmod(static_cast<double>(index) * 0.61803398875, 1.0) * 6.0;
-    const auto channel = [&](double shift) {
-        const double k = std::fmod(shift + hue, 6.0);
-        return static_cast<float>(0.88 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
-    };
-    return {channel(5.0), channel(3.0), channel(1.0)};
-}
-
-double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
-    double sum = 0.0;
-    for (const auto point : branch.points) sum += 2.0 * tree.points[point].radius;
-    return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
+void show_plan(render::Frame& frame, const tree::VesselTree& tree, const Marks& marks, const Plan& plan) {
+    for (const auto& [x, y, z, radius] : marks.lesions) frame.lesions.spheres.emplace_back(x, y, z, radius);
+    for (const auto& lesion : plan.meshes)
+        if (lesion) frame.lesions.meshes.emplace_back(lesion, &lesion->mesh);
+    if (!frame.margins.bands.empty())
+        frame.lesions.distances = distance_grid(plan.lesions, frame.margins.bands.back().within_mm);
+    for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), tree.branches.size()); ++id)
+        if (const measure::LostSpan& span = plan.cuts.spans[id]; span.any())
+            frame.lost.push_back({static_cast<int>(id), span.from, span.to});
 }
 
 } // namespace
-
-std::vector<glm::vec3> branch_colours(const tree::VesselTree& tree, ColourBy quantity) {
-    std::vector<glm::vec3> colours;
-    if (quantity == ColourBy::kNothing) return colours;
-    const auto& branches = tree.branches;
-    if (quantity == ColourBy::kBranch) {
-        for (std::size_t i = 0; i < branches.size(); ++i) colours.push_back(distinct(i));
-        return colours;
-    }
-    std::vector<double> values;
-    for (const tree::Branch& branch : branches) {
-        if (quantity == ColourBy::kGeneration)
-            values.push_back(branch.generation);
-        else if (quantity == ColourBy::kStrahler)
-            values.push_back(branch.strahler);
-        else
-            values.push_back(std::log(std::max(mean_diameter(tree, branch), 1e-12))); // spans decades
-    }
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    for (const double value : values)
-        colours.push_back(ramp(*most > *least ? (value - *least) / (*most - *least) : 0.5));
-    return colours;
-}
 
 render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
                       std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing) {
@@ -85,10 +46,25 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
     // A grey with a cool tint, as bright as it says.
     frame.appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
-    if (tree && std::ranges::find(frame.states, render::BranchState::kDefocused) != frame.states.end())
-        frame.centerlines = centerlines_of(tree, session.marks.options);
-    if (tree) frame.colours = branch_colours(*tree, session.marks.colour_by);
+    if (!tree) return frame;
+    const Marks& marks = session.marks;
+    const Plan* plan = viewing.plan.get();
+    Colouring colouring = colouring_of(*tree, marks, plan);
+    frame.colours = std::move(colouring.branches);
+    frame.scale = std::move(colouring.scale);
+    frame.margins = std::move(colouring.margins);
+    if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
+    if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
+    const bool any_glass = std::ranges::find(frame.states, render::BranchState::kDefocused) != frame.states.end();
+    if (any_glass || !marks.cuts.empty() || frame.scale.value != render::ColourScale::Value::kNone)
+        frame.centerlines = centerlines_of(tree, marks.options);
+    draw_marks(frame, *tree, marks, plan);
     return frame;
+}
+
+render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh, Viewing viewing) {
+    viewing.plan = document.plan();
+    return compose(document.session(), document.tree(), std::move(mesh), viewing);
 }
 
 } // namespace ramus::app

@@ -2,6 +2,7 @@
 // function, which is why their pictures are the same.
 #pragma once
 
+#include "app/document.h"
 #include "app/session.h"
 #include "render/frame.h"
 
@@ -17,14 +18,16 @@ struct Viewing {
     int hovered = render::kNoBranch;
     bool transparent = false;
     render::Quality quality = render::Quality::kFull;
+    std::shared_ptr<const Plan> plan; // of the session; null: lesions and cuts are not shown
     std::optional<GlassLook> glass{}; // instead of the session's, while it is being tried
 };
 
-// `tree` may be null as long as the session colours by nothing; `mesh` may be null: an empty picture.
+// `tree` may be null: no colours; `mesh` may be null: an empty picture.
 [[nodiscard]] render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
                                     std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing);
 
-// sRGB colour of every branch under `quantity`; empty for kNothing.
-[[nodiscard]] std::vector<glm::vec3> branch_colours(const tree::VesselTree& tree, ColourBy quantity);
+// The document's session with its plan: what windows and files show.
+[[nodiscard]] render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh,
+                                    Viewing viewing);
 
 } // namespace ramus::app

@@ -6,6 +6,7 @@
 // sessions compare equal however they came about. The functions below keep them so.
 #pragma once
 
+#include "app/colour_maps.h"
 #include "core/mesh/surface.h"
 #include "render/frame.h"
 
@@ -26,9 +27,10 @@ struct TreeFile {
 };
 
 // What a branch's colour says.
-enum class ColourBy { kNothing, kGeneration, kStrahler, kDiameter, kBranch };
-inline constexpr std::array kColourings{ColourBy::kNothing, ColourBy::kGeneration, ColourBy::kStrahler,
-                                        ColourBy::kDiameter, ColourBy::kBranch};
+enum class ColourBy { kNothing, kState, kGeneration, kStrahler, kDiameter, kRootDistance, kLesion, kLabel, kBranch };
+inline constexpr std::array kColourings{ColourBy::kNothing,  ColourBy::kState,    ColourBy::kGeneration,
+                                        ColourBy::kStrahler, ColourBy::kDiameter, ColourBy::kRootDistance,
+                                        ColourBy::kLesion,   ColourBy::kLabel,    ColourBy::kBranch};
 [[nodiscard]] std::string_view name_of(ColourBy quantity); // "nothing", "generation", ...
 
 // Something measured, kept and drawn until it is removed.
@@ -65,6 +67,7 @@ struct Marks {
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;
     ColourBy colour_by = ColourBy::kNothing;
+    ColourMap colour_map = ColourMap::kViridis;
     Planning planning;
     GlassLook glass;
     mesh::SurfaceOptions options;

@@ -65,7 +65,8 @@ json options_json(const Marks& marks) {
                {"prune", options.prune_ratio},
                {"width", options.width},
                {"detail", options.detail},
-               {"colour_by", std::string(name_of(marks.colour_by))}};
+               {"colour_by", std::string(name_of(marks.colour_by))},
+               {"colour_map", std::string(name_of(marks.colour_map))}};
     if (options.cell_mm > 0.0) value["cell"] = options.cell_mm;
     value["bands"] = marks.planning.bands_mm;
     value["reconstruct"] = marks.planning.reconstruct_mm;
@@ -76,8 +77,8 @@ json options_json(const Marks& marks) {
 
 void read_options(const json& value, Marks& marks) {
     expect_only(value, "options",
-                {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "bands", "reconstruct",
-                 "glass_opacity", "glass_grey"});
+                {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "colour_map", "bands",
+                 "reconstruct", "glass_opacity", "glass_grey"});
     mesh::SurfaceOptions& options = marks.options;
     if (value.contains("method")) {
         const std::string method = text(value["method"], "method");
@@ -106,6 +107,13 @@ void read_options(const json& value, Marks& marks) {
             std::find_if(kColourings.begin(), kColourings.end(), [&](ColourBy c) { return name_of(c) == wanted; });
         if (found == kColourings.end()) throw Refusal{"unknown colour_by \"" + wanted + "\""};
         marks.colour_by = *found;
+    }
+    if (value.contains("colour_map")) {
+        const std::string wanted = text(value["colour_map"], "colour_map");
+        const auto found =
+            std::find_if(kColourMaps.begin(), kColourMaps.end(), [&](ColourMap m) { return name_of(m) == wanted; });
+        if (found == kColourMaps.end()) throw Refusal{"unknown colour_map \"" + wanted + "\""};
+        marks.colour_map = *found;
     }
 }
 

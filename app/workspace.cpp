@@ -39,6 +39,7 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
         session.tree.path = std::filesystem::absolute(path).lexically_normal();
         session.marks.options = like.options;
         session.marks.colour_by = like.colour_by;
+        session.marks.colour_map = like.colour_map;
     }
     auto tree = io::read_tree(session.tree.path, reading);
     if (!tree) return tl::unexpected(tree.error());

@@ -30,7 +30,7 @@ struct LoadedTree {
     double seconds = 0.0; // reading
 };
 
-// A tree file, or a session (.json with a version) and its tree. For a tree, `options` and `colour_by` of `like` stay.
+// A tree file, or a session (.json with a version) and its tree. For a tree, `options` and colours of `like` stay.
 [[nodiscard]] Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like,
                                       const io::ReadOptions& reading, Job& job);
 

@@ -79,9 +79,8 @@ struct Frame {
     std::shared_ptr<const Centerlines> centerlines; // of the surface's branches; null: none
     ColourScale scale;                              // instead of colours
     Lesions lesions;
-    Margins margins;                // instead of colours, scale
-    std::vector<CutPlace> cuts;     // what lies beyond is lost, in place of every other colour
-    std::vector<std::uint8_t> lost; // by branch id, not 0: lost as a whole; branches beyond its end are not
+    Margins margins;            // instead of colours, scale
+    std::vector<LostPart> lost; // one a branch at most; in place of every other colour
     std::vector<MarkLine> lines;
     std::vector<MarkLabel> labels;
     int hovered = kNoBranch;

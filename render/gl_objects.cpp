@@ -85,7 +85,7 @@ Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth
 
 Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
                              std::string_view defines) {
-    const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, {});
+    const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, defines);
     if (!vertex) return tl::unexpected(vertex.error());
     const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
     if (!fragment) {

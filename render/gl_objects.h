@@ -49,7 +49,7 @@ using Program = GlObject<delete_program>;
 [[nodiscard]] Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
 // From two of the embedded files; `#include "name"` lines are replaced by the file of that name.
-// `defines` goes into the fragment shader, after its #version line.
+// `defines` goes into both, after their #version lines.
 [[nodiscard]] Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
                                            std::string_view defines = {});
 

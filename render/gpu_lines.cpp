@@ -1,5 +1,9 @@
 #include "render/gpu_lines.h"
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 namespace ramus::render {
 
 void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes) {
@@ -21,6 +25,38 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     send(points_, points_texture_, GL_RGBA32F, shown_->points);
     send(details_, details_texture_, GL_RG32UI, shown_->details);
     send(runs_, runs_texture_, GL_RG32UI, shown_->runs);
+
+    // Branches that meet have an end at the very same place.
+    std::map<std::array<float, 3>, std::vector<int>> ends;
+    for (std::size_t branch = 0; branch < shown_->runs.size(); ++branch) {
+        const Centerlines::Run run = shown_->runs[branch];
+        if (run.count < 2) continue;
+        for (const std::uint32_t end : {run.first, run.first + run.count - 1}) {
+            const glm::vec4& p = shown_->points[end];
+            ends[{p.x, p.y, p.z}].push_back(static_cast<int>(branch));
+        }
+    }
+    nodes_.clear();
+    for (auto& [place, branches] : ends)
+        if (branches.size() > 1) nodes_.push_back(std::move(branches));
+}
+
+std::vector<bool> GpuLines::borders(const std::vector<Layer>& layers) const {
+    std::vector<bool> found(layers.size(), false);
+    const auto layer = [&](int branch) {
+        return static_cast<std::size_t>(branch) < layers.size() ? layers[static_cast<std::size_t>(branch)]
+                                                                : Layer::kNone;
+    };
+    if (!shown_) return found;
+    for (const std::vector<int>& node : nodes_) {
+        const auto any = [&](Layer wanted) {
+            return std::ranges::any_of(node, [&](int branch) { return layer(branch) == wanted; });
+        };
+        if (!any(Layer::kOpaque) || !any(Layer::kGlass)) continue;
+        for (const int branch : node)
+            if (layer(branch) != Layer::kNone) found[static_cast<std::size_t>(branch)] = true;
+    }
+    return found;
 }
 
 void GpuLines::draw(const std::vector<Layer>& layers) const {

@@ -19,11 +19,15 @@ public:
     [[nodiscard]] GLuint details() const { return details_texture_; }       // RG32UI: bits of the diameter, branch
     [[nodiscard]] GLuint runs() const { return runs_texture_; }             // RG32UI: first point, count
 
+    // Which branches meet one of another layer, by branch id; what is not drawn at all meets nothing.
+    [[nodiscard]] std::vector<bool> borders(const std::vector<Layer>& layers) const;
+
     // Draws six corners a segment, without attributes, of branches that are glass.
     void draw(const std::vector<Layer>& layers) const;
 
 private:
     std::shared_ptr<const Centerlines> shown_;
+    std::vector<std::vector<int>> nodes_; // branches that meet at a place
     Buffer points_, details_, runs_;
     Texture points_texture_, details_texture_, runs_texture_;
 };

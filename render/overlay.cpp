@@ -1,10 +1,13 @@
 #include "render/overlay.h"
 
+#include "render/legend.h"
+#include "render/plate.h"
 #include "render/text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -201,12 +204,31 @@ std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
         sprites.push_back({paint_orientation_cube(frame.camera, side, font),
                            {frame.size.x - o.inset_right - margin - side, bottom - side}});
     }
+    int legend_bottom = bottom;
     const double mm = mm_per_pixel(frame.camera, frame.size);
     if (o.scale_bar && std::isfinite(mm) && mm > 1e-9 && mm < 1e9) {
         const double length = scale_bar_length_mm(mm * std::min(150.0 * ratio, 0.30 * free.x));
         Image bar = paint_scale_bar(length, length / mm, ratio, font);
         const glm::ivec2 corner(o.inset_left + margin, bottom - bar.height);
+        legend_bottom = corner.y - static_cast<int>(std::lround(10.0 * ratio));
         sprites.push_back({std::move(bar), corner});
+    }
+    const glm::ivec2 room(free.x / 2, legend_bottom - o.inset_top - margin);
+    if (!o.legend.title.empty() && room.x > 60 && room.y > 60) {
+        Image legend = paint_legend(o.legend, ratio, room, font);
+        const glm::ivec2 corner(o.inset_left + margin, legend_bottom - legend.height);
+        sprites.push_back({std::move(legend), corner});
+    }
+    for (const MarkLabel& label : frame.labels) {
+        const auto at = project(frame.camera, frame.size, label.at);
+        if (!at || label.text.empty()) continue;
+        Image plate = paint_label(label.text, ratio, font);
+        // Beside the place, and whole inside the picture; where the place is outside, there is no label.
+        if (at->x < 0.0 || at->y < 0.0 || at->x >= frame.size.x || at->y >= frame.size.y) continue;
+        const glm::ivec2 wanted(std::lround(at->x + 8.0 * ratio), std::lround(at->y - 8.0 * ratio - plate.height));
+        const glm::ivec2 most = glm::max(frame.size - glm::ivec2(plate.width, plate.height), glm::ivec2(0));
+        const glm::ivec2 corner = glm::clamp(wanted, glm::ivec2(0), most);
+        sprites.push_back({std::move(plate), corner});
     }
     return sprites;
 }

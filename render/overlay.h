@@ -1,4 +1,5 @@
-// The small pictures that lie over the tree: the orientation cube with its letters and the scale bar. Painted without
+// The small pictures that lie over the tree: the orientation cube with its letters, the scale bar, the legend and the
+// labels of lines. Painted without
 // GL, so that they are the same bytes in the window and without one, and can be tested alone.
 #pragma once
 

@@ -62,6 +62,7 @@ private:
     Result<const Program*> shading(unsigned variant);
     Result<void> shade(const Frame& frame, const GpuMesh* mesh);
     void draw_overlays(const Frame& frame);
+    void draw_marks(const Frame& frame);
 
     enum class Pixels { kAll, kCovered };
     void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
@@ -69,11 +70,12 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, capped_geometry_, centerline_, resolve_, occlude_, blur_, background_, enlarge_, overlay_, mark_;
+    Program geometry_, opaque_side_, glass_side_, centerline_, resolve_, occlude_, blur_, background_, enlarge_,
+        overlay_, mark_;
     std::map<unsigned, Program> shade_; // by variant, made when needed
     VertexArray no_vertices_;
-    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_;
-    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_;
+    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, glass_branches_buffer_;
+    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, glass_branches_texture_;
     std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 

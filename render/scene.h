@@ -51,11 +51,13 @@ struct Lesions {
     bool operator==(const Lesions&) const = default;
 };
 
-// A branch that is cut: of its length from the parent's end. Needs Frame::centerlines.
-struct CutPlace {
+// The part of a branch that is lost, as fractions of its length from the parent's end. Parts other than the whole need
+// Frame::centerlines.
+struct LostPart {
     int branch = -1;
-    double fraction = 0.5;
-    bool operator==(const CutPlace&) const = default;
+    double from = 0.0, to = 1.0;
+    [[nodiscard]] bool whole() const { return from <= 0.0 && to >= 1.0; }
+    bool operator==(const LostPart&) const = default;
 };
 
 // A line over the picture, of constant width in points (1/96 inch). Fainter where vessels hide it.

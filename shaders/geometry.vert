@@ -1,6 +1,7 @@
 // Vessel surface to clip space. Positions are relative to the middle of the mesh, so that single precision is enough
 // wherever the tree lies.
 #version 450 core
+// Variants: OPAQUE_SIDE and GLASS_SIDE for branches where glass meets what is opaque.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -11,9 +12,16 @@ layout(location = 1) uniform mat3 to_eye; // rotation only
 
 out vec3 normal_eye;
 flat out int branch_id;
+#if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
+layout(binding = 0) uniform usamplerBuffer glass_branches; // not 0: glass
+out float glassy;
+#endif
 
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
     normal_eye = to_eye * normal;
     branch_id = branch;
+#if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
+    glassy = texelFetch(glass_branches, branch).x != 0u ? 1.0 : 0.0;
+#endif
 }

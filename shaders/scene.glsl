@@ -3,7 +3,7 @@
 layout(std140, binding = 2) uniform Scene {
     mat4 eye_to_lines;  // eye space to the centerlines' own
     mat4 eye_to_grid;   // eye space to the distance grid's texture coordinates
-    vec4 counts;        // lesions that are spheres, cuts, margins, 1 with a grid
+    vec4 counts;        // lesions that are spheres, parts that are lost, margins, 1 with a grid
     vec4 scale;         // low, 1 / (high - low), 1 when logarithmic, 1 for the distance from the root
     vec4 beyond;        // linear colour beyond the last margin
     vec4 margins[16];   // linear colour, and up to where in mm
@@ -13,7 +13,7 @@ layout(binding = 7) uniform samplerBuffer line_points;    // position, mm from t
 layout(binding = 8) uniform usamplerBuffer line_details;  // bits of the diameter, branch
 layout(binding = 9) uniform usamplerBuffer line_runs;     // first point, count
 layout(binding = 10) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
-layout(binding = 11) uniform samplerBuffer cut_places;    // centre in eye space, radius; direction, mm from the root; branch
+layout(binding = 11) uniform samplerBuffer cut_places;    // five texels a part that is lost, see behind_cut()
 layout(binding = 12) uniform sampler1D ramp;              // sRGB
 layout(binding = 13) uniform sampler3D lesion_distances;  // mm
 
@@ -87,18 +87,25 @@ vec3 margin_colour(vec3 position) {
 #endif
 
 #ifdef CUTS
-// How far behind the cut that its branch has there, in mm; negative before it. Near the cut its plane decides, farther
-// away the way along the branch, which may turn back.
+// How far outward of an end of a part, in mm. Near it its plane decides, farther away the way along the branch, which
+// may turn back.
+float outward_of(int texel, float from_root, vec3 position) {
+    vec4 centre = texelFetch(cut_places, texel), along = texelFetch(cut_places, texel + 1);
+    float way = from_root - along.w;
+    return abs(way) < 2.5 * centre.w ? dot(position - centre.xyz, along.xyz) : way;
+}
+
+// How far inside the lost part of its branch, in mm; negative outside.
 float behind_cut(int branch, vec3 position) {
-    float behind = -1e30;
+    float inside = -1e30;
     float from_root = place_along(branch, position).x;
     for (int i = 0; i < int(counts.y); ++i) {
-        if (int(texelFetch(cut_places, 3 * i + 2).x) != branch) continue;
-        vec4 centre = texelFetch(cut_places, 3 * i), along = texelFetch(cut_places, 3 * i + 1);
-        float way = from_root - along.w;
-        float plane = dot(position - centre.xyz, along.xyz);
-        behind = max(behind, abs(way) < 2.5 * centre.w ? plane : way);
+        vec4 part = texelFetch(cut_places, 5 * i);
+        if (int(part.x) != branch) continue;
+        float from = part.y > 0.5 ? outward_of(5 * i + 1, from_root, position) : 1e30;
+        float to = part.z > 0.5 ? -outward_of(5 * i + 3, from_root, position) : 1e30;
+        inside = max(inside, min(from, to));
     }
-    return behind;
+    return inside;
 }
 #endif

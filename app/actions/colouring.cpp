@@ -8,20 +8,53 @@ namespace ramus::app::actions {
 
 namespace {
 
+std::string all_names(const auto& things) {
+    std::string names;
+    for (const auto thing : things) names += (names.empty() ? "" : ", ") + std::string(name_of(thing));
+    return names;
+}
+
 Result<void> colour_by(ActionContext& context, Arguments arguments) {
-    const auto found = std::find_if(kColourings.begin(), kColourings.end(), [&](ColourBy quantity) {
-        return arguments.size() == 1 && name_of(quantity) == arguments[0];
-    });
-    if (found == kColourings.end())
-        return fail("colour-by takes a quantity", {}, "nothing, generation, strahler, diameter or branch");
+    const auto found = std::ranges::find_if(
+        kColourings, [&](ColourBy quantity) { return arguments.size() == 1 && name_of(quantity) == arguments[0]; });
+    if (found == kColourings.end()) return fail("colour-by takes a quantity", {}, "one of " + all_names(kColourings));
     Marks next = context.document.marks();
     next.colour_by = *found;
     context.document.change(std::move(next));
     return {};
 }
 
+Result<void> colour_map(ActionContext& context, Arguments arguments) {
+    const auto found = std::ranges::find_if(
+        kColourMaps, [&](ColourMap map) { return arguments.size() == 1 && name_of(map) == arguments[0]; });
+    if (found == kColourMaps.end()) return fail("colour-map takes a name", {}, "one of " + all_names(kColourMaps));
+    Marks next = context.document.marks();
+    next.colour_map = *found;
+    context.document.change(std::move(next));
+    return {};
+}
+
 template <ColourBy quantity> bool colours_by(const Document& document) {
     return document.marks().colour_by == quantity;
+}
+template <ColourMap map> bool colours_with(const Document& document) { return document.marks().colour_map == map; }
+
+template <ColourBy quantity> Command quantity_entry(const char* label, const char* help) {
+    return {"colour-by", "QUANTITY",          help, "Colour", label, {}, colour_by, {std::string(name_of(quantity))},
+            has_tree,    colours_by<quantity>};
+}
+
+template <ColourMap map> Command map_entry(const char* label) {
+    return {"colour-map",
+            "NAME",
+            "Shows quantities in this colour map.",
+            "Colour",
+            label,
+            {},
+            colour_map,
+            {std::string(name_of(map))},
+            has_tree,
+            colours_with<map>};
 }
 
 } // namespace
@@ -30,61 +63,25 @@ std::vector<Command> colour_commands() {
     return {
         {"colour-by",
          "QUANTITY",
-         "Colours branches by nothing, generation, strahler, diameter or branch.",
+         "Colours by nothing, state, generation, strahler, diameter, root-distance, lesion, label or branch.",
          "",
          "",
          {},
          colour_by},
-        {"colour-by",
-         "QUANTITY",
-         "One colour for the whole tree.",
-         "Colour",
-         "One colour",
-         {},
-         colour_by,
-         {"nothing"},
-         has_tree,
-         colours_by<ColourBy::kNothing>},
-        {"colour-by",
-         "QUANTITY",
-         "Colours by the number of branchings from the root.",
-         "Colour",
-         "Generation",
-         {},
-         colour_by,
-         {"generation"},
-         has_tree,
-         colours_by<ColourBy::kGeneration>},
-        {"colour-by",
-         "QUANTITY",
-         "Colours by Strahler order: 1 at the leaves.",
-         "Colour",
-         "Strahler order",
-         {},
-         colour_by,
-         {"strahler"},
-         has_tree,
-         colours_by<ColourBy::kStrahler>},
-        {"colour-by",
-         "QUANTITY",
-         "Colours by mean diameter.",
-         "Colour",
-         "Diameter",
-         {},
-         colour_by,
-         {"diameter"},
-         has_tree,
-         colours_by<ColourBy::kDiameter>},
-        {"colour-by",
-         "QUANTITY",
-         "Tells neighbouring branches apart.",
-         "Colour",
-         "Branch",
-         {},
-         colour_by,
-         {"branch"},
-         has_tree,
-         colours_by<ColourBy::kBranch>},
+        quantity_entry<ColourBy::kNothing>("One colour", "One colour for the whole tree."),
+        quantity_entry<ColourBy::kState>("State", "Explains what is highlighted, defocused, selected and lost."),
+        quantity_entry<ColourBy::kGeneration>("Generation", "Colours by the number of branchings from the root."),
+        quantity_entry<ColourBy::kStrahler>("Strahler order", "Colours by Strahler order: 1 at the leaves."),
+        quantity_entry<ColourBy::kDiameter>("Diameter", "Colours every place by how wide the vessel is there."),
+        quantity_entry<ColourBy::kRootDistance>("Distance from root",
+                                                "Colours every place by its way from the root along the vessels."),
+        quantity_entry<ColourBy::kLesion>("Distance to lesion", "Colours the margins around the lesions."),
+        quantity_entry<ColourBy::kLabel>("Names", "Colours named branches and what depends on them."),
+        quantity_entry<ColourBy::kBranch>("Branch", "Tells neighbouring branches apart."),
+        {"colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", "", "", {}, colour_map},
+        map_entry<ColourMap::kViridis>("Viridis"),
+        map_entry<ColourMap::kCividis>("Cividis"),
+        map_entry<ColourMap::kMagma>("Magma"),
     };
 }
 

@@ -26,7 +26,7 @@ Result<void> PictureStage::make_surface() {
 
 Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
-    return compose(document_.session(), document_.tree(), surface_.mesh, viewing_);
+    return compose(document_, surface_.mesh, viewing_);
 }
 
 Result<render::BranchPicture> PictureStage::branch_picture() {

@@ -75,7 +75,8 @@ void draw_menus(InterfaceContext& context) {
             std::string_view previous;
             for (const Command& command : command_table()) {
                 if (command.menu != menu) continue;
-                const bool new_switch = previous != command.name && command.name.starts_with("lasso-");
+                const bool new_switch = previous != command.name &&
+                                        (command.name.starts_with("lasso-") || command.name == "colour-map");
                 if (command.name == "quit" || command.name == "fit" || command.name == "panel" || new_switch)
                     ImGui::Separator();
                 previous = command.name;

@@ -120,7 +120,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         pick_wanted_ = true; // what is under a dialog is not under the pointer
     }
 
-    render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(), viewing());
+    render::Frame frame = compose(workspace_.document, picture_mesh(), viewing());
     if (pace_.slow(frame)) {
         workspace_.await_preview();
         frame.mesh = workspace_.shown().mesh;
@@ -189,8 +189,8 @@ std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return w
 <<<<<<< HEAD
 // As `ramus render` draws the session: without what the pointer is doing.
 Result<void> Viewer::draw_for_keeping() {
-    const render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
-                                        {.size = layout_.view_size, .pixel_ratio = scale_});
+    const render::Frame frame =
+        compose(workspace_.document, picture_mesh(), {.size = layout_.view_size, .pixel_ratio = scale_});
     if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     shake();
     drawn_ = 0;

@@ -16,6 +16,27 @@ constexpr float kCenterlineWidth = 1.6F; // points
 constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
 
+// The branches where glass meets what is opaque, and all others.
+struct Split {
+    std::vector<Layer> layers;        // of every branch
+    std::vector<Layer> away, meeting; // kNone: belongs to the other list; `meeting` is empty when none does
+    Split() = default;
+    Split(const std::vector<Layer>& some, std::size_t count, const GpuLines& lines) : layers(some) {
+        layers.resize(std::max(count, some.size()), Layer::kOpaque);
+        const std::vector<bool> borders = lines.borders(layers);
+        away = layers;
+        if (std::ranges::find(borders, true) == borders.end()) return;
+        meeting.assign(layers.size(), Layer::kNone);
+        for (std::size_t i = 0; i < layers.size(); ++i)
+            if (borders[i]) away[i] = Layer::kNone, meeting[i] = layers[i];
+    }
+    // All that meets counts as this layer.
+    void become(Layer layer) {
+        for (Layer& one : meeting)
+            if (one != Layer::kNone) one = layer;
+    }
+};
+
 } // namespace
 
 // The near and far planes enclose all of `box`, and lesions beside it. Reversed depth, 1 at the near plane and 0 at the
@@ -64,7 +85,14 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
     const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
 
     has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
-    if (has_glass_) make_glass_layer();
+    Split split;
+    if (has_glass_) {
+        make_glass_layer();
+        split = Split(layers, static_cast<std::size_t>(mesh->shown()->branch_count()), lines_);
+        std::vector<std::uint8_t> glassy;
+        for (const Layer layer : split.layers) glassy.push_back(layer == Layer::kGlass ? 1 : 0);
+        make_buffer_texture(glass_branches_buffer_, glass_branches_texture_, GL_R8UI, glassy.data(), glassy.size());
+    }
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GREATER);
@@ -82,16 +110,25 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
         glClearBufferuiv(GL_COLOR, 0, nothing.data());
         glClearBufferfv(GL_DEPTH, 0, &farthest);
         if (mesh != nullptr) {
-            // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
-            const bool capped = opaque && has_glass_;
-            const Program& program = capped ? capped_geometry_ : geometry_;
             const glm::dmat4 mesh_to_clip = relative_to(mesh->shown()->origin());
-            if (capped) glDisable(GL_CULL_FACE);
-            glUseProgram(program);
-            glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip)));
-            glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
-            triangles += mesh->draw(layers, layer, mesh_to_clip);
-            glEnable(GL_CULL_FACE);
+            const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
+                glUseProgram(program);
+                glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip)));
+                glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+                triangles += mesh->draw(wanted, layer, mesh_to_clip);
+            };
+            draw(geometry_, has_glass_ ? split.away : layers);
+            if (has_glass_ && !split.meeting.empty()) {
+                // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
+                const Program& program = opaque ? opaque_side_ : glass_side_;
+                glProgramUniform1i(program, 2, static_cast<GLint>(view_.picture.z));
+                glBindTextureUnit(0, glass_branches_texture_);
+                if (opaque) glDisable(GL_CULL_FACE);
+                // Both layers' branches, each pass takes its side of them.
+                split.become(layer);
+                draw(program, split.meeting);
+                glEnable(GL_CULL_FACE);
+            }
         }
         if (opaque) draw_solids(frame, to_clip);
     }

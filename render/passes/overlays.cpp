@@ -14,10 +14,11 @@ void Renderer::Impl::draw_overlays(const Frame& frame) {
         glBindTextureUnit(0, lit_);
         fullscreen(enlarge_);
     }
-    glEnable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    draw_marks(frame);
+    glEnable(GL_SCISSOR_TEST);
     for (const Sprite& sprite : overlays_of(frame, default_font())) {
         const Image& image = sprite.image;
         const Texture texture = make_texture(GL_RGBA8, image.width, image.height);

@@ -29,9 +29,12 @@ Result<void> Renderer::Impl::initialise() {
                                              {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
                                              {&background_, "fullscreen.vert", "background.frag"},
                                              {&enlarge_, "fullscreen.vert", "enlarge.frag"},
-                                             {&overlay_, "fullscreen.vert", "overlay.frag"}})
+                                             {&overlay_, "fullscreen.vert", "overlay.frag"},
+                                             {&mark_, "mark.vert", "mark.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
-    if (auto made = make(capped_geometry_, "geometry.vert", "geometry.frag", "#define CAPPED\n"); !made) return made;
+    for (auto [program, side] :
+         {std::pair{&opaque_side_, "#define OPAQUE_SIDE\n"}, {&glass_side_, "#define GLASS_SIDE\n"}})
+        if (auto made = make(*program, "geometry.vert", "geometry.frag", side); !made) return made;
     if (auto made = make(centerline_, "centerline.vert", "geometry.frag", "#define LINE\n"); !made) return made;
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer();

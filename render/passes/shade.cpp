@@ -42,7 +42,6 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh) {
         const glm::vec3 colour = highlighted ? frame.appearance.highlight : own;
         unsigned flags = (any_highlight && !highlighted ? kCalm : 0U) | (highlighted ? kHighlighted : 0U) |
                          (int(i) == frame.hovered ? kHovered : 0U);
-        if (i < frame.lost.size() && frame.lost[i] != 0) flags |= kLost, variant |= kCuts;
         records[i] = {byte(colour.x), byte(colour.y), byte(colour.z), static_cast<std::uint8_t>(flags)};
     }
     for (const int id : frame.hovered_dependents)
@@ -54,11 +53,11 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh) {
         flags = static_cast<std::uint8_t>((flags & ~kCalm) | kSelected); // what is selected is never calm
         variant |= kOutline;
     }
-    for (const CutPlace& cut : frame.cuts) {
-        const auto index = static_cast<std::size_t>(cut.branch);
-        if (cut.branch < 0 || index >= count || !lines_.shown() || !lines_.shown()->at(cut.branch, cut.fraction))
-            continue;
-        records[index][3] |= kCut;
+    for (const LostPart& part : frame.lost) {
+        const auto index = static_cast<std::size_t>(part.branch);
+        const bool somewhere = part.whole() || (lines_.shown() && lines_.shown()->at(part.branch, 0.0));
+        if (part.branch < 0 || index >= count || !somewhere) continue;
+        records[index][3] |= part.whole() ? kLost : kCut;
         variant |= kCuts;
     }
     if (count > branch_capacity_) {
