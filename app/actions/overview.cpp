@@ -17,7 +17,7 @@ Result<void> overview(ActionContext& context, Arguments arguments) {
     return arguments.empty() ? context.host.toggle("overview") : context.host.arrange("overview", arguments[0]);
 }
 
-bool shows_overview(const Host& host, const Command&) { return host.shows("overview"); }
+bool shows_overview(Host& host, const Command&) { return host.shows("overview"); }
 
 } // namespace
 
