@@ -1,0 +1,214 @@
+// What colours say: maps, quantities, legends, and the frame that a session with plans becomes.
+#include "app/centerlines.h"
+#include "app/colouring.h"
+#include "app/compose.h"
+#include "app/script.h"
+#include "app/session_file.h"
+#include "tests/support/grown_tree.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace ramus;
+using namespace ramus::app;
+using render::ColourScale;
+
+namespace {
+
+std::shared_ptr<const tree::VesselTree> tree_of(int branches) {
+    return std::make_shared<const tree::VesselTree>(test::grown_tree(branches).value());
+}
+
+class NoHost final : public Host {
+public:
+    [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
+    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
+};
+
+struct Stage {
+    Document document;
+    NoHost host;
+    ActionContext context{document, host};
+    explicit Stage(int branches) { document.open(tree_of(branches), {}); }
+    Result<void> run(std::string_view text) {
+        const auto lines = parse_script(text, "c");
+        return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
+    }
+    [[nodiscard]] render::Frame frame() const {
+        return compose(document, std::make_shared<const render::PagedMesh>(), {.size = {400, 300}});
+    }
+};
+
+double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+} // namespace
+
+TEST_CASE("colour maps get brighter from end to end, and their dark end is seen on a dark background") {
+    for (const ColourMap map : kColourMaps) {
+        CAPTURE(name_of(map));
+        const auto ramp = ramp_of(map, 50);
+        for (std::size_t i = 1; i < ramp.size(); ++i) CHECK(luminance(ramp[i]) > luminance(ramp[i - 1]));
+        CHECK(luminance(ramp.front()) > 0.1);
+        CHECK(colour_at(map, -3.0) == ramp.front());
+        CHECK(colour_at(map, 7.0) == ramp.back());
+    }
+}
+
+TEST_CASE("every quantity colours every branch and says so in a legend") {
+    Stage stage(60);
+    REQUIRE(stage.run("name 3 Segment\nlesion 0,0,0,4"));
+    for (const ColourBy quantity : kColourings) {
+        CAPTURE(name_of(quantity));
+        REQUIRE(stage.run("colour-by " + std::string(name_of(quantity))));
+        const render::Frame frame = stage.frame();
+        const bool plain = quantity == ColourBy::kNothing || quantity == ColourBy::kState;
+        CHECK(frame.colours.size() == (plain ? 0 : stage.document.tree()->branches.size()));
+        const bool unexplained = quantity == ColourBy::kNothing || quantity == ColourBy::kBranch;
+        CHECK(frame.overlays.legend.title.empty() == unexplained);
+        if (!unexplained) CHECK(frame.overlays.legend.bar.size() + frame.overlays.legend.swatches.size() > 0);
+        for (const auto& tick : frame.overlays.legend.ticks) {
+            CHECK(tick.at >= -1e-9);
+            CHECK(tick.at <= 1.0 + 1e-9);
+        }
+        CHECK((frame.scale.value != ColourScale::Value::kNone) ==
+              (quantity == ColourBy::kDiameter || quantity == ColourBy::kRootDistance));
+        CHECK(frame.margins.bands.empty() == (quantity != ColourBy::kLesion));
+    }
+    CHECK_FALSE(stage.run("colour-by weather"));
+    CHECK_FALSE(stage.run("colour-map rainbow"));
+}
+
+TEST_CASE("the ticks of a diameter legend stand where the colours of those diameters are") {
+    Stage stage(200);
+    REQUIRE(stage.run("colour-by diameter\ncolour-map cividis"));
+    const render::Frame frame = stage.frame();
+    REQUIRE(frame.overlays.legend.ticks.size() >= 2);
+    for (const auto& tick : frame.overlays.legend.ticks) {
+        const double mm = std::stod(tick.text), low = frame.scale.low, high = frame.scale.high;
+        CHECK(tick.at == doctest::Approx(std::log(mm / low) / std::log(high / low)).epsilon(0.01));
+    }
+    CHECK(frame.scale.ramp == ramp_of(ColourMap::kCividis));
+}
+
+TEST_CASE("names colour what depends on them, and other letters stay readable") {
+    Stage stage(60);
+    const auto& branches = stage.document.tree()->branches;
+    const auto parent = static_cast<std::size_t>(
+        std::ranges::find_if(branches, [](const auto& b) { return b.generation == 1 && !b.children.empty(); }) -
+        branches.begin());
+    REQUIRE(stage.run("name " + std::to_string(parent) + " Lebervene\ncolour-by label"));
+    const auto colours = stage.frame().colours;
+    const auto child = static_cast<std::size_t>(branches[parent].children.front());
+    CHECK(colours[child] == colours[parent]);
+    CHECK(colours[0] != colours[parent]);
+    CHECK(latin1("V\xC3\xA9n\xC3\xBC") == "V\xE9n\xFC");
+    CHECK(latin1("a\xE2\x80\x93\xCE\xB2 z") == "a?? z");
+}
+
+TEST_CASE("margins follow the session's bands, and a branch has the colour of the nearest it reaches") {
+    Stage stage(60);
+    Marks marks = stage.document.marks();
+    const auto& tree = *stage.document.tree();
+    const glm::dvec3 root = tree.points[tree.branches[0].points[0]].position;
+    marks.lesions = {{root.x, root.y, root.z, 3.0}};
+    marks.planning.bands_mm = {2.0, 30.0};
+    marks.colour_by = ColourBy::kLesion;
+    stage.document.change(marks);
+    const render::Frame frame = stage.frame();
+    REQUIRE(frame.margins.bands.size() == 2);
+    CHECK(frame.margins.bands[1].within_mm == 30.0F);
+    CHECK(frame.lesions.spheres.size() == 1);
+    CHECK(frame.colours[0] == margin_colour(0, 2));
+    REQUIRE(frame.overlays.legend.swatches.size() == 3);
+    CHECK(frame.overlays.legend.swatches[0].text == "up to 2");
+    CHECK(frame.overlays.legend.swatches[2].text == "beyond 30");
+    const auto& distances = stage.document.plan()->lesion_distances_mm;
+    for (std::size_t id = 0; id < distances.size(); ++id)
+        if (distances[id] > 30.0) CHECK(frame.colours[id] == kBeyondMargins);
+}
+
+TEST_CASE("cuts make what lies beyond lost, with a hoop where they are") {
+    Stage stage(60);
+    REQUIRE(stage.run("cut 1 0.25"));
+    const render::Frame frame = stage.frame();
+    const auto& tree = *stage.document.tree();
+    REQUIRE(frame.centerlines);
+    for (const render::LostPart& part : frame.lost) {
+        CHECK(part.whole() == (part.branch != 1));
+        if (part.branch == 1) CHECK(part.from == doctest::Approx(0.25));
+    }
+    CHECK(frame.lost.size() == tree::subtree(tree, 1).size());
+    REQUIRE(frame.lines.size() == 1);
+    const auto place = frame.centerlines->at(1, 0.25).value();
+    for (const glm::dvec3& p : frame.lines[0].points)
+        CHECK(glm::distance(p, place.position) == doctest::Approx(1.35 * place.radius_mm));
+}
+
+TEST_CASE("measurements are drawn with their numbers") {
+    Stage stage(60);
+    Marks marks = stage.document.marks();
+    const auto& tree = *stage.document.tree();
+    const int child = tree.branches[0].children.front();
+    marks.measurements = {{Measurement::Kind::kDistance, {glm::dvec3(0), glm::dvec3(3, 4, 0)}, {}, 0.5},
+                          {Measurement::Kind::kPath, {}, {0, child}, 0.5},
+                          {Measurement::Kind::kDiameter, {}, {0, tree::kNoBranch}, 0.5},
+                          {Measurement::Kind::kAngle, {}, {child, tree::kNoBranch}, 0.5}};
+    stage.document.change(marks);
+    const render::Frame frame = stage.frame();
+    REQUIRE(frame.labels.size() >= 4);
+    CHECK(frame.labels[0].text == "5 mm");
+    CHECK(frame.labels[0].at == glm::dvec3(1.5, 2, 0));
+    CHECK(frame.labels[1].text.starts_with("path "));
+    CHECK(frame.labels[2].text.starts_with("\xD8 "));
+    CHECK(frame.labels[3].text.ends_with("\xB0"));
+    // What the tree no longer has is left out.
+    marks.measurements = {{Measurement::Kind::kDiameter, {}, {100000, tree::kNoBranch}, 0.5}};
+    stage.document.change(marks);
+    CHECK(stage.frame().labels.empty());
+}
+
+TEST_CASE("glass and colours are commands, undone and saved like everything else") {
+    Stage stage(20);
+    const Marks before = stage.document.marks();
+    REQUIRE(stage.run("glass-opacity 1.5\nglass-grey 0.25\ncolour-by root-distance\ncolour-map magma"));
+    const Marks& marks = stage.document.marks();
+    CHECK(marks.glass == GlassLook{1.5, 0.25});
+    CHECK(marks.colour_map == ColourMap::kMagma);
+    for (const char* wrong : {"glass-opacity 2.1", "glass-opacity", "glass-grey -0.1", "glass-grey x", "colour-map"})
+        CHECK_FALSE(stage.run(wrong));
+    const auto json = to_json(stage.document.session(), "/");
+    const auto read = session_from_json(json, "/", "test");
+    REQUIRE(read);
+    CHECK(read->session.marks == marks);
+    REQUIRE(stage.run("undo\nundo\nundo\nundo"));
+    CHECK(stage.document.marks() == before);
+}
+
+TEST_CASE("centerlines run from root to leaf with the file's lengths, whatever the options, and are made once") {
+    const auto tree = tree_of(120);
+    for (const mesh::SurfaceOptions& options :
+         {mesh::SurfaceOptions{}, mesh::SurfaceOptions{.smooth_passes = 4, .prune_ratio = 0.5}}) {
+        const auto lines = centerlines_of(tree, options);
+        CHECK(centerlines_of(tree, options) == lines);
+        REQUIRE(lines->runs.size() == tree->branches.size());
+        std::size_t drawn = 0;
+        for (std::size_t id = 0; id < tree->branches.size(); ++id) {
+            const auto run = lines->runs[id];
+            if (run.count == 0) continue; // pruned
+            ++drawn;
+            const auto begin = *lines->at(static_cast<int>(id), 0.0), end = *lines->at(static_cast<int>(id), 1.0);
+            CHECK(end.from_root_mm - begin.from_root_mm ==
+                  doctest::Approx(tree::length_mm(*tree, tree->branches[id])).epsilon(1e-4));
+            const int parent = tree->branches[id].parent;
+            if (parent == tree::kNoBranch) continue;
+            const auto before = *lines->at(parent, 1.0);
+            CHECK(glm::distance(before.position, begin.position) < 1e-4);
+            CHECK(before.from_root_mm == doctest::Approx(begin.from_root_mm).epsilon(1e-4));
+        }
+        CHECK((drawn == tree->branches.size()) == (options.prune_ratio == 0.0));
+        for (std::size_t i = 0; i < lines->points.size(); ++i) CHECK(lines->details[i].diameter_mm > 0.0F);
+    }
+}
