@@ -31,7 +31,12 @@ Result<void> shot(ActionContext& context, Arguments arguments) {
 
 Result<void> quit(ActionContext& context, Arguments) { return context.host.quit(); }
 
-Result<void> panel(ActionContext& context, Arguments) { return context.host.toggle("panel"); }
+Result<void> panel(ActionContext& context, Arguments arguments) {
+    if (arguments.empty()) return context.host.toggle("panel");
+    if (arguments.size() > 1 || (arguments[0] != "explore" && arguments[0] != "plan" && arguments[0] != "other"))
+        return fail("panel shows or hides itself, or one of its halves", {}, "panel, panel explore or panel plan");
+    return context.host.toggle(arguments[0]);
+}
 
 Result<void> help(ActionContext& context, Arguments) { return context.host.toggle("help"); }
 
@@ -62,7 +67,22 @@ std::vector<Command> file_commands() {
 
 std::vector<Command> window_commands() {
     return {
-        {"panel", "", "Shows or hides the side panel.", "View", "Side panel", {"Tab"}, panel},
+        {"panel",
+         "[explore|plan]",
+         "Shows or hides the side panel, or shows the half of it that explores or the one that plans.",
+         "View",
+         "Side panel",
+         {"Tab"},
+         panel},
+        {"panel",
+         "[explore|plan]",
+         "Goes from the exploring half of the side panel to the planning half, and back.",
+         "View",
+         "Explore or plan",
+         {"B"},
+         panel,
+         {"other"},
+         has_tree},
         {"help", "", "Shows what the mouse and the keys do.", "Help", "Mouse and keys", {"F1", "?"}, help},
     };
 }

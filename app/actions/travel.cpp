@@ -1,33 +1,25 @@
-// Where the camera goes by itself: to a branch.
+// Where the camera goes by itself: to a branch, to a place.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-
-#include <glm/common.hpp>
+#include "core/measure/branch_place.h"
 
 namespace ramus::app::actions {
 
 namespace {
 
-// The point halfway along a branch.
-glm::dvec3 middle_of(const tree::VesselTree& tree, int id) {
-    const tree::Branch& branch = tree.branches[static_cast<std::size_t>(id)];
-    double left = 0.5 * tree::length_mm(tree, branch);
-    for (std::size_t i = 1; i < branch.points.size(); ++i) {
-        const glm::dvec3& from = tree.points[branch.points[i - 1]].position;
-        const glm::dvec3& to = tree.points[branch.points[i]].position;
-        const double step = glm::distance(from, to);
-        if (step >= left && step > 0.0) return glm::mix(from, to, left / step);
-        left -= step;
-    }
-    return tree.points[branch.points.back()].position;
-}
-
 Result<void> centre(ActionContext& context, Arguments arguments) {
-    if (arguments.size() != 1) return fail("centre takes the id of a branch");
-    const auto id = branch_id(context.document, arguments[0]);
-    if (!id) return tl::unexpected(id.error());
-    context.document.set_camera(
-        render::centred_on(context.document.session().camera, middle_of(*context.document.tree(), *id)));
+    if (arguments.size() != 1) return fail("centre takes the id of a branch, or a place X,Y,Z in mm");
+    glm::dvec3 target(0.0);
+    if (arguments[0].find(',') != std::string::npos) {
+        const auto place = numbers_in(arguments[0], 3, kFarthestMm);
+        if (!place) return fail("\"" + arguments[0] + "\" is not a place X,Y,Z in mm");
+        target = {(*place)[0], (*place)[1], (*place)[2]};
+    } else {
+        const auto id = branch_id(context.document, arguments[0]);
+        if (!id) return tl::unexpected(id.error());
+        target = measure::place_on(*context.document.tree(), *id, 0.5).position;
+    }
+    context.document.set_camera(render::centred_on(context.document.session().camera, target));
     context.host.camera_moved();
     return {};
 }
@@ -36,8 +28,8 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> travel_commands() {
     return {
-        {"centre", "ID", "Brings the middle of a branch into the middle of the picture.", "", "", {}, centre},
-        {"go-to", "ID", "Another name of centre.", "", "", {}, centre},
+        {"centre", "ID|X,Y,Z", "Brings the middle of a branch, or a place, into the middle of the picture.", "", "", {}, centre},
+        {"go-to", "ID|X,Y,Z", "Another name of centre.", "", "", {}, centre},
     };
 }
 

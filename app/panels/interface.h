@@ -36,6 +36,7 @@ struct Notice {
 
 struct Interface {
     bool panel_open = true;
+    bool planning = false; // the side panel shows its planning half
     bool help_open = false;
     std::array<char, 64> help_search{};
     OpenDialog open_dialog;
@@ -83,6 +84,7 @@ void draw_side_panel(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_overview(InterfaceContext& context);
+void draw_plan(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
 void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is

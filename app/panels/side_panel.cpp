@@ -179,6 +179,25 @@ void draw_selection(InterfaceContext& context) {
     draw_actions(context);
 }
 
+// The two halves of the panel: what the tree is, and what is planned on it.
+void draw_halves(InterfaceContext& context) {
+    const float scale = theme::scale();
+    ImGui::Dummy({0.0F, 4.0F * scale});
+    const float width = std::floor(0.5F * ImGui::GetContentRegionAvail().x);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
+    for (const bool planning : {false, true}) {
+        if (planning) ImGui::SameLine();
+        const bool chosen = context.interface.planning == planning;
+        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentDim : ImVec4(1.0F, 1.0F, 1.0F, 0.05F));
+        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
+        if (ImGui::Button(planning ? "Plan" : "Explore", {width, 0.0F}))
+            context.perform("panel", {planning ? "plan" : "explore"});
+        ImGui::PopStyleColor(2);
+        widgets::tooltip(planning ? "Lesions, cuts and measurements" : "Surface, selection and branches", "B");
+    }
+    ImGui::PopStyleVar();
+}
+
 } // namespace
 
 void draw_side_panel(InterfaceContext& context) {
@@ -190,11 +209,16 @@ void draw_side_panel(InterfaceContext& context) {
                          static_cast<float>(layout.window.y - layout.bar_height - layout.status_height));
     if (context.workspace.document.tree() && context.workspace.facts()) {
         draw_tree(context);
-        draw_surface(context);
-        draw_glass(context);
-        draw_selection(context);
-        widgets::section("Branches");
-        draw_branch_list(context);
+        draw_halves(context);
+        if (context.interface.planning) {
+            draw_plan(context);
+        } else {
+            draw_surface(context);
+            draw_glass(context);
+            draw_selection(context);
+            widgets::section("Branches");
+            draw_branch_list(context);
+        }
     } else {
         widgets::quiet_wrapped("What ramus knows of a tree appears here.");
     }

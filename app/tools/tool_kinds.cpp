@@ -1,14 +1,30 @@
 #include "app/tools/tool_kinds.h"
 
+#include "app/tools/cut_tool.h"
 #include "app/tools/lasso_tool.h"
+#include "app/tools/lesion_tool.h"
+#include "app/tools/measure_tools.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ramus::app {
 
 namespace {
 
 template <typename T> std::unique_ptr<Tool> make() { return std::make_unique<T>(); }
+template <Measurement::Kind kind> std::unique_ptr<Tool> measuring() { return std::make_unique<MeasureTool>(kind); }
+
+// A circle in the unit square.
+std::vector<glm::vec2> ring(glm::vec2 centre, float radius) {
+    constexpr int kCorners = 20;
+    std::vector<glm::vec2> points;
+    for (int i = 0; i <= kCorners; ++i) {
+        const float angle = 6.2831853F * static_cast<float>(i) / kCorners;
+        points.push_back(centre + radius * glm::vec2(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+}
 
 } // namespace
 
@@ -52,6 +68,44 @@ const std::vector<ToolKind>& tool_kinds() {
          {"Shift+W"},
          {{{0.14F, 0.80F}, {0.22F, 0.22F}, {0.62F, 0.40F}, {0.88F, 0.14F}, {0.84F, 0.82F}, {0.14F, 0.80F}}},
          make<PolygonLassoTool>},
+        {"lesion",
+         "Lesion",
+         "Places a lesion, sizes it and moves it.",
+         {"Shift+L"},
+         {ring({0.5F, 0.5F}, 0.40F), ring({0.5F, 0.5F}, 0.10F)},
+         make<LesionTool>},
+        {"cut",
+         "Cut",
+         "Cuts a vessel: what depends on it is lost.",
+         {"Shift+C"},
+         {{{0.06F, 0.62F}, {0.42F, 0.50F}}, {{0.58F, 0.45F}, {0.94F, 0.33F}}, {{0.40F, 0.20F}, {0.60F, 0.76F}}},
+         make<CutTool>},
+        {"measure-distance",
+         "Distance",
+         "Measures between two places on vessels.",
+         {"M"},
+         {{{0.10F, 0.72F}, {0.90F, 0.28F}}, {{0.04F, 0.60F}, {0.16F, 0.84F}}, {{0.84F, 0.16F}, {0.96F, 0.40F}}},
+         measuring<Measurement::Kind::kDistance>},
+        {"measure-path",
+         "Way",
+         "Measures along the vessels from one branch to another.",
+         {"Shift+M"},
+         {{{0.08F, 0.80F}, {0.30F, 0.36F}, {0.58F, 0.62F}, {0.92F, 0.18F}},
+          ring({0.08F, 0.80F}, 0.06F),
+          ring({0.92F, 0.18F}, 0.06F)},
+         measuring<Measurement::Kind::kPath>},
+        {"measure-diameter",
+         "Diameter",
+         "Measures a vessel across.",
+         {},
+         {ring({0.5F, 0.5F}, 0.34F), {{0.14F, 0.86F}, {0.86F, 0.14F}}},
+         measuring<Measurement::Kind::kDiameter>},
+        {"measure-angle",
+         "Angle",
+         "Measures how a vessel branches off.",
+         {},
+         {{{0.90F, 0.84F}, {0.12F, 0.84F}, {0.70F, 0.14F}}, {{0.56F, 0.84F}, {0.52F, 0.64F}, {0.40F, 0.50F}}},
+         measuring<Measurement::Kind::kAngle>},
     };
     return kinds;
 }

@@ -26,6 +26,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["tool"] = viewer.tool();
     status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
+    status["planning"] = interface.planning;
     status["help"] = interface.help_open;
     status["open_dialog"] = interface.open_dialog.open;
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();

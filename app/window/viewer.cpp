@@ -186,29 +186,40 @@ std::string Viewer::title() const {
 
 std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
 
-Result<void> Viewer::write_picture(const std::filesystem::path& path) {
-    const auto image = draw_picture(workspace_.document.session().camera, layout_.view_size);
-    return image ? render::write_png(*image, path) : tl::unexpected(image.error());
-}
-
+<<<<<<< HEAD
 // As `ramus render` draws the session: without what the pointer is doing.
-Result<void> Viewer::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
-    render::Frame frame = compose(workspace_.document, picture_mesh(), {.size = size, .pixel_ratio = scale_});
-    frame.camera = camera;
+Result<void> Viewer::draw_for_keeping() {
+    const render::Frame frame =
+        compose(workspace_.document, picture_mesh(), {.size = layout_.view_size, .pixel_ratio = scale_});
     if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     shake();
     drawn_ = 0;
     return {};
 }
 
+Result<void> Viewer::write_picture(const std::filesystem::path& path) {
+    if (auto drawn = draw_for_keeping(); !drawn) return drawn;
+    return render::write_png(renderer_.read_image(), path);
+=======
+Result<void> Viewer::write_picture(const std::filesystem::path& path) {
+    const auto image = draw_picture(workspace_.document.session().camera, layout_.view_size);
+    return image ? render::write_png(*image, path) : tl::unexpected(image.error());
+}
+
 Result<render::Image> Viewer::draw_picture(const render::Camera& camera, glm::ivec2 size) {
-    if (auto drawn = draw_for_keeping(camera, size); !drawn) return tl::unexpected(drawn.error());
+    // As `ramus render` draws the session: without what the pointer is doing.
+    render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
+                                  {.size = size, .pixel_ratio = scale_});
+    frame.camera = camera;
+    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+    shake();
+    drawn_ = 0;
     return renderer_.read_image();
+>>>>>>> 2dfac91 (actions: Plan operations, measure and report by command)
 }
 
 Result<render::BranchPicture> Viewer::branch_picture() {
-    if (auto drawn = draw_for_keeping(workspace_.document.session().camera, layout_.view_size); !drawn)
-        return tl::unexpected(drawn.error());
+    if (auto drawn = draw_for_keeping(); !drawn) return tl::unexpected(drawn.error());
     return renderer_.read_branches();
 }
 
@@ -248,8 +259,10 @@ Result<void> Viewer::toggle(std::string_view part) {
         interface_.help_open = !interface_.help_open;
     else if (part == "overview")
         interface_.overview.open = !interface_.overview.open;
-    else
+    else if (part == "panel")
         interface_.panel_open = !interface_.panel_open;
+    else
+        interface_.planning = part == "plan" || (part == "other" && !interface_.planning), interface_.panel_open = true;
     shake();
     return {};
 }

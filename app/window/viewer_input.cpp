@@ -1,6 +1,8 @@
 // What the mouse and the keys do in a Viewer.
 #include "app/window/viewer.h"
 
+#include <algorithm>
+#include <cctype>
 #include <imgui.h>
 
 namespace ramus::app {
@@ -155,7 +157,10 @@ void Viewer::character(unsigned codepoint) {
 
 void Viewer::dropped(const std::filesystem::path& path) {
     InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    context.perform("open", {path.string()});
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool mesh = extension == ".stl" || extension == ".ply" || extension == ".obj";
+    context.perform(mesh ? "lesion-mesh" : "open", {path.string()});
 }
 
 } // namespace ramus::app

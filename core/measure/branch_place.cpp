@@ -1,7 +1,9 @@
 #include "core/measure/branch_place.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 namespace ramus::measure {
@@ -25,6 +27,24 @@ BranchPlace place_on(const tree::VesselTree& tree, int branch, double fraction) 
         before += length;
     }
     return {};
+}
+
+double nearest_fraction(const tree::VesselTree& tree, int branch, const glm::dvec3& point) {
+    const auto& points = tree.branches[static_cast<std::size_t>(branch)].points;
+    double length = 0.0;
+    double at = 0.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec3& a = tree.points[points[i - 1]].position;
+        const glm::dvec3 along = tree.points[points[i]].position - a;
+        const double squared = glm::dot(along, along);
+        const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+        const double distance = glm::distance(point, a + t * along);
+        const double step = std::sqrt(squared);
+        if (distance < nearest) nearest = distance, at = length + t * step;
+        length += step;
+    }
+    return length > 0.0 ? at / length : 0.0;
 }
 
 BranchPart part_of(const tree::VesselTree& tree, int branch, double from, double to) {

@@ -18,6 +18,9 @@ struct BranchPlace {
 // `fraction` outside 0 to 1 means the nearer end.
 [[nodiscard]] BranchPlace place_on(const tree::VesselTree& tree, int branch, double fraction);
 
+// The fraction at which the centerline of a branch is nearest to a point.
+[[nodiscard]] double nearest_fraction(const tree::VesselTree& tree, int branch, const glm::dvec3& point);
+
 struct BranchPart {
     double length_mm = 0.0;
     double volume_mm3 = 0.0;

@@ -1,0 +1,312 @@
+// The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
+// is Document::plan(); everything done goes through commands.
+#include "app/measured.h"
+#include "app/numbers.h"
+#include "app/panels/interface.h"
+#include "app/panels/widgets.h"
+#include "app/tools/spelling.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+using widgets::fact;
+
+std::string volume(double mm3) { return mm3 < 1000.0 ? digits(mm3) + " mm\xC2\xB3" : digits(mm3 / 1000.0) + " ml"; }
+
+std::string amount(const measure::Amount& lost) {
+    return counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " + digits(lost.length_mm) +
+           " mm, " + volume(lost.volume_mm3) + ", " +
+           counted(static_cast<std::uint64_t>(lost.leaves), "leaf", "leaves");
+}
+
+std::string branch_name(const Document& document, int branch) {
+    const auto name = document.marks().names.find(branch);
+    return name == document.marks().names.end() ? "Branch " + std::to_string(branch) : name->second;
+}
+
+bool small_button(const char* text, const char* help) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7.0F * theme::scale(), 2.0F * theme::scale()});
+    const bool pressed = ImGui::Button(text);
+    ImGui::PopStyleVar();
+    widgets::tooltip(help);
+    return pressed;
+}
+
+// A title with buttons at its right end: pairs of text and help. Returns the one that was pressed, or -1.
+template <std::size_t N> int title_row(const char* title, const std::array<std::array<const char*, 2>, N>& buttons) {
+    widgets::section(title);
+    float width = 0.0F;
+    const float padding = 14.0F * theme::scale();
+    const float gap = 4.0F * theme::scale();
+    for (const auto& button : buttons) width += ImGui::CalcTextSize(button[0]).x + padding + gap;
+    ImGui::SameLine();
+    widgets::align_right(width - gap);
+    int pressed = -1;
+    for (std::size_t i = 0; i < N; ++i) {
+        if (i > 0) ImGui::SameLine(0.0F, gap);
+        ImGui::PushID(static_cast<int>(i));
+        if (small_button(buttons[i][0], buttons[i][1])) pressed = static_cast<int>(i);
+        ImGui::PopID();
+    }
+    return pressed;
+}
+
+// A line that can be clicked, with a cross at its right end. Returns 1 for the line, -1 for the cross, 0 else.
+int removable_row(const std::string& text, const ImVec4& colour, const char* help) {
+    const float cross = ImGui::GetFrameHeight();
+    const float room = ImGui::GetContentRegionAvail().x - cross;
+    int result = 0;
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    const std::string shown = widgets::fitted(text, room - 4.0F);
+    ImGui::AlignTextToFramePadding();
+    if (ImGui::Selectable(shown.c_str(), false, 0, {room, 0.0F})) result = 1;
+    ImGui::PopStyleColor();
+    widgets::tooltip(shown == text ? help : text.c_str());
+    ImGui::SameLine();
+    widgets::align_right(cross);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    if (ImGui::Button("\xC3\x97", {cross, 0.0F})) result = -1;
+    ImGui::PopStyleColor(2);
+    widgets::tooltip("Remove");
+    return result;
+}
+
+// A number or several, typed and entered. Returns what was entered, else nothing.
+std::vector<std::string> entry(const char* id, const std::string& current, float width) {
+    // One field at a time has the keyboard: what is typed belongs to it.
+    static std::string owner;
+    static std::array<char, 64> typed{};
+    std::array<char, 64> shown{};
+    std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());
+    const bool mine = owner == id;
+    ImGui::SetNextItemWidth(width);
+    const bool entered = ImGui::InputText(id, mine ? typed.data() : shown.data(), typed.size(),
+                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActivated()) owner = id, typed = shown;
+    std::vector<std::string> words;
+    if (mine && (entered || ImGui::IsItemDeactivatedAfterEdit())) {
+        std::string word;
+        for (const char c : std::string(typed.data()) + " ") {
+            if (c != ' ' && c != ',' && c != ';')
+                word += c;
+            else if (!word.empty())
+                words.push_back(std::exchange(word, {}));
+        }
+    }
+    if (mine && ImGui::IsItemDeactivated()) owner.clear();
+    return words;
+}
+
+std::string spelled_list(const std::vector<double>& values) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : "  ") + digits(value, 4);
+    return text;
+}
+
+void go_to(InterfaceContext& context, int branch) {
+    context.perform("select", {std::to_string(branch)});
+    context.perform("go-to", {std::to_string(branch)});
+}
+
+void draw_lesions(InterfaceContext& context) {
+    const Marks& marks = context.workspace.document.marks();
+    if (title_row<1>("Lesions", {{{"Place", "Place a lesion in the picture and size it by dragging"}}}) == 0)
+        context.perform("tool", {"lesion"});
+    if (marks.lesions.empty() && marks.lesion_meshes.empty()) {
+        widgets::quiet_wrapped(
+            "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
+            "picture is a lesion too.");
+        return;
+    }
+    for (std::size_t i = 0; i < marks.lesions.size(); ++i) {
+        const auto& sphere = marks.lesions[i];
+        ImGui::PushID(static_cast<int>(i));
+        const int done =
+            removable_row("Lesion " + std::to_string(i + 1) + "   \xC3\x98 " + digits(2.0 * sphere[3]) + " mm",
+                          theme::kText, "Click to bring it to the middle of the picture");
+        if (done > 0) context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
+        if (done < 0) context.perform("lesion-remove", {std::to_string(i + 1)});
+        ImGui::PopID();
+    }
+    for (std::size_t i = 0; i < marks.lesion_meshes.size(); ++i) {
+        ImGui::PushID(static_cast<int>(1000 + i));
+        const std::string& path = marks.lesion_meshes[i];
+        if (removable_row(std::filesystem::path(path).filename().string(), theme::kText, path.c_str()) < 0)
+            context.perform("lesion-remove", {std::to_string(marks.lesions.size() + i + 1)});
+        ImGui::PopID();
+    }
+    for (const std::string& trouble : context.workspace.document.plan()->troubles) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
+        ImGui::TextWrapped("%s", trouble.c_str());
+        ImGui::PopStyleColor();
+    }
+}
+
+void draw_band(InterfaceContext& context, const measure::Band& band) {
+    const std::string title =
+        (band.from_mm > 0.0 ? digits(band.from_mm) : "0") + " \xE2\x80\x93 " + digits(band.to_mm) + " mm";
+    const std::string count = counted(band.rows.size(), "branch", "branches");
+    ImGui::PushID(static_cast<int>(std::lround(1000.0 * band.to_mm)));
+    const bool open = ImGui::TreeNodeEx("band", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
+    ImGui::SameLine();
+    widgets::align_right(ImGui::CalcTextSize(count.c_str()).x);
+    widgets::quiet(count.c_str());
+    if (open) {
+        constexpr ImGuiTableFlags kFlags =
+            ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+        ImGui::PushFont(theme::small_font());
+        const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+        const float rows = static_cast<float>(std::min<std::size_t>(band.rows.size(), 8) + 1);
+        if (!band.rows.empty() && ImGui::BeginTable("rows", 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
+            ImGui::TableSetupScrollFreeze(0, 1);
+            for (const char* name : {"Branch", "\xC3\x98 mm", "Away mm", "Deps"}) ImGui::TableSetupColumn(name);
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+            ImGui::TableHeadersRow();
+            ImGui::PopStyleColor();
+            ImGuiListClipper clipper;
+            clipper.Begin(static_cast<int>(band.rows.size()));
+            while (clipper.Step())
+                for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
+                    const measure::BandRow& row = band.rows[static_cast<std::size_t>(n)];
+                    ImGui::TableNextRow();
+                    ImGui::TableNextColumn();
+                    ImGui::PushID(row.branch);
+                    const bool selected = is_selected(context.workspace.document.marks(), row.branch);
+                    const std::string name = branch_name(context.workspace.document, row.branch);
+                    if (ImGui::Selectable(name.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns))
+                        go_to(context, row.branch);
+                    if (ImGui::IsItemHovered()) context.interface.listed = row.branch;
+                    ImGui::PopID();
+                    ImGui::TableNextColumn();
+                    ImGui::TextUnformatted(digits(row.mean_diameter_mm).c_str());
+                    ImGui::TableNextColumn();
+                    ImGui::TextUnformatted(digits(row.distance_mm, 2).c_str());
+                    ImGui::TableNextColumn();
+                    ImGui::TextUnformatted(grouped(static_cast<std::uint64_t>(row.dependents.branches)).c_str());
+                }
+            ImGui::EndTable();
+        }
+        ImGui::PopFont();
+        ImGui::TreePop();
+    }
+    ImGui::PopID();
+}
+
+void draw_margins(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    const Marks& marks = document.marks();
+    if (marks.lesions.empty() && marks.lesion_meshes.empty()) return;
+    ImGui::Dummy({0.0F, 3.0F * theme::scale()});
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet("Margins mm");
+    ImGui::SameLine();
+    const float room = 110.0F * theme::scale();
+    widgets::align_right(room);
+    if (const auto words = entry("##bands", spelled_list(marks.planning.bands_mm), room); !words.empty())
+        context.perform("bands", words);
+    widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
+    bool coloured = marks.colour_by == ColourBy::kLesion;
+    if (ImGui::Checkbox("Colour vessels by distance", &coloured))
+        context.perform("colour-by", {coloured ? "lesion" : "nothing"});
+    for (const measure::Band& band : document.plan()->bands) draw_band(context, band);
+}
+
+void draw_cuts(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    const Marks& marks = document.marks();
+    if (title_row<1>("Cuts", {{{"Cut", "Cut vessels in the picture"}}}) == 0) context.perform("tool", {"cut"});
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet("Reconstruct above mm");
+    ImGui::SameLine();
+    const float room = 56.0F * theme::scale();
+    widgets::align_right(room);
+    if (const auto words = entry("##reconstruct", digits(marks.planning.reconstruct_mm), room); words.size() == 1)
+        context.perform("reconstruct", words);
+    widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
+    const measure::CutReport& report = document.plan()->cuts;
+    for (std::size_t i = 0; i < std::min(marks.cuts.size(), report.cuts.size()); ++i) {
+        const measure::CutFigures& figures = report.cuts[i];
+        const int branch = marks.cuts[i].first;
+        ImGui::PushID(static_cast<int>(i));
+        const int done = removable_row(
+            branch_name(document, branch) + "   \xC3\x98 " + digits(figures.diameter_mm) + " mm",
+            figures.reconstruct ? theme::kTrouble : theme::kText, "Click to select the branch and look at it");
+        if (ImGui::IsItemHovered()) context.interface.listed = branch;
+        if (done > 0) go_to(context, branch);
+        if (figures.reconstruct) {
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
+            ImGui::TextUnformatted("must be reconstructed");
+            ImGui::PopStyleColor();
+        }
+        widgets::quiet_wrapped(("Lost: " + amount(figures.lost)).c_str());
+        ImGui::PopID();
+        if (done < 0) context.perform("cut-remove", {std::to_string(i + 1)});
+    }
+    if (marks.cuts.size() > 1) {
+        ImGui::Dummy({0.0F, 2.0F * theme::scale()});
+        widgets::quiet_wrapped(("Lost together: " + amount(report.together)).c_str());
+    }
+}
+
+void draw_measurements(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    switch (title_row<4>("Measure", {{{"Line", "Distance between two places"},
+                                      {"Way", "Way along the vessels between two branches"},
+                                      {"\xC3\x98", "Diameter at a place"},
+                                      {"Angle", "Angles at a branching"}}})) {
+    case 0:
+        context.perform("tool", {"measure-distance"});
+        break;
+    case 1:
+        context.perform("tool", {"measure-path"});
+        break;
+    case 2:
+        context.perform("tool", {"measure-diameter"});
+        break;
+    case 3:
+        context.perform("tool", {"measure-angle"});
+        break;
+    default:
+        break;
+    }
+    const auto& measurements = document.marks().measurements;
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const auto found = measured(*document.tree(), measurements[i]);
+        std::string details = found ? found->what : found.error().message();
+        if (found)
+            for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;
+        if (removable_row(found ? found->kind + "   " + found->value_text() : "cannot be measured",
+                          found ? theme::kText : theme::kTrouble, details.c_str()) < 0)
+            context.perform("measure-remove", {std::to_string(i + 1)});
+        ImGui::PopID();
+    }
+}
+
+} // namespace
+
+void draw_plan(InterfaceContext& context) {
+    draw_lesions(context);
+    draw_margins(context);
+    draw_cuts(context);
+    draw_measurements(context);
+    const Marks& marks = context.workspace.document.marks();
+    const bool some = !marks.cuts.empty() || !marks.lesions.empty() || !marks.lesion_meshes.empty() ||
+                      !marks.measurements.empty() || !marks.selection.empty();
+    ImGui::Dummy({0.0F, 6.0F * theme::scale()});
+    ImGui::BeginDisabled(!some);
+    if (ImGui::Button("Report\xE2\x80\xA6", {-1.0F, 0.0F})) context.perform("report", {});
+    ImGui::EndDisabled();
+    widgets::tooltip("One page with pictures and tables of the selection, the margins, the cuts and the measurements");
+}
+
+} // namespace ramus::app

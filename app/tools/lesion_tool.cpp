@@ -1,0 +1,126 @@
+#include "app/tools/lesion_tool.h"
+
+#include "app/numbers.h"
+#include "app/tools/spelling.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr double kOutlineShare = 0.72; // of its radius: from here on a press takes the outline
+constexpr double kSlackPoints = 5.0;   // beyond the outline that still takes it
+constexpr double kClickPoints = 3.0;   // a pointer that moved less was only clicked
+const glm::vec4 kLesionColour{1.0F, 0.86F, 0.35F, 1.0F};
+
+// A sphere as it lies in the picture.
+struct Disc {
+    glm::dvec2 at{0.0};
+    double radius = 0.0; // pixels
+    double depth_mm = 0.0;
+};
+
+double mm_per_pixel_at(const Pointing& pointing, glm::dvec2 at, double depth_mm) {
+    const auto here = render::unproject(pointing.camera(), pointing.size, at, depth_mm);
+    const auto beside = render::unproject(pointing.camera(), pointing.size, at + glm::dvec2(1.0, 0.0), depth_mm);
+    return glm::distance(here, beside);
+}
+
+std::optional<Disc> disc_of(const Pointing& pointing, const std::array<double, 4>& sphere) {
+    const auto at = render::project(pointing.camera(), pointing.size, {sphere[0], sphere[1], sphere[2]});
+    if (!at) return {};
+    return Disc{glm::dvec2(*at), sphere[3] / mm_per_pixel_at(pointing, glm::dvec2(*at), at->z), at->z};
+}
+
+// The nearest lesion to the eye under the pointer.
+std::optional<std::pair<std::size_t, Disc>> lesion_under(const Pointing& pointing) {
+    std::optional<std::pair<std::size_t, Disc>> found;
+    const auto& lesions = pointing.document.marks().lesions;
+    for (std::size_t i = 0; i < lesions.size(); ++i) {
+        const auto disc = disc_of(pointing, lesions[i]);
+        if (!disc || glm::distance(disc->at, pointing.at) > disc->radius + kSlackPoints * pointing.pixel_ratio)
+            continue;
+        if (!found || disc->depth_mm < found->second.depth_mm) found = {i, *disc};
+    }
+    return found;
+}
+
+void put(std::array<double, 4>& sphere, const glm::dvec3& centre) {
+    for (int k = 0; k < 3; ++k) sphere[static_cast<std::size_t>(k)] = centre[k];
+}
+
+} // namespace
+
+void LesionTool::press(const Pointing& pointing) {
+    Held held;
+    held.pressed_at = pointing.at;
+    if (const auto under = lesion_under(pointing)) {
+        held.index = under->first;
+        held.sphere = held.before = pointing.document.marks().lesions[under->first];
+        held.sizing = glm::distance(under->second.at, pointing.at) > kOutlineShare * under->second.radius;
+        held.depth_mm = under->second.depth_mm;
+        held_ = held;
+        return;
+    }
+    const render::Pick pick = pointing.pick();
+    const render::Camera& camera = pointing.camera();
+    const glm::dvec3 forward = render::axes_of(camera).forward;
+    const glm::dvec3 reference = pick.branch != render::kNoBranch ? pick.position : camera.focal_point;
+    held.depth_mm = glm::dot(reference - camera.position, forward);
+    put(held.sphere, pick.branch != render::kNoBranch
+                         ? pick.position
+                         : render::unproject(camera, pointing.size, pointing.at, held.depth_mm));
+    held.sphere[3] = kUsualRadiusMm;
+    held_ = held;
+}
+
+void LesionTool::move(const Pointing& pointing) {
+    if (!held_ || !pointing.held) return;
+    if (!held_->moved && glm::distance(pointing.at, held_->pressed_at) < kClickPoints * pointing.pixel_ratio) return;
+    held_->moved = true;
+    const glm::dvec3 centre(held_->sphere[0], held_->sphere[1], held_->sphere[2]);
+    if (held_->sizing) {
+        const glm::dvec3 rim = render::unproject(pointing.camera(), pointing.size, pointing.at, held_->depth_mm);
+        held_->sphere[3] = std::max(kLeastRadiusMm, glm::distance(rim, centre));
+        return;
+    }
+    const auto from = render::unproject(pointing.camera(), pointing.size, held_->pressed_at, held_->depth_mm);
+    const auto to = render::unproject(pointing.camera(), pointing.size, pointing.at, held_->depth_mm);
+    put(held_->sphere, glm::dvec3(held_->before[0], held_->before[1], held_->before[2]) + to - from);
+}
+
+void LesionTool::release(const Pointing&) {
+    const auto held = std::exchange(held_, std::nullopt);
+    if (!held) return;
+    const auto& [x, y, z, r] = held->sphere;
+    const std::string sphere = spelled({x, y, z}) + "," + spelled(r);
+    if (!held->index)
+        command({"lesion", sphere});
+    else if (held->moved)
+        command({"lesion-change", std::to_string(*held->index + 1), sphere});
+}
+
+ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
+    ToolDrawing drawing;
+    const auto outline = [&](const std::array<double, 4>& sphere, float strength) {
+        const auto disc = disc_of(pointing, sphere);
+        if (!disc) return;
+        drawing.circles.push_back({disc->at, disc->radius, glm::vec4(glm::vec3(kLesionColour), strength), 1.5F, false});
+        drawing.texts.push_back({disc->at + glm::dvec2(disc->radius + 8.0 * pointing.pixel_ratio, 0.0),
+                                 "\xC3\x98 " + digits(2.0 * sphere[3]) + " mm", kLesionColour});
+    };
+    if (held_)
+        outline(held_->sphere, 1.0F);
+    else if (const auto under = lesion_under(pointing))
+        outline(pointing.document.marks().lesions[under->first], 0.6F);
+    return drawing;
+}
+
+std::string LesionTool::hint() const {
+    return held_ ? "Drag to size or move it, let go to keep it, Escape to leave it"
+                 : "Press on a vessel or beside it to place a lesion, drag to size it; press on a lesion to change it";
+}
+
+} // namespace ramus::app

@@ -1,0 +1,38 @@
+// LesionTool: places spherical lesions. A press puts the centre on the surface under the pointer, or, beside the
+// vessels, at the depth of the focal point; dragging sizes it, and a click alone gives it the usual size. A press on a
+// lesion takes hold of that one: near its outline it is sized, elsewhere moved across the view.
+#pragma once
+
+#include "app/tools/tool.h"
+
+#include <array>
+#include <optional>
+
+namespace ramus::app {
+
+class LesionTool final : public Tool {
+public:
+    static constexpr double kUsualRadiusMm = 10.0;
+    static constexpr double kLeastRadiusMm = 0.5;
+
+    void press(const Pointing& pointing) override;
+    void move(const Pointing& pointing) override;
+    void release(const Pointing& pointing) override;
+    bool escape() override { return std::exchange(held_, std::nullopt).has_value(); }
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+    [[nodiscard]] std::string hint() const override;
+
+private:
+    struct Held {
+        std::array<double, 4> sphere{}; // as it is now
+        std::array<double, 4> before{};
+        std::optional<std::size_t> index; // of a lesion that was there
+        bool sizing = true;
+        bool moved = false;
+        glm::dvec2 pressed_at{0.0};
+        double depth_mm = 0.0; // of its centre
+    };
+    std::optional<Held> held_;
+};
+
+} // namespace ramus::app

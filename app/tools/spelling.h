@@ -1,0 +1,21 @@
+// Numbers as tools write them into command lines: places to a hundredth of a millimetre, fractions to a thousandth.
+#pragma once
+
+#include <cstdio>
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace ramus::app {
+
+[[nodiscard]] inline std::string spelled(double value, int decimals = 2) {
+    std::string text(64, '\0');
+    const int length = std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    text.resize(static_cast<std::size_t>(length));
+    return text == "-0.00" ? "0.00" : text;
+}
+
+[[nodiscard]] inline std::string spelled(const glm::dvec3& place) {
+    return spelled(place.x) + "," + spelled(place.y) + "," + spelled(place.z);
+}
+
+} // namespace ramus::app
