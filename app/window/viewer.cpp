@@ -186,11 +186,10 @@ std::string Viewer::title() const {
 
 std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return workspace_.shown().mesh; }
 
-<<<<<<< HEAD
 // As `ramus render` draws the session: without what the pointer is doing.
-Result<void> Viewer::draw_for_keeping() {
-    const render::Frame frame =
-        compose(workspace_.document, picture_mesh(), {.size = layout_.view_size, .pixel_ratio = scale_});
+Result<void> Viewer::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
+    render::Frame frame = compose(workspace_.document, picture_mesh(), {.size = size, .pixel_ratio = scale_});
+    frame.camera = camera;
     if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     shake();
     drawn_ = 0;
@@ -198,28 +197,18 @@ Result<void> Viewer::draw_for_keeping() {
 }
 
 Result<void> Viewer::write_picture(const std::filesystem::path& path) {
-    if (auto drawn = draw_for_keeping(); !drawn) return drawn;
-    return render::write_png(renderer_.read_image(), path);
-=======
-Result<void> Viewer::write_picture(const std::filesystem::path& path) {
     const auto image = draw_picture(workspace_.document.session().camera, layout_.view_size);
     return image ? render::write_png(*image, path) : tl::unexpected(image.error());
 }
 
 Result<render::Image> Viewer::draw_picture(const render::Camera& camera, glm::ivec2 size) {
-    // As `ramus render` draws the session: without what the pointer is doing.
-    render::Frame frame = compose(workspace_.document.session(), workspace_.document.tree(), picture_mesh(),
-                                  {.size = size, .pixel_ratio = scale_});
-    frame.camera = camera;
-    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
-    shake();
-    drawn_ = 0;
+    if (auto drawn = draw_for_keeping(camera, size); !drawn) return tl::unexpected(drawn.error());
     return renderer_.read_image();
->>>>>>> 2dfac91 (actions: Plan operations, measure and report by command)
 }
 
 Result<render::BranchPicture> Viewer::branch_picture() {
-    if (auto drawn = draw_for_keeping(); !drawn) return tl::unexpected(drawn.error());
+    if (auto drawn = draw_for_keeping(workspace_.document.session().camera, layout_.view_size); !drawn)
+        return tl::unexpected(drawn.error());
     return renderer_.read_branches();
 }
 

@@ -94,7 +94,7 @@ private:
     void take_news();
     void take_pick();
     void ask_pick();
-    Result<void> draw_for_keeping();
+    Result<void> draw_for_keeping(const render::Camera& camera, glm::ivec2 size);
     void clicked(const Click& click);
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     void perform_tool();

@@ -1,6 +1,7 @@
 #include "app/script.h"
 #include "app/tools/lasso.h"
 #include "app/tools/pixel_polygon.h"
+#include "app/tools/tool.h"
 #include "tests/support/grown_tree.h"
 
 #include <cmath>
