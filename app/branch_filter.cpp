@@ -232,7 +232,7 @@ double value_of(BranchQuantity quantity, const tree::VesselTree& tree, const Tre
 
 std::vector<int> branches_passing(const BranchFilter& filter, const tree::VesselTree& tree, const TreeFacts& facts,
                                   const Marks& marks) {
-    const std::vector<int> sources = label_sources(tree, marks.names);
+    const std::vector<int> sources = label_sources(facts.dependency, marks.names);
     std::map<int, std::string> labels; // lower case
     for (const auto& [id, name] : marks.names) labels.emplace(id, lower(name));
     const auto passes = [&](const BranchCondition& condition, int id) {

@@ -36,10 +36,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.states = session.marks.states;
     frame.selected = session.marks.selection;
     frame.hovered = viewing.hovered;
-    if (tree && frame.hovered >= 0 && frame.hovered < static_cast<int>(tree->branches.size())) {
-        frame.hovered_dependents = tree::subtree(*tree, frame.hovered);
-        std::erase(frame.hovered_dependents, frame.hovered);
-    }
+    frame.hovered_dependents.assign(viewing.hovered_dependents.begin(), viewing.hovered_dependents.end());
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
     const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
@@ -64,6 +61,8 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
 
 render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh, Viewing viewing) {
     viewing.plan = document.plan();
+    if (viewing.hovered >= 0 && viewing.hovered < document.branch_count())
+        viewing.hovered_dependents = document.dependency().dependents(viewing.hovered);
     return compose(document.session(), document.tree(), std::move(mesh), viewing);
 }
 

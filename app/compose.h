@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace ramus::app {
 
@@ -16,10 +17,11 @@ struct Viewing {
     glm::ivec2 size{1280, 960}; // pixels
     float pixel_ratio = 1.0F;
     int hovered = render::kNoBranch;
+    std::span<const int> hovered_dependents{}; // they glow with it
     bool transparent = false;
     render::Quality quality = render::Quality::kFull;
-    std::shared_ptr<const Plan> plan; // of the session; null: lesions and cuts are not shown
-    std::optional<GlassLook> glass{}; // instead of the session's, while it is being tried
+    std::shared_ptr<const Plan> plan{}; // of the session; null: lesions and cuts are not shown
+    std::optional<GlassLook> glass{};   // instead of the session's, while it is being tried
 };
 
 // `tree` may be null: no colours; `mesh` may be null: an empty picture.

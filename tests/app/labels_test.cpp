@@ -35,18 +35,22 @@ TEST_CASE("a label is the name of the nearest named branch towards the root") {
             const auto ids = tree::subtree(tree, root);
             return std::binary_search(ids.begin(), ids.end(), id);
         };
-        CHECK(label_of(tree, names, id) == (below(child) ? "segment VI" : below(inner) ? "right hepatic" : ""));
+        CHECK(label_of(facts.dependency, names, id) == (below(child)   ? "segment VI"
+                                                        : below(inner) ? "right hepatic"
+                                                                       : ""));
     }
 }
 
 TEST_CASE("labels of all branches at once agree with labels one by one") {
     const tree::VesselTree tree = grown(500);
+    const tree::Dependency dependency(tree);
     for (const BranchNames& names :
          {BranchNames{}, BranchNames{{0, "trunk"}}, BranchNames{{0, "trunk"}, {7, "a"}, {40, "b"}, {123, "c"}}}) {
         const std::vector<int> sources = label_sources(tree, names);
         REQUIRE(sources.size() == tree.branches.size());
+        CHECK(sources == label_sources(dependency, names));
         for (int id = 0; id < static_cast<int>(sources.size()); ++id)
-            CHECK(sources[static_cast<std::size_t>(id)] == label_source(tree, names, id));
+            CHECK(sources[static_cast<std::size_t>(id)] == label_source(dependency, names, id));
     }
 }
 
