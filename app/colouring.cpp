@@ -147,10 +147,9 @@ void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 colour = margin_colour(i, count);
         colouring.margins.bands.push_back({static_cast<float>(bands[i]), colour});
-        legend.swatches.push_back(
-            {colour, (i == 0 ? "up to " : digits(bands[i - 1], 3) + " to ") + digits(bands[i], 3)});
+        legend.swatches.push_back({colour, (i == 0 ? "up to " : rounded(bands[i - 1]) + " to ") + rounded(bands[i])});
     }
-    if (count > 0) legend.swatches.push_back({kBeyondMargins, "beyond " + digits(bands[count - 1], 3)});
+    if (count > 0) legend.swatches.push_back({kBeyondMargins, "beyond " + rounded(bands[count - 1])});
     for (std::size_t id = 0; id < std::min(branches, plan->lesion_distances_mm.size()); ++id)
         for (std::size_t i = count; i-- > 0;)
             if (plan->lesion_distances_mm[id] <= bands[i]) colouring.branches[id] = margin_colour(i, count);

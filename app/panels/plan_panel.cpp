@@ -108,7 +108,7 @@ std::vector<std::string> entry(const char* id, const std::string& current, float
 
 std::string spelled_list(const std::vector<double>& values) {
     std::string text;
-    for (const double value : values) text += (text.empty() ? "" : "  ") + digits(value, 4);
+    for (const double value : values) text += (text.empty() ? "" : "  ") + rounded(value);
     return text;
 }
 
@@ -153,7 +153,7 @@ void draw_lesions(InterfaceContext& context) {
 
 void draw_band(InterfaceContext& context, const measure::Band& band) {
     const std::string title =
-        (band.from_mm > 0.0 ? digits(band.from_mm) : "0") + " \xE2\x80\x93 " + digits(band.to_mm) + " mm";
+        (band.from_mm > 0.0 ? rounded(band.from_mm) : "0") + " \xE2\x80\x93 " + rounded(band.to_mm) + " mm";
     const std::string count = counted(band.rows.size(), "branch", "branches");
     ImGui::PushID(static_cast<int>(std::lround(1000.0 * band.to_mm)));
     const bool open = ImGui::TreeNodeEx("band", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
@@ -229,7 +229,7 @@ void draw_cuts(InterfaceContext& context) {
     ImGui::SameLine();
     const float room = 56.0F * theme::scale();
     widgets::align_right(room);
-    if (const auto words = entry("##reconstruct", digits(marks.planning.reconstruct_mm), room); words.size() == 1)
+    if (const auto words = entry("##reconstruct", rounded(marks.planning.reconstruct_mm), room); words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
     const measure::CutReport& report = document.plan()->cuts;

@@ -159,7 +159,7 @@ TEST_CASE("measurements are drawn with their numbers") {
     stage.document.change(marks);
     const render::Frame frame = stage.frame();
     REQUIRE(frame.labels.size() >= 4);
-    CHECK(frame.labels[0].text == "5 mm");
+    CHECK(frame.labels[0].text == "5.00 mm");
     CHECK(frame.labels[0].at == glm::dvec3(1.5, 2, 0));
     CHECK(frame.labels[1].text.starts_with("path "));
     CHECK(frame.labels[2].text.starts_with("\xD8 "));

@@ -11,9 +11,22 @@ using render::BranchState;
 
 namespace {
 
+// A star: all others depend on the first.
 std::shared_ptr<const tree::VesselTree> tree_of(std::size_t branches) {
     auto tree = std::make_shared<tree::VesselTree>();
     tree->branches.resize(branches);
+    tree->roots = {0};
+    tree->points.push_back({{0.0, 0.0, 0.0}, 1.0});
+    for (std::size_t i = 0; i < branches; ++i) {
+        const auto point = static_cast<std::uint32_t>(tree->points.size());
+        tree->points.push_back({{static_cast<double>(i), 1.0, 0.0}, 1.0});
+        tree::Branch& branch = tree->branches[i];
+        branch.points = {i == 0 ? 0U : 1U, point};
+        if (i == 0) continue;
+        branch.parent = 0;
+        branch.generation = 1;
+        tree->branches[0].children.push_back(static_cast<int>(i));
+    }
     return tree;
 }
 
