@@ -77,6 +77,7 @@ void InterfaceContext::perform(const Command& command) {
 void InterfaceContext::perform(std::string_view name, const std::vector<std::string>& arguments) {
     std::vector<std::string> words{std::string(name)};
     words.insert(words.end(), arguments.begin(), arguments.end());
+    interface.last_command = words;
     ActionContext action{workspace.document, host};
     if (const auto done = run_command(action, words); !done) interface.tell(done.error().message(), now, true);
 }

@@ -55,6 +55,7 @@ struct Interface {
     std::unique_ptr<Tool> tool; // null: the mouse turns the view
     ToolSettings tool_settings;
     ToolDrawing tool_drawing; // of the tool, for this frame
+    CommandLine last_command; // that the tool or a panel gave
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
     [[nodiscard]] bool dialog_open() const { return help_open || open_dialog.open || !errors.empty(); }

@@ -93,6 +93,9 @@ public:
     // Escape. True: something that had begun was given up. False: there was nothing; the tool is left.
     virtual bool escape() { return false; }
 
+    // Whether something has begun that escape() would give up.
+    [[nodiscard]] virtual bool busy() const { return false; }
+
     [[nodiscard]] virtual ToolDrawing drawing(const Pointing&) const { return {}; }
     [[nodiscard]] virtual Cursor cursor() const { return Cursor::kCross; }
     [[nodiscard]] virtual std::string hint() const = 0; // one line: what to do next

@@ -24,6 +24,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["hovered"] = interface.hovered;
     status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
     status["tool"] = viewer.tool();
+    status["tool_busy"] = interface.tool && interface.tool->busy();
+    status["last_command"] = interface.last_command;
     status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["planning"] = interface.planning;

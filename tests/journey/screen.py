@@ -8,6 +8,8 @@ import math
 import os
 import shutil
 import subprocess
+import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -16,6 +18,12 @@ PATIENCE = 120.0  # seconds; software rendering on a busy machine is slow
 
 class Failure(Exception):
     pass
+
+
+def check(truth, what):
+    if not truth:
+        raise Failure(what)
+    print("ok:", what, flush=True)
 
 
 def missing_tools():
@@ -130,3 +138,28 @@ def looks_along(status):
     way = [f - p for f, p in zip(camera["focal_point"], camera["position"])]
     length = math.sqrt(sum(w * w for w in way))
     return [round(w / length, 6) + 0.0 for w in way]
+
+
+def info_of(program, tree):
+    return json.loads(subprocess.run([program, "info", tree, "--json", "--branches"], check=True,
+                                     stdout=subprocess.PIPE).stdout)
+
+
+def run_journeys(*journeys, size=(1200, 800)):
+    """Each as journey(program, screen, folder), with the program named on the command line; the exit status."""
+    program = str(Path(sys.argv[1]).resolve())
+    missing = missing_tools()
+    if missing:
+        print("SKIPPED: not installed:", ", ".join(missing))
+        return 0
+    with tempfile.TemporaryDirectory() as name:
+        screen = Screen(*size)
+        try:
+            for journey in journeys:
+                journey(program, screen, Path(name))
+        except Failure as failure:
+            print("FAILED:", failure, flush=True)
+            return 1
+        finally:
+            screen.close()
+    return 0

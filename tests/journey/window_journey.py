@@ -8,11 +8,8 @@ import json
 import shutil
 import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-from screen import (Failure, Screen, Window, cropped, differing, looks_along, missing_tools, picture_pixels,
-                    project)
+from screen import (Window, check, cropped, differing, looks_along, picture_pixels, project, run_journeys)
 
 # A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
 TREE = """\
@@ -27,12 +24,6 @@ TREE = """\
 8 3 35 10 45 2 7
 9 3 55 10 30 2 7
 """
-
-
-def check(truth, what):
-    if not truth:
-        raise Failure(what)
-    print("ok:", what, flush=True)
 
 
 def explore(program, screen, folder):
@@ -176,33 +167,12 @@ def bad_file(program, screen, folder):
         window.end()
 
 
-def without_display(program, folder):
+def without_display(program, screen, folder):
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(folder)}
     result = subprocess.run([program], env=environment, stderr=subprocess.PIPE, text=True)
     check(result.returncode == 1 and "display" in result.stderr and "ramus render" in result.stderr,
           "without a display ramus says so and points at ramus render")
 
 
-def main():
-    program = str(Path(sys.argv[1]).resolve())
-    missing = missing_tools()
-    if missing:
-        print("SKIPPED: not installed:", ", ".join(missing))
-        return 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        without_display(program, folder)
-        screen = Screen(1200, 800)
-        try:
-            explore(program, screen, folder)
-            bad_file(program, screen, folder)
-        except Failure as failure:
-            print("FAILED:", failure, flush=True)
-            return 1
-        finally:
-            screen.close()
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_journeys(without_display, explore, bad_file))
