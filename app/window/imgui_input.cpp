@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 #include <cfloat>
+#include <imgui_internal.h>
 
 namespace ramus::app {
 
@@ -23,6 +24,18 @@ void ImguiInput::character(unsigned codepoint) {
     events_.push_back({.kind = Event::Kind::kCharacter, .index = static_cast<int>(codepoint)});
 }
 void ImguiInput::leave() { move(-FLT_MAX, -FLT_MAX); }
+
+bool interface_takes_mouse(float x, float y) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.OpenPopupStack.Size > 0) return true;
+    for (int i = 0; i < IM_ARRAYSIZE(context.IO.MouseDown); ++i)
+        if (context.IO.MouseDown[i] && context.IO.MouseDownOwned[i]) return true;
+    for (const ImGuiWindow* window : context.Windows)
+        if (window->Active && !window->Hidden && (window->Flags & ImGuiWindowFlags_NoMouseInputs) == 0 &&
+            (window->Flags & ImGuiWindowFlags_ChildWindow) == 0 && window->OuterRectClipped.Contains({x, y}))
+            return true;
+    return false;
+}
 
 bool ImguiInput::apply(ImGuiIO& io) {
     bool keys_changed[512] = {};

@@ -32,6 +32,11 @@ private:
     std::deque<Event> events_;
 };
 
+// Whether the interface of the last frame takes the mouse there: a window lies there, a popup is open, or a drag began
+// in it. ImGui's own answer (WantCaptureMouse) is about where the pointer was at the last frame: a press that comes
+// with the move before it would go to what lies where the pointer has left.
+[[nodiscard]] bool interface_takes_mouse(float x, float y);
+
 // ImGui's navigation keys are GLFW's.
 void map_keys(ImGuiIO& io);
 

@@ -44,7 +44,7 @@ void Viewer::resize(glm::ivec2 window, float scale) {
 bool Viewer::over_picture(glm::dvec2 at) const {
     const glm::dvec2 in = in_picture(at);
     return in.x >= 0.0 && in.y >= 0.0 && in.x < layout_.view_size.x && in.y < layout_.view_size.y &&
-           !interface_.dialog_open() && !ImGui::GetIO().WantCaptureMouse;
+           !interface_.dialog_open() && !interface_takes_mouse(static_cast<float>(at.x), static_cast<float>(at.y));
 }
 
 Viewing Viewer::viewing() const {
