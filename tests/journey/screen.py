@@ -115,6 +115,11 @@ def cropped(pixels, width, part):
     return b"".join(pixels[3 * (row * width + x):3 * (row * width + x + part_width)] for row in range(y, y + part_height))
 
 
+def below_tools(pixels, view):
+    """A picture of the viewport (x, y, width, height) without its upper edge, where the tools lie over it."""
+    return pixels[3 * view[2] * 60:]
+
+
 def project(status, point):
     """Where the status's camera (perspective) shows a point, in pixels of the screen."""
     def minus(a, b): return [p - q for p, q in zip(a, b)]

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 
-from screen import (Window, check, cropped, differing, looks_along, picture_pixels, project, run_journeys)
+from screen import Window, below_tools, check, cropped, differing, looks_along, picture_pixels, project, run_journeys
 
 # A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
 TREE = """\
@@ -103,7 +103,7 @@ def explore(program, screen, folder):
 
 
 def save_and_compare(program, window, folder, status):
-    x, y, width, height = status["viewport"]
+    view = x, y, width, height = status["viewport"]
     window.xdotool("mousemove", x + width // 2, y + height + 10)  # on the status bar
     window.wait("nothing under the pointer", lambda s: s["hovered"] == -1)
     window.xdotool("key", "ctrl+s")
@@ -112,7 +112,7 @@ def save_and_compare(program, window, folder, status):
     seen = window.pixels(x, y, width, height)
     picture = folder / "headless.png"
     subprocess.run([program, "render", "--session", session, "--size", f"{width}x{height}", "-o", picture], check=True)
-    share = differing(seen, picture_pixels(picture))
+    share = differing(below_tools(seen, view), below_tools(picture_pixels(picture), view))
     if share > 0.001:  # both stay where the test ran
         subprocess.run(["convert", "-size", f"{width}x{height}", "-depth", "8", "rgb:-", "window.png"], input=seen, check=True)
         shutil.copy(picture, "headless.png")
@@ -120,14 +120,15 @@ def save_and_compare(program, window, folder, status):
     window.xdotool("key", "F12")
     shot = folder / "small tree.png"
     window.wait("the picture file", lambda s: shot.exists())
-    check(differing(seen, picture_pixels(shot)) <= 0.001, "F12 saves what the window shows")
+    check(differing(below_tools(seen, view), below_tools(picture_pixels(shot), view)) <= 0.001,
+          "F12 saves what the window shows")
 
 
 def hide_and_compare(program, window, folder, branches):
     """Hidden branches leave a closed surface, in the window as in a picture of the session."""
     status = window.status()
     triangles = status["triangles"]
-    x, y, width, height = status["viewport"]
+    view = x, y, width, height = status["viewport"]
     before = window.pixels(x, y, width, height)
     window.xdotool("key", "Delete")
     status = window.wait("the surface without them", lambda s: s["states"]["hidden"] == branches and s["surface_ready"])
@@ -140,7 +141,7 @@ def hide_and_compare(program, window, folder, branches):
     session.write_text(json.dumps(saved))
     picture = folder / "without.png"
     subprocess.run([program, "render", "--session", session, "--size", f"{width}x{height}", "-o", picture], check=True)
-    share = differing(seen, picture_pixels(picture))
+    share = differing(below_tools(seen, view), below_tools(picture_pixels(picture), view))
     check(share <= 0.001, f"and the picture is that of a surface made without them ({100 * share:.4f} % differ)")
     # Where they began, the others are closed: only left out of the drawing, they would leave a hole there.
     at_x, at_y = project(status, [0, 0, 0])
