@@ -15,8 +15,9 @@ namespace {
 std::string branch_text(int id) { return "branch " + std::to_string(id); }
 
 std::string place_text(const glm::dvec3& p) {
-    const auto text = [](double x) { return digits(x, std::abs(x) >= 100.0 ? 4 : 3); };
-    return "(" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) + ")";
+    std::string text = "(";
+    for (int k = 0; k < 3; ++k) text.append(k > 0 ? ", " : "").append(digits(p[k], std::abs(p[k]) >= 100.0 ? 4 : 3));
+    return text + ")";
 }
 
 Measured distance(const Measurement& m) {

@@ -39,7 +39,7 @@ std::string cell_text(const Cell& cell) {
     const double number = *cell.number;
     if (!std::isfinite(number)) return "\xE2\x80\x93";
     if (number == std::floor(number) && std::abs(number) < 1e9)
-        return (number < 0.0 ? "-" : "") + grouped(static_cast<std::uint64_t>(std::abs(number)));
+        return std::string(number < 0.0 ? "-" : "").append(grouped(static_cast<std::uint64_t>(std::abs(number))));
     return digits(number, 3);
 }
 
@@ -151,8 +151,9 @@ std::string cuts_note(const Document& document) {
     std::string note = counted(rebuilt, "vessel", "vessels") + " of more than " +
                        digits(document.marks().planning.reconstruct_mm) + " mm must be reconstructed.";
     if (report.in_part > 0)
-        note += " " + counted(static_cast<std::uint64_t>(report.in_part), "branch is", "branches are") +
-                " lost in part only.";
+        note.append(" ")
+            .append(counted(static_cast<std::uint64_t>(report.in_part), "branch is", "branches are"))
+            .append(" lost in part only.");
     return note + " The last line counts nothing twice.";
 }
 

@@ -178,7 +178,7 @@ std::string csv_field(std::string_view text) {
 std::string csv_of(const Table& table) {
     std::string text;
     for (const Column& column : table.columns)
-        text += (&column == &table.columns.front() ? "" : ",") + csv_field(column.name);
+        text.append(&column == &table.columns.front() ? "" : ",").append(csv_field(column.name));
     text += "\r\n";
     for (const std::vector<Cell>& row : table.rows) {
         for (const Cell& cell : row) {

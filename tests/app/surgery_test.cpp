@@ -6,6 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
+#include <fstream>
 
 using namespace ramus;
 using namespace ramus::app;
@@ -186,7 +187,8 @@ TEST_CASE("a lesion may be a closed mesh") {
     CHECK(stage.selection() == Ids{4});
     CHECK(stage.bad("lesion-mesh \"" + file + "\"").find("already") != std::string::npos);
     CHECK(stage.bad("lesion-mesh missing.stl").find("missing.stl") != std::string::npos);
-    CHECK(stage.bad("lesion-mesh tree.swc").find(".stl") != std::string::npos);
+    std::ofstream(folder.path() / "tree.swc") << kTree;
+    CHECK(stage.bad("lesion-mesh \"" + (folder.path() / "tree.swc").string() + "\"").find(".stl") != std::string::npos);
     stage.good("lesion 0,0,0,1\nlesion-remove 2"); // spheres come first
     CHECK(stage.marks().lesion_meshes.empty());
     CHECK(stage.marks().lesions.size() == 1);
