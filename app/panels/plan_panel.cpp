@@ -42,7 +42,9 @@ bool small_button(const char* text, const char* help) {
 
 // A title with buttons at its right end: pairs of text and help. Returns the one that was pressed, or -1.
 template <std::size_t N> int title_row(const char* title, const std::array<std::array<const char*, 2>, N>& buttons) {
-    widgets::section(title);
+    widgets::rule();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(title);
     float width = 0.0F;
     const float padding = 14.0F * theme::scale();
     const float gap = 4.0F * theme::scale();

@@ -44,17 +44,19 @@ void heading(const char* text) {
     ImGui::PopFont();
 }
 
-void section(const char* title) {
+void rule() {
     const float scale = theme::scale();
     ImGui::Dummy({0.0F, 5.0F * scale});
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y},
                                         ImGui::GetColorU32(theme::kLine));
     ImGui::Dummy({0.0F, 4.0F * scale});
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kText);
+}
+
+void section(const char* title) {
+    rule();
     ImGui::TextUnformatted(title);
-    ImGui::PopStyleColor();
-    ImGui::Dummy({0.0F, 1.0F * scale});
+    ImGui::Dummy({0.0F, 1.0F * theme::scale()});
 }
 
 void align_right(float width) {

@@ -13,7 +13,8 @@ void begin_fixed(const char* name, float x, float y, float width, float height, 
 void end_dialog();
 
 void heading(const char* text);
-void section(const char* title); // of a panel, with a line above
+void rule();                     // a line across a panel, between its parts
+void section(const char* title); // the same, and the title of what follows
 // A label and its value, values aligned at the right edge.
 void fact(const char* label, const std::string& value);
 void quiet(const char* text);         // one line in the colour of labels
