@@ -6,6 +6,7 @@
 #pragma once
 
 #include "app/document.h"
+#include "app/fly_along.h"
 #include "core/base/error.h"
 #include "render/image.h"
 #include "render/renderer.h"
@@ -39,7 +40,9 @@ public:
     virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
     // Where pictures and sessions go that the user gave no name for.
     [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;
-    virtual void camera_moved() {}                 // the command set another camera
+    virtual void camera_moved() {}    // the command set another camera
+    virtual void flew(int, double) {} // along the vessels: to this branch, so far
+    FlyPaths flights;
     virtual void say(const std::string& sentence); // what a command did, where it cannot be seen in the picture
 
     virtual Result<void> open(const std::filesystem::path& path);

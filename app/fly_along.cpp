@@ -210,4 +210,12 @@ double FlyPath::after(double fraction, double seconds) const {
     return (static_cast<double>(last) - 1.0 + std::clamp((then - from) / (to - from), 0.0, 1.0)) / (kSamples - 1);
 }
 
+std::shared_ptr<const FlyPath> FlyPaths::to(const std::shared_ptr<const tree::VesselTree>& tree, int end) {
+    if (tree_ != tree || !path_ || path_->end() != end) {
+        tree_ = tree;
+        path_ = std::make_shared<const FlyPath>(*tree, end);
+    }
+    return path_;
+}
+
 } // namespace ramus::app

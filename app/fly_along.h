@@ -10,6 +10,7 @@
 #include "core/tree/vessel_tree.h"
 #include "render/camera.h"
 
+#include <memory>
 #include <vector>
 
 namespace ramus::app {
@@ -46,6 +47,16 @@ private:
     double length_mm_ = 0.0;
     std::vector<Sample> samples_;
     std::vector<double> seconds_; // by sample
+};
+
+// The path that was asked for last, so that a flight makes it once.
+class FlyPaths {
+public:
+    [[nodiscard]] std::shared_ptr<const FlyPath> to(const std::shared_ptr<const tree::VesselTree>& tree, int end);
+
+private:
+    std::shared_ptr<const tree::VesselTree> tree_;
+    std::shared_ptr<const FlyPath> path_;
 };
 
 } // namespace ramus::app

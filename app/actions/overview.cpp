@@ -1,4 +1,4 @@
-// The flat picture of the tree beside the other one.
+// The flat picture of the tree beside the other one, and the field for names.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 
@@ -17,6 +17,31 @@ Result<void> overview(ActionContext& context, Arguments arguments) {
     return arguments.empty() ? context.host.toggle("overview") : context.host.arrange("overview", arguments[0]);
 }
 
+// The branch that the selection is all about: the only one, or the one that all others depend on.
+int stem_of_selection(const Document& document) {
+    const auto& selection = document.marks().selection;
+    const tree::Dependency& dependency = document.dependency();
+    int stem = selection.front();
+    for (const int id : selection)
+        if (dependency.depends(stem, id)) stem = id;
+    const bool all = std::ranges::all_of(selection, [&](int id) { return id == stem || dependency.depends(id, stem); });
+    return all ? stem : tree::kNoBranch;
+}
+
+Result<void> rename(ActionContext& context, Arguments arguments) {
+    if (arguments.size() > 1) return fail("rename takes the id of one branch");
+    if (!arguments.empty()) {
+        const auto id = branch_id(context.document, arguments[0]);
+        if (!id) return tl::unexpected(id.error());
+        return context.host.arrange("name", arguments[0]);
+    }
+    if (auto some = expect_selection(context.document); !some) return some;
+    const int stem = stem_of_selection(context.document);
+    if (stem == tree::kNoBranch)
+        return fail("a name is given to one branch", {}, "select one, or one with all that depends on it");
+    return context.host.arrange("name", std::to_string(stem));
+}
+
 bool shows_overview(Host& host, const Command&) { return host.shows("overview"); }
 
 } // namespace
@@ -30,7 +55,16 @@ std::vector<Command> overview_commands() {
                   {"T"},
                   overview};
     entry.in_use = shows_overview;
-    return {entry};
+    return {entry,
+            {"rename",
+             "[ID]",
+             "Asks for the name of the selected branch, which all that depends on it bears too.",
+             "Branches",
+             "Name...",
+             {"F2"},
+             rename,
+             {},
+             has_selection}};
 }
 
 } // namespace ramus::app::actions

@@ -1,7 +1,9 @@
-// Where the camera goes by itself: to a branch, to a place.
+// Where the camera goes by itself: to a branch, to a place, or along the vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/measure/branch_place.h"
+
+#include <algorithm>
 
 namespace ramus::app::actions {
 
@@ -24,12 +26,72 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
     return {};
 }
 
+Result<void> fly(ActionContext& context, Arguments arguments) {
+    if (arguments.size() != 2)
+        return fail("fly takes the id of a branch and how far", {}, "0 is the root, 1 the end of the branch");
+    const auto id = branch_id(context.document, arguments[0]);
+    if (!id) return tl::unexpected(id.error());
+    const auto fraction = number_in(arguments[1], 0.0, 1.0);
+    if (!fraction) return fail("\"" + arguments[1] + "\" is not a number from 0 to 1");
+    const auto path = context.host.flights.to(context.document.tree(), *id);
+    context.document.set_camera(path->camera_at(*fraction, context.document.session().camera));
+    context.host.camera_moved();
+    context.host.flew(*id, *fraction);
+    return {};
+}
+
+// Where a flight goes that nobody chose an end for: the farthest end, of the selected branches if there are any.
+int farthest_end(const Document& document) {
+    const auto& branches = document.facts()->branches;
+    const auto end = [&](int id) {
+        const BranchFacts& facts = branches[static_cast<std::size_t>(id)];
+        return facts.root_distance_mm + facts.length_mm;
+    };
+    const auto& selection = document.marks().selection;
+    int farthest = selection.empty() ? 0 : selection.front();
+    if (selection.empty())
+        for (int id = 0; id < document.branch_count(); ++id) farthest = end(id) > end(farthest) ? id : farthest;
+    for (const int id : selection) farthest = end(id) > end(farthest) ? id : farthest;
+    return farthest;
+}
+
+Result<void> fly_along(ActionContext& context, Arguments arguments) {
+    if (arguments.size() > 1) return fail("fly-along takes the id of one branch");
+    if (context.document.branch_count() == 0) return fail("there is no tree to fly along");
+    if (arguments.empty() && context.host.shows("fly-along")) return context.host.toggle("fly-along");
+    const auto id =
+        arguments.empty() ? Result<int>(farthest_end(context.document)) : branch_id(context.document, arguments[0]);
+    if (!id) return tl::unexpected(id.error());
+    return context.host.arrange("fly-along", std::to_string(*id));
+}
+
+bool is_flying(Host& host, const Command&) { return host.shows("fly-along"); }
+
 } // namespace
 
 std::vector<Command> travel_commands() {
+    Command along{
+        "fly-along", "[ID]",      "Opens or closes the bar that flies the camera along the vessels to a branch.",
+        "View",      "Fly along", {"V"},
+        fly_along,   {},          has_tree};
+    along.in_use = is_flying;
     return {
-        {"centre", "ID|X,Y,Z", "Brings the middle of a branch, or a place, into the middle of the picture.", "", "", {}, centre},
+        {"centre",
+         "ID|X,Y,Z",
+         "Brings the middle of a branch, or a place, into the middle of the picture.",
+         "",
+         "",
+         {},
+         centre},
         {"go-to", "ID|X,Y,Z", "Another name of centre.", "", "", {}, centre},
+        {"fly",
+         "ID FRACTION",
+         "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch.",
+         "",
+         "",
+         {},
+         fly},
+        along,
     };
 }
 

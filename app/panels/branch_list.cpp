@@ -1,4 +1,6 @@
-// Every branch as a row, sortable by column; a click selects, with Ctrl it adds or takes away.
+// Every branch as a row, sorted by column and filtered by what is typed; linked with the picture both ways.
+#include "app/panels/branch_list.h"
+
 #include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
@@ -7,74 +9,196 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
-#include <numeric>
 
 namespace ramus::app {
 
 namespace {
 
-enum Column : ImGuiID { kId, kGeneration, kDiameter, kLength, kDependents };
+enum Column : ImGuiID { kMark, kId, kName, kGeneration, kStrahler, kDiameter, kLength, kDependents };
+constexpr int kColumns = 8;
 
-void sort_rows(Interface& interface, const TreeFacts& facts, const tree::VesselTree& tree,
-               const ImGuiTableSortSpecs& specs) {
-    const ImGuiID column = specs.SpecsCount > 0 ? specs.Specs[0].ColumnUserID : static_cast<ImGuiID>(kId);
-    const bool descending = specs.SpecsCount > 0 && specs.Specs[0].SortDirection == ImGuiSortDirection_Descending;
-    const auto value = [&](int id) -> double {
-        const auto index = static_cast<std::size_t>(id);
-        switch (column) {
-        case kGeneration:
-            return tree.branches[index].generation;
-        case kDiameter:
-            return facts.branches[index].mean_diameter_mm;
-        case kLength:
-            return facts.branches[index].length_mm;
-        case kDependents:
-            return facts.branches[index].dependents;
-        default:
-            return id;
-        }
-    };
-    auto& order = interface.list_order;
-    order.resize(tree.branches.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return descending ? value(a) > value(b) : value(a) < value(b); });
+std::size_t index(int id) { return static_cast<std::size_t>(id); }
+
+BranchQuantity quantity_of(ImGuiID column) {
+    switch (column) {
+    case kGeneration:
+        return BranchQuantity::kGeneration;
+    case kStrahler:
+        return BranchQuantity::kStrahler;
+    case kDiameter:
+        return BranchQuantity::kDiameter;
+    case kLength:
+        return BranchQuantity::kLength;
+    case kDependents:
+        return BranchQuantity::kDependents;
+    default:
+        return BranchQuantity::kId;
+    }
 }
 
-void number_cell(const std::string& text, bool faint) {
-    ImGui::TableNextColumn();
+// Takes over the filter that is typed, when it can be understood; else the last one stays.
+void read_filter(BranchList& list) {
+    const std::string typed = list.filter.data();
+    if (list.made && typed == list.applied) return;
+    list.applied = typed;
+    auto parsed = parse_branch_filter(typed);
+    list.trouble = parsed ? "" : parsed.error().message();
+    if (!parsed) return;
+    list.parsed = std::move(*parsed);
+    list.made = false;
+}
+
+// Only what rows can follow from is compared: states and the selection when there is a filter.
+bool is_current(const BranchList& list, const TreeFacts& facts, const Marks& marks) {
+    return list.made && list.of == &facts && list.given == marks.names &&
+           (list.parsed.empty() || (list.selection == marks.selection && list.states == marks.states));
+}
+
+void make_rows(BranchList& list, const Document& document, const TreeFacts& facts, const ImGuiTableSortSpecs* specs) {
+    const tree::VesselTree& tree = *document.tree();
+    const Marks& marks = document.marks();
+    list.of = &facts;
+    list.given = marks.names;
+    list.selection = marks.selection;
+    list.states = marks.states;
+    list.made = true;
+    list.names.clear();
+    if (!marks.names.empty())
+        for (const int source : label_sources(facts.dependency, marks.names))
+            list.names.push_back(source == tree::kNoBranch ? std::string{} : marks.names.at(source));
+    list.rows = branches_passing(list.parsed, tree, facts, marks);
+    if (specs == nullptr || specs->SpecsCount == 0) return;
+    const ImGuiID column = specs->Specs[0].ColumnUserID;
+    const bool descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+    if (column == kName) {
+        if (list.names.empty()) return;
+        // Without a name come last, whichever way the others go.
+        std::ranges::stable_sort(list.rows, [&](int a, int b) {
+            const std::string& one = list.names[index(a)];
+            const std::string& other = list.names[index(b)];
+            if (one.empty() || other.empty()) return !one.empty() && other.empty();
+            return descending ? one > other : one < other;
+        });
+        return;
+    }
+    const BranchQuantity quantity = quantity_of(column);
+    std::vector<double> values(tree.branches.size());
+    for (const int id : list.rows) values[index(id)] = value_of(quantity, tree, facts, id);
+    std::ranges::stable_sort(list.rows, [&](int a, int b) {
+        return descending ? values[index(a)] > values[index(b)] : values[index(a)] < values[index(b)];
+    });
+}
+
+// From the row that was clicked last to this one.
+std::vector<std::string> range_to(const BranchList& list, int id) {
+    const auto from = std::ranges::find(list.rows, list.anchor);
+    const auto to = std::ranges::find(list.rows, id);
+    if (from == list.rows.end() || to == list.rows.end()) return {std::to_string(id)};
+    std::vector<std::string> words;
+    for (auto row = std::min(from, to); row <= std::max(from, to); ++row) words.push_back(std::to_string(*row));
+    return words;
+}
+
+void click(InterfaceContext& context, int id) {
+    BranchList& list = context.interface.list;
+    const ImGuiIO& io = ImGui::GetIO();
+    list.shown = list.cursor = id; // it is in sight already
+    list.focused = true;
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        context.perform("centre", {std::to_string(id)});
+        return;
+    }
+    if (io.KeyShift && list.anchor != tree::kNoBranch) {
+        context.perform(io.KeyCtrl ? "select-add" : "select", range_to(list, id));
+        return;
+    }
+    list.anchor = id;
+    context.perform(io.KeyCtrl ? "select-toggle" : io.KeyAlt ? "select-subtree" : "select", {std::to_string(id)});
+}
+
+// A small square in the colour that the branch has in the picture; hidden ones are hollow.
+void draw_mark(const InterfaceContext& context, int id) {
+    const Marks& marks = context.workspace.document.marks();
+    const render::Appearance appearance;
+    const PictureLook& picture = context.interface.picture;
+    glm::vec3 colour = index(id) < picture.colours.size() ? picture.colours[index(id)] : appearance.vessel;
+    const render::BranchState state = state_of(marks, id);
+    if (state == render::BranchState::kHighlighted) colour = appearance.highlight;
+    if (state == render::BranchState::kDefocused) colour = 0.8F * appearance.glass;
+    const float side = std::round(8.0F * theme::scale());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 from(at.x, std::round(at.y + 0.5F * (ImGui::GetTextLineHeight() - side)));
+    const ImVec2 to(from.x + side, from.y + side);
+    const float rounding = 2.0F * theme::scale();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImU32 grey = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    if (state == render::BranchState::kHidden)
+        draw->AddRect(from, to, grey, rounding);
+    else
+        draw->AddRectFilled(from, to,
+                            ImGui::ColorConvertFloat4ToU32(
+                                {colour.r, colour.g, colour.b, state == render::BranchState::kDefocused ? 0.5F : 1.0F}),
+                            rounding);
+    ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+}
+
+void number_cell(const std::string& text) {
+    if (!ImGui::TableNextColumn()) return;
     widgets::align_right(ImGui::CalcTextSize(text.c_str()).x);
-    if (faint) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextUnformatted(text.c_str());
-    if (faint) ImGui::PopStyleColor();
+}
+
+void name_cell(InterfaceContext& context, int id) {
+    const BranchList& list = context.interface.list;
+    if (!ImGui::TableNextColumn() || list.names.empty()) return;
+    const std::string& name = list.names[index(id)];
+    const bool own = list.given.contains(id);
+    if (!own) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet); // borne from a branch upstream
+    const std::string shown = widgets::fitted(name, ImGui::GetContentRegionAvail().x);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 end(at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight());
+    ImGui::TextUnformatted(shown.c_str());
+    if (!own) ImGui::PopStyleColor();
+    if (!ImGui::IsMouseHoveringRect(at, end)) return;
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        context.perform("rename", {std::to_string(id)});
+    else if (shown != name)
+        ImGui::SetTooltip("%s", name.c_str());
 }
 
 void draw_row(InterfaceContext& context, int id) {
-    const auto index = static_cast<std::size_t>(id);
     const Document& document = context.workspace.document;
-    const BranchFacts& facts = context.workspace.facts()->branches[index];
-    const bool hidden = state_of(document.marks(), id) == render::BranchState::kHidden;
+    const BranchFacts& facts = context.workspace.facts()->branches[index(id)];
+    const tree::Branch& branch = document.tree()->branches[index(id)];
+    const render::BranchState state = state_of(document.marks(), id);
+    const bool lit = state == render::BranchState::kHighlighted;
+    const bool faint = state == render::BranchState::kHidden;
+    const bool pointed_at = context.interface.picture.hovered == id;
     ImGui::TableNextRow();
+    if (pointed_at) // in the picture or in the overview
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, ImGui::GetColorU32(ImVec4(1.0F, 1.0F, 1.0F, 0.07F)));
+    ImGui::TableNextColumn();
+    draw_mark(context, id);
     ImGui::TableNextColumn();
     ImGui::PushID(id);
-    const bool lit = state_of(document.marks(), id) == render::BranchState::kHighlighted;
-    if (lit)
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kHighlight);
-    else if (hidden)
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::PushStyleColor(ImGuiCol_Text, lit     ? theme::kHighlight
+                                         : faint ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)
+                                                 : theme::kText);
+    const bool double_click_names = context.interface.rename.open; // the second click opened the field
     if (ImGui::Selectable(std::to_string(id).c_str(), is_selected(document.marks(), id),
-                          ImGuiSelectableFlags_SpanAllColumns)) {
-        context.interface.shown_selection = id; // it is in sight already
-        const ImGuiIO& io = ImGui::GetIO();
-        context.perform(io.KeyCtrl ? "select-toggle" : io.KeyAlt ? "select-subtree" : "select", {std::to_string(id)});
-    }
-    if (lit || hidden) ImGui::PopStyleColor();
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap) &&
+        !double_click_names)
+        click(context, id);
+    if (!lit) ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) context.interface.listed = id;
+    name_cell(context, id);
+    number_cell(std::to_string(branch.generation));
+    number_cell(std::to_string(branch.strahler));
+    number_cell(digits(facts.mean_diameter_mm));
+    number_cell(digits(facts.length_mm));
+    number_cell(grouped(static_cast<std::uint64_t>(facts.dependents)));
+    if (lit) ImGui::PopStyleColor();
     ImGui::PopID();
-    number_cell(std::to_string(document.tree()->branches[index].generation), hidden);
-    number_cell(digits(facts.mean_diameter_mm), hidden);
-    number_cell(digits(facts.length_mm), hidden);
-    number_cell(grouped(static_cast<std::uint64_t>(facts.dependents)), hidden);
 }
 
 // As ImGui::TableHeadersRow(), but over numbers that end at the right.
@@ -82,9 +206,10 @@ void draw_headers() {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
     for (int column = 0; column < ImGui::TableGetColumnCount(); ++column) {
-        ImGui::TableSetColumnIndex(column);
+        if (!ImGui::TableSetColumnIndex(column)) continue;
         const char* name = ImGui::TableGetColumnName(column);
-        if (column == 0) {
+        if (column == kMark) continue;
+        if (column == kId || column == kName) {
             ImGui::TableHeader(name);
             continue;
         }
@@ -100,56 +225,131 @@ void draw_headers() {
     }
 }
 
-// A selection made in the picture comes into sight in the list.
-void scroll_to_selection(Interface& interface, const Document& document, float row_height) {
-    const auto& selection = document.marks().selection;
-    const int wanted = selection.size() == 1 ? selection.front() : tree::kNoBranch;
-    if (wanted == std::exchange(interface.shown_selection, wanted) || wanted == tree::kNoBranch) return;
-    const auto row =
-        std::find(interface.list_order.begin(), interface.list_order.end(), wanted) - interface.list_order.begin();
-    // In the middle, with whole rows under the header.
+// In the middle, with whole rows under the header.
+void scroll_to(const BranchList& list, int id, float row_height) {
+    const auto row = std::ranges::find(list.rows, id) - list.rows.begin();
     const float rows_above = std::floor(0.5F * ImGui::GetWindowHeight() / row_height) - 1.0F;
     ImGui::SetScrollY(std::max(0.0F, static_cast<float>(row) - rows_above) * row_height);
+}
+
+// A selection made in the picture comes into sight in the list.
+void scroll_to_selection(BranchList& list, const Marks& marks, float row_height) {
+    const int wanted = marks.selection.size() == 1 ? marks.selection.front() : tree::kNoBranch;
+    if (wanted == std::exchange(list.shown, wanted) || wanted == tree::kNoBranch) return;
+    list.cursor = list.anchor = wanted;
+    scroll_to(list, wanted, row_height);
+}
+
+// Up and down, while the list was clicked last.
+void handle_keys(InterfaceContext& context, float row_height) {
+    BranchList& list = context.interface.list;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered()) list.focused = false;
+    if (!list.focused || ImGui::GetIO().WantTextInput || context.interface.dialog_open() || list.rows.empty()) return;
+    const int step = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1
+                     : ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? -1
+                                                                                 : 0;
+    if (step == 0) return;
+    const auto at = std::ranges::find(list.rows, list.cursor);
+    const auto last = static_cast<std::ptrdiff_t>(list.rows.size()) - 1;
+    const auto row = at == list.rows.end() ? 0 : std::clamp<std::ptrdiff_t>(at - list.rows.begin() + step, 0, last);
+    list.cursor = list.rows[static_cast<std::size_t>(row)];
+    if (ImGui::GetIO().KeyShift && list.anchor != tree::kNoBranch) {
+        context.perform("select", range_to(list, list.cursor));
+    } else {
+        list.anchor = list.shown = list.cursor;
+        context.perform("select", {std::to_string(list.cursor)});
+    }
+    const float y = static_cast<float>(row) * row_height;
+    const float room = ImGui::GetWindowHeight() - 2.0F * row_height; // under the header
+    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + room) scroll_to(list, list.cursor, row_height);
+}
+
+void select_rows(InterfaceContext& context) {
+    std::vector<std::string> words;
+    for (const int id : context.interface.list.rows) words.push_back(std::to_string(id));
+    if (!words.empty()) context.perform("select", words);
+}
+
+void draw_filter(InterfaceContext& context) {
+    BranchList& list = context.interface.list;
+    const float scale = theme::scale();
+    const std::string button = list.parsed.empty() ? "Select" : "Select " + grouped(list.rows.size());
+    const float width = ImGui::CalcTextSize(button.c_str()).x + 14.0F * scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7.0F * scale, 3.0F * scale});
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - width - 6.0F * scale);
+    const bool wrong = !list.trouble.empty();
+    if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
+    const bool entered = ImGui::InputTextWithHint("##filter", "Filter: d>3 gen<5 name", list.filter.data(),
+                                                  list.filter.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    if (wrong) ImGui::PopStyleColor();
+    if (!ImGui::IsItemActive())
+        widgets::tooltip(
+            wrong ? list.trouble.c_str()
+                  : "Conditions, all of which hold: d>3, len>=20, gen<5, strahler=1, deps>10, vol, dist, id; "
+                    "is:hidden, is:selected, is:leaf, is:named; words of a name. Enter selects.");
+    ImGui::SameLine(0.0F, 6.0F * scale);
+    ImGui::BeginDisabled(list.rows.empty() || wrong);
+    if (ImGui::Button(button.c_str(), {width, 0.0F}) || (entered && !wrong)) select_rows(context);
+    ImGui::EndDisabled();
+    widgets::tooltip("Selects the branches that are listed", "Enter");
+    ImGui::PopStyleVar();
+}
+
+void set_up_columns(bool named, float width) {
+    const float scale = theme::scale();
+    const auto column = [](const char* name, Column id, float weight, ImGuiTableColumnFlags flags = 0) {
+        ImGui::TableSetupColumn(name, flags | ImGuiTableColumnFlags_NoResize, weight, id);
+    };
+    const auto shown = [](bool is) { return is ? 0 : ImGuiTableColumnFlags_Disabled; };
+    column("State", kMark, 8.0F * scale, ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort);
+    column("Id", kId, 1.1F, ImGuiTableColumnFlags_DefaultSort);
+    column("Name", kName, 1.9F, shown(named));
+    column("Gen", kGeneration, 0.85F);
+    // What a narrow panel has no room for.
+    column("Str", kStrahler, 0.7F, shown(width >= (named ? 330.0F : 250.0F) * scale));
+    column("\xC3\x98 mm", kDiameter, 1.1F, ImGuiTableColumnFlags_PreferSortDescending);
+    column("Length", kLength, 1.15F,
+           ImGuiTableColumnFlags_PreferSortDescending | shown(!named || width >= 290.0F * scale));
+    column("Deps", kDependents, 1.0F, ImGuiTableColumnFlags_PreferSortDescending);
 }
 
 } // namespace
 
 void draw_branch_list(InterfaceContext& context) {
-    Interface& interface = context.interface;
+    BranchList& list = context.interface.list;
     const auto& facts = context.workspace.facts();
-    const tree::VesselTree& tree = *context.workspace.document.tree();
+    const Document& document = context.workspace.document;
+    ImGui::PushFont(theme::small_font());
+    draw_filter(context);
+    read_filter(list);
     const float least = 8.0F * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 size(0.0F, std::max(least, ImGui::GetContentRegionAvail().y));
-    ImGui::PushFont(theme::small_font());
-    if (ImGui::BeginTable("branches", 5,
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (ImGui::BeginTable("branches", kColumns,
                           ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
                               ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX,
                           size)) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        const auto column = [](const char* name, Column id, float weight, ImGuiTableColumnFlags flags = 0) {
-            ImGui::TableSetupColumn(name, flags | ImGuiTableColumnFlags_NoResize, weight, id);
-        };
-        column("Id", kId, 1.1F, ImGuiTableColumnFlags_DefaultSort);
-        column("Gen", kGeneration, 0.9F);
-        column("\xC3\x98 mm", kDiameter, 1.1F, ImGuiTableColumnFlags_PreferSortDescending);
-        column("Length", kLength, 1.2F, ImGuiTableColumnFlags_PreferSortDescending);
-        column("Deps", kDependents, 1.0F, ImGuiTableColumnFlags_PreferSortDescending);
+        set_up_columns(!document.marks().names.empty(), width);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         draw_headers();
         ImGui::PopStyleColor();
         ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
-        if (specs != nullptr && (specs->SpecsDirty || interface.list_of != facts.get())) {
-            sort_rows(interface, *facts, tree, *specs);
-            interface.list_of = facts.get();
-            specs->SpecsDirty = false;
-        }
+        if (specs != nullptr && std::exchange(specs->SpecsDirty, false)) list.made = false;
+        if (!is_current(list, *facts, document.marks())) make_rows(list, document, *facts, specs);
         const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-        scroll_to_selection(interface, context.workspace.document, row_height);
+        scroll_to_selection(list, document.marks(), row_height);
+        handle_keys(context, row_height);
+        if (list.rows.empty()) {
+            ImGui::TableNextRow();
+            ImGui::TableSetColumnIndex(kId);
+            widgets::quiet("none");
+        }
         ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(interface.list_order.size()));
+        clipper.Begin(static_cast<int>(list.rows.size()));
         while (clipper.Step())
             for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
-                draw_row(context, interface.list_order[static_cast<std::size_t>(row)]);
+                draw_row(context, list.rows[static_cast<std::size_t>(row)]);
         ImGui::EndTable();
     }
     ImGui::PopFont();

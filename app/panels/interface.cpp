@@ -12,7 +12,8 @@ namespace ramus::app {
 namespace {
 constexpr float kBarHeight = 34.0F; // points
 constexpr float kStatusHeight = 28.0F;
-constexpr float kPanelWidth = 296.0F;
+constexpr float kLeastPanelWidth = 240.0F;
+constexpr float kMostPanelWidth = 640.0F;
 constexpr float kLeastViewWidth = 320.0F;  // the panel gives way in a narrow window
 constexpr float kLeastViewHeight = 200.0F; // and the overview in a low one
 constexpr float kLeastOverviewHeight = 90.0F;
@@ -39,14 +40,15 @@ void draw_empty_view(InterfaceContext& context) {
 
 } // namespace
 
-Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points) {
+Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points, float panel_points) {
     const auto pixels = [&](float points) { return static_cast<int>(std::round(points * scale)); };
     Layout layout;
     layout.window = window;
     layout.bar_height = pixels(kBarHeight);
     layout.status_height = pixels(kStatusHeight);
-    if (panel_open && window.x - pixels(kPanelWidth) >= pixels(kLeastViewWidth))
-        layout.panel_width = pixels(kPanelWidth);
+    const int beside = window.x - pixels(kLeastViewWidth);
+    if (panel_open && beside >= pixels(kLeastPanelWidth))
+        layout.panel_width = std::min(pixels(std::clamp(panel_points, kLeastPanelWidth, kMostPanelWidth)), beside);
     layout.view_at = {0, layout.bar_height};
     const int between = window.y - layout.bar_height - layout.status_height;
     const int room = between - pixels(kLeastViewHeight);
@@ -64,6 +66,10 @@ bool Interface::dismiss() {
         open_dialog.open = false;
     else if (help_open)
         help_open = false;
+    else if (rename.open)
+        rename.open = false;
+    else if (fly.open)
+        fly.open = fly.playing = false;
     else
         return false;
     return true;
@@ -90,8 +96,10 @@ void draw_interface(InterfaceContext& context) {
     draw_tool_bar(context);
     draw_side_panel(context);
     draw_overview(context);
+    draw_fly(context);
     draw_status_bar(context);
     draw_tooltip(context);
+    draw_rename(context);
     draw_help(context);
     draw_open_dialog(context);
     draw_error_dialog(context);

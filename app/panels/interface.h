@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/command_table.h"
+#include "app/panels/branch_list.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
 #include "app/tools/tool_kinds.h"
@@ -25,8 +26,9 @@ struct Layout {
     int overview_height = 0;             // likewise; it lies under the picture
     glm::ivec2 view_at{0}, view_size{1}; // the picture
 };
-// `overview_points`: how high it wants to be; 0: closed.
-[[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F);
+// How high and wide these want to be; `overview_points` 0: closed.
+[[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F,
+                               float panel_points = 296.0F);
 
 struct Notice {
     std::string text;
@@ -34,9 +36,30 @@ struct Notice {
     bool trouble = false;
 };
 
+// The field for a branch's name.
+struct Rename {
+    bool open = false;
+    bool fresh = false; // the keyboard is not in it yet
+    int branch = tree::kNoBranch;
+    std::array<char, 128> text{};
+    void show(int id, const std::string& name);
+};
+
+// The bar for flying along the vessels.
+struct Fly {
+    bool open = false;
+    bool playing = false;
+    int branch = tree::kNoBranch; // flies to its end
+    double fraction = 0.0;
+    double last = 0.0;          // seconds of draw_interface() when it flew last
+    render::Camera camera;      // as the flight left it
+    std::vector<int> selection; // the one that `branch` is from
+};
+
 struct Interface {
     bool panel_open = true;
-    bool planning = false; // the side panel shows its planning half
+    bool planning = false;       // the side panel shows its planning half
+    float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;
     std::array<char, 64> help_search{};
     OpenDialog open_dialog;
@@ -45,10 +68,10 @@ struct Interface {
     int hovered = tree::kNoBranch; // under the pointer in the picture
     bool tooltip = false;          // the pointer rests on the picture
     int listed = tree::kNoBranch;  // under the pointer in the list of branches
-    std::vector<int> list_order;   // of the list of branches
-    const TreeFacts* list_of = nullptr;
-    int shown_selection = tree::kNoBranch; // the list was scrolled to it
-    std::optional<GlassLook> tried_glass;  // while a slider is held
+    BranchList list;
+    Rename rename;
+    Fly fly;
+    std::optional<GlassLook> tried_glass; // while a slider is held
     Overview overview;
     PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
@@ -58,7 +81,7 @@ struct Interface {
     CommandLine last_command; // that the tool or a panel gave
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
-    [[nodiscard]] bool dialog_open() const { return help_open || open_dialog.open || !errors.empty(); }
+    [[nodiscard]] bool dialog_open() const { return help_open || rename.open || open_dialog.open || !errors.empty(); }
     bool dismiss(); // closes what lies on top; false: nothing does
 };
 
@@ -86,6 +109,8 @@ void draw_glass(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);
+void draw_fly(InterfaceContext& context);
+void draw_rename(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
 void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is

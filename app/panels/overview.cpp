@@ -53,6 +53,13 @@ void make_looks(Overview& overview, const Document& document, const PictureLook&
         }
         overview.looks[id].colour = {colour, opacity};
     }
+    for (const render::LostPart& part : picture.lost) {
+        if (index(part.branch) >= overview.looks.size()) continue;
+        Overview::Look& look = overview.looks[index(part.branch)];
+        look.lost_from = static_cast<float>(part.from);
+        look.lost_to = static_cast<float>(part.to);
+        if (part.to - part.from > 0.5) look.colour = {1.25F * appearance.lost, look.colour.a};
+    }
     for (const int id : marks.selection) {
         Overview::Look& look = overview.looks[index(id)];
         look.selected = true;
@@ -126,6 +133,16 @@ void draw_piece(const InterfaceContext& context, const Canvas& canvas, const Ove
         return;
     }
     canvas.list->AddRectFilled({x, y0}, {x + width, y1}, packed(look.colour));
+    const bool cut = !piece.merged && look.lost_from < 1.0F && look.lost_to - look.lost_from < 1.0F;
+    if (cut) { // a clean line where it is cut, and what lies beyond is lost
+        const auto at = [&](float share) { return std::round(y0 + (y1 - y0) * std::clamp(share, 0.0F, 1.0F)); };
+        const float edge = 2.0F * theme::scale();
+        canvas.list->AddRectFilled({x, at(look.lost_from)}, {x + width, at(look.lost_to)},
+                                   packed({1.25F * render::Appearance{}.lost, look.colour.a}));
+        const float y = at(look.lost_from > 0.0F ? look.lost_from : look.lost_to);
+        canvas.list->AddRectFilled({x - edge, y - 1.0F}, {x + width + edge, y + 1.0F},
+                                   packed(glm::vec4(0.92F, 0.92F, 0.92F, 1.0F)));
+    }
     if (!piece.merged) return;
     const auto deepest = static_cast<float>(canvas.to(overview.view, {line.at, line.deepest}).y);
     glm::vec4 faint = look.colour;

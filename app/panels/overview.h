@@ -18,6 +18,7 @@ struct PictureLook {
     std::vector<glm::vec3> colours; // by branch id, sRGB; empty: all alike
     int hovered = tree::kNoBranch;
     std::vector<int> glowing; // with the hovered one
+    std::vector<render::LostPart> lost;
     bool operator==(const PictureLook&) const = default;
 };
 
@@ -39,6 +40,7 @@ struct Overview {
         glm::vec4 colour{0.0F}; // sRGB and opacity
         bool selected = false;
         bool hovered = false;
+        float lost_from = 2.0F, lost_to = 2.0F; // of its length; beyond 1: none
     };
     std::vector<Look> looks;
     std::vector<glm::dvec4> colour_sums;

@@ -1,4 +1,5 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
+#include "app/labels.h"
 #include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/slider_row.h"
@@ -118,9 +119,9 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     const auto index = static_cast<std::size_t>(id);
     const BranchFacts& own = facts.branches[index];
     const tree::Branch& branch = document.tree()->branches[index];
-    const auto name = document.marks().names.find(id);
-    widgets::fact("Branch",
-                  name == document.marks().names.end() ? std::to_string(id) : std::to_string(id) + "  " + name->second);
+    widgets::fact("Branch", std::to_string(id));
+    const std::string label = label_of(document.dependency(), document.marks().names, id);
+    if (!label.empty()) widgets::fact("Name", label);
     widgets::fact("Diameter", digits(own.mean_diameter_mm) + " mm");
     widgets::fact("  from \xE2\x80\x93 to", range(own.min_diameter_mm, own.max_diameter_mm));
     widgets::fact("Length", digits(own.length_mm) + " mm");
@@ -198,6 +199,23 @@ void draw_halves(InterfaceContext& context) {
     ImGui::PopStyleVar();
 }
 
+// The edge towards the picture can be dragged.
+void draw_edge(InterfaceContext& context, float width) {
+    const float scale = theme::scale();
+    const ImVec2 at = ImGui::GetWindowPos();
+    const ImVec2 cursor = ImGui::GetCursorPos();
+    ImGui::SetCursorScreenPos(at);
+    ImGui::InvisibleButton("##edge", {6.0F * scale, ImGui::GetWindowHeight()});
+    const bool held = ImGui::IsItemActive();
+    if (held || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 2.0F * scale, at.y + ImGui::GetWindowHeight()},
+                                                  ImGui::GetColorU32(held ? theme::kAccentDim : theme::kLine));
+    }
+    if (held) context.interface.panel_points = (at.x + width - ImGui::GetIO().MousePos.x) / scale;
+    ImGui::SetCursorPos(cursor);
+}
+
 } // namespace
 
 void draw_side_panel(InterfaceContext& context) {
@@ -207,6 +225,7 @@ void draw_side_panel(InterfaceContext& context) {
     widgets::begin_fixed("side panel", static_cast<float>(layout.window.x) - width,
                          static_cast<float>(layout.bar_height), width,
                          static_cast<float>(layout.window.y - layout.bar_height - layout.status_height));
+    draw_edge(context, width);
     if (context.workspace.document.tree() && context.workspace.facts()) {
         draw_tree(context);
         draw_halves(context);

@@ -37,7 +37,8 @@ void Viewer::resize(glm::ivec2 window, float scale) {
         scale_ = scale;
     }
     mouse_.set_pixel_ratio(scale);
-    layout_ = layout_of(window, scale_, interface_.panel_open, interface_.overview.wanted_height());
+    layout_ =
+        layout_of(window, scale_, interface_.panel_open, interface_.overview.wanted_height(), interface_.panel_points);
     shake();
 }
 
@@ -61,7 +62,10 @@ void Viewer::take_news() {
             workspace_.document.set_camera(
                 render::camera_for(picture_mesh()->positions(), render::View::kAnterior, layout_.view_size));
         interface_.hovered = tree::kNoBranch;
-        interface_.shown_selection = tree::kNoBranch;
+        interface_.list.of = nullptr;
+        interface_.list.shown = interface_.list.cursor = interface_.list.anchor = tree::kNoBranch;
+        interface_.overview.shown_selection = tree::kNoBranch;
+        interface_.rename.open = interface_.fly.open = interface_.fly.playing = false;
         (void)use_tool(tool()); // what it had begun was about the other tree
         remember_file(opened->path);
         pick_wanted_ = true;
@@ -98,7 +102,8 @@ void Viewer::ask_pick() {
 
 bool Viewer::draw(double now, unsigned framebuffer) {
     now_ = now;
-    layout_ = layout_of(layout_.window, scale_, interface_.panel_open, interface_.overview.wanted_height());
+    layout_ = layout_of(layout_.window, scale_, interface_.panel_open, interface_.overview.wanted_height(),
+                        interface_.panel_points);
     take_news();
     take_pick();
 
@@ -125,8 +130,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         workspace_.await_preview();
         frame.mesh = workspace_.shown().mesh;
     }
-    if (interface_.overview.open) {
-        PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents};
+    if (interface_.overview.open || layout_.panel_width > 0) {
+        PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents, frame.lost};
         if (look != interface_.picture) shake();
         interface_.picture = std::move(look);
     }
@@ -161,7 +166,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
 }
 
 double Viewer::wait_seconds(double now) const {
-    if (frames_left_ > 0 || interface_waits_ || pick_wanted_ || upload_pending_) return 0.0;
+    if (frames_left_ > 0 || interface_.fly.playing || interface_waits_ || pick_wanted_ || upload_pending_) return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (pick_pending_) wait = std::min(wait, kPollSeconds);
     if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
@@ -248,6 +253,8 @@ Result<void> Viewer::toggle(std::string_view part) {
         interface_.help_open = !interface_.help_open;
     else if (part == "overview")
         interface_.overview.open = !interface_.overview.open;
+    else if (part == "fly-along")
+        interface_.fly.open = interface_.fly.playing = false;
     else if (part == "panel")
         interface_.panel_open = !interface_.panel_open;
     else
@@ -257,18 +264,40 @@ Result<void> Viewer::toggle(std::string_view part) {
 }
 
 Result<void> Viewer::arrange(std::string_view part, std::string_view setting) {
+    shake();
+    if (part == "name") {
+        const int id = std::stoi(std::string(setting));
+        const BranchNames& names = workspace_.document.marks().names;
+        interface_.rename.show(id, names.contains(id) ? names.at(id) : std::string{});
+        return {};
+    }
+    if (part == "fly-along") {
+        interface_.fly.open = true;
+        interface_.fly.playing = false;
+        interface_.fly.branch = std::stoi(std::string(setting));
+        interface_.fly.fraction = 0.0;
+        interface_.fly.selection = workspace_.document.marks().selection;
+        return {};
+    }
     if (part != "overview") return toggle(part);
     interface_.overview.open = setting != "off";
     if (setting == "generation") interface_.overview.depth = OverviewDepth::kGeneration;
     if (setting == "distance") interface_.overview.depth = OverviewDepth::kDistance;
-    shake();
     return {};
 }
 
 bool Viewer::shows(std::string_view part) const {
+    if (part == "fly-along") return interface_.fly.open;
     return part == "overview" ? interface_.overview.open
            : part == "help"   ? interface_.help_open
                               : interface_.panel_open;
+}
+
+void Viewer::flew(int branch, double fraction) {
+    if (interface_.fly.open && branch != interface_.fly.branch) interface_.fly.playing = false;
+    interface_.fly.branch = branch;
+    interface_.fly.fraction = fraction;
+    shake();
 }
 
 bool Viewer::dismiss() {

@@ -71,6 +71,7 @@ public:
     Result<void> toggle(std::string_view part) override;
     Result<void> arrange(std::string_view part, std::string_view setting) override;
     [[nodiscard]] bool shows(std::string_view part) const override;
+    void flew(int branch, double fraction) override;
     bool dismiss() override;
     Result<void> quit() override;
     Result<void> use_tool(std::string_view name) override;

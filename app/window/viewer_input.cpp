@@ -138,6 +138,7 @@ void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Mo
     const bool plain = !press->ctrl && press->key.size() <= 1;
     if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y"))
         return;
+    if (typing && press->key == "Escape" && !interface_.dialog_open()) return; // leaves the field, no more
     // Under a dialog only what closes it works.
     if (interface_.dialog_open() && command->name != "dismiss" && !(command->name == "help" && interface_.help_open))
         return;

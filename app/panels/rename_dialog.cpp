@@ -1,0 +1,46 @@
+// A field for the name of a branch.
+#include "app/panels/interface.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace ramus::app {
+
+void Rename::show(int id, const std::string& name) {
+    branch = id;
+    open = fresh = true;
+    text.fill('\0');
+    std::copy_n(name.begin(), std::min(name.size(), text.size() - 1), text.begin());
+}
+
+void draw_rename(InterfaceContext& context) {
+    Rename& rename = context.interface.rename;
+    const Document& document = context.workspace.document;
+    if (rename.open && rename.branch >= document.branch_count()) rename.open = false;
+    if (!rename.open || !widgets::begin_dialog("##name", 380.0F, 0.0F)) return;
+    const float scale = theme::scale();
+    widgets::heading(("Name of branch " + std::to_string(rename.branch)).c_str());
+    ImGui::Dummy({0.0F, 2.0F * scale});
+    if (std::exchange(rename.fresh, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0F);
+    bool done = ImGui::InputText("##text", rename.text.data(), rename.text.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    widgets::quiet_wrapped("All that depends on it bears the name too, but for branches with names of their own. "
+                           "An empty name takes it away.");
+    ImGui::Dummy({0.0F, 4.0F * scale});
+    const float width = 90.0F * scale;
+    widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::Button("Cancel", {width, 0.0F})) rename.open = false;
+    ImGui::SameLine();
+    done = ImGui::Button("Name it", {width, 0.0F}) || done;
+    if (done) {
+        rename.open = false;
+        context.perform("name", {std::to_string(rename.branch), rename.text.data()});
+    }
+    if (!rename.open) ImGui::CloseCurrentPopup();
+    widgets::end_dialog();
+}
+
+} // namespace ramus::app
