@@ -72,7 +72,7 @@ bool is_flying(Host& host, const Command&) { return host.shows("fly-along"); }
 std::vector<Command> travel_commands() {
     Command along{
         "fly-along", "[ID]",      "Opens or closes the bar that flies the camera along the vessels to a branch.",
-        "View",      "Fly along", {"W"},
+        "View",      "Fly along", {"J"},
         fly_along,   {},          has_tree};
     along.in_use = is_flying;
     return {
