@@ -1,6 +1,7 @@
 #include "core/io/mesh_reader.h"
 #include "core/io/mesh_writer.h"
 #include "core/mesh/close_mesh.h"
+#include "core/mesh/cut_polygon.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/temporary_folder.h"
@@ -8,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <random>
 
 using namespace ramus;
@@ -102,6 +104,29 @@ TEST_CASE("text formats, quads and meshes turned inside out are read as well") {
     std::swap(cube.triangles[3].x, cube.triangles[3].y); // and one as it was
     std::swap(cube.triangles[7].x, cube.triangles[7].y);
     CHECK(volume(*io::read_mesh(files.put("mixed.stl", text_stl(cube)))) == doctest::Approx(8.0));
+}
+
+TEST_CASE("polygons with dents are cut inside") {
+    // An L of area 3, in a slanted plane, from every corner, either way round.
+    const std::vector<glm::dvec2> flat{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    for (std::size_t start = 0; start < flat.size(); ++start)
+        for (const bool backwards : {false, true}) {
+            std::vector<glm::dvec3> corners;
+            for (std::size_t i = 0; i < flat.size(); ++i) {
+                const glm::dvec2 p = flat[(start + (backwards ? flat.size() - i : i)) % flat.size()];
+                corners.emplace_back(p.x, 0.6 * p.y, 0.8 * p.y);
+            }
+            double area = 0.0;
+            const auto triangles = mesh::cut_polygon(corners);
+            CHECK(triangles.size() == 4);
+            for (const glm::uvec3& t : triangles) {
+                const glm::dvec3 n = glm::cross(corners[t.y] - corners[t.x], corners[t.z] - corners[t.x]);
+                CHECK(glm::dot(n, {0.0, -0.8, 0.6}) * (backwards ? -1.0 : 1.0) > 0.0);
+                area += 0.5 * glm::length(n);
+            }
+            CHECK(area == doctest::Approx(3.0));
+        }
+    CHECK(mesh::cut_polygon(std::vector<glm::dvec3>(2)).empty());
 }
 
 TEST_CASE("a surface with holes is refused, with where they are") {
