@@ -71,7 +71,7 @@ Legend bar_legend(const char* title, ColourMap map, double low, double high, boo
     };
     std::vector<double> numbers = high > low ? round_numbers(low, high, logarithmic) : std::vector<double>{low};
     if (numbers.size() < 2 && high > low) numbers = {low, high};
-    for (const double v : numbers) legend.ticks.push_back({at(v), digits(v, 3)});
+    for (const double v : numbers) legend.ticks.push_back({at(v), rounded(v)});
     return legend;
 }
 
