@@ -190,7 +190,7 @@ Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio
     return image;
 }
 
-std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
+std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font) {
     std::vector<Sprite> sprites;
     const Overlays& o = frame.overlays;
     const glm::ivec2 free(frame.size.x - o.inset_left - o.inset_right, frame.size.y - o.inset_top - o.inset_bottom);

@@ -27,7 +27,23 @@ struct Sprite {
 [[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio,
                                     const std::string& font);
 
+// All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
+struct SpriteSource {
+    Camera camera;
+    glm::ivec2 size{0};
+    float pixel_ratio = 0.0F;
+    Overlays overlays;
+    std::vector<MarkLabel> labels;
+    explicit SpriteSource(const Frame& frame)
+        : camera(frame.camera), size(frame.size), pixel_ratio(frame.pixel_ratio), overlays(frame.overlays),
+          labels(frame.labels) {}
+    bool operator==(const SpriteSource&) const = default;
+};
+
 // What `frame` shows over the tree; nothing where the picture is too small to read it.
-[[nodiscard]] std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font);
+[[nodiscard]] std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font);
+[[nodiscard]] inline std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
+    return overlays_of(SpriteSource(frame), font);
+}
 
 } // namespace ramus::render

@@ -7,6 +7,7 @@
 #include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_solids.h"
+#include "render/overlay.h"
 #include "render/renderer.h"
 
 #include <array>
@@ -94,6 +95,8 @@ private:
     GpuSolids solids_;
     const GpuMesh* drawn_ = nullptr; // the one of the last picture; null: nothing
 
+    std::vector<Sprite> sprites_;
+    std::optional<SpriteSource> sprites_of_;
     std::optional<Frame> last_;
     std::vector<Layer> last_layers_;
     ViewBlock view_;

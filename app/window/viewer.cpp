@@ -105,6 +105,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     layout_ = layout_of(layout_.window, scale_, interface_.panel_open, interface_.overview.wanted_height(),
                         interface_.panel_points);
     take_news();
+    // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
+    ask_pick();
     take_pick();
 
     ImGuiIO& io = ImGui::GetIO();

@@ -2,6 +2,8 @@
 #include "render/renderer_impl.h"
 #include "render/text.h"
 
+#include <utility>
+
 namespace ramus::render {
 
 void Renderer::Impl::draw_overlays(const Frame& frame) {
@@ -19,7 +21,13 @@ void Renderer::Impl::draw_overlays(const Frame& frame) {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     draw_marks(frame);
     glEnable(GL_SCISSOR_TEST);
-    for (const Sprite& sprite : overlays_of(frame, default_font())) {
+    // Painting takes longer than shading: pointing at things paints nothing anew.
+    SpriteSource source(frame);
+    if (!sprites_of_ || *sprites_of_ != source) {
+        sprites_ = overlays_of(source, default_font());
+        sprites_of_ = std::move(source);
+    }
+    for (const Sprite& sprite : sprites_) {
         const Image& image = sprite.image;
         const Texture texture = make_texture(GL_RGBA8, image.width, image.height);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
