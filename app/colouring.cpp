@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <numeric>
 
 namespace ramus::app {
 

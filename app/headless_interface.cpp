@@ -17,10 +17,13 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     auto viewer = Viewer::create(workspace, renderer, scale);
     if (!viewer) return tl::unexpected(viewer.error());
     (*viewer)->resize(size, scale);
+    constexpr double kFrameSeconds = 0.2; // the clock goes on, so that a slow picture comes to rest in full
+    double now = 0.0;
     const auto settle = [&] {
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
-            (*viewer)->draw(0.0, target.framebuffer());
+            (*viewer)->draw(now, target.framebuffer());
+            now += kFrameSeconds;
             if ((*viewer)->resting()) break;
         }
     };

@@ -41,8 +41,8 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
         if (branches.size() > 1) nodes_.push_back(std::move(branches));
 }
 
-std::vector<bool> GpuLines::borders(const std::vector<Layer>& layers) const {
-    std::vector<bool> found(layers.size(), false);
+std::vector<std::vector<int>> GpuLines::meetings(const std::vector<Layer>& layers) const {
+    std::vector<std::vector<int>> found(layers.size());
     const auto layer = [&](int branch) {
         return static_cast<std::size_t>(branch) < layers.size() ? layers[static_cast<std::size_t>(branch)]
                                                                 : Layer::kNone;
@@ -53,8 +53,13 @@ std::vector<bool> GpuLines::borders(const std::vector<Layer>& layers) const {
             return std::ranges::any_of(node, [&](int branch) { return layer(branch) == wanted; });
         };
         if (!any(Layer::kOpaque) || !any(Layer::kGlass)) continue;
-        for (const int branch : node)
-            if (layer(branch) != Layer::kNone) found[static_cast<std::size_t>(branch)] = true;
+        for (const int branch : node) {
+            if (layer(branch) == Layer::kNone) continue;
+            auto& company = found[static_cast<std::size_t>(branch)];
+            for (const int other : node)
+                if (layer(other) != Layer::kNone && std::ranges::find(company, other) == company.end())
+                    company.push_back(other);
+        }
     }
     return found;
 }

@@ -19,8 +19,8 @@ public:
     [[nodiscard]] GLuint details() const { return details_texture_; }       // RG32UI: bits of the diameter, branch
     [[nodiscard]] GLuint runs() const { return runs_texture_; }             // RG32UI: first point, count
 
-    // Which branches meet one of another layer, by branch id; what is not drawn at all meets nothing.
-    [[nodiscard]] std::vector<bool> borders(const std::vector<Layer>& layers) const;
+    // By branch id: the branches that it meets, itself included, where glass meets what is opaque; none elsewhere.
+    [[nodiscard]] std::vector<std::vector<int>> meetings(const std::vector<Layer>& layers) const;
 
     // Draws six corners a segment, without attributes, of branches that are glass.
     void draw(const std::vector<Layer>& layers) const;

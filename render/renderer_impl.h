@@ -75,8 +75,8 @@ private:
         overlay_, mark_;
     std::map<unsigned, Program> shade_; // by variant, made when needed
     VertexArray no_vertices_;
-    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, glass_branches_buffer_;
-    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, glass_branches_texture_;
+    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, meeting_buffer_, company_buffer_;
+    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, meeting_texture_, company_texture_;
     std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 

@@ -24,7 +24,7 @@ void main() {
     vec3 normal = normalize(normal_eye);
 #if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
     int covered = 0;
-    for (int i = 0; i < samples; ++i) covered |= (interpolateAtSample(glassy, i) > 0.5 ? 1 : 0) << i;
+    for (int i = 0; i < samples; ++i) covered |= (interpolateAtSample(glassy, i) > 0.0 ? 1 : 0) << i;
 #ifdef OPAQUE_SIDE
     covered = ~covered;
     if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0);

@@ -13,7 +13,7 @@ layout(location = 1) uniform mat3 to_eye; // rotation only
 out vec3 normal_eye;
 flat out int branch_id;
 #if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
-layout(binding = 0) uniform usamplerBuffer glass_branches; // not 0: glass
+#include "meeting.glsl"
 out float glassy;
 #endif
 
@@ -22,6 +22,6 @@ void main() {
     normal_eye = to_eye * normal;
     branch_id = branch;
 #if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
-    glassy = texelFetch(glass_branches, branch).x != 0u ? 1.0 : 0.0;
+    glassy = glassiness(branch, position);
 #endif
 }

@@ -4,6 +4,8 @@
 #include "app/panels/slider_row.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace ramus::app {
 
@@ -14,7 +16,7 @@ void draw_glass(InterfaceContext& context) {
     widgets::section("Glass");
     static widgets::Slider<float> opacity, grey;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    const auto percent = [](float value) { return digits(100.0 * value, 3) + " %"; };
+    const auto percent = [](float value) { return std::to_string(std::lround(100.0F * value)) + " %"; };
     const bool opacity_changed = widgets::slider_row(
         "Opacity", "0 leaves the centerlines of defocused branches, 200 % is nearly solid", opacity,
         static_cast<float>(marks.glass.opacity),

@@ -18,17 +18,22 @@ constexpr double kOcclusionShare =
 
 // The branches where glass meets what is opaque, and all others.
 struct Split {
-    std::vector<Layer> layers;        // of every branch
     std::vector<Layer> away, meeting; // kNone: belongs to the other list; `meeting` is empty when none does
+    std::vector<std::array<std::uint32_t, 2>> spans, company; // as in meeting.glsl
     Split() = default;
-    Split(const std::vector<Layer>& some, std::size_t count, const GpuLines& lines) : layers(some) {
-        layers.resize(std::max(count, some.size()), Layer::kOpaque);
-        const std::vector<bool> borders = lines.borders(layers);
-        away = layers;
-        if (std::ranges::find(borders, true) == borders.end()) return;
-        meeting.assign(layers.size(), Layer::kNone);
-        for (std::size_t i = 0; i < layers.size(); ++i)
-            if (borders[i]) away[i] = Layer::kNone, meeting[i] = layers[i];
+    Split(std::vector<Layer> layers, std::size_t count, const GpuLines& lines) {
+        layers.resize(std::max(count, layers.size()), Layer::kOpaque);
+        const auto meetings = lines.meetings(layers);
+        away = meeting = layers;
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            (meetings[i].empty() ? meeting : away)[i] = Layer::kNone;
+            spans.push_back(
+                {static_cast<std::uint32_t>(company.size()), static_cast<std::uint32_t>(meetings[i].size())});
+            for (const int other : meetings[i])
+                company.push_back({static_cast<std::uint32_t>(other),
+                                   layers[static_cast<std::size_t>(other)] == Layer::kGlass ? 1U : 0U});
+        }
+        if (company.empty()) meeting.clear();
     }
     // All that meets counts as this layer.
     void become(Layer layer) {
@@ -89,9 +94,13 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
     if (has_glass_) {
         make_glass_layer();
         split = Split(layers, static_cast<std::size_t>(mesh->shown()->branch_count()), lines_);
-        std::vector<std::uint8_t> glassy;
-        for (const Layer layer : split.layers) glassy.push_back(layer == Layer::kGlass ? 1 : 0);
-        make_buffer_texture(glass_branches_buffer_, glass_branches_texture_, GL_R8UI, glassy.data(), glassy.size());
+        if (!split.meeting.empty()) {
+            const auto send = [](Buffer& buffer, Texture& texture, const auto& values) {
+                make_buffer_texture(buffer, texture, GL_RG32UI, values.data(), values.size() * sizeof values[0]);
+            };
+            send(meeting_buffer_, meeting_texture_, split.spans);
+            send(company_buffer_, company_texture_, split.company);
+        }
     }
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -122,7 +131,12 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
                 // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
                 const Program& program = opaque ? opaque_side_ : glass_side_;
                 glProgramUniform1i(program, 2, static_cast<GLint>(view_.picture.z));
-                glBindTextureUnit(0, glass_branches_texture_);
+                const glm::vec3 offset(lines_.shown()->origin - mesh->shown()->origin());
+                glProgramUniform3f(program, 3, offset.x, offset.y, offset.z);
+                GLuint unit = 0;
+                for (const GLuint texture : {lines_.points(), lines_.details(), lines_.runs(), GLuint(meeting_texture_),
+                                             GLuint(company_texture_)})
+                    glBindTextureUnit(unit++, texture);
                 if (opaque) glDisable(GL_CULL_FACE);
                 // Both layers' branches, each pass takes its side of them.
                 split.become(layer);

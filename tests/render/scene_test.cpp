@@ -256,7 +256,8 @@ TEST_CASE("colours follow the diameter from place to place") {
             break;
         }
     CHECK(std::abs(turn - scene.at(0.0, 0.0).x) * kPixelMm < 2.5); // the light is a little warm
-    scene.frame.scale = {ColourScale::Value::kRootDistance, 100.0F, 140.0F, false, {{0.9F, 0.2F, 0.1F}, {0.1F, 0.2F, 0.9F}}};
+    scene.frame.scale = {
+        ColourScale::Value::kRootDistance, 100.0F, 140.0F, false, {{0.9F, 0.2F, 0.1F}, {0.1F, 0.2F, 0.9F}}};
     const Image distance = scene.draw();
     CHECK(scene.colour(distance, -15.0, 0.0)[0] > scene.colour(distance, -15.0, 0.0)[2] + 40);
     CHECK(scene.colour(distance, 15.0, 0.0)[2] > scene.colour(distance, 15.0, 0.0)[0] + 40);
