@@ -82,15 +82,18 @@ Result<void> run_entry(ActionContext& context, const Command& command) {
     return run(context, command, command.preset);
 }
 
-std::filesystem::path Host::suggested_file(std::string_view extension) const {
-    return "ramus" + std::string(extension);
-}
 Result<render::BranchPicture> Host::branch_picture() { return fail("what is visible is not known without a picture"); }
 void Host::say(const std::string&) {}
 Result<void> Host::open(const std::filesystem::path&) {
     return fail("a file cannot be opened from here", {}, "give it on the command line");
 }
 Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
+Result<void> Host::ask_for_name() { return fail("save-as needs a window", {}, "save FILE"); }
+Result<void> Host::copy_text(const std::string&) { return fail("there is no clipboard without a window"); }
+Result<std::string> Host::pasted_text() { return fail("there is no clipboard without a window"); }
+Result<void> Host::recover(int) { return fail("recover needs a window"); }
+Result<void> Host::discard_recovery(int) { return fail("discard-recovery needs a window"); }
+Result<void> Host::set_ui_scale(double) { return fail("ui-scale needs a window"); }
 Result<void> Host::toggle(std::string_view part) {
     return fail("there is no " + std::string(part) + " without a window");
 }

@@ -38,8 +38,6 @@ public:
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
     // The session as another camera sees it, with scale bar and cube, for reports.
     virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
-    // Where pictures and sessions go that the user gave no name for.
-    [[nodiscard]] virtual std::filesystem::path suggested_file(std::string_view extension) const;
     virtual void camera_moved() {}    // the command set another camera
     virtual void flew(int, double) {} // along the vessels: to this branch, so far
     FlyPaths flights;
@@ -47,12 +45,21 @@ public:
 
     virtual Result<void> open(const std::filesystem::path& path);
     virtual Result<void> ask_for_file();
+    virtual Result<void> ask_for_name();                // of a session, to save it
     virtual Result<void> toggle(std::string_view part); // "help", "panel"
     // Sets a part of the window that has more to it than being there: "overview" to "on", "generation", ...
     virtual Result<void> arrange(std::string_view part, std::string_view setting);
     [[nodiscard]] virtual bool shows(std::string_view) const { return false; } // that part
     virtual bool dismiss() { return false; } // closes what lies on top, if anything does
     virtual Result<void> quit();
+    // The clipboard.
+    virtual Result<void> copy_text(const std::string& text);
+    virtual Result<std::string> pasted_text();
+    // What runs that did not end well have left: the dialog for 0, else the n-th in it.
+    virtual Result<void> recover(int which);
+    virtual Result<void> discard_recovery(int which);
+    virtual Result<void> set_ui_scale(double pixels_per_point); // 0: what the display says
+    [[nodiscard]] virtual double ui_scale() const { return 1.0; }
     virtual Result<void> use_tool(std::string_view name);                      // one of tool_kinds()
     [[nodiscard]] virtual std::string_view tool() const { return "navigate"; } // the one in use
     virtual ToolSettings* tool_settings() { return nullptr; }                  // null: there is no mouse

@@ -17,8 +17,8 @@ namespace ramus::app {
 
 class Document {
 public:
-    // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already; `file`: the session
-    // file that it came from; empty for none.
+    // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already; `file`: the
+    // session file that it came from; empty for none.
     void open(std::shared_ptr<const tree::VesselTree> tree, Session session,
               std::shared_ptr<const TreeFacts> facts = nullptr, std::filesystem::path file = {});
 

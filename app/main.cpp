@@ -42,7 +42,7 @@ void add_window_flags(CLI::App& app, WindowOptions& window) {
                    window.size.x < 480 || window.size.y < 360 || window.size.x > 16384 || window.size.y > 16384)
                    throw CLI::ValidationError("--size", text + " is not a size like 1440x900 (from 480x360)");
            },
-           "Size of the window, in points (default 1440x900)")
+           "Size of the window, in points; without it, as it was the last time")
         ->type_name("WxH")
         ->group(group);
     app.add_option("--status", window.status,

@@ -7,6 +7,23 @@ namespace ramus::app {
 
 namespace {
 
+// Behind the brace that closes the one at `at`.
+std::size_t end_of_object(std::string_view line, std::size_t at) {
+    int depth = 0;
+    bool quoted = false;
+    for (; at < line.size(); ++at) {
+        if (quoted && line[at] == '\\')
+            ++at;
+        else if (line[at] == '"')
+            quoted = !quoted;
+        else if (!quoted && line[at] == '{')
+            ++depth;
+        else if (!quoted && line[at] == '}' && --depth == 0)
+            return at + 1;
+    }
+    return std::string_view::npos;
+}
+
 Result<std::vector<std::string>> words_of(std::string_view line, const std::string& where) {
     std::vector<std::string> words;
     for (std::size_t i = 0; i < line.size();) {
@@ -16,6 +33,13 @@ Result<std::vector<std::string>> words_of(std::string_view line, const std::stri
         }
         if (line[i] == '#') break;
         std::string word;
+        if (line[i] == '{') { // JSON, as it stands
+            const std::size_t end = end_of_object(line, i);
+            if (end == std::string_view::npos) return fail("a brace is not closed", where, "close it on the same line");
+            words.emplace_back(line.substr(i, end - i));
+            i = end;
+            continue;
+        }
         bool quoted = false;
         for (; i < line.size(); ++i) {
             const char c = line[i];

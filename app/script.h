@@ -1,5 +1,6 @@
 // Commands files: one command a line, `#` starts a comment, double quotes hold words with blanks (\" and \\ inside
-// them). A line that fails stops the run; the error's place is file:line.
+// them); a word that begins with a brace is JSON up to the brace that closes it. A line that fails stops the run; the
+// error's place is file:line.
 #pragma once
 
 #include "app/command_table.h"

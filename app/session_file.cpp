@@ -49,6 +49,13 @@ std::string text(const json& value, const std::string& name) {
     return value.get<std::string>();
 }
 
+// The list of this name; an empty one when there is none.
+json list_in(const json& object, const std::string& name) {
+    if (!object.contains(name)) return json::array();
+    if (!object[name].is_array()) throw Refusal{name + " is not a list"};
+    return object[name];
+}
+
 constexpr int kMostBranches = 100'000'000;
 
 std::vector<int> ids(const json& value, const std::string& name) {
@@ -177,15 +184,14 @@ Measurement measurement(const json& value) {
 }
 
 void read_plans(const json& value, Marks& marks) {
-    for (const json& lesion : value.value("lesions", json::array())) {
+    for (const json& lesion : list_in(value, "lesions")) {
         if (!lesion.is_array() || lesion.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
         std::array<double, 4> sphere{};
         for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(lesion[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
         marks.lesions.push_back(sphere);
     }
-    for (const json& found : value.value("measurements", json::array()))
-        marks.measurements.push_back(measurement(found));
-    for (const json& cut : value.value("cuts", json::array())) {
+    for (const json& found : list_in(value, "measurements")) marks.measurements.push_back(measurement(found));
+    for (const json& cut : list_in(value, "cuts")) {
         if (!cut.is_array() || cut.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
         marks.cuts.emplace_back(integer(cut[0], "branch id of a cut", 0, kMostBranches),
                                 number(cut[1], "cut", 0.0, 1.0));
@@ -250,7 +256,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("selection")) session.marks.selection = ids(value["selection"], "selection");
         if (value.contains("states")) read_states(value["states"], session.marks);
         read_plans(value, session.marks);
-        for (const json& mesh : value.value("lesion_meshes", json::array()))
+        for (const json& mesh : list_in(value, "lesion_meshes"))
             session.marks.lesion_meshes.push_back(
                 (folder / text(mesh, "path of a lesion")).lexically_normal().string());
         if (value.contains("options")) read_options(value["options"], session.marks);

@@ -22,32 +22,18 @@ Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& re
     return one.execute([&] { return maker.next(request, job); });
 }
 
-} // namespace
-
-Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
-                        Job& job) {
+// A session's tree, and its cones. `where` names the session in messages; empty: it is a fresh one.
+Result<LoadedTree> load_tree_of(Session wanted, const std::string& where, const io::ReadOptions& reading, Job& job) {
     const Stopwatch watch;
     LoadedTree loaded;
+    loaded.session = std::move(wanted);
     Session& session = loaded.session;
-    const bool from_session = is_session_file(path);
-    if (from_session) {
-        auto saved = read_session(path);
-        if (!saved) return tl::unexpected(saved.error());
-        session = std::move(saved->session);
-        loaded.has_camera = saved->has_camera;
-    } else {
-        session.tree.path = std::filesystem::absolute(path).lexically_normal();
-        session.marks.options = like.options;
-        session.marks.colour_by = like.colour_by;
-        session.marks.colour_map = like.colour_map;
-    }
     auto tree = io::read_tree(session.tree.path, reading);
     if (!tree) return tl::unexpected(tree.error());
     auto checksum = checksum_of(session.tree.path);
     if (!checksum) return tl::unexpected(checksum.error());
-    if (from_session)
-        if (auto fits = check_against(session, *tree, *checksum, path.string()); !fits)
-            return tl::unexpected(fits.error());
+    if (!where.empty())
+        if (auto fits = check_against(session, *tree, *checksum, where); !fits) return tl::unexpected(fits.error());
     session.tree.checksum = *checksum;
     loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
     loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
@@ -71,13 +57,55 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     return loaded;
 }
 
+} // namespace
+
+Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
+                        Job& job) {
+    if (is_session_file(path)) {
+        auto saved = read_session(path);
+        if (!saved) return tl::unexpected(saved.error());
+        auto loaded = load_tree_of(std::move(saved->session), path.string(), reading, job);
+        if (!loaded) return loaded;
+        loaded->has_camera = saved->has_camera;
+        loaded->file = std::filesystem::absolute(path).lexically_normal();
+        return loaded;
+    }
+    Session fresh;
+    fresh.tree.path = std::filesystem::absolute(path).lexically_normal();
+    fresh.marks.options = like.options;
+    fresh.marks.colour_by = like.colour_by;
+    fresh.marks.colour_map = like.colour_map;
+    return load_tree_of(std::move(fresh), {}, reading, job);
+}
+
+Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOptions& reading, Job& job) {
+    auto loaded = load_tree_of(snapshot.session, snapshot.session.tree.path.string(), reading, job);
+    if (!loaded) {
+        loaded.error().hint = "its recovery file is kept until you discard it";
+        return loaded;
+    }
+    loaded->has_camera = true;
+    loaded->file = snapshot.file;
+    loaded->unsaved_changes = snapshot.changes;
+    return loaded;
+}
+
 Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
+    load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
+}
+
+void Workspace::recover(const autosave::Snapshot& snapshot) {
+    load_with(snapshot.file.empty() ? snapshot.session.tree.path : snapshot.file,
+              [snapshot, how = reading](Job& job) { return load(snapshot, how, job); });
+}
+
+void Workspace::load_with(const std::filesystem::path& path, std::function<Result<LoadedTree>(Job&)> load) {
     first_is_coming_ = false;
     loader_.start("Reading " + path.filename().string(),
-                  [this, path, like = document.marks(), how = reading](Job& job, const Worker::Post& post) {
-                      auto loaded = load(path, like, how, job);
+                  [this, path, load = std::move(load)](Job& job, const Worker::Post& post) {
+                      auto loaded = load(job);
                       if (job.cancelled()) return;
                       if (!loaded) {
                           post([this, error = loaded.error()] {
@@ -108,9 +136,10 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     problem_.clear();
     kept_.clear();
     maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(loaded.tree);
-    document.open(std::move(loaded.tree), std::move(loaded.session), std::move(loaded.facts));
+    document.open(std::move(loaded.tree), std::move(loaded.session), std::move(loaded.facts), std::move(loaded.file));
+    if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
     shown_ = std::move(loaded.cones);
-    opened_ = Opened{path, loaded.has_camera};
+    opened_ = Opened{path, loaded.has_camera, loaded.unsaved_changes.has_value()};
     just_shown_ = true;
     changed_ = true;
 }

@@ -4,6 +4,7 @@
 // that cannot be read leaves everything as it was. No GL, no window.
 #pragma once
 
+#include "app/autosave.h"
 #include "app/branch_facts.h"
 #include "app/document.h"
 #include "app/surface_maker.h"
@@ -25,7 +26,9 @@ struct LoadedTree {
     std::shared_ptr<const TreeFacts> facts;
     Session session;
     bool has_camera = false;
-    std::shared_ptr<SurfaceMaker> maker; // of this tree; null: none yet
+    std::filesystem::path file;                 // the session file that it comes from; empty: none
+    std::optional<std::size_t> unsaved_changes; // it was recovered, with so many
+    std::shared_ptr<SurfaceMaker> maker;        // of this tree; null: none yet
     ReadySurface cones;
     double seconds = 0.0; // reading
 };
@@ -34,12 +37,16 @@ struct LoadedTree {
 [[nodiscard]] Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like,
                                       const io::ReadOptions& reading, Job& job);
 
+// What another process left (app/autosave.h), and its tree, which must be the same as then.
+[[nodiscard]] Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOptions& reading, Job& job);
+
 class Workspace {
 public:
     // `wake` is called from other threads when update() has something to do.
     explicit Workspace(std::function<void()> wake);
 
     void open(const std::filesystem::path& path);
+    void recover(const autosave::Snapshot& snapshot);
     // What was loaded elsewhere, at once.
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
     io::ReadOptions reading; // of files that are opened from now on
@@ -75,6 +82,7 @@ public:
     struct Opened {
         std::filesystem::path path; // as it was asked for: a session's own name
         bool has_camera = false;
+        bool recovered = false;
     };
     [[nodiscard]] std::optional<Opened> take_opened() { return std::exchange(opened_, std::nullopt); }
     [[nodiscard]] std::optional<Error> take_error();
@@ -90,6 +98,7 @@ private:
     static constexpr std::chrono::milliseconds kPreviewPatience{80};
     static constexpr std::chrono::milliseconds kShort{500}; // what is being made is let finish
 
+    void load_with(const std::filesystem::path& path, std::function<Result<LoadedTree>(Job&)> load);
     [[nodiscard]] SurfaceRequest request() const;
     void take(ReadySurface surface);
     void make_next(const SurfaceRequest& request);

@@ -1,5 +1,7 @@
 #include "app/actions/arguments.h"
 
+#include "app/places.h"
+
 #include <algorithm>
 #include <charconv>
 #include <numeric>
@@ -59,7 +61,7 @@ Result<std::filesystem::path> file_argument(ActionContext& context, Arguments ar
                                             std::string_view extension) {
     if (arguments.size() > 1)
         return fail(std::string(command) + " takes one file", {}, "put quotes around a name with blanks");
-    return arguments.empty() ? context.host.suggested_file(extension) : std::filesystem::path(arguments[0]);
+    return arguments.empty() ? suggested_file(context.document, extension) : std::filesystem::path(arguments[0]);
 }
 
 void select_these(Document& document, std::vector<int> ids) {

@@ -1,6 +1,9 @@
 // From where the tree is looked at.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "core/io/tree_reader.h"
+
+#include <nlohmann/json.hpp>
 
 namespace ramus::app::actions {
 
@@ -41,6 +44,37 @@ Result<void> orthographic(ActionContext& context, Arguments arguments) {
         return fail("orthographic is on or off");
     const bool wanted = arguments.empty() ? !camera.orthographic : arguments[0] == "on";
     move_camera(context, render::with_projection(camera, wanted));
+    return {};
+}
+
+Result<void> camera_copy(ActionContext& context, Arguments) {
+    if (auto copied = context.host.copy_text(render::to_json(context.document.session().camera).dump()); !copied)
+        return copied;
+    context.host.say("Camera copied as text");
+    return {};
+}
+
+Result<void> camera_paste(ActionContext& context, Arguments) {
+    const auto text = context.host.pasted_text();
+    if (!text) return tl::unexpected(text.error());
+    const auto camera = render::parse_camera(*text, "clipboard");
+    if (!camera) return tl::unexpected(camera.error());
+    move_camera(context, *camera);
+    return {};
+}
+
+Result<void> camera(ActionContext& context, Arguments arguments) {
+    if (arguments.size() != 1) return fail("camera takes JSON, or a file with it", {}, "camera-copy copies it");
+    Result<render::Camera> read;
+    if (arguments[0].find('{') != std::string::npos) {
+        read = render::parse_camera(arguments[0], "camera");
+    } else {
+        const auto content = io::read_file(arguments[0], 1 << 20);
+        if (!content) return tl::unexpected(content.error());
+        read = render::parse_camera(*content, arguments[0]);
+    }
+    if (!read) return tl::unexpected(read.error());
+    move_camera(context, *read);
     return {};
 }
 
@@ -114,6 +148,31 @@ std::vector<Command> camera_commands() {
          {},
          has_tree,
          is_orthographic},
+        {"camera",
+         "JSON|FILE",
+         "Looks from a camera that was copied as text: {\"position\": [0, -500, 0], ...}.",
+         "",
+         "",
+         {},
+         camera},
+        {"camera-copy",
+         "",
+         "Copies the camera as text, for camera-paste, scripts and ramus render --camera.",
+         "Edit",
+         "Copy camera",
+         {"Ctrl+C"},
+         camera_copy,
+         {},
+         has_tree},
+        {"camera-paste",
+         "",
+         "Looks from the camera that was copied as text.",
+         "Edit",
+         "Paste camera",
+         {"Ctrl+V"},
+         camera_paste,
+         {},
+         has_tree},
     };
 }
 

@@ -2,6 +2,9 @@
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/session_file.h"
+#include "app/settings.h"
+
+#include <algorithm>
 
 namespace ramus::app::actions {
 
@@ -16,17 +19,52 @@ Result<void> save(ActionContext& context, Arguments arguments) {
     const auto path = file_argument(context, arguments, "save", ".ramus.json");
     if (!path) return tl::unexpected(path.error());
     if (auto written = write_session(context.document.session(), *path); !written) return written;
-    context.document.mark_saved(std::filesystem::absolute(*path).lexically_normal());
-    context.host.say("Session saved: " + path->string());
+    const std::filesystem::path full = std::filesystem::absolute(*path).lexically_normal();
+    context.document.mark_saved(full);
+    context.host.say("Session saved: " + full.string());
     return {};
 }
+
+Result<void> save_as(ActionContext& context, Arguments) { return context.host.ask_for_name(); }
 
 Result<void> shot(ActionContext& context, Arguments arguments) {
     const auto path = file_argument(context, arguments, "shot", ".png");
     if (!path) return tl::unexpected(path.error());
     if (auto written = context.host.write_picture(*path); !written) return written;
-    context.host.say("Picture saved: " + path->string());
+    context.host.say("Picture saved: " + std::filesystem::absolute(*path).lexically_normal().string());
     return {};
+}
+
+// The number of an entry in the dialog, 1 and more; 0 for none.
+Result<int> entry(Arguments arguments, const std::string& command) {
+    if (arguments.empty()) return 0;
+    const auto wanted = arguments.size() == 1 ? number_in(arguments[0], 1.0, 1e6) : std::nullopt;
+    if (!wanted || *wanted != static_cast<int>(*wanted)) return fail(command + " takes the number of an entry");
+    return static_cast<int>(*wanted);
+}
+
+Result<void> recover(ActionContext& context, Arguments arguments) {
+    const auto which = entry(arguments, "recover");
+    return which ? context.host.recover(*which) : tl::unexpected(which.error());
+}
+
+Result<void> discard_recovery(ActionContext& context, Arguments arguments) {
+    const auto which = entry(arguments, "discard-recovery");
+    if (!which) return tl::unexpected(which.error());
+    return *which > 0 ? context.host.discard_recovery(*which) : fail("discard-recovery takes the number of an entry");
+}
+
+Result<void> ui_scale(ActionContext& context, Arguments arguments) {
+    constexpr double kStep = 1.125;
+    const auto refused = fail("ui-scale takes a factor from 0.5 to 4, larger, smaller or auto");
+    if (arguments.size() != 1) return refused;
+    const std::string& word = arguments[0];
+    if (word == "auto") return context.host.set_ui_scale(0.0);
+    const double now = context.host.ui_scale();
+    if (word == "larger") return context.host.set_ui_scale(std::min(now * kStep, kMostUiScale));
+    if (word == "smaller") return context.host.set_ui_scale(std::max(now / kStep, kLeastUiScale));
+    const auto factor = number_in(word, kLeastUiScale, kMostUiScale);
+    return factor ? context.host.set_ui_scale(*factor) : refused;
 }
 
 Result<void> quit(ActionContext& context, Arguments) { return context.host.quit(); }
@@ -60,6 +98,29 @@ std::vector<Command> file_commands() {
          save,
          {},
          has_tree},
+        {"save-as",
+         "",
+         "Asks where to write the session.",
+         "File",
+         "Save session as...",
+         {"Ctrl+Shift+S"},
+         save_as,
+         {},
+         has_tree},
+        {"recover",
+         "[N]",
+         "Shows what is left of runs that did not end well, or brings the N-th of them back.",
+         "File",
+         "Recover...",
+         {},
+         recover},
+        {"discard-recovery",
+         "N",
+         "Throws the N-th away of what is left of runs that did not end well.",
+         "",
+         "",
+         {},
+         discard_recovery},
         {"shot", "[FILE]", "Writes the picture as PNG.", "File", "Save picture", {"F12"}, shot, {}, has_tree},
         {"quit", "", "Closes ramus.", "File", "Quit", {"Ctrl+Q"}, quit},
     };
@@ -83,6 +144,29 @@ std::vector<Command> window_commands() {
          panel,
          {"other"},
          has_tree},
+        {"ui-scale",
+         "FACTOR|larger|smaller|auto",
+         "Sets how large text and panels are, in pixels per point; auto is what the display says.",
+         "",
+         "",
+         {},
+         ui_scale},
+        {"ui-scale",
+         "FACTOR|larger|smaller|auto",
+         "Makes text and panels larger.",
+         "View",
+         "Larger interface",
+         {},
+         ui_scale,
+         {"larger"}},
+        {"ui-scale",
+         "FACTOR|larger|smaller|auto",
+         "Makes text and panels smaller.",
+         "View",
+         "Smaller interface",
+         {},
+         ui_scale,
+         {"smaller"}},
         {"help", "", "Shows what the mouse and the keys do.", "Help", "Mouse and keys", {"F1", "?"}, help},
     };
 }

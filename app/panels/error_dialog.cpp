@@ -23,7 +23,8 @@ void draw_error_dialog(InterfaceContext& context) {
     auto& errors = context.interface.errors;
     if (errors.empty() || !widgets::begin_dialog("error", 520.0F, 0.0F)) return;
     const Error& error = errors.front();
-    widgets::heading("This file cannot be opened");
+    const bool recovery = context.interface.recovery.open;
+    widgets::heading(recovery ? "This session cannot be recovered" : "This file cannot be opened");
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::TextWrapped("%s", sentence(error.what).c_str());
     if (!error.hint.empty()) ImGui::TextWrapped("%s", sentence(error.hint).c_str());
@@ -32,9 +33,11 @@ void draw_error_dialog(InterfaceContext& context) {
     const float width = 90.0F * theme::scale();
     const float other = 150.0F * theme::scale();
     bool another = false;
-    widgets::align_right(width + other + ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::Button("Open another...", {other, 0.0F})) another = true;
-    ImGui::SameLine();
+    widgets::align_right(recovery ? width : width + other + ImGui::GetStyle().ItemSpacing.x);
+    if (!recovery) {
+        another = ImGui::Button("Open another...", {other, 0.0F});
+        ImGui::SameLine();
+    }
     ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
     const bool closed =
         ImGui::Button("Close", {width, 0.0F}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);

@@ -62,6 +62,10 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
 bool Interface::dismiss() {
     if (!errors.empty())
         errors.pop_front();
+    else if (unsaved.open())
+        unsaved.next = nullptr;
+    else if (recovery.open)
+        recovery.open = false;
     else if (open_dialog.open)
         open_dialog.open = false;
     else if (help_open)
@@ -102,6 +106,8 @@ void draw_interface(InterfaceContext& context) {
     draw_rename(context);
     draw_help(context);
     draw_open_dialog(context);
+    draw_recovery_dialog(context);
+    draw_unsaved_dialog(context);
     draw_error_dialog(context);
 }
 

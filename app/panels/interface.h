@@ -4,8 +4,10 @@
 
 #include "app/command_table.h"
 #include "app/panels/branch_list.h"
+#include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
+#include "app/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace.h"
 
@@ -62,7 +64,10 @@ struct Interface {
     float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;
     std::array<char, 64> help_search{};
+    Settings settings;
     OpenDialog open_dialog;
+    RecoveryDialog recovery;
+    UnsavedDialog unsaved;
     std::deque<Error> errors; // of files, shown one after the other in a dialog
     Notice notice;
     int hovered = tree::kNoBranch; // under the pointer in the picture
@@ -81,7 +86,9 @@ struct Interface {
     CommandLine last_command; // that the tool or a panel gave
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
-    [[nodiscard]] bool dialog_open() const { return help_open || rename.open || open_dialog.open || !errors.empty(); }
+    [[nodiscard]] bool dialog_open() const {
+        return help_open || rename.open || open_dialog.open || recovery.open || unsaved.open() || !errors.empty();
+    }
     bool dismiss(); // closes what lies on top; false: nothing does
 };
 
@@ -117,5 +124,7 @@ void draw_branch_tooltip(const InterfaceContext& context, int id); // at the poi
 void draw_help(InterfaceContext& context);
 void draw_open_dialog(InterfaceContext& context);
 void draw_error_dialog(InterfaceContext& context);
+void draw_recovery_dialog(InterfaceContext& context);
+void draw_unsaved_dialog(InterfaceContext& context);
 
 } // namespace ramus::app

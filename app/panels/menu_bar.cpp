@@ -1,8 +1,8 @@
 // Menus from the command table at the left, buttons for the anatomical views at the right.
 #include "app/numbers.h"
 #include "app/panels/interface.h"
-#include "app/panels/recent_files.h"
 #include "app/panels/widgets.h"
+#include "app/recent_files.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

@@ -2,15 +2,16 @@
 
 #include "app/numbers.h"
 #include "app/panels/interface.h"
-#include "app/panels/recent_files.h"
 #include "app/panels/widgets.h"
+#include "app/places.h"
+#include "app/recent_files.h"
 #include "app/window/theme.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <cstring>
 #include <imgui.h>
+#include <utility>
 
 namespace ramus::app {
 
@@ -24,12 +25,28 @@ bool can_be_opened(const fs::path& path) {
 }
 
 void OpenDialog::show(const fs::path& start) {
+    purpose = Purpose::kOpen;
     open = true;
     filter.fill('\0');
     std::error_code ignored;
     fs::path where = start;
     if (where.empty() || !fs::is_directory(where, ignored)) where = fs::current_path(ignored);
     enter(where);
+}
+
+void OpenDialog::show_to_save(const fs::path& suggestion) {
+    show(suggestion.parent_path());
+    purpose = Purpose::kSave;
+    name_focused = false;
+    replace_asked = false;
+    const std::string text = suggestion.filename().string();
+    name.fill('\0');
+    std::memcpy(name.data(), text.data(), std::min(text.size(), name.size() - 1));
+}
+
+fs::path OpenDialog::named() const {
+    const fs::path target = folder / name.data();
+    return target.extension() == ".json" ? target : fs::path(target.string() + ".ramus.json");
 }
 
 void OpenDialog::enter(const fs::path& where) {
@@ -39,6 +56,7 @@ void OpenDialog::enter(const fs::path& where) {
     entries.clear();
     problem.clear();
     marked = -1;
+    replace_asked = false;
     filter.fill('\0');
     const std::string text = folder.string();
     typed.fill('\0');
@@ -78,7 +96,7 @@ std::string size_text(std::uintmax_t bytes) {
 }
 
 // Where the user may want to go: recent files and a few folders. Returns what was chosen.
-fs::path draw_places(float width) {
+fs::path draw_places(float width, bool with_files) {
     fs::path chosen;
     ImGui::BeginChild("places", {width, 0.0F});
     widgets::quiet("Places");
@@ -86,15 +104,17 @@ fs::path draw_places(float width) {
         if (ImGui::Selectable(label)) chosen = path;
         widgets::tooltip(path.c_str());
     };
-    if (const char* home = std::getenv("HOME"); home != nullptr) place("Home", home);
+    if (const fs::path home = places::home(); !home.empty()) place("Home", home);
+    if (const fs::path documents = places::documents(); !documents.empty()) place("Documents", documents);
     std::error_code ignored;
     place("Here", fs::current_path(ignored));
     place("Computer", "/");
-    if (!recent_files().empty()) {
+    if (with_files && !recent_files().empty()) {
         ImGui::Dummy({0.0F, 6.0F * theme::scale()});
         widgets::quiet("Recent");
     }
     for (const auto& file : recent_files()) {
+        if (!with_files) break;
         ImGui::PushID(file.c_str());
         place(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
         ImGui::PopID();
@@ -123,7 +143,12 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
                 dialog.marked = static_cast<int>(i);
-                if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+                if (!entry.folder && dialog.purpose == OpenDialog::Purpose::kSave) {
+                    dialog.name.fill('\0');
+                    std::memcpy(dialog.name.data(), entry.name.data(),
+                                std::min(entry.name.size(), dialog.name.size() - 1));
+                    dialog.replace_asked = false;
+                } else if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                     chosen = dialog.folder / entry.name;
             }
             if (entry.folder) ImGui::PopStyleColor();
@@ -144,6 +169,43 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     return chosen;
 }
 
+// The name, and what Save does with it. Returns where to save once that is settled.
+fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::AlignTextToFramePadding();
+    if (dialog.replace_asked) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
+        ImGui::TextUnformatted("It exists:");
+        ImGui::PopStyleColor();
+    } else {
+        widgets::quiet("Name");
+    }
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0F * (button_width + gap));
+    if (!std::exchange(dialog.name_focused, true)) ImGui::SetKeyboardFocusHere();
+    const std::string before = dialog.name.data();
+    bool wanted =
+        ImGui::InputText("##name", dialog.name.data(), dialog.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    if (before != dialog.name.data()) dialog.replace_asked = false;
+    ImGui::SameLine();
+    cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
+    ImGui::SameLine();
+    ImGui::BeginDisabled(dialog.name[0] == '\0');
+    ImGui::PushStyleColor(ImGuiCol_Button, dialog.replace_asked ? theme::kTroubleDim : theme::kAccentDim);
+    wanted |= ImGui::Button(dialog.replace_asked ? "Replace" : "Save", {button_width, 0.0F});
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    if (!wanted || dialog.name[0] == '\0') return {};
+    const fs::path target = dialog.named();
+    std::error_code ignored;
+    if (fs::is_directory(target, ignored)) {
+        dialog.enter(target);
+        return {};
+    }
+    if (fs::exists(target, ignored) && !std::exchange(dialog.replace_asked, true)) return {};
+    return target;
+}
+
 } // namespace
 
 void draw_open_dialog(InterfaceContext& context) {
@@ -151,11 +213,12 @@ void draw_open_dialog(InterfaceContext& context) {
     if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
     const float scale = theme::scale();
     fs::path chosen;
-    widgets::heading("Open a vessel tree or a session");
+    const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
+    widgets::heading(saving ? "Save the session" : "Open a vessel tree or a session");
     ImGui::Dummy({0.0F, 2.0F * scale});
 
     const float places_width = 190.0F * scale;
-    if (const fs::path place = draw_places(places_width); !place.empty()) chosen = place;
+    if (const fs::path place = draw_places(places_width, !saving); !place.empty()) chosen = place;
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
     const float up_width = 44.0F * scale;
@@ -168,7 +231,7 @@ void draw_open_dialog(InterfaceContext& context) {
         chosen = dialog.typed.data();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(filter_width);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing() && !saving) ImGui::SetKeyboardFocusHere();
     const bool filtered = ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
                                                    ImGuiInputTextFlags_EnterReturnsTrue);
     if (filtered) { // Enter takes the first that is left
@@ -183,27 +246,37 @@ void draw_open_dialog(InterfaceContext& context) {
     if (const fs::path entry = draw_entries(dialog, -buttons); !entry.empty()) chosen = entry;
     ImGui::Dummy({0.0F, 2.0F * scale});
 
-    ImGui::Checkbox("All files", &dialog.every_file);
-    ImGui::SameLine();
     const float button_width = 90.0F * scale;
-    widgets::align_right(2.0F * button_width + gap);
-    const bool cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
-    ImGui::SameLine();
-    const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
-    ImGui::BeginDisabled(!can_open);
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-    if (ImGui::Button("Open", {button_width, 0.0F}))
-        chosen = dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
-    ImGui::PopStyleColor();
-    ImGui::EndDisabled();
+    bool cancelled = false;
+    fs::path target;
+    if (saving) {
+        target = draw_name(dialog, button_width, cancelled);
+    } else {
+        ImGui::Checkbox("All files", &dialog.every_file);
+        ImGui::SameLine();
+        widgets::align_right(2.0F * button_width + gap);
+        cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
+        ImGui::SameLine();
+        const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
+        ImGui::BeginDisabled(!can_open);
+        ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
+        if (ImGui::Button("Open", {button_width, 0.0F}))
+            chosen = dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
+        ImGui::PopStyleColor();
+        ImGui::EndDisabled();
+    }
     ImGui::EndGroup();
 
     std::error_code ignored;
     if (!chosen.empty() && fs::is_directory(chosen, ignored))
         dialog.enter(chosen);
-    else if (!chosen.empty()) {
+    else if (!chosen.empty() && !saving) {
         dialog.open = false;
         context.perform("open", {chosen.string()});
+    }
+    if (!target.empty()) {
+        dialog.open = false;
+        context.perform("save", {target.string()});
     }
     if (cancelled) dialog.open = false;
     if (!dialog.open) ImGui::CloseCurrentPopup();

@@ -1,5 +1,5 @@
-// OpenDialog: a folder, its sub-folders and the files ramus can read, and what the user is typing. Listing reads the
-// folder once; drawing never touches the disk.
+// OpenDialog: a folder, its sub-folders and the files ramus can read, and what the user is typing: to choose a file to
+// open, or a name to save a session under. Listing reads the folder once.
 #pragma once
 
 #include <array>
@@ -16,6 +16,8 @@ struct OpenDialog {
         bool folder = false;
         std::uintmax_t bytes = 0;
     };
+    enum class Purpose { kOpen, kSave };
+    Purpose purpose = Purpose::kOpen;
     bool open = false;
     bool every_file = false; // not only those with a known ending
     std::filesystem::path folder;
@@ -24,9 +26,14 @@ struct OpenDialog {
     std::array<char, 256> filter{};
     std::array<char, 4096> typed{}; // the path field
     int marked = -1;                // index into entries
+    std::array<char, 256> name{};   // to save under
+    bool replace_asked = false;     // the user was told that it exists
+    bool name_focused = false;      // once, when it opens
 
     void show(const std::filesystem::path& start);
-    void enter(const std::filesystem::path& where); // lists another folder
+    void show_to_save(const std::filesystem::path& suggestion); // a file
+    [[nodiscard]] std::filesystem::path named() const;          // the file to save, with its ending
+    void enter(const std::filesystem::path& where);             // lists another folder
 };
 
 // Endings of files that may be trees or sessions, with the dot, lower case.

@@ -227,6 +227,22 @@ float GlfwWindow::scale() const {
 }
 
 bool GlfwWindow::close_wanted() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+void GlfwWindow::refuse_close() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
+
+void GlfwWindow::set_scale(float pixels_per_point) {
+    if (fixed_scale_ == pixels_per_point) return;
+    fixed_scale_ = pixels_per_point;
+    resized();
+}
+
+std::optional<glm::ivec2> GlfwWindow::size_points() const {
+    if (glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE) return {};
+    const glm::ivec2 pixels = framebuffer_size();
+    const auto points = [&](int length) { return static_cast<int>(std::lround(static_cast<float>(length) / scale())); };
+    const glm::ivec2 size(points(pixels.x), points(pixels.y));
+    return size.x >= 480 && size.y >= 360 ? std::optional(size) : std::nullopt;
+}
+
 void GlfwWindow::swap() { glfwSwapBuffers(window_); }
 
 void GlfwWindow::wait(double seconds) {

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 struct GLFWwindow;
@@ -29,6 +30,9 @@ public:
     [[nodiscard]] glm::ivec2 framebuffer_size() const;
     [[nodiscard]] float scale() const; // pixels per point
     [[nodiscard]] bool close_wanted() const;
+    void refuse_close();                                         // and not wanted any more
+    void set_scale(float pixels_per_point);                      // 0: the display's
+    [[nodiscard]] std::optional<glm::ivec2> size_points() const; // none while it fills the screen
     void swap();
     void wait(double seconds); // for events; infinite is allowed, 0 only looks
 

@@ -1,6 +1,9 @@
 #include "app/window/run_window.h"
 
+#include "app/autosave.h"
+#include "app/places.h"
 #include "app/script.h"
+#include "app/settings.h"
 #include "app/tree_source.h"
 #include "app/window/glfw_window.h"
 #include "app/window/status_file.h"
@@ -10,6 +13,7 @@
 // GL comes through glad, in render.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <future>
 #include <imgui.h>
 #include <iostream>
@@ -37,14 +41,81 @@ std::optional<std::filesystem::path> first_file(const WindowOptions& options) {
     return demo_tree();
 }
 
-Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, const WindowOptions& options,
-                  std::optional<std::vector<ScriptLine>> script) {
+// What outlives the window: the session, should the process be killed, and the settings.
+class Keeper {
+public:
+    Keeper(const Settings& settings, bool own_scale)
+        : written_(settings), own_scale_(own_scale), autosaver_(folder(), wake_window), writer_(wake_window) {}
+
+    [[nodiscard]] static std::filesystem::path folder() {
+        const std::filesystem::path state = places::state();
+        return state.empty() ? state : state / "autosave";
+    }
+
+    void update(GlfwWindow& window, Viewer& viewer, const Document& document, double now) {
+        if (auto slot = viewer.take_recovered()) autosaver_.take_over(std::move(*slot));
+        if (const auto error = autosaver_.update(document, now))
+            viewer.say("Not kept for recovery: " + error->message());
+        Settings wanted = settings(window, viewer);
+        if (!own_scale_) window.set_scale(static_cast<float>(wanted.ui_scale));
+        if (wanted != wanted_) {
+            wanted_ = wanted;
+            changed_ = now;
+        }
+        writer_.drain();
+        if (wanted_ == written_ || writer_.busy() || now < changed_ + kSettleSeconds) return;
+        written_ = wanted_;
+        writer_.start("Saving", [wanted](Job&, const Worker::Post&) {
+            (void)write_settings(wanted, places::settings()); // a convenience
+        });
+    }
+
+    [[nodiscard]] double wait_seconds(double now) const {
+        const double autosave = autosaver_.wait_seconds(now);
+        return wanted_ == written_ ? autosave : std::min(autosave, std::max(0.0, changed_ + kSettleSeconds - now));
+    }
+
+    void leave(const GlfwWindow& window, const Viewer& viewer) {
+        autosaver_.leave();
+        while (writer_.busy()) {
+            writer_.wait(std::chrono::milliseconds(50));
+            writer_.drain();
+        }
+        if (const Settings last = settings(window, viewer); last != written_)
+            (void)write_settings(last, places::settings());
+    }
+
+private:
+    static constexpr double kSettleSeconds = 1.0;
+
+    [[nodiscard]] Settings settings(const GlfwWindow& window, const Viewer& viewer) const {
+        Settings settings = viewer.settings();
+        if (const auto size = window.size_points()) settings.window = *size;
+        return settings;
+    }
+
+    Settings written_, wanted_ = written_;
+    bool own_scale_; // the command line's
+    double changed_ = 0.0;
+    Autosaver autosaver_;
+    Worker writer_;
+};
+
+Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
+                  const WindowOptions& options, std::optional<std::vector<ScriptLine>> script) {
     StatusFile status(options.status);
-    while (!viewer.closing() && !window.close_wanted()) {
+    while (!viewer.closing()) {
+        if (window.close_wanted()) {
+            window.refuse_close();
+            (void)viewer.quit(); // asks first when something would be lost
+            continue;
+        }
         if (viewer.draw(glfwGetTime(), 0)) window.swap();
         if (script && workspace.surface_ready() && viewer.resting()) {
             ActionContext context{workspace.document, viewer};
+            viewer.set_unattended(true);
             const auto done = run_script(context, *std::exchange(script, std::nullopt), options.commands);
+            viewer.set_unattended(false);
             if (!done) return done;
             viewer.shake();
             continue;
@@ -52,7 +123,9 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, cons
         window.set_title(viewer.title());
         window.set_cursor(viewer.cursor());
         status.update(viewer, workspace);
-        window.wait(viewer.wait_seconds(glfwGetTime()));
+        keeper.update(window, viewer, workspace.document, glfwGetTime());
+        const double now = glfwGetTime();
+        window.wait(std::min(viewer.wait_seconds(now), keeper.wait_seconds(now)));
     }
     return {};
 }
@@ -74,12 +147,16 @@ int run_window(const WindowOptions& options) {
     workspace.document.open(nullptr, empty);
     if (const auto file = first_file(options)) workspace.open(*file);
 
+    const StoredSettings stored = read_settings(places::settings());
+    const Settings& settings = stored.settings;
+    const bool own_scale = options.scale > 0.0F;
+    const float wanted_scale = own_scale ? options.scale : static_cast<float>(settings.ui_scale);
     const ImguiContext imgui;
-    auto fonts = std::async(std::launch::async, [scale = options.scale > 0.0F ? options.scale : 1.0F] {
+    auto fonts = std::async(std::launch::async, [scale = wanted_scale > 0.0F ? wanted_scale : 1.0F] {
         theme::apply(scale); // another scale of the display makes them anew
         ImGui::GetIO().Fonts->Build();
     });
-    auto window = GlfwWindow::create(options.size, options.scale);
+    auto window = GlfwWindow::create(options.size.x > 0 ? options.size : settings.window, wanted_scale);
     if (!window) return complain(window.error());
     auto renderer = render::Renderer::create();
     if (!renderer) return complain(renderer.error());
@@ -89,8 +166,13 @@ int run_window(const WindowOptions& options) {
     (*window)->attach(viewer->get());
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
+    (*viewer)->use_settings(settings);
+    if (!stored.trouble.empty()) (*viewer)->say(stored.trouble);
+    (*viewer)->offer(autosave::find_abandoned(Keeper::folder()));
+    Keeper keeper(settings, own_scale);
     (*window)->show();
-    const auto done = loop(**window, **viewer, workspace, options, std::move(script));
+    const auto done = loop(**window, **viewer, workspace, keeper, options, std::move(script));
+    keeper.leave(**window, **viewer);
     (*window)->attach(nullptr);
     return done ? 0 : complain(done.error());
 }

@@ -31,6 +31,14 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["planning"] = interface.planning;
     status["help"] = interface.help_open;
     status["open_dialog"] = interface.open_dialog.open;
+    const Document& document = workspace.document;
+    status["modified"] = document.modified();
+    status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
+    status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
+    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == OpenDialog::Purpose::kSave;
+    status["unsaved_dialog"] = interface.unsaved.open();
+    status["recovery_dialog"] = interface.recovery.open;
+    status["recoveries"] = interface.recovery.entries.size();
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
     std::string text = status.dump() + "\n";

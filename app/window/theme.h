@@ -16,6 +16,7 @@ inline const ImVec4 kAccent{0.36F, 0.80F, 1.00F, 1.00F}; // the colour of select
 inline const ImVec4 kAccentDim{0.20F, 0.42F, 0.54F, 1.00F};
 inline const ImVec4 kHighlight{1.00F, 0.74F, 0.20F, 1.00F};
 inline const ImVec4 kTrouble{1.00F, 0.48F, 0.40F, 1.00F};
+inline const ImVec4 kTroubleDim{0.52F, 0.25F, 0.21F, 1.00F};
 inline const ImVec4 kPanel{0.098F, 0.106F, 0.122F, 1.00F};
 inline const ImVec4 kBar{0.082F, 0.090F, 0.104F, 1.00F};
 inline const ImVec4 kLine{0.18F, 0.195F, 0.22F, 1.00F};

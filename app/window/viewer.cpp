@@ -1,6 +1,5 @@
 #include "app/window/viewer.h"
 
-#include "app/panels/recent_files.h"
 #include "app/window/theme.h"
 #include "render/gl_context.h"
 
@@ -57,21 +56,12 @@ Viewing Viewer::viewing() const {
 
 void Viewer::take_news() {
     if (workspace_.update()) shake();
-    if (const auto opened = workspace_.take_opened()) {
-        if (!opened->has_camera && picture_mesh())
-            workspace_.document.set_camera(
-                render::camera_for(picture_mesh()->positions(), render::View::kAnterior, layout_.view_size));
-        interface_.hovered = tree::kNoBranch;
-        interface_.list.of = nullptr;
-        interface_.list.shown = interface_.list.cursor = interface_.list.anchor = tree::kNoBranch;
-        interface_.overview.shown_selection = tree::kNoBranch;
-        interface_.rename.open = interface_.fly.open = interface_.fly.playing = false;
-        (void)use_tool(tool()); // what it had begun was about the other tree
-        remember_file(opened->path);
-        pick_wanted_ = true;
-        shake();
+    if (const auto opened = workspace_.take_opened()) take_opened(*opened);
+    while (const auto error = workspace_.take_error()) {
+        tell(*error);
+        // What cannot be recovered now may be thrown away, or left for later.
+        if (!std::exchange(recovering_, std::filesystem::path()).empty()) interface_.recovery.open = true;
     }
-    while (const auto error = workspace_.take_error()) tell(*error);
 }
 
 void Viewer::take_pick() {
@@ -219,35 +209,9 @@ Result<render::BranchPicture> Viewer::branch_picture() {
     return renderer_.read_branches();
 }
 
-std::filesystem::path Viewer::suggested_file(std::string_view extension) const {
-    const std::string stem = workspace_.document.session().tree.path.stem().string();
-    std::error_code ignored;
-    const std::filesystem::path folder = std::filesystem::current_path(ignored);
-    std::filesystem::path file = folder / (stem + std::string(extension));
-    // Pictures and reports never replace one another; a session is saved over the last one.
-    for (int i = 2; extension != ".ramus.json" && std::filesystem::exists(file, ignored); ++i)
-        file = folder / (stem + "-" + std::to_string(i) + std::string(extension));
-    return file;
-}
-
 void Viewer::say(const std::string& sentence) {
     interface_.tell(sentence, now_);
     shake();
-}
-
-Result<void> Viewer::open(const std::filesystem::path& path) {
-    workspace_.open(path);
-    interface_.errors.clear();
-    interface_.open_dialog.open = false;
-    shake();
-    return {};
-}
-
-Result<void> Viewer::ask_for_file() {
-    interface_.help_open = false;
-    interface_.open_dialog.show(workspace_.document.session().tree.path.parent_path());
-    shake();
-    return {};
 }
 
 Result<void> Viewer::toggle(std::string_view part) {
@@ -317,11 +281,6 @@ Result<void> Viewer::use_tool(std::string_view name) {
     tool_mouse_.abandon();
     pick_wanted_ = true;
     shake();
-    return {};
-}
-
-Result<void> Viewer::quit() {
-    closing_ = true;
     return {};
 }
 

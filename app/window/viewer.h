@@ -58,22 +58,37 @@ public:
     [[nodiscard]] Cursor cursor() const;
     void tell(const Error& error) { interface_.errors.push_back(error); }
 
+    // What lives longer than the window: see run_window.cpp.
+    void use_settings(const Settings& settings);
+    [[nodiscard]] Settings settings() const;
+    void offer(std::vector<autosave::Slot> abandoned);
+    // What was recovered since the last call, to be taken over.
+    [[nodiscard]] std::optional<autosave::Slot> take_recovered() { return std::exchange(recovered_, std::nullopt); }
+    // A script runs: nobody is asked about unsaved changes.
+    void set_unattended(bool unattended) { unattended_ = unattended; }
+
     // Host
     [[nodiscard]] glm::ivec2 picture_size() const override { return layout_.view_size; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
-    [[nodiscard]] std::filesystem::path suggested_file(std::string_view extension) const override;
     void say(const std::string& sentence) override;
     Result<void> open(const std::filesystem::path& path) override;
     Result<void> ask_for_file() override;
+    Result<void> ask_for_name() override;
     Result<void> toggle(std::string_view part) override;
     Result<void> arrange(std::string_view part, std::string_view setting) override;
     [[nodiscard]] bool shows(std::string_view part) const override;
     void flew(int branch, double fraction) override;
     bool dismiss() override;
     Result<void> quit() override;
+    Result<void> copy_text(const std::string& text) override;
+    Result<std::string> pasted_text() override;
+    Result<void> recover(int which) override;
+    Result<void> discard_recovery(int which) override;
+    Result<void> set_ui_scale(double pixels_per_point) override;
+    [[nodiscard]] double ui_scale() const override { return scale_; }
     Result<void> use_tool(std::string_view name) override;
     [[nodiscard]] std::string_view tool() const override { return interface_.tool_kind->name; }
     ToolSettings* tool_settings() override { return &interface_.tool_settings; }
@@ -101,6 +116,9 @@ private:
     void perform_tool();
     void move_camera(const render::Camera& camera);
     void run(const Command& command);
+    void when_saved(std::function<void()> next);
+    [[nodiscard]] Result<RecoveryDialog::Entry*> recovery(int which);
+    void take_opened(const Workspace::Opened& opened);
 
     Workspace& workspace_;
     render::Renderer& renderer_;
@@ -124,6 +142,10 @@ private:
 
     std::uint64_t drawn_ = 0; // fingerprint of the last interface
     bool closing_ = false;
+    bool unattended_ = false;
+    bool keeps_files_ = false;         // a person's window, not a picture of one: settings and recent files are kept
+    std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
+    std::optional<autosave::Slot> recovered_;
 };
 
 } // namespace ramus::app

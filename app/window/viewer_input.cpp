@@ -136,7 +136,8 @@ void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Mo
     if (command == nullptr) return;
     const bool typing = ImGui::GetIO().WantTextInput;
     const bool plain = !press->ctrl && press->key.size() <= 1;
-    if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y"))
+    if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y" ||
+                   (press->ctrl && (press->key == "C" || press->key == "V"))))
         return;
     if (typing && press->key == "Escape" && !interface_.dialog_open()) return; // leaves the field, no more
     // Under a dialog only what closes it works.

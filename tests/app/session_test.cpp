@@ -23,6 +23,14 @@ Session lively_session(const fs::path& folder) {
     session.marks.lesions = {{1.5, -2.25, 3.0, 10.0}};
     session.marks.cuts = {{4, 0.25}};
     session.marks.names = {{5, "right \"posterior\" branch"}};
+    session.marks.lesion_meshes = {(folder / "tumour.stl").string(), "/elsewhere/second tumour.ply"};
+    session.marks.measurements = {
+        {Measurement::Kind::kDistance, {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}, {-1, -1}, 0.5},
+        {Measurement::Kind::kPath, {}, {2, 7}, 0.5},
+        {Measurement::Kind::kDiameter, {}, {3, -1}, 1.0 / 3.0},
+        {Measurement::Kind::kAngle, {}, {1, -1}, 0.5}};
+    session.marks.planning = {{2.5, 7.0, 11.0 / 3.0 + 10.0}, 4.0};
+    session.marks.glass = {1.75, 0.25};
     session.marks.colour_by = ColourBy::kStrahler;
     session.marks.options.detail = 24;
     session.marks.options.prune_ratio = 0.1;
@@ -76,6 +84,40 @@ TEST_CASE("a session file that is none is refused with its name and a reason") {
     CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "cuts": [[1]]})") == "a cut is not [branch id, fraction]");
     CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "names": {"one": "x"}})") ==
           "\"one\" in names is not a branch id");
+}
+
+TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
+    const auto message = [](const std::string& members) {
+        const auto session = session_from_json(
+            nlohmann::json::parse(R"({"version": 1, "tree": {"path": "a"}, )" + members + "}"), "/data", "s.json");
+        REQUIRE_FALSE(session);
+        return session.error().what;
+    };
+    CHECK(message(R"("lesions": {"a": [1, 2, 3, 4]})") == "lesions is not a list");
+    CHECK(message(R"("lesions": [[1, 2, 3]])") == "a lesion is not [x, y, z, radius]");
+    CHECK(message(R"("lesions": [[1, 2, 3, -4]])") == "lesion -4 is out of range");
+    CHECK(message(R"("lesions": [[1, 2, "3", 4]])") == "lesion is not a number");
+    CHECK(message(R"("lesion_meshes": "a.stl")") == "lesion_meshes is not a list");
+    CHECK(message(R"("lesion_meshes": [7])") == "path of a lesion is not a text");
+    CHECK(message(R"("cuts": [[3, 1.5]])") == "cut 1.5 is out of range");
+    CHECK(message(R"("measurements": {})") == "measurements is not a list");
+    CHECK(message(R"("measurements": [5])") == "a measurement is not an object");
+    CHECK(message(R"("measurements": [{"kind": "volume"}])") == "unknown measurement \"volume\"");
+    CHECK(message(R"("measurements": [{"kind": 3}])") == "kind of a measurement is not a text");
+    CHECK(message(R"("measurements": [{"kind": "path", "branches": [1]}])") ==
+          "a measurement of kind path has 0 points and 2 branches");
+    CHECK(message(R"("measurements": [{"kind": "distance", "points": [[1, 2, 3], [4, 5]]}])") ==
+          "a point is not [x, y, z]");
+    CHECK(message(R"("measurements": [{"kind": "angle", "branches": [-2]}])") ==
+          "branch id of a measurement -2 is out of range");
+    CHECK(message(R"("measurements": [{"kind": "diameter", "branches": [1], "fraction": 2}])") ==
+          "fraction 2 is out of range");
+    CHECK(message(R"("options": {"bands": 5})") == "bands is not a list");
+    CHECK(message(R"("options": {"bands": [10, 5]})") == "bands do not ascend");
+    CHECK(message(R"("options": {"bands": [0, 5]})") == "band 0 is out of range");
+    CHECK(message(R"("options": {"reconstruct": "much"})") == "reconstruct is not a number");
+    CHECK(message(R"("options": {"glass_opacity": 3})") == "glass_opacity 3 is out of range");
+    CHECK(message(R"("options": {"glass_grey": -0.1})") == "glass_grey -0.1 is out of range");
 }
 
 TEST_CASE("reading a session names what is wrong with the file") {

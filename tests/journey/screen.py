@@ -52,12 +52,12 @@ class Screen:
 
 
 class Window:
-    def __init__(self, program, screen, folder, arguments):
+    def __init__(self, program, screen, folder, arguments, state=None):
         self.folder = Path(folder)
         self.status_file = self.folder / "status.json"
         self.status_file.unlink(missing_ok=True)
-        self.environment = dict(os.environ, DISPLAY=screen.display, XDG_STATE_HOME=str(self.folder / "state"),
-                                LIBGL_ALWAYS_SOFTWARE="1")
+        self.environment = dict(os.environ, DISPLAY=screen.display, XDG_STATE_HOME=str(state or self.folder / "state"),
+                                XDG_CONFIG_HOME=str(self.folder / "config"), HOME=str(self.folder), LIBGL_ALWAYS_SOFTWARE="1")
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.process = subprocess.Popen([program, "--status", str(self.status_file), *map(str, arguments)],
                                         cwd=self.folder, env=self.environment)
@@ -87,6 +87,17 @@ class Window:
         """A part of the screen as bytes, three a pixel."""
         return subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
                               env=self.environment, check=True, stdout=subprocess.PIPE).stdout
+
+    def quit(self):
+        """Ctrl+Q, and what is not saved is discarded."""
+        self.xdotool("key", "ctrl+q")
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None and time.monotonic() < end:
+            status = self.status()
+            if status and status["unsaved_dialog"]:
+                self.xdotool("key", "d")
+            time.sleep(0.1)
+        return self.process.poll()
 
     def end(self):
         if self.process.poll() is None:

@@ -1,7 +1,8 @@
-#include "app/panels/recent_files.h"
+#include "app/recent_files.h"
 
-#include <algorithm>
-#include <cstdlib>
+#include "app/places.h"
+#include "core/io/output_file.h"
+
 #include <fstream>
 #include <string>
 
@@ -12,17 +13,15 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path list_file() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
-        return fs::path(state) / "ramus" / "recent";
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
-        return fs::path(home) / ".local" / "state" / "ramus" / "recent";
-    return {};
+    const fs::path folder = places::state();
+    return folder.empty() ? folder : folder / "recent";
 }
 
 std::vector<fs::path> read_list() {
     std::vector<fs::path> files;
+    constexpr std::size_t kMost = 100;
     std::ifstream stream(list_file());
-    for (std::string line; files.size() < kRecentFiles && std::getline(stream, line);) {
+    for (std::string line; files.size() < kMost && std::getline(stream, line);) {
         std::error_code ignored;
         if (!line.empty() && fs::exists(line, ignored)) files.emplace_back(line);
     }
@@ -38,24 +37,21 @@ std::vector<fs::path>& list() {
 
 const std::vector<fs::path>& recent_files() { return list(); }
 
-void remember_file(const fs::path& path) {
+void remember_file(const fs::path& path, std::size_t most) {
     const fs::path file = fs::absolute(path).lexically_normal();
     auto files = read_list(); // another window may have written in between
     std::erase(files, file);
     files.insert(files.begin(), file);
-    if (files.size() > kRecentFiles) files.resize(kRecentFiles);
+    if (files.size() > most) files.resize(most);
     list() = files;
     const fs::path target = list_file();
     if (target.empty()) return;
     std::error_code ignored;
     fs::create_directories(target.parent_path(), ignored);
-    const fs::path beside = target.string() + ".part";
-    {
-        std::ofstream stream(beside);
-        for (const fs::path& each : files) stream << each.string() << '\n';
-        if (!stream) return;
-    }
-    fs::rename(beside, target, ignored);
+    std::string text;
+    for (const fs::path& each : files)
+        if (each.string().find('\n') == std::string::npos) text += each.string() + "\n";
+    (void)io::write_file(target, text);
 }
 
 } // namespace ramus::app

@@ -1,0 +1,35 @@
+// What the dialogs about the life of a session remember: what other runs left behind, and what is to happen once
+// unsaved changes have been seen to. The dialogs themselves are drawn by draw_recovery_dialog() and
+// draw_unsaved_dialog().
+#pragma once
+
+#include "app/autosave.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+struct RecoveryDialog {
+    struct Entry {
+        autosave::Slot slot;
+        autosave::Snapshot snapshot;
+        std::string problem; // why it cannot be read; empty: it can
+    };
+    bool open = false;
+    std::vector<Entry> entries; // newest first
+
+    // Shows itself when there is anything.
+    void offer(std::vector<autosave::Slot> slots);
+};
+
+struct UnsavedDialog {
+    std::function<void()> next; // empty: the dialog is closed
+    [[nodiscard]] bool open() const { return next != nullptr; }
+};
+
+// "just now", "3 minutes ago", "26 hours ago", "5 days ago".
+[[nodiscard]] std::string ago_text(std::chrono::system_clock::duration since);
+
+} // namespace ramus::app

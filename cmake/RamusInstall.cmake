@@ -1,0 +1,18 @@
+# `cmake --install`: the program, the demo tree where the program looks for it (../share/ramus), and what a desktop wants
+# to know: menu entry, icon, file types, manual page. The program finds its files from where it is, so the whole
+# installation can be moved.
+include(GNUInstallDirs)
+set(RAMUS_DESKTOP ${PROJECT_SOURCE_DIR}/assets/desktop)
+
+install(TARGETS ramus RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/assets/liver_portal_vein.swc DESTINATION ${CMAKE_INSTALL_DATADIR}/ramus)
+install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+foreach(size 48 128)
+  install(FILES ${RAMUS_DESKTOP}/org.ramus.Ramus-${size}.png RENAME org.ramus.Ramus.png
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/${size}x${size}/apps)
+endforeach()
+configure_file(${RAMUS_DESKTOP}/ramus.1.in ${CMAKE_BINARY_DIR}/ramus.1 @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/ramus.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
