@@ -4,6 +4,7 @@
 #include "app/command_table.h"
 #include "app/surface_maker.h"
 #include "core/base/stopwatch.h"
+#include "core/tree/dependency.h"
 #include "tests/support/grown_tree.h"
 
 #include <CLI/CLI.hpp>
@@ -48,10 +49,11 @@ std::vector<std::string> stroke(glm::dvec2 centre, double radius) {
 
 // The branch whose subtree is nearest to a share of all branches.
 int subtree_of_share(const tree::VesselTree& tree, double share) {
+    const tree::Dependency dependency(tree);
     int best = 0;
     double least = 2.0;
     for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {
-        const auto size = static_cast<double>(tree::subtree(tree, id).size());
+        const auto size = static_cast<double>(dependency.with_dependents(id).size());
         const double apart = std::abs(size / static_cast<double>(tree.branches.size()) - share);
         if (apart < least) {
             least = apart;
