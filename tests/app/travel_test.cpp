@@ -73,12 +73,13 @@ TEST_CASE("centre brings the middle of a branch into the middle of the picture, 
     CHECK(nearest < 1e-9);
     const glm::dvec3 direction = before.focal_point - before.position;
     CHECK(glm::distance(stage.camera().focal_point - stage.camera().position, direction) < 1e-9);
-    const render::Camera centred = stage.camera();
+    const glm::dvec3 centred = stage.camera().position;
     stage.good("go-to 3\ngo-to 17");
-    CHECK(stage.camera() == centred);
+    CHECK(glm::distance(stage.camera().position, centred) < 1e-9);
+    const render::Camera there = stage.camera();
     for (const char* wrong : {"centre", "centre 1 2", "centre x", "centre 999", "go-to -1"})
         CHECK_FALSE(stage.run(wrong));
-    CHECK(stage.camera() == centred);
+    CHECK(stage.camera() == there);
 }
 
 TEST_CASE("fly puts the camera on the way to a branch") {
