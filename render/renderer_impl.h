@@ -57,11 +57,20 @@ private:
     void resolve();
     void draw_occlusion(const Frame& frame);
     // What shade.frag is told, and which of its variants: bits of Variant.
-    enum Variant : unsigned { kGlass = 1, kOutline = 2, kSolids = 4, kMargins = 8, kScale = 16, kCuts = 32 };
-    unsigned send_records(const Frame& frame, const GpuMesh* mesh);
+    enum Variant : unsigned {
+        kGlass = 1,
+        kOutline = 2,
+        kSolids = 4,
+        kMargins = 8,
+        kScale = 16,
+        kCuts = 32,
+        kOnlyChanged = 64,
+    };
+    enum class Extent { kAll, kChanged }; // the picture, or the branches that the last one showed otherwise
+    unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);
     unsigned send_scene(const Frame& frame);
     Result<const Program*> shading(unsigned variant);
-    Result<void> shade(const Frame& frame, const GpuMesh* mesh);
+    Result<void> shade(const Frame& frame, const GpuMesh* mesh, Extent extent);
     void draw_overlays(const Frame& frame);
     void draw_marks(const Frame& frame);
 
@@ -73,10 +82,13 @@ private:
 
     Program geometry_, opaque_side_, glass_side_, centerline_, resolve_, occlude_, blur_, background_, enlarge_,
         overlay_, mark_;
-    std::map<unsigned, Program> shade_; // by variant, made when needed
+    std::map<unsigned, Program> shade_;                // by variant, made when needed
+    std::vector<std::array<std::uint8_t, 4>> records_; // of the last picture's branches
     VertexArray no_vertices_;
-    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, meeting_buffer_, company_buffer_;
-    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, meeting_texture_, company_texture_;
+    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, meeting_buffer_,
+        company_buffer_;
+    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, meeting_texture_,
+        company_texture_;
     std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 

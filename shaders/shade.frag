@@ -2,7 +2,8 @@
 // sRGB with premultiplied alpha.
 #version 450 core
 // Variants: GLASS when anything is defocused, OUTLINE when anything is selected, SOLIDS when there are lesions, MARGINS
-// to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost.
+// to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost,
+// CHANGED to shade what is marked so and leave the rest of the last picture.
 #include "view.glsl"
 #include "ids.glsl"
 #include "look.glsl"
@@ -18,7 +19,8 @@ layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alph
 
 layout(location = 0) out vec4 colour;
 
-const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kLost = 16u, kCut = 32u, kGlowing = 64u;
+const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kLost = 16u, kCut = 32u, kGlowing = 64u,
+           kChanged = 128u;
 
 struct Light {
     float diffuse;
@@ -132,6 +134,12 @@ vec4 glass(uint id, vec3 n, vec3 position) {
 
 #endif
 
+#ifdef CHANGED
+bool has_changed(uint id) {
+    return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id & ~kLine) - 1).a & kChanged) != 0u;
+}
+#endif
+
 #ifdef OUTLINE
 bool selected(uint id) {
     return id != 0u && (id & kSolid) == 0u && (texelFetch(branches, int(id) - 1).a & kSelected) != 0u;
@@ -158,6 +166,15 @@ float outline(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z);
+#ifdef CHANGED
+    // Pixels without a sample of what changed go round no loop below, and stay as they are.
+    bool changed = false;
+    for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
+#ifdef GLASS
+    for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(glass_samples, pixel, s).x);
+#endif
+    samples = changed ? samples : 0;
+#endif
     vec4 behind = background_top.w > 0.5 ? vec4(0.0) : vec4(to_linear(background(gl_FragCoord.xy)), 1.0);
     float occluded = texelFetch(occlusion, pixel, 0).x;
 
@@ -178,7 +195,7 @@ void main() {
     mean_depth /= float(samples);
 
     vec4 sum = vec4(0.0);
-    int rounds = whole ? 1 : samples;
+    int rounds = samples == 0 ? 0 : whole ? 1 : samples;
     for (int s = 0; s < rounds; ++s) {
         uvec2 found = texelFetch(surface_samples, pixel, s).xy;
         float value = whole ? mean_depth : texelFetch(depth_samples, pixel, s).x;
@@ -199,6 +216,9 @@ void main() {
 #endif
         sum += here;
     }
+#ifdef CHANGED
+    if (!changed) discard;
+#endif
     sum /= float(rounds);
 #ifdef OUTLINE
     sum = mix(sum, vec4(selection_colour.rgb, 1.0), 0.85 * outline(pixel));

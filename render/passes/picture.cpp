@@ -94,6 +94,17 @@ void Renderer::Impl::restore_state() const {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+namespace {
+
+bool differs_in_hover_only(const Frame& before, const Frame& after) {
+    Frame same = before;
+    same.hovered = after.hovered;
+    same.hovered_dependents = after.hovered_dependents;
+    return same == after;
+}
+
+} // namespace
+
 Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget) {
     DrawStatistics done;
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
@@ -126,7 +137,9 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
         if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
         done.geometry = true;
     }
-    if (auto shaded = shade(frame, drawn_); !shaded) {
+    // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all.
+    const Extent extent = same_geometry && differs_in_hover_only(*last_, frame) ? Extent::kChanged : Extent::kAll;
+    if (auto shaded = shade(frame, drawn_, extent); !shaded) {
         last_.reset();
         return tl::unexpected(shaded.error());
     }

@@ -19,7 +19,8 @@ struct LookBlock {
 static_assert(sizeof(LookBlock) == kLookBlockBytes);
 
 // As in shade.frag.
-constexpr unsigned kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kCut = 32, kGlowing = 64;
+constexpr unsigned kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kCut = 32, kGlowing = 64,
+                   kChanged = 128;
 
 std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F))); }
 
@@ -30,7 +31,7 @@ bool hidden(const Frame& frame, std::size_t id) {
 } // namespace
 
 // One small record a branch; nothing else changes when the user points at things. Returns the variants that they need.
-unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh) {
+unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, Extent extent) {
     const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->shown()->branch_count() : 0));
     std::vector<std::array<std::uint8_t, 4>> records(count);
     const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
@@ -60,11 +61,16 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh) {
         records[index][3] |= part.whole() ? kLost : kCut;
         variant |= kCuts;
     }
+    auto marked = records;
+    if (extent == Extent::kChanged)
+        for (std::size_t i = 0; i < count; ++i)
+            if (i >= records_.size() || records[i] != records_[i]) marked[i][3] |= kChanged;
+    records_ = std::move(records);
     if (count > branch_capacity_) {
         branch_capacity_ = count;
         make_buffer_texture(branch_buffer_, branch_texture_, GL_RGBA8UI, nullptr, 4 * count);
     }
-    glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(4 * count), records.data());
+    glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(4 * count), marked.data());
     return variant;
 }
 
@@ -77,7 +83,8 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
                                     {kSolids, "SOLIDS"},
                                     {kMargins, "MARGINS"},
                                     {kScale, "SCALE"},
-                                    {kCuts, "CUTS"}})
+                                    {kCuts, "CUTS"},
+                                    {kOnlyChanged, "CHANGED"}})
         if ((variant & bit) != 0) defines += std::string("#define ") + name + "\n";
     auto made = make_program("fullscreen.vert", "shade.frag", defines);
     if (!made) return tl::unexpected(made.error());
@@ -85,8 +92,9 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
     return &program;
 }
 
-Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
-    const unsigned variant = send_records(frame, mesh) | send_scene(frame) | (has_glass_ ? kGlass : 0U);
+Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Extent extent) {
+    const unsigned variant = send_records(frame, mesh, extent) | send_scene(frame) | (has_glass_ ? kGlass : 0U) |
+                             (extent == Extent::kChanged ? kOnlyChanged : 0U);
     const bool outlined = (variant & kOutline) != 0;
 
     const Appearance& a = frame.appearance;
@@ -112,11 +120,11 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh) {
     glBindTextureUnit(5, blurred_);
     glBindTextureUnit(6, branch_texture_);
     glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
-    fullscreen(background_);
+    if (extent == Extent::kAll) fullscreen(background_);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());
     // An outline reaches beyond the surface it surrounds.
-    fullscreen(**program, outlined ? Pixels::kAll : Pixels::kCovered);
+    fullscreen(**program, outlined && extent == Extent::kAll ? Pixels::kAll : Pixels::kCovered);
     return {};
 }
 

@@ -372,3 +372,35 @@ TEST_CASE("the picture of branches says what pick says") {
         CHECK(picture.at(400.0, 10.0) == kNoBranch);
     }
 }
+
+TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives") {
+    Scene scene, fresh;
+    const auto same = [&](int hovered, std::vector<int> dependents) {
+        scene.frame.hovered = hovered;
+        scene.frame.hovered_dependents = std::move(dependents);
+        const Image onto_the_last = scene.draw();
+        fresh.frame = scene.frame;
+        fresh.frame.appearance.specular = 0.5F; // a picture that shares nothing with the next
+        (void)fresh.draw();
+        fresh.frame = scene.frame;
+        CHECK(onto_the_last == fresh.draw());
+        return onto_the_last;
+    };
+    const auto point_around = [&] {
+        const Image none = same(kNoBranch, {});
+        CHECK_FALSE(same(1, {}) == none);
+        (void)same(0, {1, 2});
+        (void)same(2, {});
+        (void)same(3, {});
+        CHECK(same(kNoBranch, {}) == none);
+    };
+    point_around();
+    scene.frame.selected = {0, 3}; // outlines reach beyond branches
+    point_around();
+    scene.frame.states[3] = BranchState::kDefocused; // glass before the trunk
+    point_around();
+    scene.frame.states[1] = BranchState::kHighlighted;
+    scene.frame.states[2] = BranchState::kHidden;
+    (void)same(1, {});
+    CHECK(same(2, {}) == same(kNoBranch, {}));
+}
