@@ -21,6 +21,10 @@ void draw_entry(InterfaceContext& context, const Command& command) {
     const std::string label = label_of(command, document);
     if (ImGui::MenuItem(label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked, enabled))
         context.perform(command);
+    // Beside the menu: over it, it would hide the next entries.
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 4.0F * theme::scale(),
+                                 ImGui::GetItemRectMin().y - 4.0F * theme::scale()});
     widgets::tooltip(command.help.c_str());
 }
 

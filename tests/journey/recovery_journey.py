@@ -125,8 +125,8 @@ def recover(program, screen, folder, tree):
 
 def changed_tree(program, screen, folder, tree):
     """The tree is another one now: nothing is guessed, and nothing is lost."""
-    work(program, screen, folder, tree)
     (folder / "tree.ramus.json").unlink(missing_ok=True)
+    work(program, screen, folder, tree)
     tree.write_text(TREE.replace("9 3 55", "9 3 56"))
     window = Window(program, screen, folder, [tree, "--size", "1000x700"])
     try:
