@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace ramus::app {
@@ -102,15 +103,19 @@ private:
         }
         layout_.first_child.push_back(static_cast<int>(layout_.children.size()));
 
-        // Trees stand side by side in the order of their roots in the file.
-        std::vector<int> rank(tree_.points.size(), 0);
-        for (std::size_t i = 0; i < tree_.roots.size(); ++i) rank[tree_.roots[i]] = static_cast<int>(i);
+        // Trees stand side by side, from left to right too.
         for (std::size_t id = 0; id < tree_.branches.size(); ++id)
             if (tree_.branches[id].parent == tree::kNoBranch && links_.is_link[id] == 0)
                 layout_.roots.push_back(static_cast<int>(id));
+        std::map<std::uint32_t, std::pair<double, int>> trees; // by root: sum over its branches, and how many
+        for (const int id : layout_.roots)
+            trees[root_point(id)].first += across[index(id)], ++trees[root_point(id)].second;
+        const auto place = [&](int id) {
+            const auto& [sum, count] = trees.at(root_point(id));
+            return std::pair(sum / count, root_point(id));
+        };
         sort(layout_.roots.begin(), layout_.roots.end());
-        std::stable_sort(layout_.roots.begin(), layout_.roots.end(),
-                         [&](int a, int b) { return rank[root_point(a)] < rank[root_point(b)]; });
+        std::ranges::stable_sort(layout_.roots, [&](int a, int b) { return place(a) < place(b); });
     }
 
     void order_branches() {

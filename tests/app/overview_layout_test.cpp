@@ -149,6 +149,11 @@ TEST_CASE("left in the overview is left in the anterior view") {
     };
     CHECK(x_of_end(layout.order[1]) == 8.0);
     CHECK(x_of_end(layout.order[2]) == -8.0);
+    // So do several trees side by side.
+    const tree::VesselTree two = built({{0, 0, 10}, {0, 0, 0}, {50, 0, 10}, {50, 0, 0}}, {{0, 1}, {2, 3}}, {0, 2});
+    const OverviewLayout beside = overview_layout(two, facts_of(two), OverviewDepth::kGeneration);
+    REQUIRE(beside.order.size() == 2);
+    CHECK(two.points[two.branches[static_cast<std::size_t>(beside.order[0])].points.back()].position.x == 50.0);
 }
 
 TEST_CASE("thirty thousand branches are laid out at once, and drawn as few pieces") {
