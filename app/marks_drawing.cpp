@@ -67,28 +67,24 @@ void draw_diameter(render::Frame& frame, const tree::VesselTree& tree, const Mea
     frame.labels.push_back({ring[ring.size() / 8], "\xD8 " + digits(2.0 * place.radius_mm) + " mm"});
 }
 
-// Between the branch and each that begins there too, or, where none does, the way that its parent would have gone on.
+// The angle that measured() tells, and no other: where the parent would have gone on, or, at a root, where the first
+// other branch goes.
 void draw_angle(render::Frame& frame, const tree::VesselTree& tree, const Measurement& m) {
     if (!has(tree, m.branches[0])) return;
     const int branch = m.branches[0];
     const measure::Branching found = measure::branching_of(tree, branch);
-    const glm::dvec3 own = measure::start_direction(tree, branch);
-    const double reach = 3.0 * 2.0 * measure::place_on(tree, branch, 0.0).radius_mm;
-    const auto draw = [&](const glm::dvec3& other, double degrees, double radius) {
-        frame.lines.push_back({{found.place + reach * own, found.place, found.place + reach * other}, kMeasureColour});
-        const auto bow = arc(found.place, own, other, radius);
-        if (bow.empty()) return;
-        frame.lines.push_back({bow, kMeasureColour});
-        frame.labels.push_back({bow[bow.size() / 2], digits(degrees) + "\xB0"});
-    };
-    double radius = 0.7 * reach;
-    for (const auto& [sibling, degrees] : found.siblings_deg) {
-        draw(measure::start_direction(tree, sibling), degrees, radius);
-        radius *= 0.85;
-    }
+    if (!found.to_parent_deg && found.siblings_deg.empty()) return;
     const int parent = tree.branches[static_cast<std::size_t>(branch)].parent;
-    if (found.siblings_deg.empty() && found.to_parent_deg && has(tree, parent))
-        draw(measure::end_direction(tree, parent), *found.to_parent_deg, radius);
+    const glm::dvec3 own = measure::start_direction(tree, branch);
+    const glm::dvec3 other = found.to_parent_deg ? measure::end_direction(tree, parent)
+                                                 : measure::start_direction(tree, found.siblings_deg.front().first);
+    const double degrees = found.to_parent_deg ? *found.to_parent_deg : found.siblings_deg.front().second;
+    const double reach = 3.0 * 2.0 * measure::place_on(tree, branch, 0.0).radius_mm;
+    frame.lines.push_back({{found.place + reach * own, found.place, found.place + reach * other}, kMeasureColour});
+    const auto bow = arc(found.place, own, other, 0.7 * reach);
+    if (!bow.empty()) frame.lines.push_back({bow, kMeasureColour});
+    frame.labels.push_back(
+        {bow.empty() ? found.place + 0.7 * reach * own : bow[bow.size() / 2], digits(degrees) + "\xB0"});
 }
 
 } // namespace

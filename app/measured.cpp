@@ -92,9 +92,7 @@ Result<Measured> angle(const tree::VesselTree& tree, const Measurement& m) {
 
 } // namespace
 
-std::string Measured::value_text() const {
-    return digits(value, value >= 100.0 ? 4 : 3) + (unit == "mm" ? " mm" : unit);
-}
+std::string Measured::value_text() const { return digits(value) + (unit == "mm" ? " mm" : unit); }
 
 std::string Measured::sentence() const {
     std::string text = kind + ", " + what + ": " + value_text();

@@ -2,6 +2,7 @@
 #include "app/centerlines.h"
 #include "app/colouring.h"
 #include "app/compose.h"
+#include "app/measured.h"
 #include "app/script.h"
 #include "app/session_file.h"
 #include "tests/support/grown_tree.h"
@@ -164,6 +165,13 @@ TEST_CASE("measurements are drawn with their numbers") {
     CHECK(frame.labels[1].text.starts_with("path "));
     CHECK(frame.labels[2].text.starts_with("\xD8 "));
     CHECK(frame.labels[3].text.ends_with("\xB0"));
+    // The picture tells what the command and the tables tell (in the fonts' encoding).
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::string told = measured(tree, marks.measurements[i])->value_text();
+        CAPTURE(frame.labels[i].text);
+        CHECK(frame.labels[i].text.find(told.substr(0, told.find_first_not_of("0123456789."))) != std::string::npos);
+    }
+    CHECK(frame.labels.size() == 4); // one each
     // What the tree no longer has is left out.
     marks.measurements = {{Measurement::Kind::kDiameter, {}, {100000, tree::kNoBranch}, 0.5}};
     stage.document.change(marks);

@@ -1,5 +1,6 @@
 """What the commands print and write when all is well, and what wrong usage is."""
 
+import csv
 import json
 import math
 import struct
@@ -66,6 +67,85 @@ class Sessions(CommandLineTest):
         self.expect_failure("mesh", "--session", self.session(3), "-o", "out.ply", says=["session.json", "3"])
         self.expect_failure("mesh", "--session", "absent.json", "-o", "out.ply", says=["absent.json"])
         self.assertEqual(self.names(), ["session.json", "tree.swc"])
+
+
+class Planning(CommandLineTest):
+    """Lesions, cuts, measurements and reports through `ramus render --commands`."""
+
+    def plan(self, lines, tree=None, **options):
+        self.write("plan.txt", lines)
+        return self.expect_done("render", tree or self.write("tree.swc", GOOD), "--size", "200x150",
+                                "--commands", "plan.txt", "--verbose", **options).stderr
+
+    def rows(self, name):
+        with open(self.folder / name, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_cuts_and_their_report(self):
+        said = self.plan('name 1 "upper, \\"left\\""\ncut 0 0.5\ncut 1\nreconstruct 1.5\nreport cuts.csv\nsave s.json\n')
+        self.assertIn("lost: 3 branches", said)
+        rows = self.rows("cuts.csv")
+        self.assertEqual([row["cut"] for row in rows], ["1", "2", "all"])
+        self.assertEqual([row["must_be_reconstructed"] for row in rows], ["yes", "no", ""])
+        self.assertEqual(rows[1]["name"], 'upper, "left"')
+        side = math.sqrt(9 + 25)
+        self.assertAlmostEqual(float(rows[0]["lost_length_mm"]), 5 + 2 * side, places=5)
+        self.assertAlmostEqual(float(rows[1]["lost_length_mm"]), side / 2, places=5)
+        self.assertEqual(rows[2]["lost_length_mm"], rows[0]["lost_length_mm"])  # nothing twice
+        self.assertEqual(json.loads((self.folder / "s.json").read_text())["cuts"], [[0, 0.5], [1, 0.5]])
+
+    def test_lesions_as_spheres_and_meshes_have_margins(self):
+        corners = [(x, y, z) for x in (12, 16) for y in (-2, 2) for z in (-2, 2)]
+        quads = "1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"
+        self.write("tumour.obj", "".join("v %d %d %d\n" % corner for corner in corners) +
+                   "".join("f %s\n" % quad for quad in quads))
+        self.plan("lesion-mesh tumour.obj\nbands 8 10 12\nreport mesh.csv bands\nselect-within 11.05\n"
+                  "lesion-clear\nlesion 0,0,-5,1\nreport sphere.csv bands\nsave s.json\n")
+        near = {row["branch"]: row for row in self.rows("mesh.csv")}
+        self.assertAlmostEqual(float(near["0"]["lesion_distance_mm"]), 12 - 1, places=1)
+        self.assertEqual((near["0"]["from_mm"], near["0"]["to_mm"]), ("10", "12"))
+        self.assertAlmostEqual(float(self.rows("sphere.csv")[0]["lesion_distance_mm"]), 5 - 1 - 1, places=5)
+        self.assertIn(0, json.loads((self.folder / "s.json").read_text())["selection"])
+
+    def test_selections_filters_and_measurements_say_what_they_found(self):
+        said = self.plan("select-generation 1\nfilter-diameter 1.7 hide\nmeasure path 1 2\nmeasure diameter 0 0\n"
+                         "measure distance 0,0,0 0,3,4\nmeasure angle 1\nreport all.csv measurements\n")
+        self.assertIn("Selected 2 branches", said)
+        self.assertIn("Hidden: 2 of 3 branches", said)
+        values = [float(row["value"]) for row in self.rows("all.csv")]
+        self.assertAlmostEqual(values[0], math.sqrt(34), places=5)  # half of each
+        self.assertAlmostEqual(values[1], 2.0)
+        self.assertAlmostEqual(values[2], 5.0)
+        self.assertAlmostEqual(values[3], math.degrees(math.atan2(3, 5)), places=4)
+
+    def test_in_a_network_only_what_has_no_other_way_depends(self):
+        ring = self.write("ring.json", json.dumps({
+            "format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS",
+            "points": [[0, 0, 0, 1], [5, 0, 0, 1], [8, 4, 0, 1], [8, -4, 0, 1], [11, 0, 0, 1], [15, 0, 0, 1]],
+            "branches": [[0, 1], [1, 2, 4], [1, 3, 4], [4, 5]], "roots": [0]}))
+        for branch, expected in ((0, [0, 1, 2, 3]), (1, [1]), (2, [2]), (3, [3])):
+            self.plan("select %d\nselect-dependents\nsave s.json\n" % branch, tree=ring)
+            self.assertEqual(json.loads((self.folder / "s.json").read_text())["selection"], expected)
+
+    def test_a_page_holds_its_pictures_and_escapes_names(self):
+        self.plan('name 0 "<b>&"\nselect 0\ncut 0\nreport page.html\n')
+        page = (self.folder / "page.html").read_text(encoding="utf-8")
+        self.assertEqual(page.count("data:image/png;base64,"), 3)
+        self.assertIn("&lt;b&gt;&amp;", page)
+        self.assertNotIn("<b>", page)
+        self.assertNotIn("http", page)
+
+    def test_what_cannot_be_done_is_named_and_leaves_nothing(self):
+        tree = self.write("tree.swc", GOOD)
+        self.write("open.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                               "endloop\nendfacet\nendsolid x\n")
+        for line, says in (("lesion-mesh open.stl", "not closed"), ("lesion-mesh gone.ply", "gone.ply"),
+                           ("report r.csv", "nothing to report"), ("report r.pdf", ".html"), ("cut 7", "no branch 7"),
+                           ("select-within 3", "lesion"), ("bands 3 2", "ascend")):
+            with self.subTest(line):
+                self.write("plan.txt", "# first\n" + line + "\n")
+                self.expect_failure("render", tree, "--size", "200x150", "--commands", "plan.txt", says=["plan.txt:2", says])
+        self.assertEqual(self.names(), ["open.stl", "plan.txt", "tree.swc"])
 
 
 class Info(CommandLineTest):
