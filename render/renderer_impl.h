@@ -70,6 +70,8 @@ private:
     unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);
     unsigned send_scene(const Frame& frame);
     Result<const Program*> shading(unsigned variant);
+    // The part of the picture that branches marked in `changed` can be seen in, or more.
+    void find_region(const Frame& frame, const PagedMesh& mesh, const std::vector<std::uint8_t>& changed);
     Result<void> shade(const Frame& frame, const GpuMesh* mesh, Extent extent);
     void draw_overlays(const Frame& frame);
     void draw_marks(const Frame& frame);
@@ -84,6 +86,7 @@ private:
         overlay_, mark_;
     std::map<unsigned, Program> shade_;                // by variant, made when needed
     std::vector<std::array<std::uint8_t, 4>> records_; // of the last picture's branches
+    glm::ivec2 region_at_{0}, region_size_{0};         // that is shaded, of `inner_`, in GL's sense of y
     VertexArray no_vertices_;
     Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, meeting_buffer_,
         company_buffer_;

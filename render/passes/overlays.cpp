@@ -10,8 +10,10 @@ void Renderer::Impl::draw_overlays(const Frame& frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
     glViewport(0, 0, size_.x, size_.y);
     if (inner_ == size_) {
-        glBlitNamedFramebuffer(lit_target_, picture_target_, 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
-                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        // Only what was shaded: the rest has its overlays already.
+        const glm::ivec2 end = region_at_ + region_size_;
+        glBlitNamedFramebuffer(lit_target_, picture_target_, region_at_.x, region_at_.y, end.x, end.y, region_at_.x,
+                               region_at_.y, end.x, end.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     } else {
         glBindTextureUnit(0, lit_);
         fullscreen(enlarge_);
@@ -29,11 +31,14 @@ void Renderer::Impl::draw_overlays(const Frame& frame) {
     }
     for (const Sprite& sprite : sprites_) {
         const Image& image = sprite.image;
+        const int x = sprite.corner.x, y = frame.size.y - sprite.corner.y - image.height;
+        glm::ivec2 from(x, y), to(x + image.width, y + image.height);
+        if (inner_ == size_) from = glm::max(from, region_at_), to = glm::min(to, region_at_ + region_size_);
+        if (from.x >= to.x || from.y >= to.y) continue;
         const Texture texture = make_texture(GL_RGBA8, image.width, image.height);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
         glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-        const int x = sprite.corner.x, y = frame.size.y - sprite.corner.y - image.height;
-        glScissor(x, y, image.width, image.height);
+        glScissor(from.x, from.y, to.x - from.x, to.y - from.y);
         glBindTextureUnit(0, texture);
         glProgramUniform2i(overlay_, 0, x, y);
         fullscreen(overlay_);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
@@ -62,9 +63,17 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, E
         variant |= kCuts;
     }
     auto marked = records;
-    if (extent == Extent::kChanged)
-        for (std::size_t i = 0; i < count; ++i)
-            if (i >= records_.size() || records[i] != records_[i]) marked[i][3] |= kChanged;
+    region_at_ = glm::ivec2(0);
+    region_size_ = inner_;
+    if (extent == Extent::kChanged) {
+        std::vector<std::uint8_t> changed(count, 0);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i < records_.size() && records[i] == records_[i]) continue;
+            marked[i][3] |= kChanged;
+            changed[i] = 1;
+        }
+        if (mesh != nullptr) find_region(frame, *mesh->shown(), changed);
+    }
     records_ = std::move(records);
     if (count > branch_capacity_) {
         branch_capacity_ = count;
@@ -72,6 +81,32 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, E
     }
     glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(4 * count), marked.data());
     return variant;
+}
+
+// By the bounds of the pages that have triangles of them: there are some hundred, each in one place. Lines reach beyond
+// pages, and a picture that is enlarged has no pixels of its own: they are drawn as a whole.
+void Renderer::Impl::find_region(const Frame& frame, const PagedMesh& mesh, const std::vector<std::uint8_t>& changed) {
+    if (has_glass_ || !frame.lines.empty() || inner_ != size_) return;
+    const Projector project(frame.camera, frame.size);
+    glm::dvec2 lower(frame.size), upper(0.0);
+    for (const auto& page : mesh.triangle_pages()) {
+        const auto has_changed = [&](const TrianglePage::Run& run) {
+            return run.count > 0 && run.branch >= 0 && changed[static_cast<std::size_t>(run.branch)] != 0;
+        };
+        if (page->count == 0 || std::ranges::none_of(page->runs, has_changed)) continue;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+            const auto at = project(mesh.origin() + glm::dvec3(glm::mix(page->lower, page->upper, high)));
+            if (!at) return; // behind the eye
+            lower = glm::min(lower, glm::dvec2(*at));
+            upper = glm::max(upper, glm::dvec2(*at));
+        }
+    }
+    constexpr double kRounding = 2.0; // pixels
+    const glm::ivec2 first(glm::clamp(glm::floor(lower - kRounding), glm::dvec2(0.0), glm::dvec2(size_)));
+    const glm::ivec2 last(glm::clamp(glm::ceil(upper + kRounding), glm::dvec2(0.0), glm::dvec2(size_)));
+    region_size_ = glm::max(last - first, glm::ivec2(0));
+    region_at_ = {first.x, size_.y - first.y - region_size_.y};
 }
 
 Result<const Program*> Renderer::Impl::shading(unsigned variant) {
@@ -123,8 +158,11 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     if (extent == Extent::kAll) fullscreen(background_);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(region_at_.x, region_at_.y, region_size_.x, region_size_.y);
     // An outline reaches beyond the surface it surrounds.
     fullscreen(**program, outlined && extent == Extent::kAll ? Pixels::kAll : Pixels::kCovered);
+    glDisable(GL_SCISSOR_TEST);
     return {};
 }
 

@@ -386,15 +386,25 @@ TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives")
         CHECK(onto_the_last == fresh.draw());
         return onto_the_last;
     };
-    const auto point_around = [&] {
+    const auto point_around = [&](int seen = 1) {
         const Image none = same(kNoBranch, {});
-        CHECK_FALSE(same(1, {}) == none);
+        CHECK_FALSE(same(seen, {}) == none);
         (void)same(0, {1, 2});
         (void)same(2, {});
         (void)same(3, {});
         CHECK(same(kNoBranch, {}) == none);
     };
     point_around();
+    scene.frame.overlays.orientation_cube = scene.frame.overlays.scale_bar = true;
+    point_around();
+    scene.frame.camera = zoomed(scene.frame.camera, 4.0); // overlays lie over branches
+    point_around(0);
+    scene.frame.camera.position = {0.0, 8.0, 0.0}; // among them: parts are behind the eye
+    point_around(0);
+    scene.frame.camera = camera_for(scene.frame.mesh->positions(), View::kAnterior, scene.frame.size);
+    scene.frame.quality = Quality::kInteractive;
+    point_around();
+    scene.frame.quality = Quality::kFull;
     scene.frame.selected = {0, 3}; // outlines reach beyond branches
     point_around();
     scene.frame.states[3] = BranchState::kDefocused; // glass before the trunk
