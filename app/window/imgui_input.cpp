@@ -15,10 +15,19 @@ void ImguiInput::button(int index, bool down) {
 }
 void ImguiInput::wheel(float dx, float dy) { events_.push_back({.kind = Event::Kind::kWheel, .x = dx, .y = dy}); }
 void ImguiInput::key(int key, bool down) {
+    // The modifiers that come with a modifier's own key are those of before it, where X11 tells them.
+    const auto hold = [&](bool& modifier) {
+        modifier = down;
+        events_.push_back(held_);
+    };
+    if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) hold(held_.shift);
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) hold(held_.ctrl);
+    if (key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT) hold(held_.alt);
     if (key >= 0 && key < 512) events_.push_back({.kind = Event::Kind::kKey, .index = key, .down = down});
 }
 void ImguiInput::modifiers(bool ctrl, bool shift, bool alt, bool super) {
-    events_.push_back({.kind = Event::Kind::kModifiers, .ctrl = ctrl, .shift = shift, .alt = alt, .super = super});
+    held_ = {.kind = Event::Kind::kModifiers, .ctrl = ctrl, .shift = shift, .alt = alt, .super = super};
+    events_.push_back(held_);
 }
 void ImguiInput::character(unsigned codepoint) {
     events_.push_back({.kind = Event::Kind::kCharacter, .index = static_cast<int>(codepoint)});

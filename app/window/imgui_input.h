@@ -30,6 +30,7 @@ private:
         bool ctrl = false, shift = false, alt = false, super = false;
     };
     std::deque<Event> events_;
+    Event held_{.kind = Event::Kind::kModifiers}; // the modifiers, as told last
 };
 
 // Whether the interface of the last frame takes the mouse there: a window lies there, a popup is open, or a drag began

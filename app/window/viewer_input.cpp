@@ -51,6 +51,7 @@ void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, do
         pick_wanted_ = true;
     }
     // A press on the picture is also ImGui's: an open menu closes.
+    input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.button(index, down);
     shake();
 }
