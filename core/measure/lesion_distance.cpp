@@ -30,16 +30,41 @@ double to_wall(const glm::dvec3& c, const tree::Point& a, const tree::Point& b) 
     return std::min(ends, std::hypot(off, t - foot) - (a.radius + slope * t));
 }
 
-double branch_distance(const tree::VesselTree& tree, const tree::Branch& branch, const Lesions& lesions) {
-    double best = kFar;
-    for (const auto& mesh : lesions.meshes)
-        if (mesh->inside(tree.points[branch.points.front()].position)) return 0.0;
+// Segments that cannot be nearer than `best` are passed over: along a segment a distance changes by no more than its
+// length.
+double to_mesh(const tree::VesselTree& tree, const tree::Branch& branch, const MeshDistance& mesh, double best) {
+    if (mesh.inside(tree.points[branch.points.front()].position)) return 0.0;
+    double at_start = mesh.surface_distance(tree.points[branch.points.front()].position); // or less
+    bool exact = true;
+    best = std::min(best, at_start - tree.points[branch.points.front()].radius);
     for (std::size_t i = 1; i < branch.points.size() && best > 0.0; ++i) {
         const tree::Point& a = tree.points[branch.points[i - 1]];
         const tree::Point& b = tree.points[branch.points[i]];
-        for (const auto& [x, y, z, radius] : lesions.spheres) best = std::min(best, to_wall({x, y, z}, a, b) - radius);
-        for (const auto& mesh : lesions.meshes) best = mesh->wall_distance(a, b, best);
+        const double length = glm::distance(a.position, b.position);
+        const auto out_of_reach = [&] { return at_start - length - std::max(a.radius, b.radius) >= best; };
+        if (!exact && !out_of_reach()) {
+            at_start = mesh.surface_distance(a.position);
+            best = std::min(best, at_start - a.radius);
+        }
+        exact = !out_of_reach();
+        if (exact) {
+            at_start = mesh.surface_distance(b.position); // of the next one
+            best = mesh.wall_distance(a, b, std::min(best, at_start - b.radius));
+        } else {
+            at_start -= length;
+        }
     }
+    return best;
+}
+
+double branch_distance(const tree::VesselTree& tree, const tree::Branch& branch, const Lesions& lesions) {
+    double best = kFar;
+    for (std::size_t i = 1; i < branch.points.size() && best > 0.0; ++i)
+        for (const auto& [x, y, z, radius] : lesions.spheres)
+            best = std::min(best, to_wall({x, y, z}, tree.points[branch.points[i - 1]], tree.points[branch.points[i]]) -
+                                      radius);
+    for (const auto& mesh : lesions.meshes)
+        if (best > 0.0) best = to_mesh(tree, branch, *mesh, best);
     return std::max(best, 0.0);
 }
 

@@ -1,7 +1,7 @@
 // How far vessels lie from lesions, and which vessels lie within which margin. Lesions are spheres and closed meshes;
 // the distance goes from the lesion's surface to the vessel's wall: the least, over all places of the branch's
 // centerline, of (distance of the place to the lesion) - (radius there), and 0 where the two overlap. That is the exact
-// distance to the union of balls along the centerline; for meshes it is found to within 1e-4 mm.
+// distance to the union of balls along the centerline; for meshes it is found to within rounding.
 #pragma once
 
 #include "core/measure/amount.h"

@@ -1,7 +1,7 @@
 // MeshDistance: how far things lie from a closed triangle mesh; 0 inside. A tree of boxes over the triangles answers in
 // microseconds. Inside is where the surface winds around the point (so solids may overlap, and a shell turned inward
 // makes a hole), told along a ray, and along another one where that grazes an edge. Immutable; any number of threads
-// may ask. Distances are those to the triangles, exact but for rounding.
+// may ask. Distances are those to the triangles, exact but for rounding; quick where `best` is near the answer.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -25,7 +25,8 @@ public:
     // Of the surface, inside too.
     [[nodiscard]] double surface_distance(const glm::dvec3& point) const;
     // The least of `best` and, over all places of the segment, (surface distance) - (radius there, linear between the
-    // ends): negative where the vessel's wall goes through the surface. To within 1e-6 of the segment's length.
+    // ends): negative where the vessel's wall goes through the surface. To within 1e-9 mm, but for rounding; quick
+    // where `best` is near the answer.
     [[nodiscard]] double wall_distance(const tree::Point& a, const tree::Point& b, double best) const;
 
     struct Box {

@@ -3,6 +3,7 @@
 
 #include "core/mesh/triangle_mesh.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
 #include <utility>
