@@ -12,15 +12,16 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 9> kMouse{{
+constexpr std::array<std::pair<const char*, const char*>, 10> kMouse{{
     {"Left-drag", "Turns the tree."},
     {"Middle-drag, Shift+left-drag", "Moves the picture."},
     {"Right-drag, wheel", "Zooms; the wheel zooms to the pointer."},
     {"Click", "Selects the branch; on the background, nothing."},
     {"Alt+click", "Selects the branch with all that depends on it."},
+    {"Shift+click", "Adds the branch to the selection."},
     {"Ctrl+click", "Adds the branch to the selection, or takes it away."},
     {"Double-click", "Centres the picture on the point."},
-    {"Drop a file", "Opens a tree or a session."},
+    {"Drop a file", "Opens a tree or a session; a closed mesh becomes a lesion."},
     {"Cube", "Shows where the viewer stands: A P L R S I."},
 }};
 

@@ -27,7 +27,7 @@ std::optional<Click> ViewportMouse::release(MouseButton button, glm::dvec2 at, d
     if (second) return Click{Click::Kind::kCentre, at};
     if (modifiers_.alt) return Click{Click::Kind::kSelectWithDependents, at};
     if (modifiers_.ctrl) return Click{Click::Kind::kToggle, at};
-    if (modifiers_.shift) return {};
+    if (modifiers_.shift) return Click{Click::Kind::kAdd, at};
     return Click{Click::Kind::kSelect, at};
 }
 

@@ -20,6 +20,7 @@ struct Click {
         kSelect,               // the branch, or nothing on the background
         kSelectWithDependents, // Alt
         kToggle,               // Ctrl
+        kAdd,                  // Shift; a drag with it pans
         kCentre,               // the second click of a double-click
         kSecondary,            // the right button
     };

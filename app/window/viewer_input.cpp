@@ -111,6 +111,9 @@ void Viewer::clicked(const Click& click) {
     case Click::Kind::kSelectWithDependents:
         if (hit) context.perform("select-subtree", id);
         break;
+    case Click::Kind::kAdd:
+        if (hit) context.perform("select-add", id);
+        break;
     case Click::Kind::kToggle:
         if (hit) context.perform("select-toggle", id);
         break;
