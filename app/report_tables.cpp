@@ -10,20 +10,6 @@ namespace ramus::app {
 
 namespace {
 
-const char* state_name(render::BranchState state) {
-    switch (state) {
-    case render::BranchState::kNormal:
-        return "normal";
-    case render::BranchState::kHighlighted:
-        return "highlighted";
-    case render::BranchState::kDefocused:
-        return "defocused";
-    case render::BranchState::kHidden:
-        return "hidden";
-    }
-    return "";
-}
-
 // What branches are called, their own name or that of what they depend on.
 class Names {
 public:
@@ -81,7 +67,7 @@ Table selection_table(const Document& document) {
                               facts.volume_mm3,
                               branch.generation,
                               branch.strahler,
-                              state_name(state_of(document.marks(), id))};
+                              std::string(name_of(state_of(document.marks(), id)))};
         add(row, document.facts()->dependents[index]);
         if (lesions) row.emplace_back(plan->lesion_distances_mm[index]);
         table.rows.push_back(std::move(row));

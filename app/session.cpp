@@ -30,6 +30,20 @@ std::string_view name_of(ColourBy quantity) {
     return "";
 }
 
+std::string_view name_of(BranchState state) {
+    switch (state) {
+    case BranchState::kNormal:
+        return "normal";
+    case BranchState::kHighlighted:
+        return "highlighted";
+    case BranchState::kDefocused:
+        return "defocused";
+    case BranchState::kHidden:
+        return "hidden";
+    }
+    return "";
+}
+
 BranchState state_of(const Marks& marks, int branch) {
     const auto index = static_cast<std::size_t>(branch);
     return branch >= 0 && index < marks.states.size() ? marks.states[index] : BranchState::kNormal;

@@ -81,6 +81,7 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
+[[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
 [[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);
 void set_state(Marks& marks, std::span<const int> branches, render::BranchState state);
 [[nodiscard]] std::vector<int> branches_in_state(const Marks& marks, render::BranchState state);

@@ -16,9 +16,8 @@ using render::BranchState;
 
 namespace {
 
-constexpr std::array<std::pair<BranchState, const char*>, 3> kStateNames{{{BranchState::kHighlighted, "highlighted"},
-                                                                          {BranchState::kDefocused, "defocused"},
-                                                                          {BranchState::kHidden, "hidden"}}};
+// All that a file lists: normal branches are the rest.
+constexpr std::array kListedStates{BranchState::kHighlighted, BranchState::kDefocused, BranchState::kHidden};
 
 // One place throws and one place catches: nesting Results through every member would hide the format.
 struct Refusal {
@@ -126,7 +125,8 @@ void read_options(const json& value, Marks& marks) {
 
 void read_states(const json& value, Marks& marks) {
     expect_only(value, "states", {"highlighted", "defocused", "hidden"});
-    for (const auto& [state, name] : kStateNames) {
+    for (const BranchState state : kListedStates) {
+        const std::string name(name_of(state));
         if (!value.contains(name)) continue;
         const std::vector<int> found = ids(value[name], name);
         for (const int id : found)
@@ -218,7 +218,8 @@ fs::path written_path(const fs::path& tree, const fs::path& folder) {
 
 json to_json(const Session& session, const fs::path& folder) {
     json states = json::object();
-    for (const auto& [state, name] : kStateNames) states[name] = branches_in_state(session.marks, state);
+    for (const BranchState state : kListedStates)
+        states[std::string(name_of(state))] = branches_in_state(session.marks, state);
     json names = json::object();
     for (const auto& [id, name] : session.marks.names) names[std::to_string(id)] = name;
     json meshes = json::array();

@@ -101,20 +101,6 @@ void draw_surface(InterfaceContext& context) {
     if (ImGui::Button("Compute again")) context.workspace.retry_surface();
 }
 
-const char* state_text(render::BranchState state) {
-    switch (state) {
-    case render::BranchState::kNormal:
-        return "normal";
-    case render::BranchState::kHighlighted:
-        return "highlighted";
-    case render::BranchState::kDefocused:
-        return "defocused";
-    case render::BranchState::kHidden:
-        return "hidden";
-    }
-    return "";
-}
-
 void draw_one(const Document& document, const TreeFacts& facts, int id) {
     const auto index = static_cast<std::size_t>(id);
     const BranchFacts& own = facts.branches[index];
@@ -128,7 +114,7 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     widgets::fact("Generation", std::to_string(branch.generation));
     widgets::fact("Strahler order", std::to_string(branch.strahler));
     widgets::fact("Dependents", grouped(static_cast<std::uint64_t>(own.dependents)));
-    widgets::fact("State", state_text(state_of(document.marks(), id)));
+    widgets::fact("State", std::string(name_of(state_of(document.marks(), id))));
 }
 
 void draw_many(const Document& document, const TreeFacts& facts) {
