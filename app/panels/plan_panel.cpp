@@ -17,13 +17,9 @@ namespace ramus::app {
 
 namespace {
 
-using widgets::fact;
-
-std::string volume(double mm3) { return mm3 < 1000.0 ? digits(mm3) + " mm\xC2\xB3" : digits(mm3 / 1000.0) + " ml"; }
-
 std::string amount(const measure::Amount& lost) {
     return counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " + digits(lost.length_mm) +
-           " mm, " + volume(lost.volume_mm3) + ", " +
+           " mm, " + volume_text(lost.volume_mm3) + ", " +
            counted(static_cast<std::uint64_t>(lost.leaves), "leaf", "leaves");
 }
 
@@ -146,7 +142,8 @@ void draw_lesions(InterfaceContext& context) {
             context.perform("lesion-remove", {std::to_string(marks.lesions.size() + i + 1)});
         ImGui::PopID();
     }
-    for (const std::string& trouble : context.workspace.document.plan()->troubles) {
+    const auto plan = context.workspace.document.plan();
+    for (const std::string& trouble : plan->troubles) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
         ImGui::TextWrapped("%s", trouble.c_str());
         ImGui::PopStyleColor();
@@ -219,7 +216,8 @@ void draw_margins(InterfaceContext& context) {
     bool coloured = marks.colour_by == ColourBy::kLesion;
     if (ImGui::Checkbox("Colour vessels by distance", &coloured))
         context.perform("colour-by", {coloured ? "lesion" : "nothing"});
-    for (const measure::Band& band : document.plan()->bands) draw_band(context, band);
+    const auto plan = document.plan();
+    for (const measure::Band& band : plan->bands) draw_band(context, band);
 }
 
 void draw_cuts(InterfaceContext& context) {
@@ -234,7 +232,8 @@ void draw_cuts(InterfaceContext& context) {
     if (const auto words = entry("##reconstruct", rounded(marks.planning.reconstruct_mm), room); words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
-    const measure::CutReport& report = document.plan()->cuts;
+    const auto plan = document.plan(); // kept here: removing a cut makes the document another
+    const measure::CutReport& report = plan->cuts;
     for (std::size_t i = 0; i < std::min(marks.cuts.size(), report.cuts.size()); ++i) {
         const measure::CutFigures& figures = report.cuts[i];
         const int branch = marks.cuts[i].first;
