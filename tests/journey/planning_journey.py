@@ -11,21 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from screen import Window, below_tools, check, differing, picture_pixels, project, run_journeys
-
-# A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
-TREE = """\
-# id type x y z radius parent
-1 3 0 0 -40 5 -1
-2 3 0 0 -20 5 1
-3 3 0 0 0 5 2
-4 3 -20 0 15 3.5 3
-5 3 -40 0 25 3 4
-6 3 20 5 15 3.5 3
-7 3 30 8 25 3 6
-8 3 35 10 45 2 7
-9 3 55 10 30 2 7
-"""
+from screen import SMALL_TREE, Window, below_tools, check, differing, picture_pixels, project, run_journeys
 
 
 def commands(program, tree, folder, lines, session):
@@ -148,7 +134,7 @@ def tables(program, tree, folder, status):
 
 def plan(program, screen, folder):
     tree = folder / "small tree.swc"
-    tree.write_text(TREE)
+    tree.write_text(SMALL_TREE)
     window = Window(program, screen, folder, [tree, "--size", "1100x760"])
     try:
         window.wait("the surface", lambda s: s["surface_ready"])

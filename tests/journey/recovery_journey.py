@@ -5,37 +5,14 @@ Usage: recovery_journey.py PROGRAM
 """
 
 import json
-import os
 import signal
-import subprocess
 import sys
-import tempfile
 import time
-from pathlib import Path
 
-from screen import PATIENCE, Failure, Screen, Window, differing, missing_tools
-
-TREE = """\
-# id type x y z radius parent
-1 3 0 0 -40 5 -1
-2 3 0 0 -20 5 1
-3 3 0 0 0 5 2
-4 3 -20 0 15 3.5 3
-5 3 -40 0 25 3 4
-6 3 20 5 15 3.5 3
-7 3 30 8 25 3 6
-8 3 35 10 45 2 7
-9 3 55 10 30 2 7
-"""
+from screen import PATIENCE, SMALL_TREE, Failure, Window, check, differing, run_journeys
 
 # What a session is, of what the status says.
 KEPT = ("tree", "selection", "states", "lesions", "lesion_meshes", "cuts", "measurements", "names", "camera", "options")
-
-
-def check(truth, what):
-    if not truth:
-        raise Failure(what)
-    print("ok:", what, flush=True)
 
 
 def until(what, condition):
@@ -127,7 +104,7 @@ def changed_tree(program, screen, folder, tree):
     """The tree is another one now: nothing is guessed, and nothing is lost."""
     (folder / "tree.ramus.json").unlink(missing_ok=True)
     work(program, screen, folder, tree)
-    tree.write_text(TREE.replace("9 3 55", "9 3 56"))
+    tree.write_text(SMALL_TREE.replace("9 3 55", "9 3 56"))
     window = Window(program, screen, folder, [tree, "--size", "1000x700"])
     try:
         window.wait("the offer", lambda s: s["recovery_dialog"] and s["recoveries"] == 1)
@@ -150,7 +127,7 @@ def changed_tree(program, screen, folder, tree):
         check(window.process.wait(timeout=PATIENCE) == 0 and not kept(folder), "which is a command, too")
     finally:
         window.end()
-    tree.write_text(TREE)
+    tree.write_text(SMALL_TREE)
 
 
 def unsaved(program, screen, folder, tree):
@@ -233,29 +210,12 @@ def nowhere_to_write(program, screen, folder, tree):
         window.end()
 
 
-def main():
-    program = str(Path(sys.argv[1]).resolve())
-    missing = missing_tools()
-    if missing:
-        print("SKIPPED: not installed:", ", ".join(missing))
-        return 0
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        tree = folder / "tree.swc"
-        tree.write_text(TREE)
-        screen = Screen(1200, 800)
-        try:
-            for part in (recover, changed_tree, unsaved, camera_as_text, nowhere_to_write):
-                part(program, screen, folder, tree)
-        except (Failure, subprocess.SubprocessError) as failure:
-            print("FAILED:", failure, flush=True)
-            if os.environ.get("RAMUS_KEEP_SCREEN"):
-                subprocess.run(["import", "-display", screen.display, "-window", "root", os.environ["RAMUS_KEEP_SCREEN"]])
-            return 1
-        finally:
-            screen.close()
-    return 0
+def recovery(program, screen, folder):
+    tree = folder / "tree.swc"
+    tree.write_text(SMALL_TREE)
+    for part in (recover, changed_tree, unsaved, camera_as_text, nowhere_to_write):
+        part(program, screen, folder, tree)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_journeys(recovery))

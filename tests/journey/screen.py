@@ -13,6 +13,20 @@ import tempfile
 import time
 from pathlib import Path
 
+# A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
+SMALL_TREE = """\
+# id type x y z radius parent
+1 3 0 0 -40 5 -1
+2 3 0 0 -20 5 1
+3 3 0 0 0 5 2
+4 3 -20 0 15 3.5 3
+5 3 -40 0 25 3 4
+6 3 20 5 15 3.5 3
+7 3 30 8 25 3 6
+8 3 35 10 45 2 7
+9 3 55 10 30 2 7
+"""
+
 PATIENCE = 120.0  # seconds; software rendering on a busy machine is slow
 
 
