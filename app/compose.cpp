@@ -55,12 +55,14 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     const bool any_glass = std::ranges::find(frame.states, render::BranchState::kDefocused) != frame.states.end();
     if (any_glass || !marks.cuts.empty() || frame.scale.value != render::ColourScale::Value::kNone)
         frame.centerlines = centerlines_of(tree, marks.options);
-    draw_marks(frame, *tree, marks, plan);
+    draw_cuts(frame, marks, plan);
+    if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
     return frame;
 }
 
 render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh, Viewing viewing) {
     viewing.plan = document.plan();
+    viewing.measurements = document.measurements();
     if (viewing.hovered >= 0 && viewing.hovered < document.branch_count())
         viewing.hovered_dependents = document.dependency().dependents(viewing.hovered);
     return compose(document.session(), document.tree(), std::move(mesh), viewing);

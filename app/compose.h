@@ -21,14 +21,15 @@ struct Viewing {
     bool transparent = false;
     render::Quality quality = render::Quality::kFull;
     std::shared_ptr<const Plan> plan{}; // of the session; null: lesions and cuts are not shown
-    std::optional<GlassLook> glass{};   // instead of the session's, while it is being tried
+    std::shared_ptr<const std::vector<Result<Measured>>> measurements{}; // of the session; null: none are shown
+    std::optional<GlassLook> glass{}; // instead of the session's, while it is being tried
 };
 
 // `tree` may be null: no colours; `mesh` may be null: an empty picture.
 [[nodiscard]] render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
                                     std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing);
 
-// The document's session with its plan: what windows and files show.
+// The document's session with its plan and measurements: what windows and files show.
 [[nodiscard]] render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh,
                                     Viewing viewing);
 

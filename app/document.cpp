@@ -13,6 +13,7 @@ void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session sessio
     facts_ = facts || !tree_ ? std::move(facts) : std::make_shared<const TreeFacts>(facts_of(*tree_));
     session_ = std::move(session);
     plan_.reset();
+    measured_.reset();
     steps_.clear();
     position_ = 0;
     joining_ = false;
@@ -32,6 +33,15 @@ std::shared_ptr<const Plan> Document::plan() const {
     planned_.cuts = marks().cuts;
     planned_.planning = marks().planning;
     return plan_;
+}
+
+std::shared_ptr<const std::vector<Result<Measured>>> Document::measurements() const {
+    if (measured_ && planned_.measurements == marks().measurements) return measured_;
+    std::vector<Result<Measured>> found;
+    if (tree_)
+        for (const Measurement& measurement : marks().measurements) found.push_back(measured(*tree_, measurement));
+    planned_.measurements = marks().measurements;
+    return measured_ = std::make_shared<const std::vector<Result<Measured>>>(std::move(found));
 }
 
 void Document::change(Marks next) {

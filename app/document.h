@@ -5,6 +5,7 @@
 
 #include "app/branch_facts.h"
 #include "app/marks_change.h"
+#include "app/measured.h"
 #include "app/plan.h"
 #include "app/session.h"
 
@@ -34,6 +35,9 @@ public:
     // What follows from lesions, cuts and limits, as they are now: computed when it is first asked for. Null without a
     // tree.
     [[nodiscard]] std::shared_ptr<const Plan> plan() const;
+
+    // What Marks::measurements say, in their order, or why they say nothing; kept like the plan. Never null.
+    [[nodiscard]] std::shared_ptr<const std::vector<Result<Measured>>> measurements() const;
 
     // Nothing is remembered when nothing differs.
     void change(Marks next);
@@ -76,8 +80,9 @@ private:
     };
     std::shared_ptr<const tree::VesselTree> tree_;
     std::shared_ptr<const TreeFacts> facts_;
-    mutable std::shared_ptr<const Plan> plan_; // of `planned_`
-    mutable Marks planned_;                    // of these, what plans follow from
+    mutable std::shared_ptr<const Plan> plan_;                              // of `planned_`
+    mutable Marks planned_;                                                 // of these, what plans follow from
+    mutable std::shared_ptr<const std::vector<Result<Measured>>> measured_; // of planned_.measurements
     Session session_;
     std::filesystem::path file_;
     Marks saved_;

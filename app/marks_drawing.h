@@ -1,13 +1,19 @@
 // The lines and labels that a session's marks put into the picture: a hoop around every cut, and what was measured.
 #pragma once
 
+#include "app/measured.h"
 #include "app/plan.h"
 #include "app/session.h"
 #include "render/frame.h"
 
+#include <span>
+
 namespace ramus::app {
 
-// Adds them to `frame`, whose centerlines are those of `tree`. `plan`: of the same marks; null: as without cuts.
-void draw_marks(render::Frame& frame, const tree::VesselTree& tree, const Marks& marks, const Plan* plan);
+// Nothing without `frame`'s centerlines. `plan`: of the same marks; null: no vessel need be reconstructed.
+void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan);
+
+// What could not be measured is left out.
+void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> measurements);
 
 } // namespace ramus::app

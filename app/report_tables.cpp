@@ -1,7 +1,6 @@
 #include "app/report_tables.h"
 
 #include "app/labels.h"
-#include "app/measured.h"
 
 #include <charconv>
 #include <cmath>
@@ -137,8 +136,9 @@ Table measurements_table(const Document& document) {
                  {"unit", "Unit"},
                  {"details", "Details"}},
                 {}};
-    for (std::size_t i = 0; i < document.marks().measurements.size(); ++i) {
-        const auto found = measured(*document.tree(), document.marks().measurements[i]);
+    const auto measurements = document.measurements();
+    for (std::size_t i = 0; i < measurements->size(); ++i) {
+        const Result<Measured>& found = (*measurements)[i];
         if (!found) {
             table.rows.push_back({static_cast<int>(i + 1), "", found.error().message(), "", "", ""});
             continue;

@@ -1,6 +1,5 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
 // is Document::plan(); everything done goes through commands.
-#include "app/measured.h"
 #include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
@@ -279,10 +278,10 @@ void draw_measurements(InterfaceContext& context) {
     default:
         break;
     }
-    const auto& measurements = document.marks().measurements;
-    for (std::size_t i = 0; i < measurements.size(); ++i) {
+    const auto measurements = document.measurements();
+    for (std::size_t i = 0; i < measurements->size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const auto found = measured(*document.tree(), measurements[i]);
+        const Result<Measured>& found = (*measurements)[i];
         std::string details = found ? found->what : found.error().message();
         if (found)
             for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;
