@@ -1,6 +1,6 @@
 #include "app/actions/arguments.h"
 
-#include "app/places.h"
+#include "app/storage/places.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 // What commands share: reading their words, and when they make sense. A reading that fails says what was wrong.
 #pragma once
 
-#include "app/command_table.h"
+#include "app/actions/command_table.h"
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most);
 // The place in a list that people count from 1, as an index; `what`: "cut", of which there are `count`.
 [[nodiscard]] Result<std::size_t> place_in_list(Arguments arguments, std::size_t count, const std::string& what);
-// The one file of a command, or what app/places.h suggests.
+// The one file of a command, or what app/storage/places.h suggests.
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
 

@@ -1,8 +1,8 @@
 // Trees, sessions and pictures; the window itself.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/session_file.h"
-#include "app/settings.h"
+#include "app/session/session_file.h"
+#include "app/storage/settings.h"
 
 #include <algorithm>
 

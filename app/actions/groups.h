@@ -1,7 +1,7 @@
 // The parts of the command table, one file each: what the commands of a part do stands beside their entries.
 #pragma once
 
-#include "app/command_table.h"
+#include "app/actions/command_table.h"
 
 #include <vector>
 

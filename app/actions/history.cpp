@@ -1,7 +1,7 @@
 // The way back, and forth again.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 
 namespace ramus::app::actions {
 

@@ -3,9 +3,9 @@
 
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/numbers.h"
-#include "app/surface_maker.h"
+#include "app/session/numbers.h"
 #include "app/tools/tool.h"
+#include "app/workspace/surface_maker.h"
 
 #include <algorithm>
 #include <iterator>

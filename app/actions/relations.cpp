@@ -1,7 +1,7 @@
 // Selection by what branches are to each other, and by what they are like.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 // Reports: tables as CSV, and everything on one page with pictures.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/report_page.h"
-#include "app/report_tables.h"
+#include "app/reports/report_page.h"
+#include "app/reports/report_tables.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // What a surgeon plans: lesions with their margins, cuts with what they cost, and a look without the thin vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/lesion_meshes.h"
-#include "app/numbers.h"
+#include "app/session/lesion_meshes.h"
+#include "app/session/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "app/commands/load_tree.h"
 #include "app/commands/surface_flags.h"
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 #include "core/measure/tree_statistics.h"
 
 #include <iomanip>

@@ -1,6 +1,6 @@
 #include "app/commands/load_tree.h"
 
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 
 #include <cmath>
 #include <cstdio>

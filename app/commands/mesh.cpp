@@ -4,7 +4,7 @@
 #include "app/commands/open_session.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/write_surface.h"
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 #include "core/base/stopwatch.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/output_file.h"

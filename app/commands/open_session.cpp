@@ -1,7 +1,7 @@
 #include "app/commands/open_session.h"
 
 #include "app/commands/load_tree.h"
-#include "app/session_file.h"
+#include "app/session/session_file.h"
 
 #include <filesystem>
 #include <utility>

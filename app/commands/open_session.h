@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands/surface_flags.h"
-#include "app/session.h"
+#include "app/session/session.h"
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/progress_bar.h"
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 
 namespace ramus::app {
 

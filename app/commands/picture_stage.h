@@ -2,10 +2,10 @@
 // in a commands file; the surface follows the options that commands set, computed when a picture is next needed.
 #pragma once
 
-#include "app/command_table.h"
+#include "app/actions/command_table.h"
 #include "app/commands/surface_flags.h"
-#include "app/compose.h"
-#include "app/surface_maker.h"
+#include "app/picture/compose.h"
+#include "app/workspace/surface_maker.h"
 #include "render/renderer.h"
 
 namespace ramus::app {

@@ -1,9 +1,9 @@
 // Every branch as a row, sorted by column and filtered by what is typed; linked with the picture both ways.
 #include "app/panels/branch_list.h"
 
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
+#include "app/session/numbers.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The table of branches in the side panel: what it remembers between frames.
 #pragma once
 
-#include "app/branch_filter.h"
+#include "app/session/branch_filter.h"
 
 #include <array>
 #include <string>

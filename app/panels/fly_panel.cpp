@@ -1,8 +1,8 @@
 // The bar under the picture that flies the camera along the vessels: play, and a slider from the root to the end.
-#include "app/labels.h"
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
+#include "app/session/labels.h"
+#include "app/session/numbers.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // How defocused branches look; there while any branch is defocused.
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/slider_row.h"
+#include "app/session/numbers.h"
 
 #include <algorithm>
 #include <cmath>

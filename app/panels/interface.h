@@ -2,14 +2,14 @@
 // It needs an ImGui context and nothing of a window: `ramus render --ui` draws the same one.
 #pragma once
 
-#include "app/command_table.h"
+#include "app/actions/command_table.h"
 #include "app/panels/branch_list.h"
 #include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
-#include "app/settings.h"
+#include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 
 #include <array>
 #include <deque>

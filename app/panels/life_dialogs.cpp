@@ -1,9 +1,9 @@
 #include "app/panels/life_dialogs.h"
 
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
-#include "app/places.h"
+#include "app/session/numbers.h"
+#include "app/storage/places.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

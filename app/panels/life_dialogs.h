@@ -3,7 +3,7 @@
 // draw_unsaved_dialog().
 #pragma once
 
-#include "app/autosave.h"
+#include "app/storage/autosave.h"
 
 #include <functional>
 #include <string>

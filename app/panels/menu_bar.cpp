@@ -1,8 +1,8 @@
 // Menus from the command table at the left, buttons for the anatomical views at the right.
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
-#include "app/recent_files.h"
+#include "app/session/numbers.h"
+#include "app/storage/recent_files.h"
 #include "app/window/theme.h"
 
 #include <algorithm>
@@ -79,8 +79,8 @@ void draw_menus(InterfaceContext& context) {
             std::string_view previous;
             for (const Command& command : command_table()) {
                 if (command.menu != menu) continue;
-                const bool new_switch = previous != command.name &&
-                                        (command.name.starts_with("lasso-") || command.name == "colour-map");
+                const bool new_switch =
+                    previous != command.name && (command.name.starts_with("lasso-") || command.name == "colour-map");
                 if (command.name == "quit" || command.name == "fit" || command.name == "panel" || new_switch)
                     ImGui::Separator();
                 previous = command.name;

@@ -1,10 +1,10 @@
 #include "app/panels/open_dialog.h"
 
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
-#include "app/places.h"
-#include "app/recent_files.h"
+#include "app/session/numbers.h"
+#include "app/storage/places.h"
+#include "app/storage/recent_files.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // The tree as a flat picture under the 3D one: hover, click and lasso work in both, and each shows what the other does.
 #include "app/panels/overview.h"
 
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
+#include "app/session/numbers.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-// The overview panel under the picture: the tree as a dendrogram (app/overview_layout.h), linked both ways with the
-// picture. This is what it remembers between frames; draw_overview() does the rest.
+// The overview panel under the picture: the tree as a dendrogram (app/picture/overview_layout.h), linked both ways with
+// the picture. This is what it remembers between frames; draw_overview() does the rest.
 #pragma once
 
-#include "app/overview_layout.h"
-#include "app/session.h"
+#include "app/picture/overview_layout.h"
+#include "app/session/session.h"
 
 #include <glm/vec4.hpp>
 #include <imgui.h>

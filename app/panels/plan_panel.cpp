@@ -1,8 +1,8 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
 // is Document::plan(); everything done goes through commands.
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
+#include "app/session/numbers.h"
 #include "app/tools/spelling.h"
 #include "app/window/theme.h"
 

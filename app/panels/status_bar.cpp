@@ -1,8 +1,8 @@
 // The line at the bottom: the way from the root to the branch at hand at the left, progress or what the picture is made
 // of at the right.
-#include "app/numbers.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
+#include "app/session/numbers.h"
 #include "app/window/theme.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "app/tools/measure_tools.h"
 
-#include "app/numbers.h"
+#include "app/session/numbers.h"
 #include "app/tools/spelling.h"
 #include "core/measure/branch_place.h"
 

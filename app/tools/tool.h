@@ -4,7 +4,7 @@
 // window: places are pixels of the picture from the top left.
 #pragma once
 
-#include "app/document.h"
+#include "app/session/document.h"
 #include "app/tools/viewport_mouse.h"
 #include "render/renderer.h"
 

@@ -1,6 +1,6 @@
 #include "app/window/status_file.h"
 
-#include "app/session_file.h"
+#include "app/session/session_file.h"
 #include "core/io/output_file.h"
 
 #include <nlohmann/json.hpp>

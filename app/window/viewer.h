@@ -6,15 +6,15 @@
 // nothing will happen by itself.
 #pragma once
 
-#include "app/compose.h"
-#include "app/keys.h"
+#include "app/actions/keys.h"
 #include "app/panels/interface.h"
+#include "app/picture/compose.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/pace.h"
-#include "app/workspace.h"
+#include "app/workspace/workspace.h"
 #include "render/renderer.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // What a Viewer does about files: opening and saving, what was left by other runs, and what it asks before work is
 // lost.
-#include "app/places.h"
-#include "app/recent_files.h"
+#include "app/storage/places.h"
+#include "app/storage/recent_files.h"
 #include "app/window/viewer.h"
 
 #include <algorithm>

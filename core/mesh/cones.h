@@ -9,8 +9,8 @@
 
 namespace ramus::mesh {
 
-// `detail`: sides of a cone; below 8 its ends are pyramids. Normals are exact, radius and branch per vertex as everywhere. Fails when cancelled or
-// when the mesh would not fit into 32-bit indices.
+// `detail`: sides of a cone; below 8 its ends are pyramids. Normals are exact, radius and branch per vertex as
+// everywhere. Fails when cancelled or when the mesh would not fit into 32-bit indices.
 [[nodiscard]] Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job);
 
 } // namespace ramus::mesh

@@ -1,6 +1,6 @@
-#include "app/autosave.h"
-#include "app/document.h"
-#include "app/workspace.h"
+#include "app/session/document.h"
+#include "app/storage/autosave.h"
+#include "app/workspace/workspace.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
@@ -130,7 +130,8 @@ TEST_CASE("what a living process keeps is not offered, and no two processes are 
 
 TEST_CASE("several are offered, the newest first, and each by itself") {
     const TemporaryFolder folder;
-    for (const char* tree : {"/data/a.swc", "/data/b.swc", "/data/c.swc"}) leave_behind(folder.path(), snapshot_of(tree));
+    for (const char* tree : {"/data/a.swc", "/data/b.swc", "/data/c.swc"})
+        leave_behind(folder.path(), snapshot_of(tree));
     const auto files = files_in(folder.path(), ".json");
     REQUIRE(files.size() == 3);
     auto found = find_abandoned(folder.path());

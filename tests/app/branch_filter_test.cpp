@@ -1,5 +1,5 @@
 // What people type to find branches.
-#include "app/branch_filter.h"
+#include "app/session/branch_filter.h"
 #include "tests/support/grown_tree.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "app/script.h"
+#include "app/actions/script.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>

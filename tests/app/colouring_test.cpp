@@ -1,10 +1,10 @@
 // What colours say: maps, quantities, legends, and the frame that a session with plans becomes.
-#include "app/centerlines.h"
-#include "app/colouring.h"
-#include "app/compose.h"
-#include "app/measured.h"
-#include "app/script.h"
-#include "app/session_file.h"
+#include "app/actions/script.h"
+#include "app/picture/centerlines.h"
+#include "app/picture/colouring.h"
+#include "app/picture/compose.h"
+#include "app/session/measured.h"
+#include "app/session/session_file.h"
 #include "tests/support/grown_tree.h"
 
 #include <algorithm>

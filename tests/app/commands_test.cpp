@@ -1,6 +1,6 @@
-#include "app/compose.h"
-#include "app/keys.h"
-#include "app/script.h"
+#include "app/actions/keys.h"
+#include "app/actions/script.h"
+#include "app/picture/compose.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>

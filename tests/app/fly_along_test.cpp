@@ -1,6 +1,6 @@
 // Flying along the vessels is smooth and keeps the vessel in sight.
-#include "app/branch_facts.h"
-#include "app/fly_along.h"
+#include "app/picture/fly_along.h"
+#include "app/session/branch_facts.h"
 #include "tests/support/grown_tree.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "app/document.h"
-#include "app/script.h"
+#include "app/actions/script.h"
+#include "app/session/document.h"
 #include "core/base/memory.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // Names that follow their dependents, and what a branch's facts sum up.
-#include "app/branch_facts.h"
-#include "app/labels.h"
+#include "app/session/branch_facts.h"
+#include "app/session/labels.h"
 #include "tests/support/grown_tree.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/script.h"
+#include "app/actions/script.h"
 #include "app/tools/lasso.h"
 #include "app/tools/pixel_polygon.h"
 #include "app/tools/tool.h"

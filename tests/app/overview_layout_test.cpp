@@ -1,5 +1,5 @@
 // The flat picture of a tree: nothing overlaps, parents span their children, and its cost is that of its pixels.
-#include "app/overview_layout.h"
+#include "app/picture/overview_layout.h"
 #include "core/base/stopwatch.h"
 #include "tests/support/grown_tree.h"
 

@@ -1,5 +1,5 @@
-#include "app/report_page.h"
-#include "app/report_tables.h"
+#include "app/reports/report_page.h"
+#include "app/reports/report_tables.h"
 #include "core/io/swc.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/temporary_folder.h"

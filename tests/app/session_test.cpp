@@ -1,5 +1,5 @@
-#include "app/document.h"
-#include "app/session_file.h"
+#include "app/session/document.h"
+#include "app/session/session_file.h"
 
 #include <doctest/doctest.h>
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "app/document.h"
-#include "app/places.h"
-#include "app/settings.h"
+#include "app/session/document.h"
+#include "app/storage/places.h"
+#include "app/storage/settings.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstdlib>
@@ -21,7 +21,8 @@ namespace {
 class Environment {
 public:
     Environment() {
-        for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_PICTURES_DIR", "XDG_DOCUMENTS_DIR"}) {
+        for (const char* name :
+             {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_PICTURES_DIR", "XDG_DOCUMENTS_DIR"}) {
             const char* value = std::getenv(name);
             before_[name] = value == nullptr ? std::nullopt : std::optional<std::string>(value);
             ::unsetenv(name);
@@ -73,9 +74,9 @@ TEST_CASE("settings that cannot be understood are told of, kept aside, and do no
     const TemporaryFolder folder;
     CHECK(read_settings(folder.path()).trouble.empty()); // none yet
     CHECK(read_settings({}).trouble.empty());
-    for (const char* text : {"", "no JSON", "[]", R"({"window": [10, 10]})", R"({"window": "large"})",
-                             R"({"ui_scale": 99})", R"({"panel_open": 1})", R"({"recent_files": 2.5})",
-                             R"({"last_folder": {}})"}) {
+    for (const char* text :
+         {"", "no JSON", "[]", R"({"window": [10, 10]})", R"({"window": "large"})", R"({"ui_scale": 99})",
+          R"({"panel_open": 1})", R"({"recent_files": 2.5})", R"({"last_folder": {}})"}) {
         CAPTURE(text);
         std::ofstream(folder.path() / "settings.json") << text;
         const StoredSettings read = read_settings(folder.path());

@@ -1,5 +1,5 @@
 // The window's surface: what it shows on the way, and that it ends where a surface made from nothing ends.
-#include "app/surface_maker.h"
+#include "app/workspace/surface_maker.h"
 #include "tests/support/grown_tree.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/command_table.h"
+#include "app/actions/command_table.h"
 #include "app/tools/lasso_tool.h"
 #include "app/tools/tool_kinds.h"
 #include "app/tools/tool_mouse.h"

@@ -1,6 +1,6 @@
 // Commands that move the camera to a branch and along the vessels, and those for names and the overview.
-#include "app/command_table.h"
-#include "app/script.h"
+#include "app/actions/command_table.h"
+#include "app/actions/script.h"
 #include "tests/support/grown_tree.h"
 
 #include <doctest/doctest.h>

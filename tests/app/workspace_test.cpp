@@ -1,7 +1,7 @@
-#include "app/session_file.h"
-#include "app/tree_source.h"
-#include "app/worker.h"
-#include "app/workspace.h"
+#include "app/session/session_file.h"
+#include "app/storage/tree_source.h"
+#include "app/workspace/workspace.h"
+#include "core/base/worker.h"
 
 #include <atomic>
 #include <chrono>

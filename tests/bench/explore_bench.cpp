@@ -1,8 +1,8 @@
 // What a surgeon waits for: selecting a subtree and lassoing a thousand of 30,000 branches, each within 10 ms, and
 // hiding a subtree of the 1,504-branch tree until its closed surface is there, within 100 ms. Commands run as the
 // window runs them. Exit status 1 when a median is over its limit.
-#include "app/command_table.h"
-#include "app/surface_maker.h"
+#include "app/actions/command_table.h"
+#include "app/workspace/surface_maker.h"
 #include "core/base/stopwatch.h"
 #include "core/tree/dependency.h"
 #include "tests/support/grown_tree.h"

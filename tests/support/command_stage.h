@@ -1,7 +1,7 @@
 // A document in the hands of a commands file, as tests drive it: run lines, look at the marks, read what was said.
 #pragma once
 
-#include "app/script.h"
+#include "app/actions/script.h"
 
 #include <doctest/doctest.h>
 #include <memory>

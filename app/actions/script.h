@@ -1,0 +1,23 @@
+// Commands files: one command a line, `#` starts a comment, double quotes hold words with blanks (\" and \\ inside
+// them); a word that begins with a brace is JSON up to the brace that closes it. A line that fails stops the run; the
+// error's place is file:line.
+#pragma once
+
+#include "app/actions/command_table.h"
+
+namespace ramus::app {
+
+struct ScriptLine {
+    int number = 0; // from 1
+    std::vector<std::string> words;
+    bool operator==(const ScriptLine&) const = default;
+};
+
+// Lines without words are left out. Fails on a quote that is not closed.
+[[nodiscard]] Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& file);
+[[nodiscard]] Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path);
+
+[[nodiscard]] Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines,
+                                      const std::string& file);
+
+} // namespace ramus::app

@@ -1,0 +1,96 @@
+#include "app/picture/centerlines.h"
+
+#include "render/bounds.h"
+
+#include <glm/geometric.hpp>
+#include <mutex>
+#include <vector>
+
+namespace ramus::app {
+
+namespace {
+
+// Where each branch of the file begins and how long it is, mm along the vessels.
+struct Extent {
+    double begin = 0.0, length = 0.0;
+};
+
+std::vector<Extent> extents_of(const tree::VesselTree& tree) {
+    std::vector<Extent> extents(tree.branches.size());
+    std::vector<int> order; // parents before children
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto id = static_cast<std::size_t>(order[i]);
+        const tree::Branch& branch = tree.branches[id];
+        Extent& own = extents[id];
+        own.length = tree::length_mm(tree, branch);
+        if (branch.parent != tree::kNoBranch) {
+            const Extent& parent = extents[static_cast<std::size_t>(branch.parent)];
+            own.begin = parent.begin + parent.length;
+        }
+        order.insert(order.end(), branch.children.begin(), branch.children.end());
+    }
+    return extents;
+}
+
+} // namespace
+
+render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
+    const mesh::PreparedTree prepared = mesh::prepare_tree(tree, options);
+    const auto& points = prepared.tree.points;
+    render::Box box;
+    for (const tree::Point& point : points) box.include(point.position);
+
+    // Runs of the file's branches: pruning joins some into one branch, one behind the other.
+    std::vector<std::vector<std::uint32_t>> runs(tree.branches.size());
+    std::size_t segment = 0;
+    for (const tree::Branch& branch : prepared.tree.branches)
+        for (std::size_t i = 0; i + 1 < branch.points.size(); ++i, ++segment) {
+            auto& run = runs[static_cast<std::size_t>(prepared.segment_source[segment])];
+            if (run.empty() || run.back() != branch.points[i]) run.push_back(branch.points[i]);
+            run.push_back(branch.points[i + 1]);
+        }
+
+    render::Centerlines lines;
+    lines.origin = box.empty() ? glm::dvec3(0.0) : box.centre();
+    lines.runs.resize(tree.branches.size());
+    const std::vector<Extent> extents = extents_of(tree);
+    for (std::size_t id = 0; id < runs.size(); ++id) {
+        const auto& run = runs[id];
+        lines.runs[id] = {static_cast<std::uint32_t>(lines.points.size()), static_cast<std::uint32_t>(run.size())};
+        double length = 0.0;
+        for (std::size_t i = 1; i < run.size(); ++i)
+            length += glm::distance(points[run[i - 1]].position, points[run[i]].position);
+        double so_far = 0.0;
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            const tree::Point& point = points[run[i]];
+            if (i > 0) so_far += glm::distance(points[run[i - 1]].position, point.position);
+            const double share = length > 0.0 ? so_far / length : 0.0;
+            lines.points.emplace_back(glm::vec3(point.position - lines.origin),
+                                      static_cast<float>(extents[id].begin + share * extents[id].length));
+            lines.details.push_back({static_cast<float>(2.0 * point.radius), static_cast<std::int32_t>(id)});
+        }
+    }
+    return lines;
+}
+
+std::shared_ptr<const render::Centerlines> centerlines_of(const std::shared_ptr<const tree::VesselTree>& tree,
+                                                          const mesh::SurfaceOptions& options) {
+    static std::mutex mutex;
+    static std::weak_ptr<const tree::VesselTree> of_tree;
+    static mesh::SurfaceOptions of_options;
+    static std::shared_ptr<const render::Centerlines> kept;
+    if (!tree) return nullptr;
+    const std::lock_guard lock(mutex);
+    const bool same = kept && of_tree.lock() == tree && of_options.smooth_passes == options.smooth_passes &&
+                      of_options.prune_ratio == options.prune_ratio;
+    if (!same) {
+        kept = std::make_shared<const render::Centerlines>(make_centerlines(*tree, options));
+        of_tree = tree;
+        of_options = options;
+    }
+    return kept;
+}
+
+} // namespace ramus::app

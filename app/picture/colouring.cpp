@@ -1,0 +1,255 @@
+#include "app/picture/colouring.h"
+
+#include "app/session/labels.h"
+#include "app/session/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+using render::Legend;
+
+// Neighbouring ids far apart on the colour circle: steps of the golden angle.
+glm::vec3 distinct(std::size_t index) {
+    const double hue = std::fmod(static_cast<double>(index) * 0.61803398875, 1.0) * 6.0;
+    const auto channel = [&](double shift) {
+        const double k = std::fmod(shift + hue, 6.0);
+        return static_cast<float>(0.88 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
+    };
+    return {channel(5.0), channel(3.0), channel(1.0)};
+}
+
+// Few things told apart, by colour-blind eyes too (M. Okabe and K. Ito, 2008); then any others.
+glm::vec3 label_colour(std::size_t index) {
+    constexpr std::array<glm::vec3, 7> kPalette{{{0.902F, 0.624F, 0.000F},
+                                                 {0.337F, 0.706F, 0.914F},
+                                                 {0.000F, 0.620F, 0.451F},
+                                                 {0.941F, 0.894F, 0.259F},
+                                                 {0.000F, 0.447F, 0.698F},
+                                                 {0.835F, 0.369F, 0.000F},
+                                                 {0.800F, 0.475F, 0.655F}}};
+    return index < kPalette.size() ? kPalette[index] : distinct(index);
+}
+
+double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
+    double sum = 0.0;
+    for (const auto point : branch.points) sum += 2.0 * tree.points[point].radius;
+    return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
+}
+
+// Round numbers from `low` to `high`: 1, 2 and 5 times powers of ten, few enough for a legend.
+std::vector<double> round_numbers(double low, double high, bool logarithmic) {
+    std::vector<double> found;
+    if (logarithmic) {
+        for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
+            for (const double step : {1.0, 2.0, 5.0})
+                if (const double v = step * std::pow(10.0, decade); v >= low * 0.999 && v <= high * 1.001)
+                    found.push_back(v);
+        return found;
+    }
+    const double rough = (high - low) / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double step = power * (rough <= 1.0 * power   ? 1.0
+                                 : rough <= 2.0 * power ? 2.0
+                                 : rough <= 5.0 * power ? 5.0
+                                                        : 10.0);
+    for (double v = std::ceil(low / step) * step; v <= high + 1e-9 * step; v += step) found.push_back(v);
+    return found;
+}
+
+Legend bar_legend(const char* title, ColourMap map, double low, double high, bool logarithmic) {
+    Legend legend;
+    legend.title = title;
+    legend.bar = ramp_of(map);
+    const auto at = [&](double v) {
+        if (!(high > low)) return 0.5;
+        return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    };
+    std::vector<double> numbers = high > low ? round_numbers(low, high, logarithmic) : std::vector<double>{low};
+    if (numbers.size() < 2 && high > low) numbers = {low, high};
+    for (const double v : numbers) legend.ticks.push_back({at(v), rounded(v)});
+    return legend;
+}
+
+// Whole numbers: each its swatch while they are few.
+void colour_by_count(Colouring& colouring, const std::vector<int>& values, ColourMap map, const char* title) {
+    if (values.empty()) return;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto share = [&](int v) { return *most > *least ? double(v - *least) / double(*most - *least) : 0.5; };
+    for (const int v : values) colouring.branches.push_back(colour_at(map, share(v)));
+    constexpr int kFew = 9;
+    if (*most - *least >= kFew) {
+        colouring.legend = bar_legend(title, map, *least, *most, false);
+        return;
+    }
+    colouring.legend.title = title;
+    for (int v = *most; v >= *least; --v)
+        colouring.legend.swatches.push_back({colour_at(map, share(v)), std::to_string(v)});
+}
+
+void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, ColourMap map) {
+    double low = 1e300, high = 0.0;
+    for (const tree::Branch& branch : tree.branches)
+        for (const auto point : branch.points) {
+            low = std::min(low, 2.0 * tree.points[point].radius);
+            high = std::max(high, 2.0 * tree.points[point].radius);
+        }
+    if (!(high > 0.0)) return;
+    for (const tree::Branch& branch : tree.branches) {
+        const double share = high > low ? std::log(mean_diameter(tree, branch) / low) / std::log(high / low) : 0.5;
+        colouring.branches.push_back(colour_at(map, share));
+    }
+    colouring.legend = bar_legend("Diameter (mm)", map, low, high, true);
+    colouring.scale = {render::ColourScale::Value::kDiameter, static_cast<float>(low), static_cast<float>(high), true,
+                       ramp_of(map)};
+}
+
+void colour_by_root_distance(Colouring& colouring, const tree::VesselTree& tree, ColourMap map) {
+    std::vector<double> begin(tree.branches.size(), 0.0), length(tree.branches.size(), 0.0);
+    std::vector<int> order; // parents before children
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto id = static_cast<std::size_t>(order[i]);
+        const tree::Branch& branch = tree.branches[id];
+        length[id] = tree::length_mm(tree, branch);
+        if (branch.parent != tree::kNoBranch) {
+            const auto parent = static_cast<std::size_t>(branch.parent);
+            begin[id] = begin[parent] + length[parent];
+        }
+        farthest = std::max(farthest, begin[id] + length[id]);
+        order.insert(order.end(), branch.children.begin(), branch.children.end());
+    }
+    if (!(farthest > 0.0)) return;
+    for (std::size_t id = 0; id < begin.size(); ++id)
+        colouring.branches.push_back(colour_at(map, (begin[id] + 0.5 * length[id]) / farthest));
+    colouring.legend = bar_legend("Distance from root (mm)", map, 0.0, farthest, false);
+    colouring.scale = {render::ColourScale::Value::kRootDistance, 0.0F, static_cast<float>(farthest), false,
+                       ramp_of(map)};
+}
+
+void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan, std::size_t branches) {
+    const auto& bands = marks.planning.bands_mm;
+    const std::size_t count = std::min(bands.size(), render::Margins::kMost);
+    Legend& legend = colouring.legend;
+    legend.title = "Distance to lesion (mm)";
+    colouring.branches.assign(branches, kBeyondMargins);
+    if (plan == nullptr || plan->lesions.empty()) {
+        legend.title = "No lesion";
+        return;
+    }
+    colouring.margins.beyond = kBeyondMargins;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 colour = margin_colour(i, count);
+        colouring.margins.bands.push_back({static_cast<float>(bands[i]), colour});
+        legend.swatches.push_back({colour, (i == 0 ? "up to " : rounded(bands[i - 1]) + " to ") + rounded(bands[i])});
+    }
+    if (count > 0) legend.swatches.push_back({kBeyondMargins, "beyond " + rounded(bands[count - 1])});
+    for (std::size_t id = 0; id < std::min(branches, plan->lesion_distances_mm.size()); ++id)
+        for (std::size_t i = count; i-- > 0;)
+            if (plan->lesion_distances_mm[id] <= bands[i]) colouring.branches[id] = margin_colour(i, count);
+}
+
+void colour_by_label(Colouring& colouring, const tree::VesselTree& tree, const Marks& marks) {
+    constexpr glm::vec3 kUnnamed{0.47F, 0.50F, 0.54F};
+    std::map<int, glm::vec3> colours;
+    colouring.legend.title = marks.names.empty() ? "No branch has a name" : "Names";
+    for (const auto& [id, name] : marks.names) {
+        const glm::vec3 colour = label_colour(colours.size());
+        colours[id] = colour;
+        colouring.legend.swatches.push_back({colour, latin1(name)});
+    }
+    for (const int source : label_sources(tree, marks.names)) {
+        const auto found = colours.find(source);
+        colouring.branches.push_back(found == colours.end() ? kUnnamed : found->second);
+    }
+}
+
+void explain_states(Colouring& colouring, const Marks& marks, std::size_t branches) {
+    using render::BranchState;
+    const render::Appearance look;
+    colouring.legend.title = "State";
+    const auto any = [&](BranchState state) { return std::ranges::find(marks.states, state) != marks.states.end(); };
+    const auto marked = std::ranges::count_if(marks.states, [](BranchState s) { return s != BranchState::kNormal; });
+    if (static_cast<std::size_t>(marked) < branches) colouring.legend.swatches.push_back({look.vessel, "normal"});
+    if (any(BranchState::kHighlighted)) colouring.legend.swatches.push_back({look.highlight, "highlighted"});
+    if (any(BranchState::kDefocused)) colouring.legend.swatches.push_back({0.75F * look.glass, "defocused"});
+    if (!marks.selection.empty()) colouring.legend.swatches.push_back({look.selection, "selected"});
+}
+
+} // namespace
+
+glm::vec3 margin_colour(std::size_t index, std::size_t count) {
+    // From what is near to what is far: after the diverging red-yellow-blue maps, safe for colour-blind eyes.
+    constexpr std::array<glm::vec3, 5> kStations{{{0.843F, 0.188F, 0.153F},
+                                                  {0.957F, 0.545F, 0.263F},
+                                                  {0.996F, 0.878F, 0.565F},
+                                                  {0.569F, 0.749F, 0.859F},
+                                                  {0.271F, 0.459F, 0.706F}}};
+    if (count <= 3) return kStations[std::min<std::size_t>(index, 2)];
+    const double at = 4.0 * static_cast<double>(index) / static_cast<double>(count - 1);
+    const auto below = std::min<std::size_t>(static_cast<std::size_t>(at), 3);
+    return glm::mix(kStations[below], kStations[below + 1], static_cast<float>(at - static_cast<double>(below)));
+}
+
+std::string latin1(const std::string& utf8) {
+    std::string text;
+    for (std::size_t i = 0; i < utf8.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(utf8[i]);
+        if (byte < 0x80) {
+            text += utf8[i];
+        } else if ((byte == 0xC2 || byte == 0xC3) && i + 1 < utf8.size()) {
+            text += static_cast<char>(((byte & 3U) << 6U) | (static_cast<unsigned char>(utf8[++i]) & 0x3FU));
+        } else {
+            text += '?';
+            while (i + 1 < utf8.size() && (static_cast<unsigned char>(utf8[i + 1]) & 0xC0U) == 0x80U) ++i;
+        }
+    }
+    return text;
+}
+
+Colouring colouring_of(const tree::VesselTree& tree, const Marks& marks, const Plan* plan) {
+    Colouring colouring;
+    std::vector<int> values;
+    switch (marks.colour_by) {
+    case ColourBy::kNothing:
+        return colouring;
+    case ColourBy::kState:
+        explain_states(colouring, marks, tree.branches.size());
+        break;
+    case ColourBy::kGeneration:
+        for (const tree::Branch& branch : tree.branches) values.push_back(branch.generation);
+        colour_by_count(colouring, values, marks.colour_map, "Generation");
+        break;
+    case ColourBy::kStrahler:
+        for (const tree::Branch& branch : tree.branches) values.push_back(branch.strahler);
+        colour_by_count(colouring, values, marks.colour_map, "Strahler order");
+        break;
+    case ColourBy::kDiameter:
+        colour_by_diameter(colouring, tree, marks.colour_map);
+        break;
+    case ColourBy::kRootDistance:
+        colour_by_root_distance(colouring, tree, marks.colour_map);
+        break;
+    case ColourBy::kLesion:
+        colour_by_lesion(colouring, marks, plan, tree.branches.size());
+        break;
+    case ColourBy::kLabel:
+        colour_by_label(colouring, tree, marks);
+        break;
+    case ColourBy::kBranch:
+        for (std::size_t i = 0; i < tree.branches.size(); ++i) colouring.branches.push_back(distinct(i));
+        break;
+    }
+    const bool any_lost =
+        plan != nullptr && std::ranges::any_of(plan->cuts.spans, [](const auto& s) { return s.any(); });
+    if (any_lost && !colouring.legend.title.empty())
+        colouring.legend.swatches.push_back({render::Appearance{}.lost, "lost", true});
+    return colouring;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,31 @@
+// What the colours of a picture say: the colour of every branch, what varies along branches or with the distance to
+// lesions, and the legend of it. Derived from a session; the picture, flat pictures of the tree and reports use it.
+#pragma once
+
+#include "app/session/plan.h"
+#include "app/session/session.h"
+#include "render/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+struct Colouring {
+    std::vector<glm::vec3> branches; // sRGB by branch id, of the branch as a whole; empty: all have the vessels' colour
+    render::ColourScale scale;       // finer than `branches`, for the picture
+    render::Margins margins;         // the same
+    render::Legend legend;           // without a title when there is nothing to explain
+};
+
+// `plan`: of the same marks (Document::plan()); null: as without lesions and cuts.
+[[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const Marks& marks, const Plan* plan);
+
+// The colour of a margin around lesions, the innermost first; beyond all of them.
+[[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);
+inline constexpr glm::vec3 kBeyondMargins{0.56F, 0.60F, 0.66F};
+
+// UTF-8 as the Latin-1 that pictures are lettered in; what that does not have becomes a question mark.
+[[nodiscard]] std::string latin1(const std::string& utf8);
+
+} // namespace ramus::app

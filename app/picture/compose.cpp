@@ -1,0 +1,71 @@
+#include "app/picture/compose.h"
+
+#include "app/picture/centerlines.h"
+#include "app/picture/colouring.h"
+#include "app/picture/distance_grid.h"
+#include "app/picture/marks_drawing.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+void show_plan(render::Frame& frame, const tree::VesselTree& tree, const Marks& marks, const Plan& plan) {
+    for (const auto& [x, y, z, radius] : marks.lesions) frame.lesions.spheres.emplace_back(x, y, z, radius);
+    for (const auto& lesion : plan.meshes)
+        if (lesion) frame.lesions.meshes.emplace_back(lesion, &lesion->mesh);
+    if (!frame.margins.bands.empty())
+        frame.lesions.distances = distance_grid(plan.lesions, frame.margins.bands.back().within_mm);
+    for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), tree.branches.size()); ++id)
+        if (const measure::LostSpan& span = plan.cuts.spans[id]; span.any())
+            frame.lost.push_back({static_cast<int>(id), span.from, span.to});
+}
+
+} // namespace
+
+render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
+                      std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing) {
+    render::Frame frame;
+    frame.mesh = std::move(mesh);
+    frame.camera = session.camera;
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh != nullptr; // nothing to measure
+    frame.size = viewing.size;
+    frame.pixel_ratio = viewing.pixel_ratio;
+    frame.states = session.marks.states;
+    frame.selected = session.marks.selection;
+    frame.hovered = viewing.hovered;
+    frame.hovered_dependents.assign(viewing.hovered_dependents.begin(), viewing.hovered_dependents.end());
+    frame.background.transparent = viewing.transparent;
+    frame.quality = viewing.quality;
+    const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
+    frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
+    // A grey with a cool tint, as bright as it says.
+    frame.appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
+    if (!tree) return frame;
+    const Marks& marks = session.marks;
+    const Plan* plan = viewing.plan.get();
+    Colouring colouring = colouring_of(*tree, marks, plan);
+    frame.colours = std::move(colouring.branches);
+    frame.scale = std::move(colouring.scale);
+    frame.margins = std::move(colouring.margins);
+    if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
+    if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
+    const bool any_glass = std::ranges::find(frame.states, render::BranchState::kDefocused) != frame.states.end();
+    if (any_glass || !marks.cuts.empty() || frame.scale.value != render::ColourScale::Value::kNone)
+        frame.centerlines = centerlines_of(tree, marks.options);
+    draw_cuts(frame, marks, plan);
+    if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
+    return frame;
+}
+
+render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh, Viewing viewing) {
+    viewing.plan = document.plan();
+    viewing.measurements = document.measurements();
+    if (viewing.hovered >= 0 && viewing.hovered < document.branch_count())
+        viewing.hovered_dependents = document.dependency().dependents(viewing.hovered);
+    return compose(document.session(), document.tree(), std::move(mesh), viewing);
+}
+
+} // namespace ramus::app

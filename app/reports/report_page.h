@@ -1,0 +1,25 @@
+// The report as one web page that needs nothing beside it: pictures are inside, it prints on paper, and whatever comes
+// from files or people is escaped. No GL: who has pictures gives them.
+#pragma once
+
+#include "app/session/document.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::app {
+
+struct ReportPicture {
+    std::string caption; // "Anterior"
+    std::string png;     // the file's bytes
+};
+
+// UTF-8. `made`: when, for the head of the page. The first picture is the large one. The document has a tree.
+[[nodiscard]] std::string report_page(const Document& document, const std::vector<ReportPicture>& pictures,
+                                      const std::string& made);
+
+[[nodiscard]] std::string html_text(std::string_view text); // with & < > " ' escaped
+[[nodiscard]] std::string base64(std::string_view bytes);   // RFC 4648
+
+} // namespace ramus::app

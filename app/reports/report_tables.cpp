@@ -1,0 +1,186 @@
+#include "app/reports/report_tables.h"
+
+#include "app/session/labels.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace ramus::app {
+
+namespace {
+
+// What branches are called, their own name or that of what they depend on.
+class Names {
+public:
+    explicit Names(const Document& document)
+        : names_(document.marks().names), sources_(label_sources(*document.tree(), names_)) {}
+    [[nodiscard]] std::string of(int branch) const {
+        const int source = sources_[static_cast<std::size_t>(branch)];
+        return source == tree::kNoBranch ? "" : names_.at(source);
+    }
+
+private:
+    const BranchNames& names_;
+    std::vector<int> sources_;
+};
+
+const std::vector<Column> kDependents{{"dependent_branches", "Depend on it"},
+                                      {"dependent_length_mm", "their length, mm"},
+                                      {"dependent_volume_mm3", "volume, mm\xC2\xB3"},
+                                      {"dependent_leaves", "ends"}};
+
+void add(std::vector<Cell>& row, const measure::Amount& amount) {
+    row.insert(row.end(), {amount.branches, amount.length_mm, amount.volume_mm3, amount.leaves});
+}
+
+} // namespace
+
+Table selection_table(const Document& document) {
+    Table table{"Selection",
+                {{"branch", "Branch"},
+                 {"name", "Name"},
+                 {"mean_diameter_mm", "Diameter, mm"},
+                 {"least_diameter_mm", "least"},
+                 {"largest_diameter_mm", "largest"},
+                 {"length_mm", "Length, mm"},
+                 {"volume_mm3", "Volume, mm\xC2\xB3"},
+                 {"generation", "Generation"},
+                 {"strahler", "Strahler order"},
+                 {"state", "State"}},
+                {}};
+    table.columns.insert(table.columns.end(), kDependents.begin(), kDependents.end());
+    const auto plan = document.plan();
+    const bool lesions = !plan->lesion_distances_mm.empty();
+    if (lesions) table.columns.push_back({"lesion_distance_mm", "To lesion, mm"});
+    const Names names(document);
+    for (const int id : document.marks().selection) {
+        const auto index = static_cast<std::size_t>(id);
+        const BranchFacts& facts = document.facts()->branches[index];
+        const tree::Branch& branch = document.tree()->branches[index];
+        std::vector<Cell> row{id,
+                              names.of(id),
+                              facts.mean_diameter_mm,
+                              facts.min_diameter_mm,
+                              facts.max_diameter_mm,
+                              facts.length_mm,
+                              facts.volume_mm3,
+                              branch.generation,
+                              branch.strahler,
+                              std::string(name_of(state_of(document.marks(), id)))};
+        add(row, document.facts()->dependents[index]);
+        if (lesions) row.emplace_back(plan->lesion_distances_mm[index]);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+Table cuts_table(const Document& document) {
+    Table table{"Cuts",
+                {{"cut", "Cut"},
+                 {"branch", "Branch"},
+                 {"name", "Name"},
+                 {"fraction", "At"},
+                 {"diameter_mm", "Diameter, mm"},
+                 {"must_be_reconstructed", "Must be reconstructed"},
+                 {"lost_branches", "Lost branches"},
+                 {"lost_length_mm", "Lost length, mm"},
+                 {"lost_volume_mm3", "Lost volume, mm\xC2\xB3"},
+                 {"lost_leaves", "Lost ends"}},
+                {}};
+    const auto plan = document.plan();
+    const auto& cuts = document.marks().cuts;
+    const Names names(document);
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        const measure::CutFigures& figures = plan->cuts.cuts[i];
+        std::vector<Cell> row{static_cast<int>(i + 1), cuts[i].first,       names.of(cuts[i].first),
+                              cuts[i].second,          figures.diameter_mm, figures.reconstruct ? "yes" : "no"};
+        add(row, figures.lost);
+        table.rows.push_back(std::move(row));
+    }
+    if (!cuts.empty()) {
+        std::vector<Cell> row{"all", "", "", "", "", ""};
+        add(row, plan->cuts.together);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+Table bands_table(const Document& document) {
+    Table table{"Margins around lesions",
+                {{"from_mm", "From, mm"},
+                 {"to_mm", "to, mm"},
+                 {"branch", "Branch"},
+                 {"name", "Name"},
+                 {"mean_diameter_mm", "Diameter, mm"},
+                 {"lesion_distance_mm", "To lesion, mm"}},
+                {}};
+    table.columns.insert(table.columns.end(), kDependents.begin(), kDependents.end());
+    const Names names(document);
+    const auto plan = document.plan();
+    for (const measure::Band& band : plan->bands)
+        for (const measure::BandRow& found : band.rows) {
+            std::vector<Cell> row{band.from_mm,           band.to_mm,       found.branch, names.of(found.branch),
+                                  found.mean_diameter_mm, found.distance_mm};
+            add(row, found.dependents);
+            table.rows.push_back(std::move(row));
+        }
+    return table;
+}
+
+Table measurements_table(const Document& document) {
+    Table table{"Measurements",
+                {{"measurement", "No."},
+                 {"kind", "Kind"},
+                 {"what", "What"},
+                 {"value", "Value"},
+                 {"unit", "Unit"},
+                 {"details", "Details"}},
+                {}};
+    const auto measurements = document.measurements();
+    for (std::size_t i = 0; i < measurements->size(); ++i) {
+        const Result<Measured>& found = (*measurements)[i];
+        if (!found) {
+            table.rows.push_back({static_cast<int>(i + 1), "", found.error().message(), "", "", ""});
+            continue;
+        }
+        std::string details;
+        for (const auto& [name, detail] : found->details)
+            details += (details.empty() ? "" : "; ") + name + " " + detail;
+        table.rows.push_back({static_cast<int>(i + 1), found->kind, found->what, found->value, found->unit, details});
+    }
+    return table;
+}
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string field = "\"";
+    for (const char c : text) {
+        if (c == '"') field += '"';
+        field += c;
+    }
+    return field + '"';
+}
+
+std::string csv_of(const Table& table) {
+    std::string text;
+    for (const Column& column : table.columns)
+        text.append(&column == &table.columns.front() ? "" : ",").append(csv_field(column.name));
+    text += "\r\n";
+    for (const std::vector<Cell>& row : table.rows) {
+        for (const Cell& cell : row) {
+            if (&cell != &row.front()) text += ',';
+            if (!cell.number) {
+                text += csv_field(cell.text);
+            } else if (std::isfinite(*cell.number)) {
+                char number[32];
+                const auto done =
+                    std::to_chars(number, number + sizeof number, *cell.number, std::chars_format::general, 9);
+                text.append(number, done.ptr);
+            }
+        }
+        text += "\r\n";
+    }
+    return text;
+}
+
+} // namespace ramus::app

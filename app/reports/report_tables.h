@@ -1,0 +1,45 @@
+// The tables of reports: what is selected, what cuts cost, what lies within the margins of lesions, what was measured.
+// Values with columns, from which CSV and the page are written. Numbers are kept as numbers: CSV gives them in full,
+// pages round them.
+#pragma once
+
+#include "app/session/document.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::app {
+
+struct Column {
+    std::string name;    // in CSV, with the unit: "length_mm"
+    std::string heading; // for people: "Length, mm"
+};
+
+struct Cell {
+    std::string text;
+    std::optional<double> number; // then `text` is empty
+    Cell(std::string words) : text(std::move(words)) {}
+    Cell(const char* words) : text(words) {}
+    Cell(double value) : number(value) {}
+    Cell(int value) : number(value) {}
+};
+
+struct Table {
+    std::string title;
+    std::vector<Column> columns;
+    std::vector<std::vector<Cell>> rows; // as long as `columns` each
+};
+
+// The document has a tree.
+[[nodiscard]] Table selection_table(const Document& document);    // a row for each selected branch
+[[nodiscard]] Table cuts_table(const Document& document);         // a row for each cut; all together in the last
+[[nodiscard]] Table bands_table(const Document& document);        // a row for each branch within a margin
+[[nodiscard]] Table measurements_table(const Document& document); // a row for each measurement
+
+// RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
+[[nodiscard]] std::string csv_of(const Table& table);
+[[nodiscard]] std::string csv_field(std::string_view text);
+
+} // namespace ramus::app

@@ -1,0 +1,53 @@
+#include "app/session/branch_facts.h"
+
+#include <algorithm>
+
+namespace ramus::app {
+
+TreeFacts facts_of(const tree::VesselTree& tree) {
+    TreeFacts facts;
+    facts.dependency = tree::Dependency(tree);
+    facts.statistics = measure::tree_statistics(tree);
+    facts.dependents = measure::dependent_amounts(tree, facts.statistics, facts.dependency);
+    facts.length_mm = facts.statistics.length_mm;
+    facts.volume_mm3 = facts.statistics.volume_mm3;
+    facts.min_diameter_mm = 2.0 * facts.statistics.radius_mm.min;
+    facts.max_diameter_mm = 2.0 * facts.statistics.radius_mm.max;
+    facts.generations = facts.statistics.generations;
+    facts.leaves = facts.statistics.leaves;
+    facts.branches.resize(tree.branches.size());
+    std::vector<int> order; // parents before children
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
+        const measure::BranchStatistics& known = facts.statistics.branches[id];
+        const measure::Amount& dependents = facts.dependents[id];
+        BranchFacts& own = facts.branches[id];
+        own.length_mm = known.length_mm;
+        own.mean_diameter_mm = known.diameter_mm.mean;
+        own.min_diameter_mm = known.diameter_mm.min;
+        own.max_diameter_mm = known.diameter_mm.max;
+        own.volume_mm3 = known.volume_mm3;
+        own.dependents = dependents.branches;
+        own.dependent_length_mm = dependents.length_mm;
+        own.dependent_volume_mm3 = dependents.volume_mm3;
+        own.dependent_leaves = dependents.leaves;
+    }
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto id = static_cast<std::size_t>(order[i]);
+        const auto& children = tree.branches[id].children;
+        const double end = facts.branches[id].root_distance_mm + facts.branches[id].length_mm;
+        for (const int child : children) facts.branches[static_cast<std::size_t>(child)].root_distance_mm = end;
+        order.insert(order.end(), children.begin(), children.end());
+    }
+    return facts;
+}
+
+std::vector<int> path_to(const tree::VesselTree& tree, int branch) {
+    std::vector<int> path;
+    for (int id = branch; id != tree::kNoBranch; id = tree.branches[static_cast<std::size_t>(id)].parent)
+        path.push_back(id);
+    std::reverse(path.begin(), path.end());
+    return path;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,264 @@
+#include "app/session/branch_filter.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::pair<std::string_view, BranchQuantity> kQuantities[] = {
+    {"id", BranchQuantity::kId},
+    {"gen", BranchQuantity::kGeneration},
+    {"generation", BranchQuantity::kGeneration},
+    {"str", BranchQuantity::kStrahler},
+    {"strahler", BranchQuantity::kStrahler},
+    {"d", BranchQuantity::kDiameter},
+    {"diameter", BranchQuantity::kDiameter},
+    {"len", BranchQuantity::kLength},
+    {"length", BranchQuantity::kLength},
+    {"deps", BranchQuantity::kDependents},
+    {"dependents", BranchQuantity::kDependents},
+    {"vol", BranchQuantity::kVolume},
+    {"volume", BranchQuantity::kVolume},
+    {"dist", BranchQuantity::kRootDistance},
+    {"distance", BranchQuantity::kRootDistance},
+};
+
+constexpr std::pair<std::string_view, BranchProperty> kProperties[] = {
+    {"normal", BranchProperty::kNormal},       {"highlighted", BranchProperty::kHighlighted},
+    {"defocused", BranchProperty::kDefocused}, {"hidden", BranchProperty::kHidden},
+    {"selected", BranchProperty::kSelected},   {"leaf", BranchProperty::kLeaf},
+    {"named", BranchProperty::kNamed},
+};
+
+constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
+    {"<=", Comparison::kLessOrEqual},
+    {"<", Comparison::kLess},
+    {">=", Comparison::kGreaterOrEqual},
+    {">", Comparison::kGreater},
+    {"==", Comparison::kEqual},
+    {"!=", Comparison::kNotEqual},
+    {"\xE2\x89\xA4", Comparison::kLessOrEqual},
+    {"\xE2\x89\xA5", Comparison::kGreaterOrEqual},
+    {"=", Comparison::kEqual},
+};
+
+// ASCII; labels in other letters are found as they are written.
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
+template <class Table> auto named(const Table& table, std::string_view name) {
+    const auto found = std::ranges::find_if(table, [&](const auto& entry) { return entry.first == name; });
+    return found == std::end(table) ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> number(std::string_view text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
+    return value;
+}
+
+class Parser {
+public:
+    explicit Parser(std::string_view text) : text_(text) {}
+
+    Result<BranchFilter> parse() {
+        BranchFilter filter;
+        for (skip_blanks(); at_ < text_.size(); skip_blanks()) {
+            auto condition = next();
+            if (!condition) return tl::unexpected(condition.error());
+            filter.push_back(std::move(*condition));
+        }
+        return filter;
+    }
+
+private:
+    void skip_blanks() {
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == ',')) ++at_;
+    }
+    std::optional<Comparison> take_comparison() {
+        for (const auto& [spelling, comparison] : kComparisons)
+            if (text_.substr(at_).starts_with(spelling)) {
+                at_ += spelling.size();
+                return comparison;
+            }
+        return {};
+    }
+    [[nodiscard]] bool at_comparison() const {
+        return std::ranges::any_of(kComparisons,
+                                   [&](const auto& entry) { return text_.substr(at_).starts_with(entry.first); });
+    }
+    std::string_view take_word() {
+        const std::size_t from = at_;
+        while (at_ < text_.size() && text_[at_] != ' ' && text_[at_] != '\t' && text_[at_] != ',' &&
+               text_[at_] != '"' && !at_comparison())
+            ++at_;
+        return text_.substr(from, at_ - from);
+    }
+
+    Result<BranchCondition> next() {
+        if (text_[at_] == '"') {
+            const std::size_t end = text_.find('"', at_ + 1);
+            if (end == std::string_view::npos) return fail("a quote is not closed");
+            BranchCondition condition{.text = lower(text_.substr(at_ + 1, end - at_ - 1))};
+            at_ = end + 1;
+            return condition;
+        }
+        const std::string word = lower(take_word());
+        const std::size_t behind = at_;
+        skip_blanks();
+        if (const auto comparison = take_comparison()) return quantity_condition(word, *comparison);
+        at_ = behind;
+        if (word.starts_with("is:")) {
+            const auto property = named(kProperties, word.substr(3));
+            if (!property) return fail("is: takes hidden, selected, highlighted, defocused, normal, leaf or named");
+            return BranchCondition{.kind = BranchCondition::Kind::kProperty, .property = *property};
+        }
+        return BranchCondition{.text = word};
+    }
+
+    Result<BranchCondition> quantity_condition(const std::string& word, Comparison comparison) {
+        if (word.empty()) return fail("what shall be compared?", {}, "d, len, gen, strahler, deps, vol, dist or id");
+        const auto quantity = named(kQuantities, word);
+        if (!quantity) return fail("\"" + word + "\" is not known", {}, "d, len, gen, strahler, deps, vol, dist or id");
+        skip_blanks();
+        std::string value = lower(take_word());
+        const auto is_unit = [](std::string_view unit) {
+            return unit == "mm" || unit == "mm3" || unit == "mm\xC2\xB3";
+        };
+        const std::size_t letters = value.find_first_of("m");
+        if (letters != std::string::npos && letters > 0 && is_unit(std::string_view(value).substr(letters)))
+            value.resize(letters);
+        else {
+            const std::size_t behind = at_;
+            skip_blanks();
+            if (!is_unit(lower(take_word()))) at_ = behind;
+        }
+        const auto parsed = number(value);
+        if (!parsed) return fail(value.empty() ? word + ": a number is missing" : "\"" + value + "\" is not a number");
+        return BranchCondition{.kind = BranchCondition::Kind::kQuantity,
+                               .quantity = *quantity,
+                               .comparison = comparison,
+                               .value = *parsed};
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+// Numbers are compared as they are shown: three digits.
+bool holds(double value, Comparison comparison, double wanted) {
+    const bool equal = std::abs(value - wanted) <= 5e-4 * std::abs(wanted);
+    switch (comparison) {
+    case Comparison::kLess:
+        return value < wanted;
+    case Comparison::kLessOrEqual:
+        return value <= wanted || equal;
+    case Comparison::kGreater:
+        return value > wanted;
+    case Comparison::kGreaterOrEqual:
+        return value >= wanted || equal;
+    case Comparison::kEqual:
+        return equal;
+    case Comparison::kNotEqual:
+        return !equal;
+    }
+    return false;
+}
+
+bool is_whole(BranchQuantity quantity) {
+    return quantity == BranchQuantity::kId || quantity == BranchQuantity::kGeneration ||
+           quantity == BranchQuantity::kStrahler || quantity == BranchQuantity::kDependents;
+}
+
+bool has(BranchProperty property, const tree::VesselTree& tree, const Marks& marks, int id, int source) {
+    using render::BranchState;
+    switch (property) {
+    case BranchProperty::kNormal:
+        return state_of(marks, id) == BranchState::kNormal;
+    case BranchProperty::kHighlighted:
+        return state_of(marks, id) == BranchState::kHighlighted;
+    case BranchProperty::kDefocused:
+        return state_of(marks, id) == BranchState::kDefocused;
+    case BranchProperty::kHidden:
+        return state_of(marks, id) == BranchState::kHidden;
+    case BranchProperty::kSelected:
+        return is_selected(marks, id);
+    case BranchProperty::kLeaf:
+        return tree.branches[static_cast<std::size_t>(id)].children.empty();
+    case BranchProperty::kNamed:
+        return source != tree::kNoBranch;
+    }
+    return false;
+}
+
+} // namespace
+
+Result<BranchFilter> parse_branch_filter(std::string_view text) { return Parser(text).parse(); }
+
+double value_of(BranchQuantity quantity, const tree::VesselTree& tree, const TreeFacts& facts, int id) {
+    const auto index = static_cast<std::size_t>(id);
+    const BranchFacts& own = facts.branches[index];
+    switch (quantity) {
+    case BranchQuantity::kId:
+        return id;
+    case BranchQuantity::kGeneration:
+        return tree.branches[index].generation;
+    case BranchQuantity::kStrahler:
+        return tree.branches[index].strahler;
+    case BranchQuantity::kDiameter:
+        return own.mean_diameter_mm;
+    case BranchQuantity::kLength:
+        return own.length_mm;
+    case BranchQuantity::kDependents:
+        return own.dependents;
+    case BranchQuantity::kVolume:
+        return own.volume_mm3;
+    case BranchQuantity::kRootDistance:
+        return own.root_distance_mm;
+    }
+    return 0.0;
+}
+
+std::vector<int> branches_passing(const BranchFilter& filter, const tree::VesselTree& tree, const TreeFacts& facts,
+                                  const Marks& marks) {
+    const std::vector<int> sources = label_sources(facts.dependency, marks.names);
+    std::map<int, std::string> labels; // lower case
+    for (const auto& [id, name] : marks.names) labels.emplace(id, lower(name));
+    const auto passes = [&](const BranchCondition& condition, int id) {
+        const int source = sources[static_cast<std::size_t>(id)];
+        switch (condition.kind) {
+        case BranchCondition::Kind::kQuantity: {
+            const double value = value_of(condition.quantity, tree, facts, id);
+            if (is_whole(condition.quantity) && condition.comparison == Comparison::kEqual)
+                return value == condition.value;
+            if (is_whole(condition.quantity) && condition.comparison == Comparison::kNotEqual)
+                return value != condition.value;
+            return holds(value, condition.comparison, condition.value);
+        }
+        case BranchCondition::Kind::kProperty:
+            return has(condition.property, tree, marks, id, source);
+        case BranchCondition::Kind::kText:
+            return std::to_string(id) == condition.text ||
+                   (source != tree::kNoBranch && labels.at(source).find(condition.text) != std::string::npos);
+        }
+        return false;
+    };
+    std::vector<int> ids;
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id)
+        if (std::ranges::all_of(filter, [&](const BranchCondition& condition) { return passes(condition, id); }))
+            ids.push_back(id);
+    return ids;
+}
+
+} // namespace ramus::app

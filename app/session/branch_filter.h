@@ -1,0 +1,48 @@
+// What somebody types to find branches: conditions and words, all of which must hold.
+//
+//     d>3            mean diameter in mm; also gen, strahler, len, deps, vol, dist (mm from the root), id
+//     gen<=5 len>=20 operators < <= > >= = !=; blanks around them are fine, so are units ("d > 3 mm")
+//     is:hidden      also selected, highlighted, defocused, normal, leaf, named
+//     right hepatic  words occur in the label, whatever their case; "quoted words" together
+//     17             a whole number is an id, or occurs in the label
+//
+// Parsing is pure and total: it gives a filter or says what is wrong with the text.
+#pragma once
+
+#include "app/session/branch_facts.h"
+#include "app/session/labels.h"
+#include "app/session/session.h"
+#include "core/base/error.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::app {
+
+enum class BranchQuantity { kId, kGeneration, kStrahler, kDiameter, kLength, kDependents, kVolume, kRootDistance };
+enum class Comparison { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
+enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
+
+struct BranchCondition {
+    enum class Kind { kQuantity, kProperty, kText };
+    Kind kind = Kind::kText;
+    BranchQuantity quantity = BranchQuantity::kId;
+    Comparison comparison = Comparison::kEqual;
+    double value = 0.0;
+    BranchProperty property = BranchProperty::kNormal;
+    std::string text{}; // lower case
+    bool operator==(const BranchCondition&) const = default;
+};
+
+using BranchFilter = std::vector<BranchCondition>; // empty: every branch passes
+
+[[nodiscard]] Result<BranchFilter> parse_branch_filter(std::string_view text);
+
+[[nodiscard]] double value_of(BranchQuantity quantity, const tree::VesselTree& tree, const TreeFacts& facts, int id);
+
+// The branches that pass, ascending. Linear.
+[[nodiscard]] std::vector<int> branches_passing(const BranchFilter& filter, const tree::VesselTree& tree,
+                                                const TreeFacts& facts, const Marks& marks);
+
+} // namespace ramus::app

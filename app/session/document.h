@@ -1,0 +1,99 @@
+// Document: the session that is open, the tree it is about, and the way back. Every change of what undo covers goes
+// through change(), which remembers what it changed; the camera and files are not covered. There is no limit to the
+// steps: they are kept small (app/session/marks_change.h). No GL, no window.
+#pragma once
+
+#include "app/session/branch_facts.h"
+#include "app/session/marks_change.h"
+#include "app/session/measured.h"
+#include "app/session/plan.h"
+#include "app/session/session.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+class Document {
+public:
+    // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already; `file`: the
+    // session file that it came from; empty for none.
+    void open(std::shared_ptr<const tree::VesselTree> tree, Session session,
+              std::shared_ptr<const TreeFacts> facts = nullptr, std::filesystem::path file = {});
+
+    [[nodiscard]] const Session& session() const { return session_; }
+    [[nodiscard]] const Marks& marks() const { return session_.marks; }
+    [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& tree() const { return tree_; }
+    [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
+    [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
+    [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
+    // The session file that it was read from or saved to last; empty: none yet.
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+    // What follows from lesions, cuts and limits, as they are now: computed when it is first asked for. Null without a
+    // tree.
+    [[nodiscard]] std::shared_ptr<const Plan> plan() const;
+
+    // What Marks::measurements say, in their order, or why they say nothing; kept like the plan. Never null.
+    [[nodiscard]] std::shared_ptr<const std::vector<Result<Measured>>> measurements() const;
+
+    // Nothing is remembered when nothing differs.
+    void change(Marks next);
+    void set_camera(const render::Camera& camera);
+
+    // What one command changes is one step, with a name: changes between begin_step() and the end_step() that belongs
+    // to it. Steps inside a step are part of it.
+    void begin_step() { ++depth_; }
+    void end_step(const std::string& name);
+    // The step that is being made; null: nothing changed since begin_step().
+    [[nodiscard]] const MarksChange* last_change() const;
+
+    bool undo(); // false: there was nothing to undo
+    bool redo();
+    [[nodiscard]] bool can_undo() const { return position_ > 0; }
+    [[nodiscard]] bool can_redo() const { return position_ < steps_.size(); }
+
+    // All steps that are remembered, oldest first, by their names ("hide 12 branches"); the first position() of them
+    // are done, the others undone.
+    [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
+    [[nodiscard]] const std::string& step_name(std::size_t step) const { return steps_[step].name; }
+    [[nodiscard]] std::size_t position() const { return position_; }
+
+    // Whether there is something a session file does not have yet; and something that is worth asking a person about:
+    // a selection alone is not.
+    [[nodiscard]] bool modified() const { return unsaved_ || session_.marks != saved_; }
+    [[nodiscard]] bool has_unsaved_work() const;
+    [[nodiscard]] std::size_t unsaved_changes() const; // steps away from what was saved
+    void mark_saved(std::filesystem::path file);
+    // What was opened is in no session file, however it looks: it was recovered, after so many changes.
+    void mark_unsaved(std::size_t changes);
+
+    // Another number after every change of the session, its camera or what is saved.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+private:
+    struct Step {
+        std::string name;
+        std::vector<MarksChange> changes; // one, nearly always
+    };
+    std::shared_ptr<const tree::VesselTree> tree_;
+    std::shared_ptr<const TreeFacts> facts_;
+    mutable std::shared_ptr<const Plan> plan_;                              // of `planned_`
+    mutable Marks planned_;                                                 // of these, what plans follow from
+    mutable std::shared_ptr<const std::vector<Result<Measured>>> measured_; // of planned_.measurements
+    Session session_;
+    std::filesystem::path file_;
+    Marks saved_;
+    bool unsaved_ = false;
+    std::vector<Step> steps_;
+    std::size_t position_ = 0;
+    std::size_t saved_position_ = 0;
+    std::size_t lost_changes_ = 0; // between what was saved and where the history left the way there
+    int depth_ = 0;                // of begin_step()
+    bool joining_ = false;         // the last step is the one that is being made
+    std::uint64_t revision_ = 0;
+};
+
+} // namespace ramus::app

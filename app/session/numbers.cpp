@@ -1,0 +1,49 @@
+#include "app/session/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ramus::app {
+
+std::string grouped(std::uint64_t number) {
+    const std::string digits = std::to_string(number);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) text.push_back(',');
+        text.push_back(digits[i]);
+    }
+    return text;
+}
+
+std::string rounded(double number) {
+    char text[32];
+    // Four digits, but none of a whole number's lost.
+    std::snprintf(text, sizeof text, std::abs(number) >= 1e4 ? "%.0f" : "%.4g", number);
+    return text;
+}
+
+std::string digits(double value, int significant) {
+    if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "?";
+    const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+    if (std::abs(value) >= 999.5)
+        return std::string(value < 0.0 ? "-" : "")
+            .append(grouped(static_cast<std::uint64_t>(std::llround(std::abs(value)))));
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", std::clamp(significant - 1 - magnitude, 0, 9), value);
+    return text;
+}
+
+std::string length_text(double mm) { return mm < 999.5 ? digits(mm) + " mm" : digits(mm / 1000.0) + " m"; }
+
+std::string volume_text(double mm3) { return mm3 < 999.5 ? digits(mm3) + " mm\xC2\xB3" : digits(mm3 / 1000.0) + " ml"; }
+
+std::string seconds_text(double seconds) {
+    return seconds < 0.9995 ? digits(1000.0 * seconds, 2) + " ms" : digits(seconds) + " s";
+}
+
+std::string counted(std::uint64_t number, const std::string& one, const std::string& many) {
+    return grouped(number) + " " + (number == 1 ? one : many);
+}
+
+} // namespace ramus::app

@@ -1,0 +1,78 @@
+#include "app/session/session.h"
+
+#include <algorithm>
+
+namespace ramus::app {
+
+using render::BranchState;
+
+std::string_view name_of(ColourBy quantity) {
+    switch (quantity) {
+    case ColourBy::kNothing:
+        return "nothing";
+    case ColourBy::kState:
+        return "state";
+    case ColourBy::kGeneration:
+        return "generation";
+    case ColourBy::kStrahler:
+        return "strahler";
+    case ColourBy::kDiameter:
+        return "diameter";
+    case ColourBy::kRootDistance:
+        return "root-distance";
+    case ColourBy::kLesion:
+        return "lesion";
+    case ColourBy::kLabel:
+        return "label";
+    case ColourBy::kBranch:
+        return "branch";
+    }
+    return "";
+}
+
+std::string_view name_of(BranchState state) {
+    switch (state) {
+    case BranchState::kNormal:
+        return "normal";
+    case BranchState::kHighlighted:
+        return "highlighted";
+    case BranchState::kDefocused:
+        return "defocused";
+    case BranchState::kHidden:
+        return "hidden";
+    }
+    return "";
+}
+
+BranchState state_of(const Marks& marks, int branch) {
+    const auto index = static_cast<std::size_t>(branch);
+    return branch >= 0 && index < marks.states.size() ? marks.states[index] : BranchState::kNormal;
+}
+
+void set_state(Marks& marks, std::span<const int> branches, BranchState state) {
+    for (const int branch : branches) {
+        const auto index = static_cast<std::size_t>(branch);
+        if (index >= marks.states.size()) marks.states.resize(index + 1, BranchState::kNormal);
+        marks.states[index] = state;
+    }
+    while (!marks.states.empty() && marks.states.back() == BranchState::kNormal) marks.states.pop_back();
+}
+
+std::vector<int> branches_in_state(const Marks& marks, BranchState state) {
+    std::vector<int> branches;
+    for (std::size_t i = 0; i < marks.states.size(); ++i)
+        if (marks.states[i] == state) branches.push_back(static_cast<int>(i));
+    return branches;
+}
+
+std::vector<int> canonical(std::vector<int> branches) {
+    std::sort(branches.begin(), branches.end());
+    branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
+    return branches;
+}
+
+bool is_selected(const Marks& marks, int branch) {
+    return std::binary_search(marks.selection.begin(), marks.selection.end(), branch);
+}
+
+} // namespace ramus::app

@@ -1,0 +1,94 @@
+// Session: what a person has made of a tree, as one plain value: which file, what is selected, the state of every
+// branch, the camera and the options of the surface. It is small, comparable and serialisable
+// (app/session/session_file.h); undo is a stack of such values (app/session/document.h). It holds no mesh and no
+// window.
+//
+// The lists are kept canonical (ascending, without repeats; states without trailing normal ones), so that equal
+// sessions compare equal however they came about. The functions below keep them so.
+#pragma once
+
+#include "app/session/colour_maps.h"
+#include "core/mesh/surface.h"
+#include "render/frame.h"
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ramus::app {
+
+struct TreeFile {
+    std::filesystem::path path; // absolute
+    std::string checksum;       // of the file's bytes (app/session/session_file.h); empty when not known
+    bool operator==(const TreeFile&) const = default;
+};
+
+// What a branch's colour says.
+enum class ColourBy { kNothing, kState, kGeneration, kStrahler, kDiameter, kRootDistance, kLesion, kLabel, kBranch };
+inline constexpr std::array kColourings{ColourBy::kNothing,  ColourBy::kState,    ColourBy::kGeneration,
+                                        ColourBy::kStrahler, ColourBy::kDiameter, ColourBy::kRootDistance,
+                                        ColourBy::kLesion,   ColourBy::kLabel,    ColourBy::kBranch};
+[[nodiscard]] std::string_view name_of(ColourBy quantity); // "nothing", "generation", ...
+
+// Something measured, kept and drawn until it is removed.
+struct Measurement {
+    enum class Kind { kDistance, kPath, kDiameter, kAngle };
+    Kind kind = Kind::kDistance;
+    std::array<glm::dvec3, 2> points{};                            // kDistance: mm, RAS
+    std::array<int, 2> branches{tree::kNoBranch, tree::kNoBranch}; // kPath: both; kDiameter, kAngle: the first
+    double fraction = 0.5; // kDiameter: where on the branch, of its length from the parent's end
+    bool operator==(const Measurement&) const = default;
+};
+
+// What distances and diameters mean to who plans an operation.
+struct Planning {
+    std::vector<double> bands_mm{5.0, 10.0, 20.0}; // margins around lesions, ascending, positive
+    double reconstruct_mm = 5.0;                   // a cut vessel of a larger diameter must be reconstructed
+    bool operator==(const Planning&) const = default;
+};
+
+// How defocused branches look.
+struct GlassLook {
+    double opacity = 1.0; // 0: only their centerlines; 1: the usual veil; 2: nearly solid
+    double grey = 0.7;    // 0 black to 1 white
+    bool operator==(const GlassLook&) const = default;
+};
+
+// Everything that undo and redo cover.
+struct Marks {
+    std::vector<int> selection;                 // branch ids, ascending
+    std::vector<render::BranchState> states;    // by branch id; branches beyond its end are normal
+    std::vector<std::array<double, 4>> lesions; // spheres: centre and radius, mm, RAS
+    std::vector<std::string> lesion_meshes;     // files of closed meshes, absolute
+    std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
+    std::vector<Measurement> measurements;
+    std::map<int, std::string> names;
+    ColourBy colour_by = ColourBy::kNothing;
+    ColourMap colour_map = ColourMap::kViridis;
+    Planning planning;
+    GlassLook glass;
+    mesh::SurfaceOptions options;
+    bool operator==(const Marks&) const = default;
+};
+
+struct Session {
+    TreeFile tree;
+    Marks marks;
+    render::Camera camera;
+    bool operator==(const Session&) const = default;
+};
+
+[[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
+[[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);
+void set_state(Marks& marks, std::span<const int> branches, render::BranchState state);
+[[nodiscard]] std::vector<int> branches_in_state(const Marks& marks, render::BranchState state);
+
+// Any ids as a selection: ascending, without repeats.
+[[nodiscard]] std::vector<int> canonical(std::vector<int> branches);
+[[nodiscard]] bool is_selected(const Marks& marks, int branch);
+
+} // namespace ramus::app

@@ -1,0 +1,105 @@
+#include "app/storage/places.h"
+
+#include "app/session/document.h"
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <pwd.h>
+#include <string>
+#include <unistd.h>
+
+namespace ramus::app {
+
+namespace fs = std::filesystem;
+
+namespace places {
+
+namespace {
+
+// Relative ones are to be ignored, say the rules.
+fs::path absolute_from(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value == '/' ? fs::path(value) : fs::path();
+}
+
+fs::path base(const char* variable, const char* below_home) {
+    if (const fs::path set = absolute_from(variable); !set.empty()) return set;
+    const fs::path own = home();
+    return own.empty() ? own : own / below_home;
+}
+
+// XDG_PICTURES_DIR="$HOME/Pictures" in user-dirs.dirs; or of that name in the environment; or as they are called in
+// English.
+fs::path own_folder(const std::string& variable, const char* usual) {
+    std::error_code ignored;
+    const auto when_there = [&](const fs::path& folder) {
+        return fs::is_directory(folder, ignored) ? folder : fs::path();
+    };
+    if (const fs::path set = absolute_from(variable.c_str()); !set.empty()) return when_there(set);
+    std::ifstream stream(base("XDG_CONFIG_HOME", ".config") / "user-dirs.dirs");
+    for (std::string line; std::getline(stream, line);) {
+        const std::string start = variable + "=\"";
+        if (!line.starts_with(start) || line.back() != '"' || line.size() <= start.size()) continue;
+        const std::string value = line.substr(start.size(), line.size() - start.size() - 1);
+        constexpr std::string_view kHome = "$HOME/";
+        if (value.starts_with(kHome)) return when_there(home() / value.substr(kHome.size()));
+        return value.starts_with('/') ? when_there(value) : fs::path();
+    }
+    return home().empty() ? fs::path() : when_there(home() / usual);
+}
+
+} // namespace
+
+fs::path home() {
+    if (const fs::path set = absolute_from("HOME"); !set.empty()) return set;
+    std::array<char, 4096> room{};
+    passwd entry{};
+    passwd* found = nullptr;
+    if (::getpwuid_r(::getuid(), &entry, room.data(), room.size(), &found) != 0 || found == nullptr) return {};
+    return found->pw_dir != nullptr && *found->pw_dir == '/' ? fs::path(found->pw_dir) : fs::path();
+}
+
+fs::path settings() {
+    const fs::path folder = base("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "ramus";
+}
+
+fs::path state() {
+    const fs::path folder = base("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? folder : folder / "ramus";
+}
+
+fs::path pictures() { return own_folder("XDG_PICTURES_DIR", "Pictures"); }
+fs::path documents() { return own_folder("XDG_DOCUMENTS_DIR", "Documents"); }
+
+bool writable(const fs::path& folder) {
+    std::error_code ignored;
+    return !folder.empty() && fs::is_directory(folder, ignored) && ::access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+} // namespace places
+
+fs::path suggested_file(const Document& document, std::string_view extension) {
+    const fs::path& file = document.file();
+    const fs::path& tree = document.session().tree.path;
+    const bool session = extension == ".ramus.json";
+    if (session && !file.empty()) return file;
+
+    std::error_code ignored;
+    fs::path folder = fs::current_path(ignored);
+    const fs::path beside_tree = tree.parent_path();
+    for (const fs::path& candidate : {file.parent_path(), extension == ".png" ? places::pictures() : fs::path(),
+                                      beside_tree, places::documents(), places::home()}) {
+        if (!places::writable(candidate)) continue;
+        folder = candidate;
+        break;
+    }
+    const std::string stem = tree.empty() ? "ramus" : tree.stem().string();
+    fs::path free = folder / (stem + std::string(extension));
+    for (int i = 2; fs::exists(free, ignored); ++i)
+        free = folder / (stem + "-" + std::to_string(i) + std::string(extension));
+    return free;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,39 @@
+// Settings: what a person wants of the window every time, kept in settings.json in the settings folder
+// (app/storage/places.h). What belongs to a tree is the session's. Reading takes what is missing from the defaults and
+// refuses wrong types and values; names that it does not know are another version's, and ignored.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace ramus::app {
+
+struct Settings {
+    double ui_scale = 0.0;        // pixels per point; 0: what the display says
+    glm::ivec2 window{1440, 900}; // points
+    bool panel_open = true;
+    int recent_files = 10;             // how many are remembered; 0: none
+    std::filesystem::path last_folder; // that something was opened from
+    bool operator==(const Settings&) const = default;
+};
+
+inline constexpr double kLeastUiScale = 0.5, kMostUiScale = 4.0;
+
+[[nodiscard]] nlohmann::json to_json(const Settings& settings);
+[[nodiscard]] Result<Settings> settings_from_json(const nlohmann::json& json, const std::string& where);
+
+struct StoredSettings {
+    Settings settings;
+    std::string trouble; // what was wrong with the file; empty: nothing
+};
+// From `folder`/settings.json. One that cannot be understood is kept beside it as settings.json.bad, where it does not
+// get lost when others are written; no file at all is fine.
+[[nodiscard]] StoredSettings read_settings(const std::filesystem::path& folder);
+// Atomic; makes the folder.
+[[nodiscard]] Result<void> write_settings(const Settings& settings, const std::filesystem::path& folder);
+
+} // namespace ramus::app

@@ -1,0 +1,43 @@
+#include "app/storage/tree_source.h"
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace ramus::app {
+
+namespace fs = std::filesystem;
+
+bool is_session_file(const fs::path& path) {
+    std::error_code ignored;
+    if (path.extension() != ".json" || !fs::is_regular_file(path, ignored)) return false;
+    std::ifstream stream(path, std::ios::binary);
+    // The names at the top are enough: what is inside them is thrown away while it is read.
+    bool has_version = false;
+    bool has_tree = false;
+    const auto keep = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+        if (event == nlohmann::json::parse_event_t::key && depth == 1) {
+            has_tree |= parsed == "tree";
+            has_version |= parsed == "version";
+        }
+        return depth < 1;
+    };
+    const auto parsed = nlohmann::json::parse(stream, keep, false);
+    return !parsed.is_discarded() && has_tree && has_version;
+}
+
+std::optional<fs::path> demo_tree() {
+    std::vector<fs::path> folders;
+    if (const char* assets = std::getenv("RAMUS_ASSETS"); assets != nullptr) folders.emplace_back(assets);
+    std::error_code ignored;
+    if (const fs::path program = fs::read_symlink("/proc/self/exe", ignored); !program.empty())
+        folders.push_back(program.parent_path().parent_path() / "share" / "ramus");
+    folders.emplace_back(RAMUS_ASSETS);
+    for (const fs::path& folder : folders)
+        for (const char* name : {"liver_portal_vein.swc", "liver_portal_vein.json"})
+            if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+    return {};
+}
+
+} // namespace ramus::app

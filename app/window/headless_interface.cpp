@@ -1,0 +1,37 @@
+#include "app/window/headless_interface.h"
+
+#include "app/window/viewer.h"
+
+#include <imgui.h>
+
+namespace ramus::app {
+
+Result<render::Image> picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size,
+                                             float scale, const std::function<Result<void>(Host&)>& prepare) {
+    struct Context {
+        Context() { ImGui::CreateContext(); }
+        ~Context() { ImGui::DestroyContext(); }
+    } const imgui;
+    if (auto possible = render::check_size(size.x, size.y); !possible) return tl::unexpected(possible.error());
+    const render::Target target(size.x, size.y);
+    auto viewer = Viewer::create(workspace, renderer, scale);
+    if (!viewer) return tl::unexpected(viewer.error());
+    (*viewer)->resize(size, scale);
+    constexpr double kFrameSeconds = 0.2; // the clock goes on, so that a slow picture comes to rest in full
+    double now = 0.0;
+    const auto settle = [&] {
+        constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
+        for (int i = 0; i < kMostFrames; ++i) {
+            (*viewer)->draw(now, target.framebuffer());
+            now += kFrameSeconds;
+            if ((*viewer)->resting()) break;
+        }
+    };
+    settle();
+    if (prepare)
+        if (auto done = prepare(**viewer); !done) return tl::unexpected(done.error());
+    settle();
+    return target.read_image();
+}
+
+} // namespace ramus::app

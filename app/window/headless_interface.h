@@ -1,0 +1,20 @@
+// The whole window as a picture without a window: `ramus render --ui`. The same Viewer as in the window draws it, once
+// everything has come to rest.
+#pragma once
+
+#include "app/actions/command_table.h"
+#include "app/workspace/workspace.h"
+#include "render/image.h"
+#include "render/renderer.h"
+
+#include <functional>
+
+namespace ramus::app {
+
+// `size` is the window's, in pixels. A GL context is current; `workspace` has its tree and its surface (adopt()).
+// `prepare`, when given, runs once the interface is there: commands like `help` find their Host in it.
+[[nodiscard]] Result<render::Image> picture_with_interface(Workspace& workspace, render::Renderer& renderer,
+                                                           glm::ivec2 size, float scale,
+                                                           const std::function<Result<void>(Host&)>& prepare = {});
+
+} // namespace ramus::app

@@ -1,0 +1,152 @@
+#include "app/workspace/surface_maker.h"
+
+#include "core/base/stopwatch.h"
+
+#include <algorithm>
+#include <iterator>
+#include <new>
+#include <oneapi/tbb/task_arena.h>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr int kPreviewDetail = 6;
+constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a software rasteriser keeps up
+
+render::Box box_of(const tree::VesselTree& tree) {
+    render::Box box;
+    for (const tree::Point& point : tree.points) box.include(point.position);
+    return box;
+}
+
+} // namespace
+
+SurfaceRequest surface_request(const Marks& marks) {
+    return {marks.options, branches_in_state(marks, render::BranchState::kHidden)};
+}
+
+std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t branch_count) {
+    std::vector<std::uint8_t> flags;
+    if (!hidden.empty()) flags.resize(branch_count, 0);
+    for (const int branch : hidden)
+        if (static_cast<std::size_t>(branch) < branch_count) flags[static_cast<std::size_t>(branch)] = 1;
+    return flags;
+}
+
+std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
+    return std::make_shared<const render::PagedMesh>(mesh, box_of(tree).centre());
+}
+
+Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job) {
+    const Stopwatch watch;
+    const auto hidden = hidden_flags(request.hidden, tree.branches.size());
+    ReadySurface ready{.request = request, .mesh = nullptr, .preview = nullptr};
+    if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) {
+        ready.mesh = paged({}, tree);
+    } else {
+        const auto made = mesh::make_surface(tree, request.options, job, hidden);
+        if (!made) return tl::unexpected(made.error());
+        ready.mesh = paged(made->mesh, tree);
+    }
+    ready.seconds = watch.seconds();
+    return ready;
+}
+
+Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job) {
+    const std::lock_guard turn(turn_);
+    const auto work = [&] {
+        return request.options.method == mesh::Method::kTruncatedCones ? next_cones(request, job)
+                                                                       : next_surface(request, job);
+    };
+    try {
+        if (request.options.threads <= 0) return work();
+        tbb::task_arena arena(request.options.threads);
+        return arena.execute(work);
+    } catch (const std::bad_alloc&) {
+        surface_ = {};
+        preview_ = {};
+        return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
+    }
+}
+
+Result<ReadySurface> SurfaceMaker::next_cones(const SurfaceRequest& request, Job& job) const {
+    auto cones = make_ready(*tree_, request, job);
+    if (!cones || cones->mesh->triangle_count() < kPreviewFrom) return cones;
+    SurfaceRequest rough = request;
+    rough.options.detail = std::min(request.options.detail, kPreviewDetail);
+    const auto preview = make_ready(*tree_, rough, job);
+    if (!preview) return tl::unexpected(preview.error());
+    cones->preview = preview->mesh;
+    return cones;
+}
+
+bool SurfaceMaker::changes_much(const SurfaceRequest& request) const {
+    if (!surface_of_ || surface_of_->options != request.options) return true;
+    std::vector<int> changed;
+    std::ranges::set_symmetric_difference(surface_of_->hidden, request.hidden, std::back_inserter(changed));
+    return 4 * changed.size() > tree_->branches.size();
+}
+
+Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, Job& job) {
+    const Stopwatch watch;
+    if (!field_ || field_options_ != request.options) {
+        field_ = mesh::make_field(*tree_, request.options, {});
+        field_options_ = request.options;
+    }
+    const auto hidden = hidden_flags(request.hidden, tree_->branches.size());
+    const field::ConvolutionField field = hidden.empty() ? *field_ : field_->without(hidden);
+
+    // What changes much is seen in the preview first; what changes little is soon there, and its preview comes after.
+    mesh::PolygonizeOptions options;
+    options.memory_bytes = static_cast<double>(request.options.memory_bytes);
+    const bool previews = request.options.detail > kPreviewDetail;
+    const bool preview_first = previews && preview_of_ != request && changes_much(request);
+    if (preview_first || (previews && preview_of_ != request && surface_of_ == request)) {
+        options.detail = kPreviewDetail;
+        preview_of_.reset();
+        if (auto made = follow(preview_, field, options, job); !made) return tl::unexpected(made.error());
+        preview_of_ = request;
+    }
+    if (!preview_first && surface_of_ != request) {
+        options.detail = request.options.detail;
+        options.cell_mm = request.options.cell_mm;
+        surface_of_.reset();
+        if (auto made = follow(surface_, field, options, job); !made) return tl::unexpected(made.error());
+        surface_of_ = request;
+    }
+    ReadySurface ready;
+    ready.request = request;
+    ready.mesh = preview_first ? preview_.current : surface_.current;
+    ready.provisional = preview_first;
+    if (preview_first || ready.mesh->triangle_count() >= kPreviewFrom) {
+        if (preview_of_ == request) ready.preview = preview_.current;
+        ready.preview_follows = previews && !ready.preview;
+    }
+    ready.seconds = watch.seconds();
+    return ready;
+}
+
+Result<void> SurfaceMaker::follow(Followed& followed, const field::ConvolutionField& field,
+                                  const mesh::PolygonizeOptions& options, Job& job) const {
+    if (field.segments().empty()) return fail("the tree has no segments", {}, "nothing to make a surface of");
+    if (field.present().empty()) {
+        // The polygonizer stays where it is: what comes next is likely to be near that.
+        followed.current = paged({}, *tree_);
+        return {};
+    }
+    if (auto updated = followed.polygonizer.update(field, options, job); !updated) {
+        followed.mesh = nullptr;
+        return updated;
+    }
+    const mesh::SurfaceEdit edit = followed.polygonizer.take_edit();
+    const mesh::TriangleMesh& slots = followed.polygonizer.slots();
+    if (!followed.mesh)
+        followed.mesh = paged(slots, *tree_);
+    else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())
+        followed.mesh = std::make_shared<const render::PagedMesh>(followed.mesh->edited(slots, edit));
+    followed.current = followed.mesh;
+    return {};
+}
+
+} // namespace ramus::app

@@ -1,0 +1,271 @@
+#include "app/workspace/workspace.h"
+
+#include "app/session/session_file.h"
+#include "app/storage/tree_source.h"
+#include "core/base/stopwatch.h"
+#include "core/tree/thin.h"
+
+#include <chrono>
+#include <oneapi/tbb/task_arena.h>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr const char* kComputing = "Computing the surface";
+
+// While the window comes up, and draws the cones, one core is free.
+Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& request, std::size_t segments, Job& job) {
+    constexpr std::size_t kMany = 100'000; // there the surface is what takes time, and wants all cores
+    if (segments > kMany) return maker.next(request, job);
+    tbb::task_arena one(1);
+    return one.execute([&] { return maker.next(request, job); });
+}
+
+// A session's tree, and its cones. `where` names the session in messages; empty: it is a fresh one.
+Result<LoadedTree> load_tree_of(Session wanted, const std::string& where, const io::ReadOptions& reading, Job& job) {
+    const Stopwatch watch;
+    LoadedTree loaded;
+    loaded.session = std::move(wanted);
+    Session& session = loaded.session;
+    auto tree = io::read_tree(session.tree.path, reading);
+    if (!tree) return tl::unexpected(tree.error());
+    auto checksum = checksum_of(session.tree.path);
+    if (!checksum) return tl::unexpected(checksum.error());
+    if (!where.empty())
+        if (auto fits = check_against(session, *tree, *checksum, where); !fits) return tl::unexpected(fits.error());
+    session.tree.checksum = *checksum;
+    loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
+    loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    loaded.maker = std::make_shared<SurfaceMaker>(loaded.tree);
+    loaded.seconds = watch.seconds();
+
+    SurfaceRequest request = surface_request(session.marks);
+    mesh::SurfaceOptions& options = request.options;
+    options.method = mesh::Method::kTruncatedCones;
+    // The first picture stands for a moment: of a large tree it is a rough one, or the surface would be there before
+    // it.
+    constexpr std::size_t kRoughFrom = 2000; // segments
+    constexpr int kRough = 6;
+    constexpr double kRoughSpacing = 4.0; // radii
+    const bool rough = loaded.tree->segment_count() > kRoughFrom;
+    if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
+    auto cones = make_ready(rough ? tree::thinned(*loaded.tree, kRoughSpacing) : *loaded.tree, request, job);
+    if (!cones) return tl::unexpected(cones.error());
+    loaded.cones = std::move(*cones);
+    loaded.cones.provisional = true;
+    return loaded;
+}
+
+} // namespace
+
+Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
+                        Job& job) {
+    if (is_session_file(path)) {
+        auto saved = read_session(path);
+        if (!saved) return tl::unexpected(saved.error());
+        auto loaded = load_tree_of(std::move(saved->session), path.string(), reading, job);
+        if (!loaded) return loaded;
+        loaded->has_camera = saved->has_camera;
+        loaded->file = std::filesystem::absolute(path).lexically_normal();
+        return loaded;
+    }
+    Session fresh;
+    fresh.tree.path = std::filesystem::absolute(path).lexically_normal();
+    fresh.marks.options = like.options;
+    fresh.marks.colour_by = like.colour_by;
+    fresh.marks.colour_map = like.colour_map;
+    return load_tree_of(std::move(fresh), {}, reading, job);
+}
+
+Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOptions& reading, Job& job) {
+    auto loaded = load_tree_of(snapshot.session, snapshot.session.tree.path.string(), reading, job);
+    if (!loaded) {
+        loaded.error().hint = "its recovery file is kept until you discard it";
+        return loaded;
+    }
+    loaded->has_camera = true;
+    loaded->file = snapshot.file;
+    loaded->unsaved_changes = snapshot.changes;
+    return loaded;
+}
+
+Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake) {}
+
+void Workspace::open(const std::filesystem::path& path) {
+    load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
+}
+
+void Workspace::recover(const autosave::Snapshot& snapshot) {
+    load_with(snapshot.file.empty() ? snapshot.session.tree.path : snapshot.file,
+              [snapshot, how = reading](Job& job) { return load(snapshot, how, job); });
+}
+
+void Workspace::load_with(const std::filesystem::path& path, std::function<Result<LoadedTree>(Job&)> load) {
+    first_is_coming_ = false;
+    loader_.start("Reading " + path.filename().string(),
+                  [this, path, load = std::move(load)](Job& job, const Worker::Post& post) {
+                      auto loaded = load(job);
+                      if (job.cancelled()) return;
+                      if (!loaded) {
+                          post([this, error = loaded.error()] {
+                              errors_.push_back(error);
+                              changed_ = true;
+                          });
+                          return;
+                      }
+                      const SurfaceRequest request = surface_request(loaded->session.marks);
+                      const auto maker = loaded->maker;
+                      const std::size_t segments = loaded->tree->segment_count();
+                      // std::function wants something to copy.
+                      const auto shared = std::make_shared<LoadedTree>(std::move(*loaded));
+                      post([this, path, shared] {
+                          adopt(std::move(*shared), path);
+                          first_is_coming_ = true;
+                      });
+                      auto first = first_surface(*maker, request, segments, job);
+                      if (first && !job.cancelled()) post([this, first] { take(*first); });
+                  });
+    changed_ = true;
+}
+
+void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
+    mesher_.cancel();
+    wanted_.reset();
+    tried_.reset();
+    problem_.clear();
+    kept_.clear();
+    maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(loaded.tree);
+    document.open(std::move(loaded.tree), std::move(loaded.session), std::move(loaded.facts), std::move(loaded.file));
+    if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
+    shown_ = std::move(loaded.cones);
+    opened_ = Opened{path, loaded.has_camera, loaded.unsaved_changes.has_value()};
+    just_shown_ = true;
+    changed_ = true;
+}
+
+void Workspace::take(ReadySurface surface) {
+    shown_ = std::move(surface);
+    changed_ = true;
+    just_shown_ = shown_.provisional;
+    awaited_ = false;
+    if (shown_.provisional) return;
+    std::erase_if(kept_, [&](const ReadySurface& kept) { return kept.request == shown_.request; });
+    kept_.push_front(shown_);
+    if (kept_.size() > kKeptSurfaces) kept_.pop_back();
+}
+
+SurfaceRequest Workspace::request() const {
+    SurfaceRequest request = surface_request(document.marks());
+    if (tried_) request.options = *tried_;
+    return request;
+}
+
+void Workspace::start_surface() {
+    if (!document.tree()) return;
+    // The first surface of a tree comes with it.
+    if (first_is_coming_ && loader_.busy()) return;
+    first_is_coming_ = false;
+    SurfaceRequest request = this->request();
+    if (wanted_ == request) {
+        // What is only being tried is about to change: its preview is enough.
+        const bool refine = shown_.provisional && shown_.request == request && !tried_;
+        if (refine && !mesher_.busy() && problem_.empty()) {
+            refining_ = true;
+            make_next(request);
+        }
+        return;
+    }
+    if (mesher_.busy() && worth_finishing(request)) return;
+    const bool small_change = wanted_ && wanted_->options == request.options && shown_.mesh && !shown_.provisional;
+    refining_ = false;
+    wanted_ = request;
+    problem_.clear();
+    mesher_.cancel();
+    changed_ = true;
+    if (shown_.mesh && !shown_.provisional && shown_.request == request) return;
+    for (const ReadySurface& surface : kept_) {
+        if (surface.request != request) continue;
+        shown_ = surface;
+        return;
+    }
+    make_next(request);
+    if (!small_change) return;
+    mesher_.wait(kPatience);
+    mesher_.drain();
+}
+
+void Workspace::await_preview() {
+    if (!shown_.preview_follows || !mesher_.busy() || std::exchange(awaited_, true)) return;
+    mesher_.wait(kPreviewPatience);
+    mesher_.drain();
+}
+
+// When only other branches are hidden, what is being made is the way to what is wanted now. And while somebody drags a
+// slider, previews that never get finished would show nothing.
+bool Workspace::worth_finishing(const SurfaceRequest& request) const {
+    if (wanted_ && wanted_->options == request.options) return true;
+    return !refining_ && std::chrono::steady_clock::now() - started_ < kShort;
+}
+
+void Workspace::make_next(const SurfaceRequest& request) {
+    started_ = std::chrono::steady_clock::now();
+    mesher_.start(kComputing, [this, request, maker = maker_](Job& job, const Worker::Post& post) {
+        for (bool more = true; more;) {
+            const auto made = maker->next(request, job);
+            if (job.cancelled()) return;
+            more = made && made->preview_follows;
+            post([this, made] {
+                if (made)
+                    take(*made);
+                else
+                    problem_ = made.error().message();
+                changed_ = true;
+            });
+        }
+    });
+}
+
+void Workspace::cancel_work() {
+    if (loader_.busy()) {
+        loader_.cancel();
+        if (std::exchange(first_is_coming_, false)) {
+            wanted_ = request();
+            problem_ = "cancelled";
+        }
+    } else if (mesher_.busy()) {
+        mesher_.cancel();
+        problem_ = "cancelled";
+    }
+    changed_ = true;
+}
+
+void Workspace::retry_surface() {
+    wanted_.reset();
+    changed_ = true;
+}
+
+bool Workspace::update() {
+    const bool was_busy = busy();
+    loader_.drain();
+    mesher_.drain();
+    // A picture is drawn before a better one is begun: both want the whole machine.
+    if (!std::exchange(just_shown_, false)) start_surface();
+    return std::exchange(changed_, false) || was_busy != busy();
+}
+
+std::string Workspace::activity() const {
+    if (loader_.busy() && !first_is_coming_) return loader_.title();
+    return busy() ? kComputing : std::string{};
+}
+
+float Workspace::progress() const { return loader_.busy() ? loader_.progress() : mesher_.progress(); }
+
+std::optional<Error> Workspace::take_error() {
+    if (errors_.empty()) return {};
+    Error error = std::move(errors_.front());
+    errors_.pop_front();
+    return error;
+}
+
+} // namespace ramus::app
