@@ -1,5 +1,7 @@
 #include "app/window/glfw_window.h"
 
+#include "app/window/cursor_image.h"
+
 // GL comes through glad, in render.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -208,6 +210,10 @@ void GlfwWindow::set_cursor(Cursor cursor) {
     if (cursor == cursor_) return;
     cursor_ = cursor;
     GLFWcursor*& shape = cursors_[cursor];
+    if (auto drawn = shape == nullptr ? cursor_image(cursor, scale()) : std::nullopt) {
+        const GLFWimage image{drawn->image.width, drawn->image.height, drawn->image.rgba.data()};
+        shape = glfwCreateCursor(&image, drawn->hot_spot.x, drawn->hot_spot.y);
+    }
     if (shape == nullptr && cursor != Cursor::kArrow)
         shape = glfwCreateStandardCursor(cursor == Cursor::kHand ? GLFW_HAND_CURSOR : GLFW_CROSSHAIR_CURSOR);
     glfwSetCursor(window_, shape); // null: the arrow

@@ -1,0 +1,20 @@
+// Pictures of pointers that no system has: the lassos. Painted from curves, so that they are crisp at any scale.
+#pragma once
+
+#include "app/tools/tool.h"
+#include "render/image.h"
+
+#include <glm/vec2.hpp>
+#include <optional>
+
+namespace ramus::app {
+
+struct CursorImage {
+    render::Image image;    // straight alpha
+    glm::ivec2 hot_spot{0}; // pixels from the top left
+};
+
+// Nothing for pointers that the system has. `scale`: pixels per point.
+[[nodiscard]] std::optional<CursorImage> cursor_image(Cursor cursor, float scale);
+
+} // namespace ramus::app
