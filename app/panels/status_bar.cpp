@@ -22,11 +22,19 @@ int branch_at_hand(const InterfaceContext& context) {
     return selection.size() == 1 ? selection.front() : tree::kNoBranch;
 }
 
+void draw_hint(const std::string& hint, float width) {
+    const std::string shown = widgets::fitted(hint, width);
+    widgets::quiet(shown.c_str());
+    if (shown != hint) widgets::tooltip(hint.c_str());
+}
+
 void draw_path(InterfaceContext& context, float right_edge) {
     const int branch = branch_at_hand(context);
     const auto& tree = context.workspace.document.tree();
     if (branch == tree::kNoBranch || !tree) {
-        if (tree) widgets::quiet("Drag to turn, wheel to zoom, click to select, F1 for all keys");
+        if (tree)
+            draw_hint("Drag to turn, wheel to zoom, click to select, F1 for all keys",
+                      right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale());
         return;
     }
     const std::vector<int> path = path_to(*tree, branch);
@@ -76,16 +84,10 @@ void draw_notice(const Notice& notice, float width) {
     if (shown != notice.text) widgets::tooltip(notice.text.c_str());
 }
 
-void draw_hint(const std::string& hint, float width) {
-    const std::string shown = widgets::fitted(hint, width);
-    widgets::quiet(shown.c_str());
-    if (shown != hint) widgets::tooltip(hint.c_str());
-}
-
 float draw_progress(InterfaceContext& context) {
     const float scale = theme::scale();
     const std::string text = context.workspace.activity();
-    const float bar_width = 140.0F * scale;
+    const float bar_width = std::min(140.0F * scale, 0.14F * static_cast<float>(context.layout.window.x));
     const float button_width = 60.0F * scale;
     const float text_width = ImGui::CalcTextSize(text.c_str()).x;
     const float start = static_cast<float>(context.layout.window.x) - 14.0F * scale - button_width - bar_width -
@@ -110,13 +112,20 @@ float draw_progress(InterfaceContext& context) {
     return start;
 }
 
+// In at most half of the bar: a narrow window leaves out the time first, then the kind.
 float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
+    const float room = 0.5F * static_cast<float>(context.layout.window.x);
     std::string text;
     if (shown.mesh) {
         const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
-        text = std::string(cones ? "Cones" : "Convolution surface") + "   " + grouped(shown.mesh->triangle_count()) +
-               " triangles   " + seconds_text(shown.seconds);
+        const std::string kind(cones ? "Cones" : "Convolution surface");
+        const std::string count = grouped(shown.mesh->triangle_count()) + " triangles";
+        for (const std::string& fitting :
+             {kind + "   " + count + "   " + seconds_text(shown.seconds), kind + "   " + count, count}) {
+            text = fitting;
+            if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
+        }
     }
     const float start =
         static_cast<float>(context.layout.window.x) - 14.0F * theme::scale() - ImGui::CalcTextSize(text.c_str()).x;
