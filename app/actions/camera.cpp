@@ -22,7 +22,7 @@ render::Camera fitted_to_picture(const ActionContext& context, const render::Cam
 
 void move_camera(ActionContext& context, const render::Camera& camera) {
     context.document.set_camera(camera);
-    context.host.camera_moved();
+    context.host.camera_leapt();
 }
 
 Result<void> view(ActionContext& context, Arguments arguments) {

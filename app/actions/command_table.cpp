@@ -88,6 +88,7 @@ Result<void> Host::open(const std::filesystem::path&) {
     return fail("a file cannot be opened from here", {}, "give it on the command line");
 }
 Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
+Result<void> Host::ask_for_lesion_mesh() { return fail("lesion-mesh needs a FILE here", {}, ".stl, .ply or .obj"); }
 Result<void> Host::ask_for_name() { return fail("save-as needs a window", {}, "save FILE"); }
 Result<void> Host::copy_text(const std::string&) { return fail("there is no clipboard without a window"); }
 Result<std::string> Host::pasted_text() { return fail("there is no clipboard without a window"); }

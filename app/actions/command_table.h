@@ -38,13 +38,16 @@ public:
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0;
     // The session as another camera sees it, with scale bar and cube, for reports.
     virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
-    virtual void camera_moved() {}    // the command set another camera
+    virtual void camera_leapt() {}    // the command set a camera far from the last: the eye wants to be led there
     virtual void flew(int, double) {} // along the vessels: to this branch, so far
     FlyPaths flights;
     virtual void say(const std::string& sentence); // what a command did, where it cannot be seen in the picture
 
     virtual Result<void> open(const std::filesystem::path& path);
     virtual Result<void> ask_for_file();
+    virtual Result<void> ask_for_lesion_mesh();
+    // Whether this mesh is about to be read by somebody else, who runs the command again once it is.
+    virtual bool reads_lesion_mesh(const std::filesystem::path&) { return false; }
     virtual Result<void> ask_for_name();                // of a session, to save it
     virtual Result<void> toggle(std::string_view part); // "help", "panel"
     // Sets a part of the window that has more to it than being there: "overview" to "on", "generation", ...

@@ -42,12 +42,14 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> lesion_mesh(ActionContext& context, Arguments arguments) {
+    if (arguments.empty()) return context.host.ask_for_lesion_mesh();
     if (arguments.size() != 1)
         return fail("lesion-mesh takes a file: .stl, .ply or .obj", {}, "put quotes around a name with blanks");
     const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
     Marks next = context.document.marks();
     if (std::ranges::find(next.lesion_meshes, path.string()) != next.lesion_meshes.end())
         return fail("this lesion is there already", path.string());
+    if (context.host.reads_lesion_mesh(path)) return {};
     const auto mesh = app::lesion_mesh(path);
     if (!mesh) return tl::unexpected(mesh.error());
     context.host.say("Lesion of " + counted((*mesh)->mesh.triangles.size(), "triangle", "triangles") + ": " +
@@ -115,7 +117,8 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     if (added == 0) return fail("there is a cut already");
     document.change(std::move(next));
     if (added == 1)
-        context.host.say("Cut " + std::to_string(before + 1) + ": " + cost_text(document.plan()->cuts.cuts.back()));
+        context.host.say("Cut " + std::to_string(before + 1) + ": " +
+                         cost_text(context.document.plan_so_far()->cuts.cuts.back()));
     else
         context.host.say(counted(added, "cut", "cuts"));
     return {};
@@ -238,7 +241,7 @@ std::vector<Command> surgery_commands() {
          {},
          lesion_change},
         {"lesion-mesh",
-         "FILE",
+         "[FILE]",
          "Places a lesion with the shape of a closed mesh: .stl, .ply or .obj, in mm.",
          "",
          "",

@@ -22,7 +22,7 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
         target = measure::place_on(*context.document.tree(), *id, 0.5).position;
     }
     context.document.set_camera(render::centred_on(context.document.session().camera, target));
-    context.host.camera_moved();
+    context.host.camera_leapt();
     return {};
 }
 
@@ -35,7 +35,6 @@ Result<void> fly(ActionContext& context, Arguments arguments) {
     if (!fraction) return fail("\"" + arguments[1] + "\" is not a number from 0 to 1");
     const auto path = context.host.flights.to(context.document.tree(), *id);
     context.document.set_camera(path->camera_at(*fraction, context.document.session().camera));
-    context.host.camera_moved();
     context.host.flew(*id, *fraction);
     return {};
 }

@@ -11,18 +11,26 @@
 #include <cctype>
 #include <cstring>
 #include <imgui.h>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 
 namespace ramus::app {
 
 namespace fs = std::filesystem;
 
-bool can_be_opened(const fs::path& path) {
+namespace {
+
+bool ends_in(const fs::path& path, std::initializer_list<std::string_view> endings) {
     std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".swc" || ending == ".json";
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::ranges::find(endings, ending) != endings.end();
 }
+
+} // namespace
+
+bool can_be_opened(const fs::path& path) { return ends_in(path, {".swc", ".json"}); }
+bool can_be_lesion_mesh(const fs::path& path) { return ends_in(path, {".stl", ".ply", ".obj"}); }
 
 void OpenDialog::show(const fs::path& start) {
     purpose = Purpose::kOpen;
@@ -81,7 +89,8 @@ void OpenDialog::enter(const fs::path& where) {
 namespace {
 
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    if (!entry.folder && !dialog.every_file && !can_be_opened(entry.name)) return false;
+    const auto known = dialog.purpose == OpenDialog::Purpose::kLesionMesh ? can_be_lesion_mesh : can_be_opened;
+    if (!entry.folder && !dialog.every_file && !known(entry.name)) return false;
     const std::string_view wanted = dialog.filter.data();
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -162,8 +171,9 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
         ImGui::EndTable();
     }
     if (!any && dialog.problem.empty())
-        widgets::quiet_wrapped(dialog.every_file
-                                   ? "Nothing here."
+        widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
+                               : dialog.purpose == OpenDialog::Purpose::kLesionMesh
+                                   ? "No STL, PLY or OBJ files here. Choose another folder, or show all files."
                                    : "No SWC or JSON files here. Choose another folder, or show all files.");
     ImGui::EndChild();
     return chosen;
@@ -214,11 +224,14 @@ void draw_open_dialog(InterfaceContext& context) {
     const float scale = theme::scale();
     fs::path chosen;
     const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
-    widgets::heading(saving ? "Save the session" : "Open a vessel tree or a session");
+    const bool lesion = dialog.purpose == OpenDialog::Purpose::kLesionMesh;
+    widgets::heading(saving   ? "Save the session"
+                     : lesion ? "Choose the mesh of a lesion"
+                              : "Open a vessel tree or a session");
     ImGui::Dummy({0.0F, 2.0F * scale});
 
     const float places_width = 190.0F * scale;
-    if (const fs::path place = draw_places(places_width, !saving); !place.empty()) chosen = place;
+    if (const fs::path place = draw_places(places_width, !saving && !lesion); !place.empty()) chosen = place;
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
     const float up_width = 44.0F * scale;
@@ -272,7 +285,7 @@ void draw_open_dialog(InterfaceContext& context) {
         dialog.enter(chosen);
     else if (!chosen.empty() && !saving) {
         dialog.open = false;
-        context.perform("open", {chosen.string()});
+        context.perform(lesion ? "lesion-mesh" : "open", {chosen.string()});
     }
     if (!target.empty()) {
         dialog.open = false;

@@ -16,7 +16,7 @@ struct OpenDialog {
         bool folder = false;
         std::uintmax_t bytes = 0;
     };
-    enum class Purpose { kOpen, kSave };
+    enum class Purpose { kOpen, kSave, kLesionMesh };
     Purpose purpose = Purpose::kOpen;
     bool open = false;
     bool every_file = false; // not only those with a known ending
@@ -36,7 +36,8 @@ struct OpenDialog {
     void enter(const std::filesystem::path& where);             // lists another folder
 };
 
-// Endings of files that may be trees or sessions, with the dot, lower case.
-[[nodiscard]] bool can_be_opened(const std::filesystem::path& path);
+// By the ending of its name, in capitals or not.
+[[nodiscard]] bool can_be_opened(const std::filesystem::path& path); // a tree or a session
+[[nodiscard]] bool can_be_lesion_mesh(const std::filesystem::path& path);
 
 } // namespace ramus::app

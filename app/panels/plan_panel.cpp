@@ -116,8 +116,17 @@ void go_to(InterfaceContext& context, int branch) {
 
 void draw_lesions(InterfaceContext& context) {
     const Marks& marks = context.workspace.document.marks();
-    if (title_row<1>("Lesions", {{{"Place", "Place a lesion in the picture and size it by dragging"}}}) == 0)
+    switch (title_row<2>("Lesions", {{{"Place", "Place a lesion in the picture and size it by dragging"},
+                                      {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ"}}})) {
+    case 0:
         context.perform("tool", {"lesion"});
+        break;
+    case 1:
+        context.perform("lesion-mesh", {});
+        break;
+    default:
+        break;
+    }
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) {
         widgets::quiet_wrapped(
             "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
@@ -141,7 +150,8 @@ void draw_lesions(InterfaceContext& context) {
             context.perform("lesion-remove", {std::to_string(marks.lesions.size() + i + 1)});
         ImGui::PopID();
     }
-    const auto plan = context.workspace.document.plan();
+    const auto plan = context.workspace.document.plan_so_far();
+    if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
     for (const std::string& trouble : plan->troubles) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
         ImGui::TextWrapped("%s", trouble.c_str());
@@ -215,7 +225,7 @@ void draw_margins(InterfaceContext& context) {
     bool coloured = marks.colour_by == ColourBy::kLesion;
     if (ImGui::Checkbox("Colour vessels by distance", &coloured))
         context.perform("colour-by", {coloured ? "lesion" : "nothing"});
-    const auto plan = document.plan();
+    const auto plan = document.plan_so_far();
     for (const measure::Band& band : plan->bands) draw_band(context, band);
 }
 
@@ -231,7 +241,7 @@ void draw_cuts(InterfaceContext& context) {
     if (const auto words = entry("##reconstruct", rounded(marks.planning.reconstruct_mm), room); words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
-    const auto plan = document.plan(); // kept here: removing a cut makes the document another
+    const auto plan = document.plan_so_far(); // kept here: removing a cut makes the document another
     const measure::CutReport& report = plan->cuts;
     for (std::size_t i = 0; i < std::min(marks.cuts.size(), report.cuts.size()); ++i) {
         const measure::CutFigures& figures = report.cuts[i];

@@ -61,7 +61,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
 }
 
 render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh, Viewing viewing) {
-    viewing.plan = document.plan();
+    viewing.plan = document.plan_so_far();
     viewing.measurements = document.measurements();
     if (viewing.hovered >= 0 && viewing.hovered < document.branch_count())
         viewing.hovered_dependents = document.dependency().dependents(viewing.hovered);

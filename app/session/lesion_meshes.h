@@ -20,4 +20,7 @@ struct LesionMesh {
 // since; one that could not be read says so again without another try until it changes.
 [[nodiscard]] Result<std::shared_ptr<const LesionMesh>> lesion_mesh(const std::filesystem::path& path);
 
+// The same without touching the disk or waiting for who does: null when it has not been read.
+[[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh_read_before(const std::filesystem::path& path);
+
 } // namespace ramus::app

@@ -57,6 +57,12 @@ Viewing Viewer::viewing() const {
 void Viewer::take_news() {
     if (workspace_.update()) shake();
     if (const auto opened = workspace_.take_opened()) take_opened(*opened);
+    while (const auto path = workspace_.take_read_mesh()) {
+        InterfaceContext context{interface_, workspace_, *this, layout_, now_};
+        reread_mesh_ = true;
+        context.perform("lesion-mesh", {path->string()});
+        reread_mesh_ = false;
+    }
     while (const auto error = workspace_.take_error()) {
         tell(*error);
         // What cannot be recovered now may be thrown away, or left for later.
@@ -90,6 +96,21 @@ void Viewer::ask_pick() {
     pick_pending_ = true;
 }
 
+// Nobody looks on while a script runs or a picture of the window is made.
+void Viewer::camera_leapt() {
+    if (keeps_files_ && !unattended_) glide_ = Glide{shown_camera_, now_};
+}
+
+// Slow at both ends. A picture that is asked for is never one on the way: see draw_for_keeping().
+render::Camera Viewer::camera_on_its_way() {
+    const render::Camera& there = workspace_.document.session().camera;
+    if (!glide_) return there;
+    const double t = (now_ - glide_->since) / kGlideSeconds;
+    if (t < 1.0 && t >= 0.0) return render::interpolated(glide_->from, there, t * t * (3.0 - 2.0 * t));
+    glide_.reset();
+    return there;
+}
+
 bool Viewer::draw(double now, unsigned framebuffer) {
     now_ = now;
     layout_ = layout_of(layout_.window, scale_, interface_.panel_open, interface_.overview.wanted_height(),
@@ -118,6 +139,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     }
 
     render::Frame frame = compose(workspace_.document, picture_mesh(), viewing());
+    frame.camera = shown_camera_ = camera_on_its_way();
     if (pace_.slow(frame)) {
         workspace_.await_preview();
         frame.mesh = workspace_.shown().mesh;
@@ -128,7 +150,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         interface_.picture = std::move(look);
     }
     frame.preview = workspace_.shown().preview;
-    frame.quality = pace_.quality(frame, mouse_.dragging(), workspace_.shown().provisional, now);
+    frame.quality = pace_.quality(frame, mouse_.dragging() || glide_, workspace_.shown().provisional, now);
     // Rough cones are there for a blink.
     if (frame.quality == render::Quality::kInteractive && workspace_.shown_cones()) frame.appearance.occlusion = 0.0F;
     const auto start = std::chrono::steady_clock::now();
@@ -158,7 +180,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
 }
 
 double Viewer::wait_seconds(double now) const {
-    if (frames_left_ > 0 || interface_.fly.playing || interface_waits_ || pick_wanted_ || upload_pending_) return 0.0;
+    if (frames_left_ > 0 || glide_ || interface_.fly.playing || interface_waits_ || pick_wanted_ || upload_pending_)
+        return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (pick_pending_) wait = std::min(wait, kPollSeconds);
     if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
@@ -169,7 +192,7 @@ double Viewer::wait_seconds(double now) const {
 
 bool Viewer::resting() const {
     return !workspace_.busy() && frames_left_ == 0 && !interface_waits_ && !pick_wanted_ && !pick_pending_ &&
-           !upload_pending_ && quality_ == render::Quality::kFull;
+           !upload_pending_ && !glide_ && quality_ == render::Quality::kFull;
 }
 
 std::string Viewer::title() const {

@@ -76,10 +76,13 @@ public:
     void say(const std::string& sentence) override;
     Result<void> open(const std::filesystem::path& path) override;
     Result<void> ask_for_file() override;
+    Result<void> ask_for_lesion_mesh() override;
+    bool reads_lesion_mesh(const std::filesystem::path& path) override;
     Result<void> ask_for_name() override;
     Result<void> toggle(std::string_view part) override;
     Result<void> arrange(std::string_view part, std::string_view setting) override;
     [[nodiscard]] bool shows(std::string_view part) const override;
+    void camera_leapt() override;
     void flew(int branch, double fraction) override;
     bool dismiss() override;
     Result<void> quit() override;
@@ -99,6 +102,7 @@ private:
     static constexpr int kDialogFrames = 14; // what lies behind a dialog fades
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
+    static constexpr double kGlideSeconds = 0.35;
     static constexpr double kCaretSeconds = 0.25;
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
@@ -114,7 +118,8 @@ private:
     void clicked(const Click& click);
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     void perform_tool();
-    void move_camera(const render::Camera& camera);
+    void move_camera(const render::Camera& camera); // by hand: at once
+    [[nodiscard]] render::Camera camera_on_its_way();
     void run(const Command& command);
     void when_saved(std::function<void()> next);
     [[nodiscard]] Result<RecoveryDialog::Entry*> recovery(int which);
@@ -133,7 +138,13 @@ private:
     glm::dvec2 pointer_{-1.0};
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
-    bool camera_moved_ = false;
+    // The picture's way to a camera that a command has set.
+    struct Glide {
+        render::Camera from;
+        double since;
+    };
+    std::optional<Glide> glide_;
+    render::Camera shown_camera_; // of the last picture
     Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     int frames_left_ = kFramesAfterEvent;
@@ -143,6 +154,7 @@ private:
     std::uint64_t drawn_ = 0; // fingerprint of the last interface
     bool closing_ = false;
     bool unattended_ = false;
+    bool reread_mesh_ = false;         // a lesion's mesh has been read: the command goes on
     bool keeps_files_ = false;         // a person's window, not a picture of one: settings and recent files are kept
     std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
     std::optional<autosave::Slot> recovered_;

@@ -13,6 +13,7 @@ void Viewer::take_opened(const Workspace::Opened& opened) {
     if (!opened.has_camera && picture_mesh())
         workspace_.document.set_camera(
             render::camera_for(picture_mesh()->positions(), render::View::kAnterior, layout_.view_size));
+    glide_.reset();
     interface_.hovered = tree::kNoBranch;
     interface_.list.of = nullptr;
     interface_.list.shown = interface_.list.cursor = interface_.list.anchor = tree::kNoBranch;
@@ -78,6 +79,18 @@ Result<void> Viewer::ask_for_file() {
     interface_.open_dialog.show(beside.empty() ? interface_.settings.last_folder : beside);
     shake();
     return {};
+}
+
+Result<void> Viewer::ask_for_lesion_mesh() {
+    (void)ask_for_file();
+    interface_.open_dialog.purpose = OpenDialog::Purpose::kLesionMesh;
+    return {};
+}
+
+bool Viewer::reads_lesion_mesh(const std::filesystem::path& path) {
+    if (unattended_ || !keeps_files_ || reread_mesh_) return false;
+    workspace_.read_lesion_mesh(path);
+    return true;
 }
 
 Result<void> Viewer::ask_for_name() {

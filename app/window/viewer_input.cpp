@@ -2,7 +2,6 @@
 #include "app/window/viewer.h"
 
 #include <algorithm>
-#include <cctype>
 #include <imgui.h>
 
 namespace ramus::app {
@@ -34,6 +33,7 @@ void Viewer::mouse_left() {
 
 void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
     now_ = now;
+    glide_.reset(); // what a tool is told about is the session's camera
     const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
     if (tool_mouse_.held()) { // one button at a time
         if (!down && button == MouseButton::kLeft && interface_.tool) {
@@ -66,7 +66,10 @@ void Viewer::mouse_wheel(glm::dvec2 notches) {
     shake();
 }
 
-void Viewer::move_camera(const render::Camera& camera) { workspace_.document.set_camera(camera); }
+void Viewer::move_camera(const render::Camera& camera) {
+    glide_.reset();
+    workspace_.document.set_camera(camera);
+}
 
 Pointing Viewer::pointing(Modifiers modifiers) {
     return {.at = in_picture(pointer_),
@@ -118,7 +121,9 @@ void Viewer::clicked(const Click& click) {
         if (hit) context.perform("select-toggle", id);
         break;
     case Click::Kind::kCentre:
-        if (hit) move_camera(render::centred_on(workspace_.document.session().camera, pick.position));
+        if (!hit) break;
+        move_camera(render::centred_on(workspace_.document.session().camera, pick.position));
+        camera_leapt();
         break;
     case Click::Kind::kSecondary:
         break;
@@ -163,10 +168,7 @@ void Viewer::character(unsigned codepoint) {
 
 void Viewer::dropped(const std::filesystem::path& path) {
     InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    const bool mesh = extension == ".stl" || extension == ".ply" || extension == ".obj";
-    context.perform(mesh ? "lesion-mesh" : "open", {path.string()});
+    context.perform(can_be_lesion_mesh(path) ? "lesion-mesh" : "open", {path.string()});
 }
 
 } // namespace ramus::app

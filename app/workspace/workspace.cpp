@@ -1,5 +1,7 @@
 #include "app/workspace/workspace.h"
 
+#include "app/picture/distance_grid.h"
+#include "app/session/lesion_meshes.h"
 #include "app/session/session_file.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
@@ -90,7 +92,9 @@ Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOption
     return loaded;
 }
 
-Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake) {}
+Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake), planner_(wake) {
+    document.let_others_plan();
+}
 
 void Workspace::open(const std::filesystem::path& path) {
     load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
@@ -226,6 +230,40 @@ void Workspace::make_next(const SurfaceRequest& request) {
     });
 }
 
+// Meshes are read before distances to them are measured.
+void Workspace::start_plan() {
+    if (planner_.busy()) return;
+    if (!meshes_to_read_.empty()) {
+        const std::filesystem::path path = meshes_to_read_.front();
+        meshes_to_read_.pop_front();
+        planner_.start("Reading " + path.filename().string(), [this, path](Job&, const Worker::Post& post) {
+            (void)lesion_mesh(path);
+            post([this, path] {
+                read_meshes_.push_back(path);
+                changed_ = true;
+            });
+        });
+    } else if (document.plan_wanted()) {
+        planner_.start("Measuring distances", [this, tree = document.tree(), facts = document.facts(),
+                                               marks = document.marks()](Job&, const Worker::Post& post) {
+            const auto plan = std::make_shared<const Plan>(make_plan(*tree, *facts, marks));
+            // The picture's own measure of them is kept where it looks for it.
+            if (!marks.planning.bands_mm.empty()) (void)distance_grid(plan->lesions, marks.planning.bands_mm.back());
+            post([this, tree, marks, plan] {
+                if (document.tree() == tree) document.take_plan(marks, plan);
+                changed_ = true;
+            });
+        });
+    }
+}
+
+std::optional<std::filesystem::path> Workspace::take_read_mesh() {
+    if (read_meshes_.empty()) return {};
+    std::filesystem::path path = std::move(read_meshes_.front());
+    read_meshes_.pop_front();
+    return path;
+}
+
 void Workspace::cancel_work() {
     if (loader_.busy()) {
         loader_.cancel();
@@ -249,6 +287,8 @@ bool Workspace::update() {
     const bool was_busy = busy();
     loader_.drain();
     mesher_.drain();
+    planner_.drain();
+    start_plan();
     // A picture is drawn before a better one is begun: both want the whole machine.
     if (!std::exchange(just_shown_, false)) start_surface();
     return std::exchange(changed_, false) || was_busy != busy();
@@ -256,6 +296,7 @@ bool Workspace::update() {
 
 std::string Workspace::activity() const {
     if (loader_.busy() && !first_is_coming_) return loader_.title();
+    if (!mesher_.busy() && planner_.busy()) return planner_.title();
     return busy() ? kComputing : std::string{};
 }
 

@@ -74,7 +74,9 @@ public:
     // Options that are being tried, while a slider is held, say: the surface follows them instead of the session's.
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
 
-    [[nodiscard]] bool busy() const { return loader_.busy() || mesher_.busy(); }
+    [[nodiscard]] bool busy() const {
+        return loader_.busy() || mesher_.busy() || planner_.busy() || !meshes_to_read_.empty();
+    }
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
     [[nodiscard]] float progress() const;       // of that, 0 to 1
 
@@ -86,6 +88,9 @@ public:
     };
     [[nodiscard]] std::optional<Opened> take_opened() { return std::exchange(opened_, std::nullopt); }
     [[nodiscard]] std::optional<Error> take_error();
+    // Reads it, well or badly, so that app::lesion_mesh() need not wait; then take_read_mesh() names it, once.
+    void read_lesion_mesh(const std::filesystem::path& path) { meshes_to_read_.push_back(path); }
+    [[nodiscard]] std::optional<std::filesystem::path> take_read_mesh();
     // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
     // shown. Empty otherwise.
     [[nodiscard]] const std::string& surface_problem() const { return problem_; }
@@ -104,6 +109,7 @@ private:
     void make_next(const SurfaceRequest& request);
     [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;
     void start_surface();
+    void start_plan();
 
     ReadySurface shown_;
     std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
@@ -115,11 +121,12 @@ private:
     std::string problem_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;
+    std::deque<std::filesystem::path> meshes_to_read_, read_meshes_;
     bool changed_ = false;
-    bool awaited_ = false;         // the preview of what is shown
-    bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
-    bool just_shown_ = false;      // a picture that something better shall follow
-    Worker loader_, mesher_;       // last: their threads end first
+    bool awaited_ = false;             // the preview of what is shown
+    bool first_is_coming_ = false;     // the loader, which read the tree, is at its first surface
+    bool just_shown_ = false;          // a picture that something better shall follow
+    Worker loader_, mesher_, planner_; // last: their threads end first
 };
 
 } // namespace ramus::app

@@ -15,7 +15,7 @@ public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
     Result<void> write_picture(const std::filesystem::path&) override { return {}; }
-    void camera_moved() override { ++moves; }
+    void camera_leapt() override { ++moves; }
     Result<void> copy_text(const std::string& text) override {
         clipboard = text;
         return {};

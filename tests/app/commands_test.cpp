@@ -40,7 +40,7 @@ public:
         pictures.push_back(path);
         return {};
     }
-    void camera_moved() override { ++moves; }
+    void camera_leapt() override { ++moves; }
     std::vector<std::filesystem::path> pictures;
     int moves = 0;
 };

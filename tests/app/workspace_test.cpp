@@ -1,7 +1,10 @@
+#include "app/session/lesion_meshes.h"
 #include "app/session/session_file.h"
 #include "app/storage/tree_source.h"
 #include "app/workspace/workspace.h"
 #include "core/base/worker.h"
+#include "core/io/mesh_writer.h"
+#include "tests/support/icosphere.h"
 
 #include <atomic>
 #include <chrono>
@@ -188,4 +191,53 @@ TEST_CASE("facts of a fork are those of its geometry") {
     CHECK(facts.generations == 2);
     CHECK(facts.length_mm == doctest::Approx(20.0 + 2.0 * std::sqrt(200.0)));
     CHECK(path_to(*loaded->tree, 2) == std::vector<int>{0, 2});
+}
+
+TEST_CASE("distances to lesions that are meshes are measured behind the window's back") {
+    const Folder folder;
+    auto ball = test::icosphere(4, {0, 9, 5}, 3.0);
+    ball.radii.resize(ball.positions.size(), 1.0F);
+    ball.branches.resize(ball.positions.size(), 0);
+    const fs::path file = folder.path / "tumour.stl";
+    REQUIRE(io::write_mesh(ball, file));
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    workspace.read_lesion_mesh(file);
+    CHECK(workspace.busy());
+    REQUIRE(settle(workspace, [&] { return workspace.take_read_mesh() == file; }));
+    CHECK(lesion_mesh_read_before(file));
+    CHECK_FALSE(lesion_mesh_read_before(folder.path / "other.stl"));
+
+    Document& document = workspace.document;
+    Marks marks = document.marks();
+    marks.lesion_meshes = {file.string()};
+    marks.cuts = {{0, 0.5}};
+    document.change(marks);
+    // Who must not wait sees the mesh and the cut at once, but no distances yet.
+    REQUIRE(document.plan_wanted());
+    auto plan = document.plan_so_far();
+    CHECK(plan->measuring);
+    CHECK(plan->meshes.size() == 1);
+    CHECK(plan->cuts.cuts.size() == 1);
+    CHECK(plan->bands.empty());
+    CHECK(document.plan_so_far() == plan);
+    REQUIRE(settle(workspace, [&] { return !document.plan_wanted(); }));
+    plan = document.plan_so_far();
+    CHECK_FALSE(plan->measuring);
+    REQUIRE(plan->lesion_distances_mm.size() == 3);
+    CHECK(plan->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01)); // 9 - 3 - 2
+    // A cut more takes the distances over; another lesion needs them anew.
+    marks.cuts.push_back({1, 0.5});
+    document.change(marks);
+    CHECK_FALSE(document.plan_wanted());
+    CHECK(document.plan_so_far()->cuts.cuts.size() == 2);
+    CHECK(document.plan_so_far()->lesion_distances_mm == plan->lesion_distances_mm);
+    marks.lesions = {{0, -9, 5, 3}};
+    document.change(marks);
+    CHECK(document.plan_wanted());
+    CHECK(document.plan_so_far()->lesion_distances_mm.size() == 3); // of the sphere alone
+    // Who asks for all of it waits.
+    CHECK(document.plan()->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01));
+    CHECK_FALSE(document.plan_wanted());
 }
