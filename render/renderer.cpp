@@ -21,8 +21,8 @@ Result<void> check_size(std::int64_t width, std::int64_t height) {
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
-Result<std::unique_ptr<Renderer>> Renderer::create() {
-    auto impl = std::make_unique<Impl>();
+Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes) {
+    auto impl = std::make_unique<Impl>(glass_bytes);
     if (auto ready = impl->initialise(); !ready) return tl::unexpected(ready.error());
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }

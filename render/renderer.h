@@ -60,9 +60,13 @@ inline constexpr std::int64_t kLargestArea = 36 * 1024 * 1024;
 
 inline constexpr int kPickRadius = 4; // pixels (times Frame::pixel_ratio) that a thin vessel may be missed by
 
+// What the lists of glass may take of the graphics card's memory. Pictures that would need more are drawn in bands, in
+// more time and with the same pixels.
+inline constexpr std::size_t kGlassBytes = std::size_t{512} << 20;
+
 class Renderer {
 public:
-    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create();
+    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(std::size_t glass_bytes = kGlassBytes);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -4,6 +4,7 @@
 
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
+#include "render/glass_meetings.h"
 #include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_solids.h"
@@ -31,6 +32,7 @@ inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cas
 
 class Renderer::Impl {
 public:
+    explicit Impl(std::size_t glass_bytes) : glass_bytes_(glass_bytes) {}
     Result<void> initialise();
     Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget);
     Image read_image() const;
@@ -49,12 +51,20 @@ private:
     };
 
     Result<void> resize(glm::ivec2 size, Quality quality);
-    void make_glass_layer();
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
-    std::uint64_t draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
+    Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
     void draw_solids(const Frame& frame, const glm::dmat4& to_clip);
-    void resolve();
+    // Rows of `inner_`, in GL's sense of y, whose panes of glass fit into their bound together.
+    struct Band {
+        int first = 0, count = 0;
+    };
+    Result<std::uint64_t> draw_glass(const Frame& frame, const GpuMesh& mesh);
+    std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
+    bool make_room_for_panes(std::size_t wanted);
+    void bind_panes(const Program& program, Band band) const;
+    void bind_meetings(const Program& program, const PagedMesh& mesh) const;
+    void resolve(Band band);
     void draw_occlusion(const Frame& frame);
     // What shade.frag is told, and which of its variants: bits of Variant.
     enum Variant : unsigned {
@@ -82,8 +92,8 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, opaque_side_, glass_side_, centerline_, resolve_, occlude_, blur_, background_, enlarge_,
-        overlay_, mark_;
+    Program geometry_, opaque_side_, pane_, glass_side_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
+        background_, enlarge_, overlay_, mark_;
     std::map<unsigned, Program> shade_;                // by variant, made when needed
     std::vector<std::array<std::uint8_t, 4>> records_; // of the last picture's branches
     glm::ivec2 region_at_{0}, region_size_{0};         // that is shaded, of `inner_`, in GL's sense of y
@@ -95,15 +105,21 @@ private:
     std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 
-    glm::ivec2 size_{0};                                    // of the picture
-    glm::ivec2 inner_{0};                                   // of what is drawn, smaller while the view moves
-    Texture surface_, depth_, glass_surface_, glass_depth_; // multisampled
-    Texture id_normal_, opaque_depth_, picked_depth_;       // one value a pixel
+    glm::ivec2 size_{0};                              // of the picture
+    glm::ivec2 inner_{0};                             // of what is drawn, smaller while the view moves
+    Texture surface_, depth_;                         // multisampled
+    Texture id_normal_, opaque_depth_, picked_depth_; // one value a pixel
     Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it
     Texture occlusion_, half_blurred_, blurred_, lit_, picture_;
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
         lit_target_, picture_target_;
     bool has_glass_ = false;
+    GlassMeetings meetings_;
+    glm::dmat4 mesh_to_clip_{1.0};
+    std::size_t glass_bytes_;                // that panes may take
+    Buffer pane_heads_, panes_, pane_count_; // as in panes.glsl
+    std::size_t head_room_ = 0, pane_room_ = 0;
+    std::vector<Band> bands_; // of the last picture with glass; one: its lists are still there
 
     GpuMesh mesh_, preview_;
     GpuLines lines_;

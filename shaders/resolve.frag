@@ -1,18 +1,52 @@
 // One value a pixel from the samples: the nearest opaque surface, else the nearest glass. Picking, outlines and the
-// occlusion read this.
+// occlusion read this. The lists of glass are put in order on the way.
 #version 450 core
+// Variant: GLASS when anything is defocused.
 #include "view.glsl"
 #include "ids.glsl"
+#ifdef GLASS
+#include "panes.glsl"
+layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+#endif
 
 layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
-layout(binding = 2) uniform usampler2DMS glass_samples;
-layout(binding = 3) uniform sampler2DMS glass_depth_samples;
-layout(location = 0) uniform bool has_glass;
 
 layout(location = 0) out uvec2 id_normal;
 layout(location = 1) out float opaque_depth; // for the occlusion: opaque surfaces only
 layout(location = 2) out float picked_depth; // of id_normal
+
+#ifdef GLASS
+// Any order will do where depths are the same, if only it is always the same one.
+bool before(Pane a, Pane b) {
+    float da = uintBitsToFloat(a.depth), db = uintBitsToFloat(b.depth);
+    if (da != db) return da > db;
+    if (a.id_and_samples != b.id_and_samples) return a.id_and_samples < b.id_and_samples;
+    return a.normal < b.normal;
+}
+
+// The first pane of the list, sorted by insertion.
+uint sorted(uint head) {
+    uint first = 0u;
+    while (head != 0u) {
+        Pane pane = panes[head];
+        uint previous = 0u, after = first;
+        while (after != 0u) {
+            Pane other = panes[after];
+            if (before(pane, other)) break;
+            previous = after;
+            after = other.next;
+        }
+        panes[head].next = after;
+        if (previous == 0u)
+            first = head;
+        else
+            panes[previous].next = head;
+        head = pane.next;
+    }
+    return first;
+}
+#endif
 
 // Software rasterisers execute both sides of a branch: fetch what is needed, not what might be.
 void main() {
@@ -27,28 +61,27 @@ void main() {
     id_normal = texelFetch(surface_samples, pixel, seen).xy;
     opaque_depth = id_normal.x == 0u ? kNothing : eye_depth(nearest);
     picked_depth = opaque_depth;
-    if (has_glass) {
-        // Lines are picked as their branch; they take no light from what they run before.
-        float solid = 0.0;
-        for (int s = 0; s < samples; ++s) {
-            float depth = texelFetch(depth_samples, pixel, s).x;
-            bool line = (texelFetch(surface_samples, pixel, s).x & kLine) != 0u;
-            solid = line ? solid : max(solid, depth);
-        }
-        opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
-        id_normal.x &= ~kLine;
-        float pane = 0.0;
-        seen = 0;
-        for (int s = 0; s < samples; ++s) {
-            float depth = texelFetch(glass_depth_samples, pixel, s).x;
-            seen = depth > pane ? s : seen;
-            pane = max(pane, depth);
-        }
-        if (id_normal.x == 0u) {
-            id_normal = texelFetch(glass_samples, pixel, seen).xy;
-            nearest = pane;
-            if (id_normal.x != 0u) picked_depth = eye_depth(pane);
-        }
+#ifdef GLASS
+    // Lines are picked as their branch; they take no light from what they run before.
+    float solid = 0.0;
+    for (int s = 0; s < samples; ++s) {
+        float depth = texelFetch(depth_samples, pixel, s).x;
+        bool line = (texelFetch(surface_samples, pixel, s).x & kLine) != 0u;
+        solid = line ? solid : max(solid, depth);
     }
+    opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
+    id_normal.x &= ~kLine;
+    int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
+    uint first = sorted(heads[place]);
+    heads[place] = first;
+    if (first != 0u && id_normal.x == 0u) {
+        Pane pane = panes[first];
+        id_normal = uvec2(pane.id_and_samples & kIdBits, pane.normal);
+        nearest = uintBitsToFloat(pane.depth);
+        picked_depth = eye_depth(nearest);
+    }
+    // What is only covered by glass is covered: full-screen passes must not skip it.
+    if (first != 0u) nearest = max(nearest, 1e-30);
+#endif
     gl_FragDepth = nearest;
 }

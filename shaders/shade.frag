@@ -11,11 +11,15 @@
 
 layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
-layout(binding = 2) uniform usampler2DMS glass_samples;
-layout(binding = 3) uniform sampler2DMS glass_depth_samples;
 layout(binding = 4) uniform usampler2D id_normal;
 layout(binding = 5) uniform sampler2D occlusion;
 layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alpha the flags below
+
+#ifdef GLASS
+#include "panes.glsl"
+layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+const int kMostSamples = 4;
+#endif
 
 layout(location = 0) out vec4 colour;
 
@@ -166,12 +170,16 @@ float outline(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z);
+#ifdef GLASS
+    int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
+#endif
 #ifdef CHANGED
     // Pixels without a sample of what changed go round no loop below, and stay as they are.
     bool changed = false;
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
 #ifdef GLASS
-    for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(glass_samples, pixel, s).x);
+    for (uint number = heads[place]; number != 0u && !changed; number = panes[number].next)
+        changed = has_changed(panes[number].id_and_samples & kIdBits);
 #endif
     samples = changed ? samples : 0;
 #endif
@@ -189,10 +197,37 @@ void main() {
         mean_normal += normal;
         mean_depth += texelFetch(depth_samples, pixel, s).x;
     }
-#ifdef GLASS
-    for (int s = 0; s < samples; ++s) whole = whole && texelFetch(glass_samples, pixel, s).x == 0u;
-#endif
     mean_depth /= float(samples);
+
+#ifdef GLASS
+    // Front to back, each sample by itself: a pane veils what lies behind it. Its light is reckoned once for all of them.
+    float opaque_values[kMostSamples];
+    vec4 front[kMostSamples]; // premultiplied
+    bool empty = true;
+    for (int s = 0; s < kMostSamples; ++s) {
+        opaque_values[s] = s < samples ? texelFetch(depth_samples, pixel, s).x : 0.0;
+        front[s] = vec4(0.0);
+        empty = empty && opaque_values[s] == 0.0;
+    }
+    float clear = 1.0;
+    for (uint number = heads[place]; number != 0u && clear > 1e-3;) {
+        Pane pane = panes[number];
+        float value = uintBitsToFloat(pane.depth);
+        vec4 veil = glass(pane.id_and_samples & kIdBits, unpack_normal(pane.normal),
+                          eye_position(gl_FragCoord.xy, eye_depth(value)));
+        clear = 0.0;
+        for (int s = 0; s < kMostSamples; ++s) {
+            bool hit = ((pane.id_and_samples >> (kSampleShift + s)) & 1u) != 0u && value > opaque_values[s];
+            front[s] += hit ? (1.0 - front[s].a) * veil : vec4(0.0);
+            clear = max(clear, 1.0 - front[s].a);
+        }
+        number = pane.next;
+    }
+    vec4 mean_front = vec4(0.0);
+    for (int s = 0; s < kMostSamples; ++s) mean_front += s < samples ? front[s] : vec4(0.0);
+    mean_front /= float(max(samples, 1));
+    whole = whole || empty; // nothing but glass: what lies behind is the same for all samples
+#endif
 
     vec4 sum = vec4(0.0);
     int rounds = samples == 0 ? 0 : whole ? 1 : samples;
@@ -209,10 +244,8 @@ void main() {
         if (found.x == 0u) here = behind;
 #ifdef GLASS
         if (is_line) here.rgb = line(found.x, position);
-        uvec2 pane = texelFetch(glass_samples, pixel, s).xy;
-        float pane_value = texelFetch(glass_depth_samples, pixel, s).x;
-        vec4 veil = glass(max(pane.x, 1u), unpack_normal(pane.y), eye_position(gl_FragCoord.xy, eye_depth(pane_value)));
-        if (pane.x != 0u && (found.x == 0u || pane_value > value)) here = veil + here * (1.0 - veil.a);
+        vec4 before = whole ? mean_front : front[s];
+        here = before + here * (1.0 - before.a);
 #endif
         sum += here;
     }

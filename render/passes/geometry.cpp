@@ -16,32 +16,6 @@ constexpr float kCenterlineWidth = 1.6F; // points
 constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
 
-// The branches where glass meets what is opaque, and all others.
-struct Split {
-    std::vector<Layer> away, meeting; // kNone: belongs to the other list; `meeting` is empty when none does
-    std::vector<std::array<std::uint32_t, 2>> spans, company; // as in meeting.glsl
-    Split() = default;
-    Split(std::vector<Layer> layers, std::size_t count, const GpuLines& lines) {
-        layers.resize(std::max(count, layers.size()), Layer::kOpaque);
-        const auto meetings = lines.meetings(layers);
-        away = meeting = layers;
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            (meetings[i].empty() ? meeting : away)[i] = Layer::kNone;
-            spans.push_back(
-                {static_cast<std::uint32_t>(company.size()), static_cast<std::uint32_t>(meetings[i].size())});
-            for (const int other : meetings[i])
-                company.push_back({static_cast<std::uint32_t>(other),
-                                   layers[static_cast<std::size_t>(other)] == Layer::kGlass ? 1U : 0U});
-        }
-        if (company.empty()) meeting.clear();
-    }
-    // All that meets counts as this layer.
-    void become(Layer layer) {
-        for (Layer& one : meeting)
-            if (one != Layer::kNone) one = layer;
-    }
-};
-
 } // namespace
 
 // The near and far planes enclose all of `box`, and lesions beside it. Reversed depth, 1 at the near plane and 0 at the
@@ -85,21 +59,32 @@ glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     return projection * view_matrix(camera);
 }
 
-std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers) {
+void Renderer::Impl::bind_meetings(const Program& program, const PagedMesh& mesh) const {
+    glProgramUniform1i(program, 2, static_cast<GLint>(view_.picture.z));
+    const glm::vec3 offset(lines_.shown()->origin - mesh.origin());
+    glProgramUniform3f(program, 3, offset.x, offset.y, offset.z);
+    GLuint unit = 0;
+    for (const GLuint texture :
+         {lines_.points(), lines_.details(), lines_.runs(), GLuint(meeting_texture_), GLuint(company_texture_)})
+        glBindTextureUnit(unit++, texture);
+}
+
+Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh,
+                                                    const std::vector<Layer>& layers) {
     const glm::dmat4 to_clip = look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : Box{});
     const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
 
     has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
-    Split split;
+    if (mesh != nullptr) mesh_to_clip_ = relative_to(mesh->shown()->origin());
+    meetings_ = {};
     if (has_glass_) {
-        make_glass_layer();
-        split = Split(layers, static_cast<std::size_t>(mesh->shown()->branch_count()), lines_);
-        if (!split.meeting.empty()) {
+        meetings_ = GlassMeetings(layers, static_cast<std::size_t>(mesh->shown()->branch_count()), lines_);
+        if (!meetings_.meeting.empty()) {
             const auto send = [](Buffer& buffer, Texture& texture, const auto& values) {
                 make_buffer_texture(buffer, texture, GL_RG32UI, values.data(), values.size() * sizeof values[0]);
             };
-            send(meeting_buffer_, meeting_texture_, split.spans);
-            send(company_buffer_, company_texture_, split.company);
+            send(meeting_buffer_, meeting_texture_, meetings_.spans);
+            send(company_buffer_, company_texture_, meetings_.company);
         }
     }
     glEnable(GL_DEPTH_TEST);
@@ -110,46 +95,31 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
     glFrontFace(GL_CCW);
     glEnable(GL_MULTISAMPLE);
     std::uint64_t triangles = 0;
-    for (const Layer layer : {Layer::kOpaque, Layer::kGlass}) {
-        if (layer == Layer::kGlass && !has_glass_) break;
-        const bool opaque = layer == Layer::kOpaque;
-        glBindFramebuffer(GL_FRAMEBUFFER, opaque ? geometry_target_ : glass_target_);
-        const std::array<GLuint, 4> nothing{};
-        const GLfloat farthest = 0.0F;
-        glClearBufferuiv(GL_COLOR, 0, nothing.data());
-        glClearBufferfv(GL_DEPTH, 0, &farthest);
-        if (mesh != nullptr) {
-            const glm::dmat4 mesh_to_clip = relative_to(mesh->shown()->origin());
-            const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
-                glUseProgram(program);
-                glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip)));
-                glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
-                triangles += mesh->draw(wanted, layer, mesh_to_clip);
-            };
-            draw(geometry_, has_glass_ ? split.away : layers);
-            if (has_glass_ && !split.meeting.empty()) {
-                // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
-                const Program& program = opaque ? opaque_side_ : glass_side_;
-                glProgramUniform1i(program, 2, static_cast<GLint>(view_.picture.z));
-                const glm::vec3 offset(lines_.shown()->origin - mesh->shown()->origin());
-                glProgramUniform3f(program, 3, offset.x, offset.y, offset.z);
-                GLuint unit = 0;
-                for (const GLuint texture : {lines_.points(), lines_.details(), lines_.runs(), GLuint(meeting_texture_),
-                                             GLuint(company_texture_)})
-                    glBindTextureUnit(unit++, texture);
-                if (opaque) glDisable(GL_CULL_FACE);
-                // Both layers' branches, each pass takes its side of them.
-                split.become(layer);
-                draw(program, split.meeting);
-                glEnable(GL_CULL_FACE);
-            }
+    glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
+    const std::array<GLuint, 4> nothing{};
+    const GLfloat farthest = 0.0F;
+    glClearBufferuiv(GL_COLOR, 0, nothing.data());
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    if (mesh != nullptr) {
+        const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
+            glUseProgram(program);
+            glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
+            glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+            triangles += mesh->draw(wanted, Layer::kOpaque, mesh_to_clip_);
+        };
+        draw(geometry_, has_glass_ ? meetings_.away : layers);
+        if (!meetings_.meeting.empty()) {
+            // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
+            bind_meetings(opaque_side_, *mesh->shown());
+            glDisable(GL_CULL_FACE);
+            draw(opaque_side_, meetings_.meeting_as(Layer::kOpaque));
+            glEnable(GL_CULL_FACE);
         }
-        if (opaque) draw_solids(frame, to_clip);
     }
+    draw_solids(frame, to_clip);
     glDisable(GL_CULL_FACE);
     // Seen through the glass, and hidden by what is opaque.
     if (has_glass_ && lines_.shown() != nullptr) {
-        glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
         glUseProgram(centerline_);
         glBindVertexArray(no_vertices_);
         glBindTextureUnit(0, lines_.points());
@@ -159,8 +129,13 @@ std::uint64_t Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* m
         glUniform3f(1, 0.5F * float(inner_.x), 0.5F * float(inner_.y), 0.5F * std::max(pixels, 1.0F));
         lines_.draw(layers);
     }
-    resolve();
-    return triangles;
+    if (!has_glass_) {
+        resolve({0, inner_.y});
+        return triangles;
+    }
+    const auto panes = draw_glass(frame, *mesh);
+    if (!panes) return panes;
+    return triangles + *panes;
 }
 
 // Three samples in four are the lesion's, the fourth is that of what lies behind: opaque-ish, in any order.
@@ -186,16 +161,19 @@ void Renderer::Impl::draw_solids(const Frame& frame, const glm::dmat4& to_clip) 
     glDisable(GL_SAMPLE_MASK);
 }
 
-void Renderer::Impl::resolve() {
+void Renderer::Impl::resolve(Band band) {
     glBindFramebuffer(GL_FRAMEBUFFER, resolve_target_);
     glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
     glEnable(GL_DEPTH_TEST);
     glBindTextureUnit(0, surface_);
     glBindTextureUnit(1, depth_);
-    glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
-    glBindTextureUnit(3, has_glass_ ? glass_depth_ : depth_);
-    glProgramUniform1i(resolve_, 0, has_glass_ ? 1 : 0);
-    fullscreen(resolve_);
+    const Program& program = has_glass_ ? resolve_glass_ : resolve_;
+    if (has_glass_) bind_panes(program, band);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, band.first, inner_.x, band.count);
+    fullscreen(program);
+    glDisable(GL_SCISSOR_TEST);
+    if (has_glass_) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Renderer::Impl::draw_occlusion(const Frame& frame) {

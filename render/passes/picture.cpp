@@ -32,9 +32,12 @@ Result<void> Renderer::Impl::initialise() {
                                              {&overlay_, "fullscreen.vert", "overlay.frag"},
                                              {&mark_, "mark.vert", "mark.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
-    for (auto [program, side] :
-         {std::pair{&opaque_side_, "#define OPAQUE_SIDE\n"}, {&glass_side_, "#define GLASS_SIDE\n"}})
-        if (auto made = make(*program, "geometry.vert", "geometry.frag", side); !made) return made;
+    for (auto [program, vertex, fragment, defines] :
+         {std::tuple{&opaque_side_, "geometry.vert", "geometry.frag", "#define OPAQUE_SIDE\n"},
+          {&pane_, "geometry.vert", "pane.frag", "#define PANE\n"},
+          {&glass_side_, "geometry.vert", "pane.frag", "#define PANE\n#define GLASS_SIDE\n"},
+          {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n"}})
+        if (auto made = make(*program, vertex, fragment, defines); !made) return made;
     if (auto made = make(centerline_, "centerline.vert", "geometry.frag", "#define LINE\n"); !made) return made;
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer();
@@ -133,7 +136,12 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
                                (!has_glass_ || last_->centerlines == frame.centerlines) &&
                                (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
     if (!same_geometry) {
-        done.triangles = draw_geometry(frame, drawn_, layers);
+        const auto triangles = draw_geometry(frame, drawn_, layers);
+        if (!triangles) {
+            last_.reset();
+            return tl::unexpected(triangles.error());
+        }
+        done.triangles = *triangles;
         if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
         done.geometry = true;
     }

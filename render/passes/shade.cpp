@@ -145,24 +145,37 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
                          linear(a.lesion, 1.0F),
                          linear(a.lost, 1.0F)};
     glNamedBufferSubData(look_block_, 0, sizeof look, &look);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
-    glBindTextureUnit(0, surface_);
-    glBindTextureUnit(1, depth_);
-    glBindTextureUnit(2, has_glass_ ? glass_surface_ : surface_);
-    glBindTextureUnit(3, has_glass_ ? glass_depth_ : depth_);
-    glBindTextureUnit(4, id_normal_);
-    glBindTextureUnit(5, blurred_);
-    glBindTextureUnit(6, branch_texture_);
-    glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
-    if (extent == Extent::kAll) fullscreen(background_);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(region_at_.x, region_at_.y, region_size_.x, region_size_.y);
-    // An outline reaches beyond the surface it surrounds.
-    fullscreen(**program, outlined && extent == Extent::kAll ? Pixels::kAll : Pixels::kCovered);
-    glDisable(GL_SCISSOR_TEST);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
+    glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
+    if (extent == Extent::kAll) fullscreen(background_);
+    const auto shade_rows = [&](Band band) {
+        const int first = std::max(region_at_.y, band.first);
+        const int last = std::min(region_at_.y + region_size_.y, band.first + band.count);
+        if (first >= last) return;
+        glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
+        GLuint unit = 0;
+        for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(0), GLuint(0), GLuint(id_normal_),
+                                     GLuint(blurred_), GLuint(branch_texture_)})
+            glBindTextureUnit(unit++, texture);
+        if (has_glass_) bind_panes(**program, band);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(region_at_.x, first, region_size_.x, last - first);
+        // An outline reaches beyond the surface it surrounds.
+        fullscreen(**program, outlined && extent == Extent::kAll ? Pixels::kAll : Pixels::kCovered);
+        glDisable(GL_SCISSOR_TEST);
+    };
+    if (!has_glass_) shade_rows({0, inner_.y});
+    for (const Band band : has_glass_ ? bands_ : std::vector<Band>{}) {
+        if (bands_.size() > 1) { // its lists have given way to those of other bands
+            std::uint64_t again = 0;
+            (void)list_panes(frame, *mesh, band, again);
+            resolve(band);
+        }
+        shade_rows(band);
+    }
     return {};
 }
 

@@ -42,9 +42,7 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
         half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
         blur_target_ = make_framebuffer({blurred_}, covered_);
         lit_target_ = make_framebuffer({lit_}, covered_);
-        glass_surface_ = Texture();
-        glass_depth_ = Texture();
-        glass_target_ = Framebuffer();
+        glass_target_ = make_framebuffer({}, depth_);
         view_.picture.z = static_cast<float>(s);
     }
     if (size != size_) {
@@ -61,14 +59,6 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
                     {}, "give a smaller size");
     }
     return {};
-}
-
-void Renderer::Impl::make_glass_layer() {
-    if (glass_target_ != 0) return;
-    const int s = static_cast<int>(view_.picture.z);
-    glass_surface_ = make_texture(GL_RG32UI, inner_.x, inner_.y, s);
-    glass_depth_ = make_texture(GL_DEPTH_COMPONENT32F, inner_.x, inner_.y, s);
-    glass_target_ = make_framebuffer({glass_surface_}, glass_depth_);
 }
 
 } // namespace ramus::render

@@ -1,0 +1,119 @@
+// Glass, exactly: every pixel has a list of all panes that cover it, whatever order the triangles come in. The lists
+// have a bound in bytes. A picture that would need more is made band by band, each of which fits: slower, never wrong.
+#include "render/renderer_impl.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr std::size_t kPaneBytes = 16;
+constexpr std::size_t kFirstPanes = std::size_t{1} << 20;
+
+void make_storage(Buffer& buffer, std::size_t bytes) {
+    buffer = make_buffer();
+    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+} // namespace
+
+// Makes room for more panes; false: there is as much as there may be. Panes are numbered from 1.
+bool Renderer::Impl::make_room_for_panes(std::size_t wanted) {
+    GLint64 largest = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+    const std::size_t most = std::min(glass_bytes_, static_cast<std::size_t>(largest)) / kPaneBytes - 1;
+    if (pane_room_ >= most) return false;
+    pane_room_ = std::min(most, std::max(kFirstPanes, wanted + wanted / 4));
+    make_storage(panes_, (pane_room_ + 1) * kPaneBytes);
+    return true;
+}
+
+void Renderer::Impl::bind_panes(const Program& program, Band band) const {
+    glProgramUniform2i(program, 4, inner_.x, band.first);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pane_heads_);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, panes_);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, pane_count_);
+}
+
+// Lists the panes of a band's pixels, in no order, and tells how many there are: more than there was room for means
+// that they are not all there.
+std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles) {
+    const std::size_t pixels = std::size_t(inner_.x) * std::size_t(band.count);
+    if (head_room_ < pixels) {
+        make_storage(pane_heads_, 4 * pixels);
+        head_room_ = pixels;
+    }
+    if (pane_count_ == 0) make_storage(pane_count_, 4);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // lists of the band before have been sorted and read
+    const GLuint zero = 0;
+    glClearNamedBufferSubData(pane_heads_, GL_R32UI, 0, static_cast<GLsizeiptr>(4 * pixels), GL_RED_INTEGER,
+                              GL_UNSIGNED_INT, &zero);
+    glNamedBufferSubData(pane_count_, 0, 4, &zero);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, glass_target_);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glEnable(GL_MULTISAMPLE);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, band.first, inner_.x, band.count);
+    const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
+        glUseProgram(program);
+        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
+        glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+        bind_panes(program, band);
+        glUniform1ui(5, static_cast<GLuint>(pane_room_));
+        triangles += mesh.draw(wanted, Layer::kGlass, mesh_to_clip_);
+    };
+    draw(pane_, meetings_.away);
+    if (!meetings_.meeting.empty()) {
+        bind_meetings(glass_side_, *mesh.shown());
+        draw(glass_side_, meetings_.meeting_as(Layer::kGlass));
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    GLuint count = 0;
+    glGetNamedBufferSubData(pane_count_, 0, 4, &count);
+    return count;
+}
+
+// Lists and sorts all panes, in one band if there is room. resolve() goes with it: it sorts.
+Result<std::uint64_t> Renderer::Impl::draw_glass(const Frame& frame, const GpuMesh& mesh) {
+    std::uint64_t triangles = 0;
+    if (pane_room_ == 0) make_room_for_panes(0);
+    bands_.clear();
+    std::vector<Band> todo{{0, inner_.y}};
+    while (!todo.empty()) {
+        const Band band = todo.back();
+        std::uint64_t drawn = 0;
+        const std::size_t count = list_panes(frame, mesh, band, drawn);
+        if (count > pane_room_ && make_room_for_panes(count)) continue;
+        todo.pop_back();
+        triangles += drawn;
+        if (count <= pane_room_) {
+            resolve(band);
+            bands_.push_back(band);
+        } else if (band.count > 1) {
+            const int half = band.count / 2;
+            todo.push_back({band.first + half, band.count - half});
+            todo.push_back({band.first, half});
+        } else {
+            return fail("too many layers of glass lie behind each other", {},
+                        "give a smaller size, or hide some of it");
+        }
+    }
+    return triangles;
+}
+
+} // namespace ramus::render

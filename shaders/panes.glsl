@@ -1,0 +1,15 @@
+// Glass as a list of panes a pixel: one for each triangle of it that covers any of the pixel's samples. The lists are
+// made in any order and sorted afterwards, nearest first, so that the picture does not depend on the order of triangles.
+struct Pane {
+    uint next;           // its number, 0 at the end
+    uint id_and_samples; // id as in ids.glsl, and from kSampleShift on a bit for each sample that it covers
+    uint normal;         // octahedral
+    uint depth;          // bits of the depth value, larger is nearer
+};
+
+layout(std430, binding = 0) buffer Heads { uint heads[]; };  // by pixel: its first pane; 0: none
+layout(std430, binding = 1) buffer Panes { Pane panes[]; };  // panes[0] is none
+layout(std430, binding = 2) buffer Count { uint pane_count; }; // of all that were wanted, with or without room
+
+const int kSampleShift = 28;
+const uint kIdBits = 0x0fffffffu;
