@@ -27,7 +27,7 @@ struct ViewBlock {
 };
 
 // Of the uniform blocks of look.glsl and scene.glsl, in bytes.
-inline constexpr GLsizeiptr kLookBlockBytes = 9 * 16;
+inline constexpr GLsizeiptr kLookBlockBytes = 10 * 16;
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 class Renderer::Impl {
@@ -94,9 +94,9 @@ private:
 
     Program geometry_, opaque_side_, pane_, glass_side_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
         background_, enlarge_, overlay_, mark_;
-    std::map<unsigned, Program> shade_;                // by variant, made when needed
-    std::vector<std::array<std::uint8_t, 4>> records_; // of the last picture's branches
-    glm::ivec2 region_at_{0}, region_size_{0};         // that is shaded, of `inner_`, in GL's sense of y
+    std::map<unsigned, Program> shade_;                 // by variant, made when needed
+    std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
+    glm::ivec2 region_at_{0}, region_size_{0};          // that is shaded, of `inner_`, in GL's sense of y
     VertexArray no_vertices_;
     Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, meeting_buffer_,
         company_buffer_;

@@ -21,21 +21,24 @@ void main() {
     float turn = 6.2831853 * noise(gl_FragCoord.xy);
     float radius_pixels = depth_range.z;
     float radius_mm = depth_range.w * (picture.w > 0.5 ? 1.0 : depth);
-    float bias = 0.02 * radius_mm;
+    float bias = 0.02 * radius_mm, softness = 0.01 * radius_mm * radius_mm;
+    float fall_off_per_mm2 = 0.25 / (radius_mm * radius_mm);
     ivec2 last = ivec2(picture.xy) - 1;
     float sum = 0.0;
+    vec2 direction = vec2(cos(turn), sin(turn));
+    const mat2 kGolden = mat2(-0.73736887, 0.67549029, -0.67549029, -0.73736887); // by the golden angle
     for (int i = 0; i < taps; ++i) {
         float fraction = (float(i) + 0.5) / float(taps);
-        float angle = turn + 2.3999632 * float(i);
         // Denser towards the centre: contacts count more than far neighbours.
-        vec2 offset = radius_pixels * fraction * sqrt(fraction) * vec2(cos(angle), sin(angle));
+        vec2 offset = radius_pixels * fraction * sqrt(fraction) * direction;
+        direction = kGolden * direction;
         ivec2 tap = clamp(pixel + ivec2(round(offset)), ivec2(0), last);
         float tap_depth = texelFetch(opaque_depth, tap, 0).x;
         if (tap_depth >= kNothing) continue;
         vec3 v = eye_position(vec2(tap) + 0.5, tap_depth) - centre;
         float squared = dot(v, v);
-        float fall_off = max(0.0, 1.0 - squared / (4.0 * radius_mm * radius_mm));
-        sum += fall_off * max(0.0, dot(v, n) - bias) / sqrt(squared + 0.01 * radius_mm * radius_mm);
+        float fall_off = max(0.0, 1.0 - squared * fall_off_per_mm2);
+        sum += fall_off * max(0.0, dot(v, n) - bias) * inversesqrt(squared + softness);
     }
     occlusion = clamp(2.4 * sum / float(taps), 0.0, 1.0);
 }

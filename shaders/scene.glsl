@@ -45,13 +45,13 @@ vec2 place_along(int branch, vec3 position) {
 #endif
 
 #ifdef SCALE
-// sRGB. Branches without a centerline have their own colour.
+// Linear. Branches without a centerline have their own colour.
 vec3 colour_on_scale(int branch, vec3 position, vec3 otherwise) {
     if (texelFetch(line_runs, branch).y < 2u) return otherwise;
     vec2 place = place_along(branch, position);
     float value = scale.w > 0.5 ? place.x : place.y;
     value = scale.z > 0.5 ? log(max(value, 1e-12)) : value;
-    return texture(ramp, clamp((value - scale.x) * scale.y, 0.0, 1.0)).rgb;
+    return to_linear(texture(ramp, clamp((value - scale.x) * scale.y, 0.0, 1.0)).rgb);
 }
 #endif
 

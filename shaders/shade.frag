@@ -13,7 +13,7 @@ layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
 layout(binding = 4) uniform usampler2D id_normal;
 layout(binding = 5) uniform sampler2D occlusion;
-layout(binding = 6) uniform usamplerBuffer branches; // sRGB colour, and in alpha the flags below
+layout(binding = 6) uniform usamplerBuffer branches; // linear colour of 65535, and in alpha the flags below
 
 #ifdef GLASS
 #include "panes.glsl"
@@ -31,11 +31,29 @@ struct Light {
     float specular;
 };
 
-Light lit(vec3 n, vec3 v, vec3 towards, float wrap, float shininess) {
+Light lit(vec3 n, vec3 v, vec3 towards, float wrap) {
     Light light;
     light.diffuse = max(0.0, (dot(n, towards) + wrap) / (1.0 + wrap));
-    light.specular = pow(max(0.0, dot(n, normalize(towards + v))), shininess);
+    light.specular = max(0.0, dot(n, normalize(towards + v))); // to a power: see below
     return light;
+}
+
+// Whole powers by multiplication: a software rasteriser takes ten times as long for pow().
+float to_8(float x) {
+    float x2 = x * x, x4 = x2 * x2;
+    return x4 * x4;
+}
+float to_24(float x) {
+    float x8 = to_8(x);
+    return x8 * x8 * x8;
+}
+float to_60(float x) {
+    float x4 = x * x * x * x, x20 = x4 * x4 * x4 * x4 * x4;
+    return x20 * x20 * x20;
+}
+float to_70(float x) {
+    float x8 = to_8(x), x2 = x * x, x32 = x8 * x8 * x8 * x8;
+    return x32 * x32 * x2 * x2 * x2;
 }
 
 // Lights are fixed to the viewer's head: a warm key from the upper left, a cool fill from the right, a rim of sky.
@@ -63,9 +81,9 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     id = solid ? 1u : id;
 #endif
     uvec4 branch = texelFetch(branches, int(id) - 1);
-    vec3 albedo = to_linear(vec3(branch.rgb) / 255.0);
+    vec3 albedo = vec3(branch.rgb) / 65535.0;
 #ifdef SCALE
-    if ((branch.a & kHighlighted) == 0u) albedo = to_linear(colour_on_scale(int(id) - 1, position, vec3(branch.rgb) / 255.0));
+    if ((branch.a & kHighlighted) == 0u) albedo = colour_on_scale(int(id) - 1, position, albedo);
 #endif
 #ifdef MARGINS
     if ((branch.a & kHighlighted) == 0u) albedo = margin_colour(position);
@@ -81,14 +99,14 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     if ((branch.a & kCalm) != 0u) albedo = mix(vec3(dot(albedo, vec3(0.2126, 0.7152, 0.0722))), albedo, 0.38) * 0.62;
 
     float open = 1.0 - more.x * occluded;
-    Light key = lit(n, v, kKey, 0.06, 70.0), fill = lit(n, v, kFill, 0.30, 24.0);
+    Light key = lit(n, v, kKey, 0.06), fill = lit(n, v, kFill, 0.30);
     vec3 ambient = mix(vec3(0.085, 0.070, 0.074), vec3(0.190, 0.205, 0.240), 0.5 + 0.5 * n.y);
     float shadow = mix(1.0, open, 0.75); // the key is soft: what takes the sky takes some of it as well
     vec3 radiance = albedo * (1.50 * lights.x * key.diffuse * vec3(1.0, 0.965, 0.915) * shadow +
                               0.34 * lights.y * fill.diffuse * vec3(0.80, 0.90, 1.0) * open + ambient * open * open);
-    radiance += lights.w * shadow * (0.25 * key.specular * vec3(1.0, 0.98, 0.95) + 0.03 * fill.specular);
-    float edge = pow(1.0 - facing, 3.0);
-    radiance += lights.z * edge * open * (0.14 * albedo + 0.020 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
+    radiance += lights.w * shadow * (0.25 * to_70(key.specular) * vec3(1.0, 0.98, 0.95) + 0.03 * to_24(fill.specular));
+    float aside = 1.0 - facing;
+    radiance += lights.z * aside * aside * aside * open * (0.14 * albedo + 0.020 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
     if ((branch.a & kHighlighted) != 0u) radiance = radiance * 1.10 + 0.05 * albedo;
 #ifdef SOLIDS
     if (solid) radiance = 0.92 * radiance + 0.55 * pow(1.0 - facing, 2.5) * mix(albedo, vec3(0.9), 0.4);
@@ -96,9 +114,9 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
 
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     float cue = background_bottom.w * ((branch.a & kHighlighted) != 0u ? 0.25 : 0.68) * far * sqrt(far);
-    radiance = mix(radiance, to_linear(0.5 * (background_top.rgb + background_bottom.rgb)), cue);
-    if ((branch.a & kHovered) != 0u) radiance += (0.10 + 0.55 * pow(1.0 - facing, 2.0)) * mix(albedo, vec3(0.8), 0.55);
-    if ((branch.a & kGlowing) != 0u) radiance += (0.03 + 0.30 * pow(1.0 - facing, 2.0)) * mix(albedo, vec3(0.8), 0.35);
+    radiance = mix(radiance, far_colour.rgb, cue);
+    if ((branch.a & kHovered) != 0u) radiance += (0.10 + 0.55 * aside * aside) * mix(albedo, vec3(0.8), 0.55);
+    if ((branch.a & kGlowing) != 0u) radiance += (0.03 + 0.30 * aside * aside) * mix(albedo, vec3(0.8), 0.35);
     return radiance;
 }
 
@@ -111,7 +129,7 @@ vec3 line(uint id, vec3 position) {
     if ((flags & kHovered) != 0u) radiance = mix(radiance, vec3(1.0, 0.85, 0.55), 0.6);
     if ((flags & kLost) != 0u) radiance = mix(radiance, lost_colour.rgb, 0.6);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
-    return mix(radiance, to_linear(0.5 * (background_top.rgb + background_bottom.rgb)), 0.62 * background_bottom.w * far);
+    return mix(radiance, far_colour.rgb, 0.62 * background_bottom.w * far);
 }
 
 // Clear grey glass: nearly nothing where it faces the eye, a veil towards its outline.
@@ -130,7 +148,7 @@ vec4 glass(uint id, vec3 n, vec3 position) {
     float opacity = more.y;
     veil = opacity < 1.0 ? veil * opacity : mix(veil, 0.97, opacity - 1.0);
     vec3 radiance = tint * (0.55 + 0.85 * max(0.0, dot(n, kKey)));
-    float shine = min(opacity, 1.0) * lights.w * 0.40 * pow(max(0.0, dot(n, normalize(kKey + v))), 60.0);
+    float shine = min(opacity, 1.0) * lights.w * 0.40 * to_60(max(0.0, dot(n, normalize(kKey + v))));
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     veil *= 1.0 - 0.5 * background_bottom.w * far;
     return vec4(radiance * veil + shine, clamp(veil + shine, 0.0, 1.0));

@@ -15,7 +15,7 @@ namespace {
 // The uniform block of look.glsl.
 struct LookBlock {
     glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
-        lesion_colour, lost_colour;
+        lesion_colour, lost_colour, far_colour;
 };
 static_assert(sizeof(LookBlock) == kLookBlockBytes);
 
@@ -23,7 +23,10 @@ static_assert(sizeof(LookBlock) == kLookBlockBytes);
 constexpr unsigned kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kCut = 32, kGlowing = 64,
                    kChanged = 128;
 
-std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F))); }
+// Linear, of 65535.
+std::uint16_t linear_word(float srgb) {
+    return static_cast<std::uint16_t>(std::lround(65535.0F * linear(std::clamp(srgb, 0.0F, 1.0F))));
+}
 
 bool hidden(const Frame& frame, std::size_t id) {
     return id < frame.states.size() && frame.states[id] == BranchState::kHidden;
@@ -34,7 +37,7 @@ bool hidden(const Frame& frame, std::size_t id) {
 // One small record a branch; nothing else changes when the user points at things. Returns the variants that they need.
 unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, Extent extent) {
     const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->shown()->branch_count() : 0));
-    std::vector<std::array<std::uint8_t, 4>> records(count);
+    std::vector<std::array<std::uint16_t, 4>> records(count);
     const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
     unsigned variant = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -44,15 +47,16 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, E
         const glm::vec3 colour = highlighted ? frame.appearance.highlight : own;
         unsigned flags = (any_highlight && !highlighted ? kCalm : 0U) | (highlighted ? kHighlighted : 0U) |
                          (int(i) == frame.hovered ? kHovered : 0U);
-        records[i] = {byte(colour.x), byte(colour.y), byte(colour.z), static_cast<std::uint8_t>(flags)};
+        records[i] = {linear_word(colour.x), linear_word(colour.y), linear_word(colour.z),
+                      static_cast<std::uint16_t>(flags)};
     }
     for (const int id : frame.hovered_dependents)
         if (id >= 0 && static_cast<std::size_t>(id) < count) records[static_cast<std::size_t>(id)][3] |= kGlowing;
     for (const int id : frame.selected) {
         const auto index = static_cast<std::size_t>(id);
         if (id < 0 || index >= count || hidden(frame, index)) continue; // an outline is dear; what is hidden has none
-        std::uint8_t& flags = records[index][3];
-        flags = static_cast<std::uint8_t>((flags & ~kCalm) | kSelected); // what is selected is never calm
+        std::uint16_t& flags = records[index][3];
+        flags = static_cast<std::uint16_t>((flags & ~kCalm) | kSelected); // what is selected is never calm
         variant |= kOutline;
     }
     for (const LostPart& part : frame.lost) {
@@ -77,9 +81,9 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, E
     records_ = std::move(records);
     if (count > branch_capacity_) {
         branch_capacity_ = count;
-        make_buffer_texture(branch_buffer_, branch_texture_, GL_RGBA8UI, nullptr, 4 * count);
+        make_buffer_texture(branch_buffer_, branch_texture_, GL_RGBA16UI, nullptr, sizeof(records_[0]) * count);
     }
-    glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(4 * count), marked.data());
+    glNamedBufferSubData(branch_buffer_, 0, static_cast<GLsizeiptr>(sizeof(records_[0]) * count), marked.data());
     return variant;
 }
 
@@ -143,7 +147,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
                          {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), 0.0F},
                          linear(a.centerline, 1.0F),
                          linear(a.lesion, 1.0F),
-                         linear(a.lost, 1.0F)};
+                         linear(a.lost, 1.0F),
+                         linear(0.5F * (b.top + b.bottom), 1.0F)};
     glNamedBufferSubData(look_block_, 0, sizeof look, &look);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());
