@@ -27,6 +27,10 @@ struct Centerlines {
     std::vector<Run> runs;         // by branch id, from the parent's end outward; a branch without a place has no point
     glm::dvec3 origin{0.0};        // mm
 
+    // The same with fewer points: each branch's line and its radius go no farther from these than a share of the radius
+    // and than `most_mm`.
+    [[nodiscard]] Centerlines thinned(double most_mm) const;
+
     // A place on a branch, `fraction` of its length from the parent's end; nothing where the branch has no points.
     struct Place {
         glm::dvec3 position{0.0}, along{0.0, 0.0, 1.0}; // mm; unit vector away from the root

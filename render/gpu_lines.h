@@ -15,21 +15,37 @@ class GpuLines {
 public:
     void follow(const std::shared_ptr<const Centerlines>& lines);
     [[nodiscard]] const Centerlines* shown() const { return shown_.get(); } // null: nothing
-    [[nodiscard]] GLuint points() const { return points_texture_; }         // RGBA32F: position, mm from the root
-    [[nodiscard]] GLuint details() const { return details_texture_; }       // RG32UI: bits of the diameter, branch
-    [[nodiscard]] GLuint runs() const { return runs_texture_; }             // RG32UI: first point, count
+
+    // As buffer textures.
+    struct Textures {
+        GLuint points;  // RGBA32F: position, mm from the root
+        GLuint details; // RG32UI: bits of the diameter, branch
+        GLuint runs;    // RG32UI: first point, count
+    };
+    [[nodiscard]] Textures textures() const { return whole_.textures(); }
+    [[nodiscard]] Textures thinned() const { return thinned_.textures(); } // for what moves
 
     // By branch id: the branches that it meets, itself included, where glass meets what is opaque; none elsewhere.
     [[nodiscard]] std::vector<std::vector<int>> meetings(const std::vector<Layer>& layers) const;
 
-    // Draws six corners a segment, without attributes, of branches that are glass.
-    void draw(const std::vector<Layer>& layers) const;
+    // Draws six corners a segment, without attributes, of branches whose entry in `layers` is `layer` (missing entries
+    // are opaque). Returns the number of segments.
+    std::uint64_t draw(const std::vector<Layer>& layers, Layer layer) const;
+    std::uint64_t draw_thinned(const std::vector<Layer>& layers, Layer layer) const;
 
 private:
+    struct Copy {
+        std::vector<Centerlines::Run> runs;
+        Buffer point_buffer, detail_buffer, run_buffer;
+        Texture point_texture, detail_texture, run_texture;
+
+        void send(const Centerlines& lines);
+        [[nodiscard]] Textures textures() const { return {point_texture, detail_texture, run_texture}; }
+        std::uint64_t draw(const std::vector<Layer>& layers, Layer layer) const;
+    };
     std::shared_ptr<const Centerlines> shown_;
     std::vector<std::vector<int>> nodes_; // branches that meet at a place
-    Buffer points_, details_, runs_;
-    Texture points_texture_, details_texture_, runs_texture_;
+    Copy whole_, thinned_;
 };
 
 // A buffer of `bytes` bytes that shaders read texel by texel.

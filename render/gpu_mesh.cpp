@@ -161,4 +161,12 @@ std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const
     return ranges.triangles;
 }
 
+std::uint64_t GpuMesh::triangles_in_picture(const glm::dmat4& to_clip) const {
+    std::uint64_t count = 0;
+    if (shown_)
+        for (const auto& page : shown_->triangle_pages())
+            if (page->count > 0 && in_picture(page->lower, page->upper, to_clip)) count += page->count;
+    return count;
+}
+
 } // namespace ramus::render

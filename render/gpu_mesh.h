@@ -27,6 +27,8 @@ public:
     // Draws the branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip`
     // (from positions relative to origin) leaves in the picture. Returns the number of triangles drawn.
     std::uint64_t draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
+    // Of the pages that would be looked at, with branches of any layer.
+    [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 
 private:
     // Buffers and what is in them, page by page.

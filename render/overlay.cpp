@@ -89,11 +89,21 @@ std::string scale_bar_label(double length_mm) {
 }
 
 Image paint_orientation_cube(const Camera& camera, int side, const std::string& font) {
-    std::array<Coverage, 6> letters;
-    for (std::size_t i = 0; i < 6; ++i) letters[i] = letter_tile(kFaces[i].letter, font);
+    static thread_local std::pair<std::string, std::array<Coverage, 6>> kept; // the cube turns in every frame
+    if (kept.first != font || kept.second[0].width == 0) {
+        kept.first = font;
+        for (std::size_t i = 0; i < 6; ++i) kept.second[i] = letter_tile(kFaces[i].letter, font);
+    }
+    const std::array<Coverage, 6>& letters = kept.second;
 
     const CameraAxes axes = axes_of(camera);
     const glm::dvec3 light = glm::normalize(-0.35 * axes.right + 0.55 * axes.up - 0.9 * axes.forward);
+    std::array<double, 3> ahead{}, inverse{}; // of the rays' direction: its sign, 1 / it
+    for (int k = 0; k < 3; ++k) {
+        ahead[k] = std::copysign(1.0, axes.forward[k]);
+        inverse[k] =
+            1.0 / (std::abs(axes.forward[k]) < 1e-12 ? std::copysign(1e-12, axes.forward[k]) : axes.forward[k]);
+    }
     Image image(side, side);
     const double extent = 1.76; // half the picture in units of half the cube: a corner never leaves it
     for (int py = 0; py < side; ++py) {
@@ -109,12 +119,10 @@ Image paint_orientation_cube(const Camera& camera, int side, const std::string& 
                 double entry = -1e9, exit = 1e9;
                 std::size_t face = 0;
                 for (int k = 0; k < 3; ++k) {
-                    const double d = std::abs(axes.forward[k]) < 1e-12 ? 1e-12 : axes.forward[k];
-                    const double near = (-std::copysign(1.0, d) - start[k]) / d,
-                                 far = (std::copysign(1.0, d) - start[k]) / d;
+                    const double near = (-ahead[k] - start[k]) * inverse[k], far = (ahead[k] - start[k]) * inverse[k];
                     if (near > entry) {
                         entry = near;
-                        face = static_cast<std::size_t>(2 * k + (d > 0.0 ? 1 : 0));
+                        face = static_cast<std::size_t>(2 * k + (ahead[k] > 0.0 ? 1 : 0));
                     }
                     exit = std::min(exit, far);
                 }

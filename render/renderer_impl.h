@@ -63,6 +63,7 @@ private:
     std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
     bool make_room_for_panes(std::size_t wanted);
     void bind_panes(const Program& program, Band band) const;
+    std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers) const;
     void bind_meetings(const Program& program, const PagedMesh& mesh) const;
     void resolve(Band band);
     void draw_occlusion(const Frame& frame);
@@ -92,7 +93,7 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, opaque_side_, pane_, glass_side_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
+    Program geometry_, cone_, opaque_side_, pane_, glass_side_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
         background_, enlarge_, overlay_, mark_;
     std::map<unsigned, Program> shade_;                 // by variant, made when needed
     std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
@@ -114,6 +115,8 @@ private:
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
         lit_target_, picture_target_;
     bool has_glass_ = false;
+    bool moving_ = false;                          // another camera on the same surface, in a hurry
+    std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame, there or not
     GlassMeetings meetings_;
     glm::dmat4 mesh_to_clip_{1.0};
     std::size_t glass_bytes_;                // that panes may take

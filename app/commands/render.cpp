@@ -5,8 +5,10 @@
 #include "app/commands/open_session.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/surface_flags.h"
+#include "app/commands/turn_benchmark.h"
 #include "app/panels/interface.h"
 #include "app/window/headless_interface.h"
+#include "app/window/pace.h"
 #include "core/base/stopwatch.h"
 #include "core/io/output_file.h"
 #include "core/io/tree_reader.h"
@@ -33,6 +35,7 @@ struct RenderFlags {
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false;
     double tolerance = 0.001; // of the pixels
     int benchmark = 0;        // frames
+    bool benchmark_full = false;
 };
 
 // "1600x1200", within what can be drawn; else a message for the user.
@@ -82,31 +85,6 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
     std::cerr << "ramus: " << flags.reference.string() << ": " << finding << "; the picture is "
               << flags.output.string() << ", the difference " << beside.string() << '\n';
     return kBeyondTolerance;
-}
-
-// Once around the tree.
-Result<void> run_benchmark(render::Renderer& renderer, render::Frame frame, const RenderFlags& flags,
-                           nlohmann::json& report) {
-    const render::Camera start_camera = frame.camera;
-    std::uint64_t triangles = 0;
-    const Stopwatch watch;
-    for (int i = 0; i < flags.benchmark; ++i) {
-        frame.camera = render::turned(start_camera, 360.0 * (i + 1) / flags.benchmark, 0.0);
-        const auto done = renderer.draw(frame);
-        if (!done) return tl::unexpected(done.error());
-        triangles += done->triangles;
-        (void)renderer.pick(0.0, 0.0); // waits until the frame is there
-    }
-    const double seconds = watch.seconds(), fps = flags.benchmark / std::max(seconds, 1e-9);
-    const double mean = static_cast<double>(triangles) / flags.benchmark;
-    report["frames"] = flags.benchmark;
-    report["seconds"] = seconds;
-    report["fps"] = fps;
-    report["triangles"] = mean;
-    if (!flags.json)
-        std::cout << flags.benchmark << " frames in " << seconds << " s: " << fps << " a second, "
-                  << static_cast<std::uint64_t>(mean) << " triangles a frame\n";
-    return {};
 }
 
 // Opens what was asked for; true when it has a camera.
@@ -185,6 +163,8 @@ Result<int> run_render(const RenderFlags& flags) {
     const Stopwatch watch;
     const auto done = (*renderer)->draw(*frame);
     if (!done) return tl::unexpected(done.error());
+    (void)(*renderer)->pick(0.0, 0.0); // waits until it is there
+    const double draw_seconds = watch.seconds();
     auto image = flags.interface ? draw_interface(flags, document, stage, **renderer, run)
                                  : Result<render::Image>((*renderer)->read_image());
     if (!image) return tl::unexpected(image.error());
@@ -192,7 +172,7 @@ Result<int> run_render(const RenderFlags& flags) {
     nlohmann::json report{{"size", {image->width, image->height}},
                           {"triangles", done->triangles},
                           {"mesh_s", stage.surface().seconds},
-                          {"draw_s", watch.seconds()},
+                          {"draw_s", draw_seconds},
                           {"camera", render::to_json(document.session().camera)}};
     int status = kDone;
     if (!flags.output.empty()) {
@@ -205,8 +185,12 @@ Result<int> run_render(const RenderFlags& flags) {
         if (!verdict) return tl::unexpected(verdict.error());
         status = *verdict;
     }
-    if (flags.benchmark > 0)
-        if (auto ran = run_benchmark(**renderer, *frame, flags, report); !ran) return tl::unexpected(ran.error());
+    if (flags.benchmark > 0) {
+        const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;
+        if (auto ran = run_turn_benchmark(**renderer, *frame, flags.benchmark, hurry, report); !ran)
+            return tl::unexpected(ran.error());
+        if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
+    }
     if (flags.json) std::cout << report.dump(2) << '\n';
     return status;
 }
@@ -261,9 +245,11 @@ void register_render(CLI::App& app, Action& chosen) {
         ->needs(reference);
     command
         ->add_option("--benchmark", flags->benchmark,
-                     "Turn once around the tree in N frames and tell how fast that was")
+                     "Turn once around the tree in N frames, as the window does, and tell how fast that was")
         ->type_name("N")
         ->check(CLI::Range(1, 1000000).description(""));
+    command->add_flag("--benchmark-full", flags->benchmark_full,
+                      "With --benchmark: draw every frame as if the view rested");
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
     command->callback([flags, view, &chosen] {

@@ -52,9 +52,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.margins = std::move(colouring.margins);
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
     if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
-    const bool any_glass = std::ranges::find(frame.states, render::BranchState::kDefocused) != frame.states.end();
-    if (any_glass || !marks.cuts.empty() || frame.scale.value != render::ColourScale::Value::kNone)
-        frame.centerlines = centerlines_of(tree, marks.options);
+    frame.centerlines = centerlines_of(tree, marks.options);
     draw_cuts(frame, marks, plan);
     if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
     return frame;

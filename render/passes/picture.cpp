@@ -24,6 +24,7 @@ Result<void> Renderer::Impl::initialise() {
         return {};
     };
     for (auto [program, vertex, fragment] : {std::tuple{&geometry_, "geometry.vert", "geometry.frag"},
+                                             {&cone_, "cone.vert", "cone.frag"},
                                              {&resolve_, "fullscreen.vert", "resolve.frag"},
                                              {&occlude_, "fullscreen.vert", "occlusion.frag"},
                                              {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
@@ -136,6 +137,10 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
                                (!has_glass_ || last_->centerlines == frame.centerlines) &&
                                (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
     if (!same_geometry) {
+        // The picture turns, and nothing else about it changes: then the eye takes cones for the surface.
+        moving_ = frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
+                  last_->states == frame.states && last_->camera != frame.camera;
+        wanted_mesh_ = wanted.mesh;
         const auto triangles = draw_geometry(frame, drawn_, layers);
         if (!triangles) {
             last_.reset();

@@ -102,9 +102,9 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
     const Centerlines* lines = lines_.shown();
     if (lines != nullptr) {
         scene.eye_to_lines = glm::mat4(glm::translate(glm::dmat4(1.0), -lines->origin) * from_eye);
-        glBindTextureUnit(7, lines_.points());
-        glBindTextureUnit(8, lines_.details());
-        glBindTextureUnit(9, lines_.runs());
+        glBindTextureUnit(7, lines_.textures().points);
+        glBindTextureUnit(8, lines_.textures().details);
+        glBindTextureUnit(9, lines_.textures().runs);
         const ColourScale& scale = frame.scale;
         if (scale.value != ColourScale::Value::kNone && !scale.ramp.empty() && frame.margins.bands.empty()) {
             variant |= kScale;

@@ -25,7 +25,8 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
     while (glGetError() != GL_NO_ERROR) {
     }
     if (inner != inner_) {
-        const int w = inner.x, h = inner.y, s = std::clamp(integer_samples, 1, kSamples);
+        const int w = inner.x, h = inner.y;
+        const int s = quality == Quality::kFull ? std::clamp(integer_samples, 1, kSamples) : 1;
         surface_ = make_texture(GL_RG32UI, w, h, s);
         depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
         covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
@@ -36,6 +37,7 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
         half_blurred_ = make_texture(GL_R8, w, h);
         blurred_ = make_texture(GL_R8, w, h);
         lit_ = make_texture(GL_RGBA8, w, h);
+        glTextureParameteri(lit_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         geometry_target_ = make_framebuffer({surface_}, depth_);
         resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_}, covered_);
         occlusion_target_ = make_framebuffer({occlusion_}, covered_);

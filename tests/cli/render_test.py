@@ -46,6 +46,9 @@ for more in (["--method", "cones"], ["--orthographic"], ["--transparent"], ["--v
     run("tree.swc", "-o", "other.png", "--size", "320x240", *more, "--reference", "a.png", "--tolerance", "0", status=3)
 report = json.loads(run("tree.swc", "--size", "160x120", "--benchmark", "3", "--json").stdout)
 assert report["frames"] == 3 and report["fps"] > 0 and report["triangles"] > 100
+assert report["quality"] in ("full", "interactive") and 0 <= report["difference"] < 20
+full = json.loads(run("tree.swc", "--size", "160x120", "--benchmark", "3", "--benchmark-full", "--json").stdout)
+assert full["quality"] == "full" and full["difference"] == 0
 
 # Wrong usage.
 for wrong in (["--size", "0x10"], ["--size", "100"], ["--size", "99999x99999"], ["--size", "10x10x10"], ["--view", "front"],

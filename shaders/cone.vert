@@ -1,0 +1,59 @@
+// A rectangle of the picture that holds one segment of a centerline as a round cone: the hull of the two balls at its
+// ends. cone.frag finds where the ray through a pixel meets it. Six corners a segment, without attributes.
+#version 450 core
+#include "view.glsl"
+
+layout(binding = 7) uniform samplerBuffer points;
+layout(binding = 8) uniform usamplerBuffer details; // bits of the diameter, branch
+
+layout(location = 0) uniform mat4 to_eye; // the lines' positions to eye space, depth as +z
+layout(location = 1) uniform vec2 zoom;   // eye xy (at depth 1 when perspective) to clip space
+
+out vec2 through; // where the ray goes through: eye xy, at depth 1 when perspective
+flat out vec3 from, to;
+flat out vec2 radii;
+flat out vec4 from_way, to_way; // the vessel's direction at both ends; w: 1 where it goes on
+flat out int branch_id;
+
+vec3 place(int point) { return (to_eye * vec4(texelFetch(points, point).xyz, 1.0)).xyz; }
+
+// At the joint of two segments the vessel goes half as the one, half as the other.
+vec4 way_at(int joint, int beyond, uint branch, vec3 axis, float outward) {
+    if (beyond < 0 || texelFetch(details, beyond).y != branch) return vec4(axis, 0.0);
+    vec3 other = outward * (place(beyond) - place(joint));
+    return dot(other, other) > 0.0 ? vec4(normalize(axis + normalize(other)), 1.0) : vec4(axis, 1.0);
+}
+
+// Half the width of a ball's outline as seen from the eye, at depth 1: of the ellipse that it is, the longer half.
+float outline(vec3 centre, float radius) {
+    float away = length(centre), sine = radius / away, cosine = sqrt(max(1.0 - sine * sine, 0.0));
+    float slope = length(centre.xy) / away, straight = centre.z / away;
+    return sine / (straight * (straight * cosine - slope * sine));
+}
+
+void main() {
+    int segment = gl_VertexID / 6, corner = gl_VertexID % 6;
+    uvec2 detail = texelFetch(details, segment).xy, next = texelFetch(details, segment + 1).xy;
+    from = place(segment);
+    to = place(segment + 1);
+    vec3 axis = distance(from, to) > 0.0 ? normalize(to - from) : vec3(0.0, 0.0, 1.0);
+    int last = textureSize(points) - 1;
+    from_way = way_at(segment, segment - 1, detail.y, axis, -1.0);
+    to_way = way_at(segment + 1, segment + 2 <= last ? segment + 2 : -1, detail.y, axis, 1.0);
+    radii = 0.5 * vec2(uintBitsToFloat(detail.x), uintBitsToFloat(next.x));
+    branch_id = int(detail.y);
+    bool flat_view = picture.w > 0.5;
+    vec2 a = flat_view ? from.xy : from.xy / from.z, b = flat_view ? to.xy : to.xy / to.z;
+    float reach = flat_view ? max(radii.x, radii.y) : max(outline(from, radii.x), outline(to, radii.y));
+    reach += pixel_to_eye.z; // a pixel's width
+    vec2 along = distance(a, b) > 1e-6 * reach ? normalize(b - a) : vec2(1.0, 0.0);
+    // The ball at a joint belongs to the segment before it.
+    bool first = segment == 0 || texelFetch(details, segment - 1).y != detail.y;
+    float back = first ? reach : pixel_to_eye.z;
+    bool end = corner == 1 || corner == 2 || corner == 4, side = corner == 0 || corner == 1 || corner == 3;
+    through = (end ? b + reach * along : a - back * along) + (side ? -reach : reach) * vec2(-along.y, along.x);
+    gl_Position = vec4(through * zoom, 0.5, 1.0);
+    // What reaches behind the eye has no outline, and the step from a branch to the next is no segment.
+    bool behind = !flat_view && min(from.z - radii.x, to.z - radii.y) <= 0.02 * depth_range.y;
+    if (detail.y != next.y || behind) gl_Position = vec4(0.0, 0.0, -2.0, 1.0);
+}

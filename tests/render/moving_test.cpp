@@ -1,0 +1,152 @@
+// What stands in for the surface while the view moves: round cones along the centerlines, found by a ray a pixel.
+#include "render/centerlines.h"
+#include "render/gl_context.h"
+#include "render/osmesa_context.h"
+#include "render/renderer.h"
+#include "tests/support/tube_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <random>
+
+using namespace ramus::render;
+using ramus::mesh::TriangleMesh;
+using ramus::test::add_capsule;
+
+namespace {
+
+struct Vessel {
+    glm::vec3 from, to;
+    float first, last; // radii
+};
+const std::array<Vessel, 4> kVessels{{{{0, 0, -30}, {0, 0, 10}, 5.0F, 5.0F},
+                                      {{0, 0, 10}, {-25, 0, 30}, 4.0F, 4.0F},
+                                      {{0, 0, 10}, {22, 10, 28}, 2.0F, 2.0F},
+                                      {{-20, 12, -14}, {20, 14, -10}, 1.0F, 1.0F}}};
+
+// The cones' own surface, finely.
+struct Scene {
+    std::unique_ptr<GlContext> context = make_osmesa_context().value();
+    std::unique_ptr<Renderer> renderer = Renderer::create().value();
+    Frame frame;
+
+    explicit Scene(bool orthographic) {
+        TriangleMesh mesh;
+        auto lines = std::make_shared<Centerlines>();
+        for (std::size_t i = 0; i < kVessels.size(); ++i) {
+            const Vessel& v = kVessels[i];
+            add_capsule(mesh, v.from, v.to, v.first, v.last, static_cast<int>(i), 160);
+            lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
+            for (const auto& [place, radius] : {std::pair{v.from, v.first}, {v.to, v.last}}) {
+                lines->points.emplace_back(place, 0.0F);
+                lines->details.push_back({2.0F * radius, static_cast<std::int32_t>(i)});
+            }
+        }
+        frame.mesh = std::make_shared<const PagedMesh>(mesh);
+        frame.centerlines = lines;
+        frame.size = {640, 480};
+        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, orthographic);
+        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+        frame.states.assign(kVessels.size(), BranchState::kNormal);
+        frame.quality = Quality::kInteractive;
+    }
+    ~Scene() {
+        renderer.reset();
+        CHECK_MESSAGE(gl_error_count() == 0, gl_last_error());
+    }
+    DrawStatistics draw() {
+        REQUIRE(context->make_current());
+        const auto done = renderer->draw(frame);
+        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
+        return *done;
+    }
+};
+
+} // namespace
+
+TEST_CASE("cones stand in for the surface while the view moves, and look like it") {
+    for (const bool orthographic : {false, true}) {
+        CAPTURE(orthographic);
+        Scene still(orthographic), moving(orthographic);
+        const Camera there = turned(still.frame.camera, 30.0, 20.0);
+        CHECK(moving.draw().triangles > 100'000);
+        moving.frame.camera = still.frame.camera = there;
+        CHECK(moving.draw().triangles == 2 * kVessels.size());
+        const Image cones = moving.renderer->read_image();
+        const BranchPicture cone_branches = moving.renderer->read_branches();
+        const Pick cone_pick = moving.renderer->pick(320, 300);
+        CHECK(still.draw().triangles > 100'000);
+        const Image surface = still.renderer->read_image();
+        const BranchPicture surface_branches = still.renderer->read_branches();
+
+        double sum = 0.0;
+        std::size_t vessels = 0, other_branch = 0;
+        for (std::size_t i = 0; i < surface_branches.branches.size(); ++i) {
+            if (surface_branches.branches[i] == kNoBranch) continue;
+            ++vessels;
+            other_branch += cone_branches.branches[i] != surface_branches.branches[i] ? 1 : 0;
+            for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(cones.rgba[k] - surface.rgba[k]) / 3.0;
+        }
+        MESSAGE("mean difference " << sum / double(vessels) << " of 255; "
+                                   << 100.0 * double(other_branch) / double(vessels) << " % show another branch");
+        REQUIRE(vessels > 20'000);
+        CHECK(sum / double(vessels) < 2.0);                   // what may be seen while something moves
+        CHECK(double(other_branch) < 0.03 * double(vessels)); // at joints, where one vessel is within the other
+        const Pick pick = still.renderer->pick(320, 300);
+        CHECK(cone_pick.branch == pick.branch);
+        CHECK(glm::distance(cone_pick.position, pick.position) < 0.15);
+
+        // At rest, and where anything but the camera changes, it is the surface.
+        moving.frame.quality = Quality::kFull;
+        CHECK(moving.draw().triangles > 100'000);
+        moving.frame.quality = Quality::kInteractive;
+        moving.frame.camera = turned(there, 5.0, 0.0);
+        moving.frame.states[3] = BranchState::kHidden;
+        CHECK(moving.draw().triangles > 70'000);
+        moving.frame.camera = there;
+        CHECK(moving.draw().triangles == 2 * (kVessels.size() - 1));
+    }
+}
+
+TEST_CASE("thinned centerlines stay near the whole ones, with their ends and branches") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> step(-1.0F, 1.0F);
+    Centerlines lines;
+    for (int branch = 0; branch < 40; ++branch) {
+        const std::uint32_t count = branch == 7 ? 0 : branch == 8 ? 1 : 2 + static_cast<std::uint32_t>(branch) * 5;
+        lines.runs.push_back({static_cast<std::uint32_t>(lines.points.size()), count});
+        glm::vec3 at(10.0F * step(random), 0.0F, 0.0F), way(1.0F, 0.0F, 0.0F);
+        float radius = 2.0F + step(random);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            lines.points.emplace_back(at, float(i));
+            lines.details.push_back({2.0F * radius, branch});
+            way = glm::normalize(way + 0.2F * glm::vec3(step(random), step(random), step(random)));
+            at += 0.5F * way;
+            radius *= 1.0F + 0.02F * step(random);
+        }
+    }
+    const double most = 0.2;
+    const Centerlines fewer = lines.thinned(most);
+    REQUIRE(fewer.runs.size() == lines.runs.size());
+    CHECK(fewer.points.size() < lines.points.size() / 2);
+    for (std::size_t branch = 0; branch < lines.runs.size(); ++branch) {
+        const Centerlines::Run whole = lines.runs[branch], run = fewer.runs[branch];
+        REQUIRE((run.count == 0) == (whole.count == 0));
+        if (whole.count == 0) continue;
+        CHECK(fewer.points[run.first] == lines.points[whole.first]);
+        CHECK(fewer.points[run.first + run.count - 1] == lines.points[whole.first + whole.count - 1]);
+        for (std::uint32_t i = 0; i < whole.count; ++i) {
+            const glm::vec3 p(lines.points[whole.first + i]);
+            double nearest = glm::distance(p, glm::vec3(fewer.points[run.first]));
+            for (std::uint32_t k = 0; k + 1 < run.count; ++k) {
+                const glm::vec3 a(fewer.points[run.first + k]), ab = glm::vec3(fewer.points[run.first + k + 1]) - a;
+                const float t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
+                nearest = std::min(nearest, double(glm::distance(p, a + t * ab)));
+            }
+            CHECK(nearest <= std::min(most, 0.15 * 0.5 * lines.details[whole.first + i].diameter_mm) + 1e-5);
+        }
+        for (std::uint32_t k = 0; k < run.count; ++k) CHECK(fewer.details[run.first + k].branch == int(branch));
+    }
+}
