@@ -58,6 +58,8 @@ struct Appearance {
 struct Overlays {
     bool orientation_cube = true;
     bool scale_bar = true;
+    bool orientation_letters = false; // R L A P S I at the edges, as in radiology
+    std::string caption;              // Latin-1, at the top left; empty: none
     Legend legend;
     int inset_left = 0, inset_top = 0, inset_right = 0, inset_bottom = 0;
     bool operator==(const Overlays&) const = default;

@@ -1,8 +1,11 @@
 #include "render/image.h"
 
 #include "core/io/output_file.h"
+#include "render/colour.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -113,6 +116,32 @@ Image difference(const Image& actual, const Image& reference, int threshold) {
             }
         }
     }
+    return result;
+}
+
+Image reduced(const Image& image, int factor) {
+    if (factor <= 1) return image;
+    std::array<float, 256> light{};
+    for (int i = 0; i < 256; ++i) light[static_cast<std::size_t>(i)] = linear(static_cast<float>(i) / 255.0F);
+    Image result(image.width / factor, image.height / factor);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            float sum[3]{}, alpha = 0.0F;
+            for (int dy = 0; dy < factor; ++dy) {
+                const std::uint8_t* in = image.pixel(x * factor, y * factor + dy);
+                for (int dx = 0; dx < factor; ++dx, in += 4) {
+                    for (int k = 0; k < 3; ++k) sum[k] += light[in[k]] * in[3];
+                    alpha += in[3];
+                }
+            }
+            std::uint8_t* out = result.pixel(x, y);
+            for (int k = 0; k < 3 && alpha > 0.0F; ++k) {
+                const float c = sum[k] / alpha;
+                const float srgb = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+                out[k] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(srgb, 0.0F, 1.0F)));
+            }
+            out[3] = static_cast<std::uint8_t>(std::lround(alpha / static_cast<float>(factor * factor)));
+        }
     return result;
 }
 

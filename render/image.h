@@ -28,6 +28,10 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
+// Each pixel the mean of a square of factor x factor, in linear light: what a picture drawn larger becomes. The sides
+// must be multiples of `factor`.
+[[nodiscard]] Image reduced(const Image& image, int factor);
+
 // Any PNG (grey, palette, 16 bit, ...) as 8-bit RGBA.
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> encode_png(const Image& image);

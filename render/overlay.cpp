@@ -1,5 +1,6 @@
 #include "render/overlay.h"
 
+#include "render/captions.h"
 #include "render/legend.h"
 #include "render/plate.h"
 #include "render/text.h"
@@ -177,25 +178,7 @@ Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio
             put(bar_left + length - 1 - x, bar_top - y, 255);
         }
 
-    // Light ink with a dark halo reads over vessels and over any background.
-    Image image(width, height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            int around = 0;
-            for (int dy = -halo; dy <= halo; ++dy)
-                for (int dx = -halo; dx <= halo; ++dx) around = std::max<int>(around, ink.at(x + dx, y + dy));
-            const double light = ink.at(x, y) / 255.0, dark = 0.55 * around / 255.0,
-                         alpha = light + dark * (1.0 - light);
-            std::uint8_t* out = image.pixel(x, y);
-            for (int k = 0; k < 3; ++k)
-                out[k] =
-                    alpha > 0.0
-                        ? static_cast<std::uint8_t>(std::lround((light * 226.0 + (1.0 - light) * dark * 10.0) / alpha))
-                        : std::uint8_t{0};
-            out[3] = static_cast<std::uint8_t>(std::lround(255.0 * alpha));
-        }
-    }
-    return image;
+    return haloed(ink, halo);
 }
 
 std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font) {
@@ -221,7 +204,27 @@ std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& fo
         legend_bottom = corner.y - static_cast<int>(std::lround(10.0 * ratio));
         sprites.push_back({std::move(bar), corner});
     }
-    const glm::ivec2 room(free.x / 2, legend_bottom - o.inset_top - margin);
+    int below_caption = o.inset_top;
+    if (!o.caption.empty()) {
+        Image caption = paint_caption(o.caption, ratio, free.x - 2 * margin, font);
+        below_caption += margin + caption.height;
+        sprites.push_back({std::move(caption), {o.inset_left + margin, o.inset_top + margin}});
+    }
+    if (o.orientation_letters) {
+        const CameraAxes axes = axes_of(frame.camera);
+        const auto letters = [&](const glm::dvec3& direction, double x, double y) {
+            Image image = paint_caption(orientation_letters(direction), ratio, free.x, font);
+            const glm::dvec2 room = glm::dvec2(free) - glm::dvec2(image.width, image.height) - glm::dvec2(margin);
+            const glm::ivec2 corner(std::lround(o.inset_left + 0.5 * margin + x * room.x),
+                                    std::lround(o.inset_top + 0.5 * margin + y * room.y));
+            sprites.push_back({std::move(image), {corner.x, y == 0.0 ? std::max(corner.y, below_caption) : corner.y}});
+        };
+        letters(-axes.right, 0.0, 0.5);
+        letters(axes.right, 1.0, 0.5);
+        letters(axes.up, 0.5, 0.0);
+        letters(-axes.up, 0.5, 1.0);
+    }
+    const glm::ivec2 room(free.x / 2, legend_bottom - below_caption - margin);
     if (!o.legend.title.empty() && room.x > 60 && room.y > 60) {
         Image legend = paint_legend(o.legend, ratio, room, font);
         const glm::ivec2 corner(o.inset_left + margin, legend_bottom - legend.height);

@@ -1,6 +1,6 @@
-// The small pictures that lie over the tree: the orientation cube with its letters, the scale bar, the legend and the
-// labels of lines. Painted without
-// GL, so that they are the same bytes in the window and without one, and can be tested alone.
+// The small pictures that lie over the tree: the orientation cube with its letters, the scale bar, the legend, the
+// labels of lines, the caption. Painted without GL, so that they are the same bytes in the window and without one, and
+// can be tested alone.
 #pragma once
 
 #include "render/camera.h"

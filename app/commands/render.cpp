@@ -1,12 +1,14 @@
 #include "app/commands/render.h"
 
 #include "app/actions/script.h"
+#include "app/commands/figures.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
 #include "app/panels/interface.h"
+#include "app/session/numbers.h"
 #include "app/window/headless_interface.h"
 #include "app/window/pace.h"
 #include "core/base/stopwatch.h"
@@ -36,6 +38,7 @@ struct RenderFlags {
     double tolerance = 0.001; // of the pixels
     int benchmark = 0;        // frames
     bool benchmark_full = false;
+    FigureFlags figure;
 };
 
 // "1600x1200", within what can be drawn; else a message for the user.
@@ -158,15 +161,32 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!flags.interface)
         if (auto ran = run(here); !ran) return tl::unexpected(ran.error());
 
-    const auto frame = stage.frame();
+    auto frame = stage.frame();
     if (!frame) return tl::unexpected(frame.error());
+    dress(*frame, flags.figure);
+    if (flags.figure.turntable > 0) {
+        const bool keep_camera = !flags.camera.empty() || *has_camera;
+        const auto files = write_turntable(**renderer, *frame, flags.figure, keep_camera, flags.output);
+        if (!files) return tl::unexpected(files.error());
+        say("wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());
+        nlohmann::json report{{"pictures", nlohmann::json::array()}};
+        for (const auto& file : *files) report["pictures"].push_back(file.string());
+        if (flags.json) std::cout << report.dump(2) << '\n';
+        return kDone;
+    }
     const Stopwatch watch;
     const auto done = (*renderer)->draw(*frame);
     if (!done) return tl::unexpected(done.error());
     (void)(*renderer)->pick(0.0, 0.0); // waits until it is there
     const double draw_seconds = watch.seconds();
-    auto image = flags.interface ? draw_interface(flags, document, stage, **renderer, run)
-                                 : Result<render::Image>((*renderer)->read_image());
+    Result<render::Image> image;
+    if (flags.interface)
+        image = draw_interface(flags, document, stage, **renderer, run);
+    else if (flags.figure.sheet)
+        image = draw_sheet(**renderer, *frame, flags.figure);
+    else
+        image =
+            flags.figure.supersample > 1 ? draw_figure(**renderer, *frame, flags.figure) : (*renderer)->read_image();
     if (!image) return tl::unexpected(image.error());
 
     nlohmann::json report{{"size", {image->width, image->height}},
@@ -250,11 +270,17 @@ void register_render(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1, 1000000).description(""));
     command->add_flag("--benchmark-full", flags->benchmark_full,
                       "With --benchmark: draw every frame as if the view rested");
+    add_figure_flags(*command, flags->figure);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
     command->callback([flags, view, &chosen] {
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
         flags->view_given = view->count() > 0;
+        if (flags->figure.turntable > 0 && flags->output.empty()) throw CLI::RequiredError("-o");
+        if (flags->figure.turntable > 0 && (flags->interface || !flags->reference.empty() || flags->benchmark > 0))
+            throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
+        if (flags->figure.sheet && flags->interface)
+            throw CLI::ValidationError("--sheet", "cannot be combined with --ui");
         const bool other_result = flags->benchmark > 0 || !flags->commands.empty();
         if (flags->output.empty() && (!other_result || !flags->reference.empty() || flags->interface))
             throw CLI::RequiredError("-o");

@@ -50,6 +50,21 @@ assert report["quality"] in ("full", "interactive") and 0 <= report["difference"
 full = json.loads(run("tree.swc", "--size", "160x120", "--benchmark", "3", "--benchmark-full", "--json").stdout)
 assert full["quality"] == "full" and full["difference"] == 0
 
+# Figures: reduced from larger, four views on one sheet, once around.
+run("tree.swc", "-o", "fine.png", "--size", "90x60", "--supersample", "3", "--caption", "Küste", "--overlays", "letters,scale")
+assert size_of("fine.png") == (90, 60)
+run("tree.swc", "-o", "sheet.png", "--size", "161x121", "--sheet", "--overlays", "none")
+assert size_of("sheet.png") == (161, 121)
+report = json.loads(run("tree.swc", "-o", "turn.png", "--size", "80x60", "--turntable", "4", "--json").stdout)
+assert report["pictures"] == [f"turn_00{i}.png" for i in (1, 2, 3, 4)] and not os.path.exists("turn.png")
+turns = {open(name, "rb").read() for name in report["pictures"]}
+assert len(turns) == 4 and all(size_of(name) == (80, 60) for name in report["pictures"])
+assert "too large" in run("tree.swc", "-o", "huge.png", "--size", "9000x3000", "--supersample", "8", status=1).stderr
+assert not os.path.exists("huge.png")
+for wrong in (["--supersample", "0"], ["--overlays", "cube,hat"], ["--turntable", "1"], ["--turntable", "4", "--sheet"],
+              ["--turntable", "4", "--ui"], ["--sheet", "--ui"]):
+    run("tree.swc", "-o", "wrong.png", *wrong, status=2)
+
 # Wrong usage.
 for wrong in (["--size", "0x10"], ["--size", "100"], ["--size", "99999x99999"], ["--size", "10x10x10"], ["--view", "front"],
               ["--tolerance", "0.1"], ["--camera", "{}", "--view", "left"], ["--method", "magic"]):

@@ -80,3 +80,24 @@ TEST_CASE("the colour of what is transparent does not count") {
     a.pixel(0, 0)[3] = 255;
     CHECK(compare(a, b)->differing == 1);
 }
+
+TEST_CASE("a reduced picture is the mean of its pixels in linear light, weighted by their alpha") {
+    Image image(4, 2);
+    for (int x = 0; x < 2; ++x)
+        for (int y = 0; y < 2; ++y) {
+            std::uint8_t* left = image.pixel(x, y);
+            left[0] = left[1] = left[2] = (x + y) % 2 == 0 ? 255 : 0;
+            left[3] = 255;
+            std::uint8_t* right = image.pixel(2 + x, y);
+            right[0] = x == 0 ? 200 : 17;
+            right[3] = x == 0 ? 255 : 0; // its colour counts for nothing
+        }
+    const Image half = reduced(image, 2);
+    REQUIRE(half.width == 2);
+    REQUIRE(half.height == 1);
+    CHECK(half.pixel(0, 0)[0] == 188); // half of the light: 255 (1.055 * 0.5^(1/2.4) - 0.055)
+    CHECK(half.pixel(0, 0)[3] == 255);
+    CHECK(half.pixel(1, 0)[0] == 200);
+    CHECK(half.pixel(1, 0)[3] == 128);
+    CHECK(reduced(image, 1) == image);
+}

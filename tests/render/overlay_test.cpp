@@ -1,7 +1,9 @@
+#include "render/captions.h"
 #include "render/overlay.h"
 #include "render/text.h"
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 using namespace ramus::render;
@@ -93,4 +95,29 @@ TEST_CASE("overlays keep clear of the insets and leave small pictures alone") {
     frame.size = {90, 60};
     frame.overlays = {};
     CHECK(overlays_of(frame, "").empty());
+}
+
+TEST_CASE("letters say which way of the patient a direction goes, the most first") {
+    CHECK(orientation_letters({1, 0, 0}) == "R");
+    CHECK(orientation_letters({-1, 0.1, 0}) == "L");
+    CHECK(orientation_letters(glm::normalize(glm::dvec3(-1, 0.8, 0.1))) == "LA");
+    CHECK(orientation_letters(glm::normalize(glm::dvec3(0.7, -0.8, -0.9))) == "IPR");
+    Frame frame;
+    frame.size = {600, 400};
+    frame.camera = looking(Camera{}, View::kAnterior);
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    CHECK(overlays_of(frame, default_font()).empty());
+    frame.overlays.orientation_letters = true;
+    CHECK(overlays_of(frame, default_font()).size() == 4);
+    // A caption that is longer than the picture takes more lines, and the letters make way.
+    const int letter_top = overlays_of(frame, default_font())[2].corner.y;
+    frame.overlays.caption = "One line";
+    const auto one = overlays_of(frame, default_font());
+    REQUIRE(one.size() == 5);
+    for (int i = 0; i < 20; ++i) frame.overlays.caption += " and some more words";
+    const auto more = overlays_of(frame, default_font());
+    CHECK(more[0].image.height > 2 * one[0].image.height);
+    CHECK(more[0].corner.x + more[0].image.width <= frame.size.x);
+    CHECK(more[3].corner.y >= more[0].corner.y + more[0].image.height);
+    CHECK(letter_top < one[3].corner.y);
 }

@@ -1,0 +1,151 @@
+#include "app/commands/figures.h"
+
+#include "app/picture/colouring.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+// `camera`, at the distance from which all of `box` is in the picture from every one of `cameras`.
+std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, const render::Box& box, glm::ivec2 size) {
+    double distance = 0.0, scale = 0.0;
+    for (render::Camera& camera : cameras) {
+        camera = render::fitted(camera, box, size);
+        distance = std::max(distance, glm::distance(camera.position, box.centre()));
+        scale = std::max(scale, camera.scale);
+    }
+    for (render::Camera& camera : cameras) {
+        camera.focal_point = box.centre();
+        const glm::dvec3 forward = render::axes_of(camera).forward;
+        camera.position = box.centre() - distance * forward;
+        camera.scale = scale;
+    }
+    return cameras;
+}
+
+// A box around what can be seen of the frame's mesh.
+render::Box visible_box(const render::Frame& frame) {
+    render::Box box;
+    const auto positions = frame.mesh->positions([&](int branch) {
+        const auto index = static_cast<std::size_t>(branch);
+        return index >= frame.states.size() || frame.states[index] != render::BranchState::kHidden;
+    });
+    for (const glm::vec3& position : positions) box.include(glm::dvec3(position));
+    return box.empty() ? frame.mesh->bounds() : box;
+}
+
+std::string title_of(render::View view) {
+    std::string name(render::name_of(view));
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    return name;
+}
+
+} // namespace
+
+void add_figure_flags(CLI::App& command, FigureFlags& flags) {
+    command
+        .add_option("--supersample", flags.supersample,
+                    "Draw N times as large and take the mean: smoother edges (default 1)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 8).description(""));
+    command.add_option("--caption", flags.caption, "Words at the top left")->type_name("TEXT");
+    CLI::Option* overlays =
+        command
+            .add_option("--overlays", flags.overlays,
+                        "What lies over the tree: none, or some of cube,scale,legend,letters (default "
+                        "cube,scale,legend)")
+            ->type_name("LIST")
+            ->delimiter(',')
+            ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
+    overlays->each([&flags](const std::string&) { flags.overlays_given = true; });
+    CLI::Option* sheet =
+        command.add_flag("--sheet", flags.sheet, "Four views on one sheet: anterior, left, posterior, superior");
+    command
+        .add_option("--turntable", flags.turntable,
+                    "Once around the tree in N pictures: o.png becomes o_001.png and so on")
+        ->type_name("N")
+        ->check(CLI::Range(2, 9999).description(""))
+        ->excludes(sheet);
+}
+
+void dress(render::Frame& frame, const FigureFlags& flags) {
+    const auto wanted = [&](const char* name) {
+        return std::ranges::find(flags.overlays, name) != flags.overlays.end();
+    };
+    frame.overlays.caption = latin1(flags.caption);
+    if (!flags.overlays_given) return;
+    frame.overlays.orientation_cube = wanted("cube");
+    frame.overlays.scale_bar = wanted("scale");
+    frame.overlays.orientation_letters = wanted("letters");
+    if (!wanted("legend")) frame.overlays.legend = {};
+}
+
+Result<render::Image> draw_figure(render::Renderer& renderer, render::Frame frame, const FigureFlags& flags) {
+    frame.size *= flags.supersample;
+    frame.pixel_ratio *= static_cast<float>(flags.supersample);
+    if (auto fits = render::check_size(frame.size.x, frame.size.y); !fits) {
+        if (flags.supersample > 1) fits.error().hint += "; or a smaller --supersample";
+        return tl::unexpected(fits.error());
+    }
+    if (const auto drawn = renderer.draw(frame); !drawn) return tl::unexpected(drawn.error());
+    return render::reduced(renderer.read_image(), flags.supersample);
+}
+
+Result<render::Image> draw_sheet(render::Renderer& renderer, const render::Frame& frame, const FigureFlags& flags) {
+    constexpr std::array kSheet{render::View::kAnterior, render::View::kLeft, render::View::kPosterior,
+                                render::View::kSuperior};
+    const glm::ivec2 cell = frame.size / 2;
+    if (cell.x < 1 || cell.y < 1) return fail("a sheet of one pixel has no room for four views");
+    std::vector<render::Camera> cameras;
+    for (const render::View view : kSheet) cameras.push_back(render::looking(frame.camera, view));
+    cameras = at_one_scale(std::move(cameras), visible_box(frame), cell);
+    render::Image sheet(frame.size.x, frame.size.y);
+    for (std::size_t i = 0; i < kSheet.size(); ++i) {
+        render::Frame one = frame;
+        one.size = cell;
+        one.camera = cameras[i];
+        const std::string title = title_of(kSheet[i]);
+        one.overlays.caption =
+            i == 0 && !frame.overlays.caption.empty() ? frame.overlays.caption + ": " + title : title;
+        if (i > 0) one.overlays.legend = {};
+        const auto image = draw_figure(renderer, one, flags);
+        if (!image) return image;
+        // Cells of odd sheets leave a line of pixels in the middle.
+        const int left = i % 2 == 0 ? 0 : sheet.width - cell.x, top = i < 2 ? 0 : sheet.height - cell.y;
+        for (int y = 0; y < cell.y; ++y)
+            std::memcpy(sheet.pixel(left, top + y), image->pixel(0, y), 4 * static_cast<std::size_t>(cell.x));
+    }
+    return sheet;
+}
+
+Result<std::vector<std::filesystem::path>> write_turntable(render::Renderer& renderer, const render::Frame& frame,
+                                                           const FigureFlags& flags, bool keep_camera,
+                                                           const std::filesystem::path& output) {
+    std::vector<render::Camera> cameras;
+    for (int i = 0; i < flags.turntable; ++i)
+        cameras.push_back(render::turned(frame.camera, 360.0 * i / flags.turntable, 0.0));
+    if (!keep_camera) cameras = at_one_scale(std::move(cameras), visible_box(frame), frame.size);
+    const std::size_t digits = std::max<std::size_t>(3, std::to_string(flags.turntable).size());
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        render::Frame one = frame;
+        one.camera = cameras[i];
+        const auto image = draw_figure(renderer, one, flags);
+        if (!image) return tl::unexpected(image.error());
+        std::string number = std::to_string(i + 1);
+        number.insert(0, digits - number.size(), '0');
+        const auto file = output.parent_path() / (output.stem().string() + "_" + number + output.extension().string());
+        if (auto written = render::write_png(*image, file); !written) return tl::unexpected(written.error());
+        files.push_back(file);
+    }
+    return files;
+}
+
+} // namespace ramus::app
