@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <glad/gl.h>
+#include <utility>
 
 namespace ramus::render {
 
 namespace {
 
 int error_count = 0;
+bool out_of_memory = false;
 std::string last_error;
 
 void GLAD_API_PTR note_message(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei, const GLchar* message,
@@ -54,6 +56,7 @@ bool is_software_rasteriser() {
 
 int gl_error_count() {
     for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+        out_of_memory = out_of_memory || error == GL_OUT_OF_MEMORY;
         // With debug output on, the callback has already counted this one.
         if (last_error.empty()) {
             ++error_count;
@@ -61,6 +64,11 @@ int gl_error_count() {
         }
     }
     return error_count;
+}
+
+bool gl_ran_out_of_memory() {
+    (void)gl_error_count();
+    return std::exchange(out_of_memory, false);
 }
 
 const std::string& gl_last_error() { return last_error; }

@@ -30,6 +30,8 @@ using GlLoader = GlFunction (*)(const char* name);
 // renderer after each frame). A correct program keeps it at 0; tests check it. The last one is logged in
 // `gl_last_error`.
 [[nodiscard]] int gl_error_count();
+// Whether memory ran out since the last call. Counts what else went wrong.
+[[nodiscard]] bool gl_ran_out_of_memory();
 [[nodiscard]] const std::string& gl_last_error();
 
 class GlContext {

@@ -54,6 +54,6 @@ void main() {
     through = (end ? b + reach * along : a - back * along) + (side ? -reach : reach) * vec2(-along.y, along.x);
     gl_Position = vec4(through * zoom, 0.5, 1.0);
     // What reaches behind the eye has no outline, and the step from a branch to the next is no segment.
-    bool behind = !flat_view && min(from.z - radii.x, to.z - radii.y) <= 0.02 * depth_range.y;
+    bool behind = !flat_view && min(from.z - 1.05 * radii.x, to.z - 1.05 * radii.y) <= 1e-4 * depth_range.y;
     if (detail.y != next.y || behind) gl_Position = vec4(0.0, 0.0, -2.0, 1.0);
 }

@@ -46,6 +46,8 @@ public:
     virtual Result<void> open(const std::filesystem::path& path);
     virtual Result<void> ask_for_file();
     virtual Result<void> ask_for_lesion_mesh();
+    // Whether a command may take its time: nobody waits for the next picture.
+    [[nodiscard]] virtual bool unhurried() const { return true; }
     // Whether this mesh is about to be read by somebody else, who runs the command again once it is.
     virtual bool reads_lesion_mesh(const std::filesystem::path&) { return false; }
     virtual Result<void> ask_for_name();                // of a session, to save it

@@ -12,10 +12,12 @@ namespace {
 
 Result<void> open(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("open takes one file", {}, "put quotes around a name with blanks");
+    if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
     return arguments.empty() ? context.host.ask_for_file() : context.host.open(arguments[0]);
 }
 
 Result<void> save(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to save a session of");
     const auto path = file_argument(context, arguments, "save", ".ramus.json");
     if (!path) return tl::unexpected(path.error());
     if (auto written = write_session(context.document.session(), *path); !written) return written;

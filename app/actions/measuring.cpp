@@ -49,6 +49,7 @@ Result<Measurement> measurement_in(const Document& document, Arguments arguments
 }
 
 Result<void> measure_this(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to measure");
     const auto wanted = measurement_in(context.document, arguments);
     if (!wanted) return tl::unexpected(wanted.error());
     const auto found = measured(*context.document.tree(), *wanted);

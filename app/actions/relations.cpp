@@ -104,6 +104,7 @@ Result<void> select_diameter(ActionContext& context, Arguments arguments) {
 
 Result<void> select_within(ActionContext& context, Arguments arguments) {
     const Document& document = context.document;
+    if (!has_tree(document)) return fail("there is no tree");
     const auto reach =
         arguments.empty() || arguments.size() > 2 ? std::nullopt : number_in(arguments[0], 0.0, kFarthestMm);
     const auto point = arguments.size() == 2 ? numbers_in(arguments[1], 3, kFarthestMm) : std::nullopt;
@@ -114,6 +115,8 @@ Result<void> select_within(ActionContext& context, Arguments arguments) {
         const measure::Lesions place{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
         distances = measure::wall_distances(*document.tree(), place);
     } else {
+        if (!context.host.unhurried() && document.plan_wanted())
+            return fail("the distances to the lesions are still being measured", {}, "try again in a moment");
         const auto plan = document.plan();
         if (!plan || plan->lesion_distances_mm.empty())
             return plan && !plan->troubles.empty()

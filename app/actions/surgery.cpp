@@ -22,6 +22,7 @@ std::optional<std::array<double, 4>> sphere_in(const std::string& word) {
 }
 
 Result<void> lesion(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to place it in");
     const auto sphere = arguments.size() == 1 ? sphere_in(arguments[0]) : std::nullopt;
     if (!sphere) return fail(kAskedLesion);
     Marks next = context.document.marks();
@@ -184,6 +185,7 @@ Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
     if (way == kWays.end())
         return fail("filter-diameter takes a diameter in mm, and show, hide or defocus", {},
                     "it acts on the branches of a smaller mean diameter");
+    if (!has_tree(context.document)) return fail("there is no tree");
     const TreeFacts& facts = *context.document.facts();
     std::vector<int> thin;
     double length = 0.0, volume = 0.0;

@@ -7,25 +7,36 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace ramus::app {
 
 namespace {
 
-// `camera`, at the distance from which all of `box` is in the picture from every one of `cameras`.
+// The cameras around the middle of `box`, all at the distance from which it is in the picture of each of them.
 std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, const render::Box& box, glm::ivec2 size) {
+    constexpr double kMargin = 1.05;
+    const double aspect = double(size.x) / size.y;
     double distance = 0.0, scale = 0.0;
-    for (render::Camera& camera : cameras) {
-        camera = render::fitted(camera, box, size);
-        distance = std::max(distance, glm::distance(camera.position, box.centre()));
-        scale = std::max(scale, camera.scale);
+    for (const render::Camera& camera : cameras) {
+        const render::CameraAxes axes = render::axes_of(camera);
+        const double slope = std::tan(glm::radians(0.5 * camera.view_angle));
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+            const glm::dvec3 off = glm::mix(box.lower, box.upper, high) - box.centre();
+            const double across =
+                std::max(std::abs(glm::dot(off, axes.right)) / aspect, std::abs(glm::dot(off, axes.up)));
+            distance = std::max(distance, kMargin * across / slope - glm::dot(off, axes.forward));
+            scale = std::max(scale, kMargin * across);
+        }
     }
     for (render::Camera& camera : cameras) {
-        camera.focal_point = box.centre();
         const glm::dvec3 forward = render::axes_of(camera).forward;
-        camera.position = box.centre() - distance * forward;
-        camera.scale = scale;
+        camera.focal_point = box.centre();
+        camera.position = box.centre() - std::max(distance, 1e-6) * forward;
+        camera.scale = std::max(scale, 1e-9);
     }
     return cameras;
 }

@@ -165,7 +165,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!frame) return tl::unexpected(frame.error());
     dress(*frame, flags.figure);
     if (flags.figure.turntable > 0) {
-        const bool keep_camera = !flags.camera.empty() || *has_camera;
+        const bool keep_camera = !flags.camera.empty() || (*has_camera && !flags.view_given);
         const auto files = write_turntable(**renderer, *frame, flags.figure, keep_camera, flags.output);
         if (!files) return tl::unexpected(files.error());
         say("wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());

@@ -186,7 +186,7 @@ void draw_row(InterfaceContext& context, int id) {
                                                  : theme::kText);
     const bool double_click_names = context.interface.rename.open; // the second click opened the field
     if (ImGui::Selectable(std::to_string(id).c_str(), is_selected(document.marks(), id),
-                          ImGuiSelectableFlags_SpanAllColumns) &&
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick) &&
         !double_click_names)
         click(context, id);
     if (!lit) ImGui::PopStyleColor();

@@ -156,9 +156,11 @@ private:
     std::size_t at_ = 0;
 };
 
-// Numbers are compared as they are shown: three digits.
-bool holds(double value, Comparison comparison, double wanted) {
-    const bool equal = std::abs(value - wanted) <= 5e-4 * std::abs(wanted);
+// Numbers are shown with three digits: what looks equal is.
+constexpr double kShownPrecision = 5e-4;
+
+bool holds(double value, Comparison comparison, double wanted, double precision) {
+    const bool equal = std::abs(value - wanted) <= precision * std::abs(wanted);
     switch (comparison) {
     case Comparison::kLess:
         return value < wanted;
@@ -240,11 +242,8 @@ std::vector<int> branches_passing(const BranchFilter& filter, const tree::Vessel
         switch (condition.kind) {
         case BranchCondition::Kind::kQuantity: {
             const double value = value_of(condition.quantity, tree, facts, id);
-            if (is_whole(condition.quantity) && condition.comparison == Comparison::kEqual)
-                return value == condition.value;
-            if (is_whole(condition.quantity) && condition.comparison == Comparison::kNotEqual)
-                return value != condition.value;
-            return holds(value, condition.comparison, condition.value);
+            return holds(value, condition.comparison, condition.value,
+                         is_whole(condition.quantity) ? 0.0 : kShownPrecision);
         }
         case BranchCondition::Kind::kProperty:
             return has(condition.property, tree, marks, id, source);

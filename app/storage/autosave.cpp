@@ -1,6 +1,7 @@
 #include "app/storage/autosave.h"
 
 #include "app/session/document.h"
+#include "app/session/json_text.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
@@ -110,7 +111,8 @@ Result<void> Slot::write(const Snapshot& snapshot) const {
         {"ramus_autosave", kVersion},          {"process", ::getpid()},
         {"saved", seconds_of(snapshot.saved)}, {"changes", snapshot.changes},
         {"file", snapshot.file.string()},      {"session", to_json(snapshot.session, file_.parent_path())}};
-    return io::write_file(file_, value.dump(1) + "\n");
+    const auto text = json_text(value, file_.string());
+    return text ? io::write_file(file_, *text) : tl::unexpected(text.error());
 }
 
 Result<Snapshot> Slot::read() const {

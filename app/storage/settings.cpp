@@ -1,5 +1,6 @@
 #include "app/storage/settings.h"
 
+#include "app/session/json_text.h"
 #include "core/io/output_file.h"
 
 #include <cmath>
@@ -90,7 +91,8 @@ Result<void> write_settings(const Settings& settings, const fs::path& folder) {
     if (folder.empty()) return fail("there is no folder for settings", {}, "set XDG_CONFIG_HOME or HOME");
     std::error_code error;
     fs::create_directories(folder, error);
-    return io::write_file(folder / kFile, to_json(settings).dump(1) + "\n");
+    const auto text = json_text(to_json(settings), (folder / kFile).string());
+    return text ? io::write_file(folder / kFile, *text) : tl::unexpected(text.error());
 }
 
 } // namespace ramus::app

@@ -41,7 +41,6 @@ public:
     [[nodiscard]] std::optional<render::Camera> move(const render::Camera& camera, glm::ivec2 size, glm::dvec2 to);
     [[nodiscard]] static render::Camera wheel(const render::Camera& camera, glm::ivec2 size, glm::dvec2 at,
                                               double notches);
-    void abandon() { held_.reset(); } // the window lost the pointer
 
     [[nodiscard]] bool held() const { return held_.has_value(); }
     [[nodiscard]] bool dragging() const { return held_ && dragging_; }

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <imgui.h>
 #include <mutex>
+#include <utility>
 
 namespace ramus::app {
 
@@ -145,10 +146,16 @@ void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
     std::optional<KeyPress> press;
     const std::string name = action == GLFW_PRESS ? name_of_key(number, scancode) : "";
     if (!name.empty()) press = KeyPress{name, held.ctrl, held.shift, held.alt};
-    viewer_->key(number, action != GLFW_RELEASE, press, held);
+    viewer_->key(number, action != GLFW_RELEASE, press, held, glfwGetTime());
 }
 
 void GlfwWindow::resized() {
+    if (std::exchange(cursor_scale_, scale()) != cursor_scale_) { // pictures of pointers are of one scale
+        set_cursor(Cursor::kArrow);
+        for (const auto& [kind, shape] : cursors_)
+            if (shape != nullptr) glfwDestroyCursor(shape);
+        cursors_.clear();
+    }
     const glm::ivec2 size = framebuffer_size();
     if (viewer_ != nullptr && size.x > 0 && size.y > 0) viewer_->resize(size, scale()); // 0: minimised
 }
@@ -176,7 +183,7 @@ void GlfwWindow::connect() {
         self(window)->key(number, scancode, action, modifiers);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned codepoint) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->character(codepoint);
+        if (Viewer* viewer = self(window)->viewer_) viewer->character(codepoint, glfwGetTime());
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         Viewer* viewer = self(window)->viewer_;

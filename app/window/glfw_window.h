@@ -49,6 +49,7 @@ private:
     std::string title_;
     Cursor cursor_ = Cursor::kArrow;
     std::map<Cursor, GLFWcursor*> cursors_; // made when first wanted
+    float cursor_scale_ = 0.0F;             // that they were made for
 };
 
 // May be called from any thread: wait() returns. Does nothing while there is no window.

@@ -20,7 +20,8 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     constexpr double kFrameSeconds = 0.2; // the clock goes on, so that a slow picture comes to rest in full
     double now = 0.0;
     const auto settle = [&] {
-        constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
+        (void)workspace.document.plan(); // waits for what a window would leave to a worker
+        constexpr int kMostFrames = 20;  // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
             (*viewer)->draw(now, target.framebuffer());
             now += kFrameSeconds;

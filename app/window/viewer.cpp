@@ -56,6 +56,14 @@ Viewing Viewer::viewing() const {
 
 void Viewer::take_news() {
     if (workspace_.update()) shake();
+    if (workspace_.arrival_waits() && !interface_.unsaved.next) {
+        // Asked once; a dialog that was closed without going on sends the file away.
+        if (std::exchange(asked_about_arrival_, true))
+            workspace_.send_away();
+        else
+            when_saved([this] { workspace_.let_in(); });
+    }
+    if (!workspace_.arrival_waits()) asked_about_arrival_ = false;
     if (const auto opened = workspace_.take_opened()) take_opened(*opened);
     while (const auto path = workspace_.take_read_mesh()) {
         InterfaceContext context{interface_, workspace_, *this, layout_, now_};
@@ -98,7 +106,8 @@ void Viewer::ask_pick() {
 
 // Nobody looks on while a script runs or a picture of the window is made.
 void Viewer::camera_leapt() {
-    if (keeps_files_ && !unattended_) glide_ = Glide{shown_camera_, now_};
+    if (!unhurried())
+        glide_ = Glide{render::with_projection(shown_camera_, workspace_.document.session().camera.orthographic), now_};
 }
 
 // Slow at both ends. A picture that is asked for is never one on the way: see draw_for_keeping().
@@ -155,19 +164,19 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     if (frame.quality == render::Quality::kInteractive && workspace_.shown_cones()) frame.appearance.occlusion = 0.0F;
     const auto start = std::chrono::steady_clock::now();
     const auto drawn = renderer_.draw(frame, kUploadBudget);
-    if (!drawn) {
-        say(drawn.error().message());
-        return false;
-    }
-    if (drawn->geometry && drawn->quality == frame.quality)
+    const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
+    // Said once; the interface goes on without a picture.
+    const std::string problem = drawn ? std::string() : drawn.error().message();
+    if (std::exchange(drawing_problem_, problem) != problem && !problem.empty()) say(problem);
+    if (done.geometry && done.quality == frame.quality)
         pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    quality_ = frame.quality;
-    upload_pending_ = drawn->pending;
-    if (drawn->shaded) pick_wanted_ = true;
+    quality_ = drawn ? frame.quality : render::Quality::kFull;
+    upload_pending_ = done.pending;
+    if (done.shaded) pick_wanted_ = true;
     ask_pick();
 
     const std::uint64_t looks = fingerprint(*ImGui::GetDrawData());
-    if (!drawn->shaded && looks == drawn_) return false;
+    if (!done.shaded && looks == drawn_) return false;
     drawn_ = looks;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);

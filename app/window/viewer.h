@@ -37,8 +37,8 @@ public:
     void mouse_button(MouseButton button, bool down, Modifiers modifiers, double now);
     void mouse_wheel(glm::dvec2 notches);
     // `number` is GLFW's; `press` is empty for releases and for keys without a name.
-    void key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers);
-    void character(unsigned codepoint);
+    void key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now);
+    void character(unsigned codepoint, double now);
     void dropped(const std::filesystem::path& path);
     void shake() { frames_left_ = kFramesAfterEvent; } // something outside changed
 
@@ -77,6 +77,7 @@ public:
     Result<void> open(const std::filesystem::path& path) override;
     Result<void> ask_for_file() override;
     Result<void> ask_for_lesion_mesh() override;
+    [[nodiscard]] bool unhurried() const override { return unattended_ || !keeps_files_; }
     bool reads_lesion_mesh(const std::filesystem::path& path) override;
     Result<void> ask_for_name() override;
     Result<void> toggle(std::string_view part) override;
@@ -103,7 +104,6 @@ private:
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
     static constexpr double kGlideSeconds = 0.35;
-    static constexpr double kCaretSeconds = 0.25;
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
     Viewer(Workspace& workspace, render::Renderer& renderer);
@@ -148,12 +148,14 @@ private:
     Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     int frames_left_ = kFramesAfterEvent;
+    std::string drawing_problem_; // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false; // not all of the surface is on the graphics card
     bool interface_waits_ = false, dialog_was_open_ = false;
 
     std::uint64_t drawn_ = 0; // fingerprint of the last interface
     bool closing_ = false;
     bool unattended_ = false;
+    bool asked_about_arrival_ = false;
     bool reread_mesh_ = false;         // a lesion's mesh has been read: the command goes on
     bool keeps_files_ = false;         // a person's window, not a picture of one: settings and recent files are kept
     std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is

@@ -18,6 +18,7 @@ void Viewer::take_opened(const Workspace::Opened& opened) {
     interface_.list.of = nullptr;
     interface_.list.shown = interface_.list.cursor = interface_.list.anchor = tree::kNoBranch;
     interface_.overview.shown_selection = tree::kNoBranch;
+    interface_.overview.layout_of = nullptr;
     interface_.rename.open = interface_.fly.open = interface_.fly.playing = false;
     (void)use_tool(tool()); // what it had begun was about the other tree
     if (keeps_files_) {
@@ -88,7 +89,7 @@ Result<void> Viewer::ask_for_lesion_mesh() {
 }
 
 bool Viewer::reads_lesion_mesh(const std::filesystem::path& path) {
-    if (unattended_ || !keeps_files_ || reread_mesh_) return false;
+    if (unhurried() || reread_mesh_) return false;
     workspace_.read_lesion_mesh(path);
     return true;
 }

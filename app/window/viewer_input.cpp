@@ -33,7 +33,8 @@ void Viewer::mouse_left() {
 
 void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
     now_ = now;
-    glide_.reset(); // what a tool is told about is the session's camera
+    // What is pressed is what is seen.
+    if (down && glide_ && over_picture(pointer_)) move_camera(render::Camera(shown_camera_));
     const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
     if (tool_mouse_.held()) { // one button at a time
         if (!down && button == MouseButton::kLeft && interface_.tool) {
@@ -136,7 +137,8 @@ void Viewer::run(const Command& command) {
     shake();
 }
 
-void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers) {
+void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
+    now_ = now;
     input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.key(number, down);
     shake();
@@ -155,7 +157,8 @@ void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Mo
     run(*command);
 }
 
-void Viewer::character(unsigned codepoint) {
+void Viewer::character(unsigned codepoint, double now) {
+    now_ = now;
     input_.character(codepoint);
     shake();
     if (codepoint >= 128 || ImGui::GetIO().WantTextInput || interface_.dialog_open()) return;

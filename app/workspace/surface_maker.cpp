@@ -66,6 +66,8 @@ Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job)
     } catch (const std::bad_alloc&) {
         surface_ = {};
         preview_ = {};
+        surface_of_.reset();
+        preview_of_.reset();
         return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
     }
 }

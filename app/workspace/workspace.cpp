@@ -69,6 +69,8 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
         auto loaded = load_tree_of(std::move(saved->session), path.string(), reading, job);
         if (!loaded) return loaded;
         loaded->has_camera = saved->has_camera;
+        loaded->session.marks.options.threads = like.options.threads; // the machine's business, not the session's
+        loaded->session.marks.options.memory_bytes = like.options.memory_bytes;
         loaded->file = std::filesystem::absolute(path).lexically_normal();
         return loaded;
     }
@@ -102,13 +104,21 @@ void Workspace::open(const std::filesystem::path& path) {
 
 void Workspace::recover(const autosave::Snapshot& snapshot) {
     load_with(snapshot.file.empty() ? snapshot.session.tree.path : snapshot.file,
-              [snapshot, how = reading](Job& job) { return load(snapshot, how, job); });
+              [snapshot, like = document.marks().options, how = reading](Job& job) {
+                  auto loaded = load(snapshot, how, job);
+                  if (loaded) {
+                      loaded->session.marks.options.threads = like.threads;
+                      loaded->session.marks.options.memory_bytes = like.memory_bytes;
+                  }
+                  return loaded;
+              });
 }
 
 void Workspace::load_with(const std::filesystem::path& path, std::function<Result<LoadedTree>(Job&)> load) {
     first_is_coming_ = false;
+    arrival_.reset();
     loader_.start("Reading " + path.filename().string(),
-                  [this, path, load = std::move(load)](Job& job, const Worker::Post& post) {
+                  [this, path, load = std::move(load), before = document.marks()](Job& job, const Worker::Post& post) {
                       auto loaded = load(job);
                       if (job.cancelled()) return;
                       if (!loaded) {
@@ -123,18 +133,34 @@ void Workspace::load_with(const std::filesystem::path& path, std::function<Resul
                       const std::size_t segments = loaded->tree->segment_count();
                       // std::function wants something to copy.
                       const auto shared = std::make_shared<LoadedTree>(std::move(*loaded));
-                      post([this, path, shared] {
+                      post([this, path, shared, before] {
+                          changed_ = true;
+                          if (document.marks() != before && document.has_unsaved_work()) {
+                              arrival_ = shared;
+                              arrival_path_ = path;
+                              return;
+                          }
                           adopt(std::move(*shared), path);
                           first_is_coming_ = true;
                       });
                       auto first = first_surface(*maker, request, segments, job);
-                      if (first && !job.cancelled()) post([this, first] { take(*first); });
+                      if (first && !job.cancelled())
+                          post([this, first] {
+                              if (first_is_coming_) take(*first);
+                          });
                   });
     changed_ = true;
 }
 
+void Workspace::let_in() {
+    if (const auto arrived = std::exchange(arrival_, nullptr)) adopt(std::move(*arrived), arrival_path_);
+}
+
 void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     mesher_.cancel();
+    planner_.cancel(); // lesions that are on their way belong to the tree before
+    meshes_to_read_.clear();
+    read_meshes_.clear();
     wanted_.reset();
     tried_.reset();
     problem_.clear();
@@ -248,7 +274,11 @@ void Workspace::start_plan() {
                                                marks = document.marks()](Job&, const Worker::Post& post) {
             const auto plan = std::make_shared<const Plan>(make_plan(*tree, *facts, marks));
             // The picture's own measure of them is kept where it looks for it.
-            if (!marks.planning.bands_mm.empty()) (void)distance_grid(plan->lesions, marks.planning.bands_mm.back());
+            const auto& bands = marks.planning.bands_mm;
+            if (!bands.empty()) {
+                const float widest = static_cast<float>(bands[std::min(bands.size(), render::Margins::kMost) - 1]);
+                (void)distance_grid(plan->lesions, widest); // as pictures ask: in single precision
+            }
             post([this, tree, marks, plan] {
                 if (document.tree() == tree) document.take_plan(marks, plan);
                 changed_ = true;
@@ -275,6 +305,7 @@ void Workspace::cancel_work() {
         mesher_.cancel();
         problem_ = "cancelled";
     }
+    meshes_to_read_.clear();
     changed_ = true;
 }
 
@@ -288,6 +319,13 @@ bool Workspace::update() {
     loader_.drain();
     mesher_.drain();
     planner_.drain();
+    for (Worker* worker : {&loader_, &mesher_, &planner_})
+        if (const std::string failure = worker->take_failure(); !failure.empty()) {
+            errors_.push_back({"the work was given up: " + failure, worker->title(),
+                               failure == "std::bad_alloc" ? "there is not enough memory for it" : ""});
+            if (worker == &mesher_) problem_ = errors_.back().what;
+            changed_ = true;
+        }
     start_plan();
     // A picture is drawn before a better one is begun: both want the whole machine.
     if (!std::exchange(just_shown_, false)) start_surface();
@@ -300,7 +338,9 @@ std::string Workspace::activity() const {
     return busy() ? kComputing : std::string{};
 }
 
-float Workspace::progress() const { return loader_.busy() ? loader_.progress() : mesher_.progress(); }
+float Workspace::progress() const {
+    return loader_.busy() ? loader_.progress() : mesher_.busy() ? mesher_.progress() : planner_.progress();
+}
 
 std::optional<Error> Workspace::take_error() {
     if (errors_.empty()) return {};

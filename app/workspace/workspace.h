@@ -51,6 +51,12 @@ public:
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
     io::ReadOptions reading; // of files that are opened from now on
 
+    // A file that was read while work on the tree before went on, and that work is not saved: it waits to be let in, or
+    // to be sent away.
+    [[nodiscard]] bool arrival_waits() const { return arrival_ != nullptr; }
+    void let_in();
+    void send_away() { arrival_.reset(); }
+
     void cancel_work();
     // Takes what the workers finished and starts what the session needs. True when something changed. Call it again
     // after the picture has been drawn.
@@ -121,6 +127,8 @@ private:
     std::string problem_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;
+    std::shared_ptr<LoadedTree> arrival_;
+    std::filesystem::path arrival_path_;
     std::deque<std::filesystem::path> meshes_to_read_, read_meshes_;
     bool changed_ = false;
     bool awaited_ = false;             // the preview of what is shown

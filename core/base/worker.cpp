@@ -71,8 +71,12 @@ void Worker::work() {
             order = std::move(*order_);
             order_.reset();
         }
-        if (!order.job->cancelled())
-            order.task(*order.job, [&](Result result) { deliver({order.job, std::move(result)}); });
+        try {
+            if (!order.job->cancelled())
+                order.task(*order.job, [&](Result result) { deliver({order.job, std::move(result)}); });
+        } catch (const std::exception& exception) { // a dead end of the task's, not of the program's
+            deliver({order.job, [this, what = std::string(exception.what())] { failure_ = what; }});
+        }
         deliver({order.job, {}});
     }
 }

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace ramus {
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] bool busy() const { return current_ != nullptr; }
     [[nodiscard]] const std::string& title() const { return title_; } // of the running task
     [[nodiscard]] float progress() const { return current_ ? current_->progress() : 1.0F; }
+    // Why a task ended by an exception, once; empty: none did.
+    [[nodiscard]] std::string take_failure() { return std::exchange(failure_, {}); }
 
 private:
     struct Order {
@@ -54,6 +57,7 @@ private:
     std::function<void()> wake_;
     std::shared_ptr<Job> current_; // the owner's thread only
     std::string title_;
+    std::string failure_; // the owner's thread only
 
     std::mutex mutex_; // guards what follows
     std::condition_variable changed_, delivered_;

@@ -28,8 +28,13 @@ bool Renderer::Impl::make_room_for_panes(std::size_t wanted) {
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
     const std::size_t most = std::min(glass_bytes_, static_cast<std::size_t>(largest)) / kPaneBytes - 1;
     if (pane_room_ >= most) return false;
-    pane_room_ = std::min(most, std::max(kFirstPanes, wanted + wanted / 4));
-    make_storage(panes_, (pane_room_ + 1) * kPaneBytes);
+    const std::size_t room = std::min(most, std::max(kFirstPanes, wanted + wanted / 4));
+    (void)gl_ran_out_of_memory();
+    Buffer panes;
+    make_storage(panes, (room + 1) * kPaneBytes);
+    if (gl_ran_out_of_memory()) return false; // bands of what there is
+    panes_ = std::move(panes);
+    pane_room_ = room;
     return true;
 }
 

@@ -115,6 +115,7 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     const Frame frame = take_up(wanted, upload_budget, done);
     if (last_ && *last_ == frame) return done;
     const glm::ivec2 old_size = size_, old_inner = inner_;
+    const float old_samples = view_.picture.z;
     if (auto resized = resize(frame.size, frame.quality); !resized) {
         last_.reset();
         return tl::unexpected(resized.error());
@@ -131,9 +132,9 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
-                               size_ == old_size && inner_ == old_inner && last_->quality == frame.quality &&
-                               last_layers_ == layers && last_->lesions == frame.lesions &&
-                               last_->pixel_ratio == frame.pixel_ratio &&
+                               size_ == old_size && inner_ == old_inner && view_.picture.z == old_samples &&
+                               last_->quality == frame.quality && last_layers_ == layers &&
+                               last_->lesions == frame.lesions && last_->pixel_ratio == frame.pixel_ratio &&
                                (!has_glass_ || last_->centerlines == frame.centerlines) &&
                                (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
     if (!same_geometry) {
@@ -161,7 +162,7 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     restore_state();
     last_ = frame;
     last_layers_ = std::move(layers);
-    if (const int errors = gl_error_count(); errors != 0 && glGetError() == GL_OUT_OF_MEMORY) {
+    if (gl_ran_out_of_memory()) {
         last_.reset();
         return fail("out of graphics memory", {}, "give a smaller size or a coarser --detail");
     }

@@ -15,18 +15,20 @@ constexpr int kInteractiveDivisor = 2; // of width and height
 Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
     const int divisor = quality == Quality::kFull ? 1 : kInteractiveDivisor;
     const glm::ivec2 inner = (size + divisor - 1) / divisor;
-    if (size == size_ && inner == inner_) return {};
-    GLint largest = 0, integer_samples = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    GLint integer_samples = 0;
     glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
+    const int s = quality == Quality::kFull ? std::clamp(integer_samples, 1, kSamples) : 1;
+    const bool same_inner = inner == inner_ && float(s) == view_.picture.z;
+    if (size == size_ && same_inner) return {};
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (size.x > largest || size.y > largest)
         return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
                     "give a smaller size");
     while (glGetError() != GL_NO_ERROR) {
     }
-    if (inner != inner_) {
+    if (!same_inner) {
         const int w = inner.x, h = inner.y;
-        const int s = quality == Quality::kFull ? std::clamp(integer_samples, 1, kSamples) : 1;
         surface_ = make_texture(GL_RG32UI, w, h, s);
         depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
         covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);

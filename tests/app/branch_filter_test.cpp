@@ -14,8 +14,8 @@ struct Stage {
     tree::VesselTree tree;
     TreeFacts facts;
     Marks marks;
-    Stage() {
-        auto grown = test::grown_tree(300);
+    explicit Stage(int branches = 300) {
+        auto grown = test::grown_tree(branches);
         REQUIRE(grown);
         tree = std::move(*grown);
         facts = facts_of(tree);
@@ -114,4 +114,11 @@ TEST_CASE("what a filter cannot mean is said") {
             const std::string text = std::string(1, static_cast<char>(a)) + rest;
             (void)parse_branch_filter(text);
         }
+}
+
+TEST_CASE("whole numbers are compared exactly, however large") {
+    const Stage stage(2300);
+    CHECK(stage.find("id<=2000").size() == 2001);
+    CHECK(stage.find("id>=2000").size() == stage.tree.branches.size() - 2000);
+    CHECK(stage.find("id=2000") == std::vector<int>{2000});
 }

@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <unistd.h>
 
@@ -240,4 +241,66 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     // Who asks for all of it waits.
     CHECK(document.plan()->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01));
     CHECK_FALSE(document.plan_wanted());
+}
+
+TEST_CASE("a task that throws ends, and says so") {
+    Worker worker({});
+    worker.start("too much", [](Job&, const Worker::Post&) { throw std::runtime_error("it broke"); });
+    while (worker.busy()) worker.drain();
+    CHECK(worker.take_failure() == "it broke");
+    CHECK(worker.take_failure().empty());
+    bool ran = false;
+    worker.start("next", [&](Job&, const Worker::Post& post) { post([&] { ran = true; }); });
+    while (worker.busy()) worker.drain();
+    CHECK(ran);
+}
+
+TEST_CASE("a file that arrives while unsaved work went on waits to be let in") {
+    const Folder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    const auto first = workspace.document.tree();
+    const fs::path other = folder.write("other.swc", "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n");
+    const auto change = [&](const char* name) {
+        Marks marks = workspace.document.marks();
+        marks.names[1] = name;
+        workspace.document.change(marks);
+    };
+    workspace.open(other);
+    change("right branch");
+    REQUIRE(settle(workspace, [&] { return workspace.arrival_waits(); }));
+    CHECK(workspace.document.tree() == first);
+    workspace.send_away();
+    REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
+    CHECK(workspace.document.tree() == first);
+    CHECK(workspace.document.marks().names.at(1) == "right branch");
+    CHECK(workspace.surface_ready());
+
+    workspace.open(other);
+    change("left branch");
+    REQUIRE(settle(workspace, [&] { return workspace.arrival_waits(); }));
+    workspace.let_in();
+    CHECK_FALSE(workspace.arrival_waits());
+    CHECK(workspace.document.tree() != first);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
+    CHECK(workspace.document.marks().names.empty());
+    // Without such work it comes in by itself.
+    workspace.open(other);
+    REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value() && workspace.surface_ready(); }));
+}
+
+TEST_CASE("lesions on their way do not reach the next tree") {
+    const Folder folder;
+    Workspace workspace({});
+    workspace.open(folder.write("fork.swc", kFork));
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    for (int i = 0; i < 20; ++i) workspace.read_lesion_mesh(folder.path / ("tumour" + std::to_string(i) + ".stl"));
+    workspace.update();
+    LoadedTree loaded;
+    loaded.tree = workspace.document.tree();
+    loaded.session = workspace.document.session();
+    workspace.adopt(std::move(loaded), "elsewhere.swc");
+    REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
+    CHECK_FALSE(workspace.take_read_mesh());
 }
