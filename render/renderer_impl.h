@@ -27,7 +27,7 @@ struct ViewBlock {
 };
 
 // Of the uniform blocks of look.glsl and scene.glsl, in bytes.
-inline constexpr GLsizeiptr kLookBlockBytes = 10 * 16;
+inline constexpr GLsizeiptr kLookBlockBytes = 11 * 16;
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 class Renderer::Impl {
@@ -76,6 +76,9 @@ private:
         kScale = 16,
         kCuts = 32,
         kOnlyChanged = 64,
+        kHalos = 128,
+        kContours = 256,
+        kChromadepth = 512,
     };
     enum class Extent { kAll, kChanged }; // the picture, or the branches that the last one showed otherwise
     unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);

@@ -10,6 +10,7 @@ layout(std140, binding = 1) uniform Look {
     vec4 lesion_colour;     // linear
     vec4 lost_colour;       // linear
     vec4 far_colour;        // linear: what the far end of the tree sinks into
+    vec4 cues;              // strength of halos, contours, chromadepth; radius of halos in pixels
 };
 
 vec3 to_linear(vec3 c) {

@@ -3,7 +3,8 @@
 #version 450 core
 // Variants: GLASS when anything is defocused, OUTLINE when anything is selected, SOLIDS when there are lesions, MARGINS
 // to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost,
-// CHANGED to shade what is marked so and leave the rest of the last picture.
+// CHANGED to shade what is marked so and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what
+// tells near from far.
 #include "view.glsl"
 #include "ids.glsl"
 #include "look.glsl"
@@ -11,6 +12,7 @@
 
 layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
+layout(binding = 2) uniform sampler2D opaque_depth;
 layout(binding = 4) uniform usampler2D id_normal;
 layout(binding = 5) uniform sampler2D occlusion;
 layout(binding = 6) uniform usamplerBuffer branches; // linear colour of 65535, and in alpha the flags below
@@ -74,6 +76,30 @@ vec3 lost(vec3 albedo, uint flags, int branch, vec3 position) {
 }
 #endif
 
+#ifdef CHROMADEPTH
+// Red comes forward and blue goes back: in the eye, by its lens, and by habit. Linear, about equally bright.
+vec3 chromatic(float far) {
+    vec3 near_red = vec3(0.78, 0.045, 0.03), violet = vec3(0.42, 0.05, 0.36), far_blue = vec3(0.035, 0.11, 0.72);
+    return far < 0.5 ? mix(near_red, violet, 2.0 * far) : mix(violet, far_blue, 2.0 * far - 1.0);
+}
+#endif
+
+#ifdef HALOS
+// How much of the ring around a pixel shows something nearer, the more the farther behind it the pixel lies: the seam
+// that a vessel leaves on what it passes (Bruckner and Groeller, 2007, have it for volumes).
+float halo(ivec2 pixel, float depth) {
+    ivec2 last = ivec2(picture.xy) - 1;
+    float least = 0.006 * (depth_range.y - depth_range.x), most = 12.0 * least, sum = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        float angle = 0.5235988 * (float(i) + 0.5), reach = cues.w * ((i & 1) == 0 ? 1.0 : 0.55);
+        ivec2 tap = clamp(pixel + ivec2(round(reach * vec2(cos(angle), sin(angle)))), ivec2(0), last);
+        float before = depth - texelFetch(opaque_depth, tap, 0).x;
+        sum += clamp((before - least) / (most - least), 0.0, 1.0) * (before > 1e20 ? 0.0 : 1.0);
+    }
+    return clamp(sum / 3.0, 0.0, 1.0);
+}
+#endif
+
 vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
 #ifdef SOLIDS
@@ -95,6 +121,10 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     if (solid) branch.a = 0u, albedo = lesion_colour.rgb;
 #endif
     float facing = clamp(dot(n, v), 0.0, 1.0);
+    float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
+#ifdef CHROMADEPTH
+    if ((branch.a & kHighlighted) == 0u) albedo = mix(albedo, chromatic(far), cues.z);
+#endif
     if ((branch.a & kSelected) != 0u) albedo = mix(albedo, selection_colour.rgb, 0.62);
     if ((branch.a & kCalm) != 0u) albedo = mix(vec3(dot(albedo, vec3(0.2126, 0.7152, 0.0722))), albedo, 0.38) * 0.62;
 
@@ -112,7 +142,9 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     if (solid) radiance = 0.92 * radiance + 0.55 * pow(1.0 - facing, 2.5) * mix(albedo, vec3(0.9), 0.4);
 #endif
 
-    float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
+#ifdef CONTOURS
+    radiance *= 1.0 - cues.y * 0.85 * (1.0 - smoothstep(0.12, 0.42, facing));
+#endif
     float cue = background_bottom.w * ((branch.a & kHighlighted) != 0u ? 0.25 : 0.68) * far * sqrt(far);
     radiance = mix(radiance, far_colour.rgb, cue);
     if ((branch.a & kHovered) != 0u) radiance += (0.10 + 0.55 * aside * aside) * mix(albedo, vec3(0.8), 0.55);
@@ -259,6 +291,9 @@ void main() {
         found.x &= ~kLine;
 #endif
         vec4 here = vec4(shade(max(found.x, 1u), normal, position, occluded), 1.0);
+#ifdef HALOS
+        here.rgb *= 1.0 - 0.9 * cues.x * halo(pixel, position.z);
+#endif
         if (found.x == 0u) here = behind;
 #ifdef GLASS
         if (is_line) here.rgb = line(found.x, position);

@@ -16,7 +16,7 @@ void show_plan(render::Frame& frame, const tree::VesselTree& tree, const Marks& 
     for (const auto& [x, y, z, radius] : marks.lesions) frame.lesions.spheres.emplace_back(x, y, z, radius);
     for (const auto& lesion : plan.meshes)
         if (lesion) frame.lesions.meshes.emplace_back(lesion, &lesion->mesh);
-    if (!frame.margins.bands.empty())
+    if (!frame.margins.bands.empty() && !plan.measuring)
         frame.lesions.distances = distance_grid(plan.lesions, frame.margins.bands.back().within_mm);
     for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), tree.branches.size()); ++id)
         if (const measure::LostSpan& span = plan.cuts.spans[id]; span.any())
@@ -39,6 +39,12 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.hovered_dependents.assign(viewing.hovered_dependents.begin(), viewing.hovered_dependents.end());
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
+    const auto strength = [&](DepthCue cue) { return session.marks.depth_cues.has(cue) ? 1.0F : 0.0F; };
+    frame.appearance.occlusion = strength(DepthCue::kOcclusion);
+    frame.appearance.depth_cue = strength(DepthCue::kFog);
+    frame.appearance.halos = strength(DepthCue::kHalos);
+    frame.appearance.contours = strength(DepthCue::kContours);
+    frame.appearance.chromadepth = strength(DepthCue::kChromadepth);
     const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
     // A grey with a cool tint, as bright as it says.

@@ -58,6 +58,26 @@ struct GlassLook {
     bool operator==(const GlassLook&) const = default;
 };
 
+// What tells near from far, each by itself.
+enum class DepthCue : std::uint8_t { kOcclusion, kFog, kHalos, kContours, kChromadepth };
+inline constexpr std::array kDepthCues{DepthCue::kOcclusion, DepthCue::kFog, DepthCue::kHalos, DepthCue::kContours,
+                                       DepthCue::kChromadepth};
+[[nodiscard]] std::string_view name_of(DepthCue cue); // "occlusion", "fog", ...
+
+// A set of cues.
+class DepthCues {
+public:
+    [[nodiscard]] bool has(DepthCue cue) const { return (bits_ >> static_cast<unsigned>(cue) & 1U) != 0; }
+    void set(DepthCue cue, bool on) {
+        const unsigned bit = 1U << static_cast<unsigned>(cue);
+        bits_ = on ? bits_ | bit : bits_ & ~bit;
+    }
+    bool operator==(const DepthCues&) const = default;
+
+private:
+    unsigned bits_ = 3; // occlusion and fog
+};
+
 // Everything that undo and redo cover.
 struct Marks {
     std::vector<int> selection;                 // branch ids, ascending
@@ -71,6 +91,7 @@ struct Marks {
     ColourMap colour_map = ColourMap::kViridis;
     Planning planning;
     GlassLook glass;
+    DepthCues depth_cues;
     mesh::SurfaceOptions options;
     bool operator==(const Marks&) const = default;
 };

@@ -1,5 +1,8 @@
 #include "app/session/session_file.h"
 
+#include "app/session/json_text.h"
+#include "core/io/output_file.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -78,13 +81,16 @@ json options_json(const Marks& marks) {
     value["reconstruct"] = marks.planning.reconstruct_mm;
     value["glass_opacity"] = marks.glass.opacity;
     value["glass_grey"] = marks.glass.grey;
+    value["depth_cues"] = json::array();
+    for (const DepthCue cue : kDepthCues)
+        if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(name_of(cue)));
     return value;
 }
 
 void read_options(const json& value, Marks& marks) {
     expect_only(value, "options",
                 {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "colour_map", "bands",
-                 "reconstruct", "glass_opacity", "glass_grey"});
+                 "reconstruct", "glass_opacity", "glass_grey", "depth_cues"});
     mesh::SurfaceOptions& options = marks.options;
     if (value.contains("method")) {
         const std::string method = text(value["method"], "method");
@@ -107,6 +113,16 @@ void read_options(const json& value, Marks& marks) {
     if (value.contains("glass_opacity"))
         marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
     if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
+    if (value.contains("depth_cues")) {
+        if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};
+        for (const DepthCue cue : kDepthCues) marks.depth_cues.set(cue, false);
+        for (const json& one : value["depth_cues"]) {
+            const std::string wanted = text(one, "depth cue");
+            const auto found = std::ranges::find_if(kDepthCues, [&](DepthCue cue) { return name_of(cue) == wanted; });
+            if (found == kDepthCues.end()) throw Refusal{"unknown depth cue \"" + wanted + "\""};
+            marks.depth_cues.set(*found, true);
+        }
+    }
     if (value.contains("colour_by")) {
         const std::string wanted = text(value["colour_by"], "colour_by");
         const auto found =
@@ -283,24 +299,8 @@ Result<SavedSession> read_session(const fs::path& path) {
 }
 
 Result<void> write_session(const Session& session, const fs::path& path) {
-    const fs::path folder = fs::absolute(path).parent_path();
-    const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
-    {
-        std::ofstream stream(beside, std::ios::binary);
-        stream << to_json(session, folder).dump(1) << '\n';
-        stream.close();
-        if (!stream) {
-            std::error_code ignored;
-            fs::remove(beside, ignored);
-            return fail("the session cannot be written", path.string(), "check that the folder exists and has room");
-        }
-    }
-    std::error_code error;
-    fs::rename(beside, path, error);
-    if (!error) return {};
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    return fail("the session cannot be written: " + error.message(), path.string(), "choose another name");
+    const auto text = json_text(to_json(session, fs::absolute(path).parent_path()), path.string());
+    return text ? io::write_file(path, *text) : tl::unexpected(text.error());
 }
 
 Result<std::string> checksum_of(const fs::path& path) {

@@ -15,7 +15,7 @@ namespace {
 // The uniform block of look.glsl.
 struct LookBlock {
     glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
-        lesion_colour, lost_colour, far_colour;
+        lesion_colour, lost_colour, far_colour, cues;
 };
 static_assert(sizeof(LookBlock) == kLookBlockBytes);
 
@@ -36,7 +36,10 @@ bool hidden(const Frame& frame, std::size_t id) {
 
 // One small record a branch; nothing else changes when the user points at things. Returns the variants that they need.
 unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, Extent extent) {
-    const auto count = static_cast<std::size_t>(std::max(1, mesh != nullptr ? mesh->shown()->branch_count() : 0));
+    // Cones and lines may be of branches that the surface does not have yet.
+    const std::size_t lines = lines_.shown() != nullptr ? lines_.shown()->runs.size() : 0;
+    const auto count =
+        std::max({std::size_t{1}, lines, mesh != nullptr ? std::size_t(mesh->shown()->branch_count()) : 0});
     std::vector<std::array<std::uint16_t, 4>> records(count);
     const bool any_highlight = std::ranges::find(frame.states, BranchState::kHighlighted) != frame.states.end();
     unsigned variant = 0;
@@ -123,7 +126,10 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
                                     {kMargins, "MARGINS"},
                                     {kScale, "SCALE"},
                                     {kCuts, "CUTS"},
-                                    {kOnlyChanged, "CHANGED"}})
+                                    {kOnlyChanged, "CHANGED"},
+                                    {kHalos, "HALOS"},
+                                    {kContours, "CONTOURS"},
+                                    {kChromadepth, "CHROMADEPTH"}})
         if ((variant & bit) != 0) defines += std::string("#define ") + name + "\n";
     auto made = make_program("fullscreen.vert", "shade.frag", defines);
     if (!made) return tl::unexpected(made.error());
@@ -132,8 +138,10 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
 }
 
 Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Extent extent) {
-    const unsigned variant = send_records(frame, mesh, extent) | send_scene(frame) | (has_glass_ ? kGlass : 0U) |
-                             (extent == Extent::kChanged ? kOnlyChanged : 0U);
+    const unsigned variant =
+        send_records(frame, mesh, extent) | send_scene(frame) | (has_glass_ ? kGlass : 0U) |
+        (extent == Extent::kChanged ? kOnlyChanged : 0U) | (frame.appearance.halos > 0.0F ? kHalos : 0U) |
+        (frame.appearance.contours > 0.0F ? kContours : 0U) | (frame.appearance.chromadepth > 0.0F ? kChromadepth : 0U);
     const bool outlined = (variant & kOutline) != 0;
 
     const Appearance& a = frame.appearance;
@@ -148,7 +156,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
                          linear(a.centerline, 1.0F),
                          linear(a.lesion, 1.0F),
                          linear(a.lost, 1.0F),
-                         linear(0.5F * (b.top + b.bottom), 1.0F)};
+                         linear(0.5F * (b.top + b.bottom), 1.0F),
+                         {a.halos, a.contours, a.chromadepth, std::max(1.0F, 2.6F * point)}};
     glNamedBufferSubData(look_block_, 0, sizeof look, &look);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());
@@ -162,8 +171,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
         if (first >= last) return;
         glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
         GLuint unit = 0;
-        for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(0), GLuint(0), GLuint(id_normal_),
-                                     GLuint(blurred_), GLuint(branch_texture_)})
+        for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(opaque_depth_), GLuint(0),
+                                     GLuint(id_normal_), GLuint(blurred_), GLuint(branch_texture_)})
             glBindTextureUnit(unit++, texture);
         if (has_glass_) bind_panes(**program, band);
         glEnable(GL_SCISSOR_TEST);

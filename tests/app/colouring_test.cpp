@@ -220,3 +220,21 @@ TEST_CASE("centerlines run from root to leaf with the file's lengths, whatever t
         for (std::size_t i = 0; i < lines->points.size(); ++i) CHECK(lines->details[i].diameter_mm > 0.0F);
     }
 }
+
+TEST_CASE("depth cues are switched by a command, undone, and shown") {
+    Stage stage(20);
+    CHECK(stage.frame().appearance.occlusion == 1.0F);
+    CHECK(stage.frame().appearance.halos == 0.0F);
+    REQUIRE(stage.run("depth-cue halos\ndepth-cue occlusion off\ndepth-cue chromadepth on\ndepth-cue chromadepth on"));
+    const render::Appearance look = stage.frame().appearance;
+    CHECK(look.halos == 1.0F);
+    CHECK(look.occlusion == 0.0F);
+    CHECK(look.chromadepth == 1.0F);
+    CHECK(look.contours == 0.0F);
+    REQUIRE(stage.run("depth-cue halos"));
+    CHECK(stage.frame().appearance.halos == 0.0F);
+    REQUIRE(stage.run("undo"));
+    CHECK(stage.frame().appearance.halos == 1.0F);
+    for (const char* wrong : {"depth-cue", "depth-cue mist", "depth-cue fog maybe", "depth-cue fog on off"})
+        CHECK_FALSE(stage.run(wrong));
+}

@@ -1,5 +1,6 @@
 #include "app/session/document.h"
 #include "app/session/session_file.h"
+#include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -204,4 +205,32 @@ TEST_CASE("the camera is no step of undo") {
     REQUIRE(document.undo());
     CHECK(document.session().camera == camera);
     CHECK_FALSE(document.can_undo());
+}
+
+TEST_CASE("a session whose names are not text says so, and leaves the file that was there") {
+    const TemporaryFolder folder;
+    Session session;
+    session.tree.path = folder.path() / "tree.swc";
+    const auto file = folder.path() / "s.ramus.json";
+    REQUIRE(write_session(session, file));
+    session.tree.path = folder.path() / "M\xFCller.swc"; // Latin-1
+    const auto written = write_session(session, file);
+    REQUIRE_FALSE(written);
+    CHECK(written.error().what.find("UTF-8") != std::string::npos);
+    CHECK(read_session(file)->session.tree.path == folder.path() / "tree.swc");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("depth cues are part of a session") {
+    const TemporaryFolder folder;
+    Session session;
+    session.tree.path = folder.path() / "tree.swc";
+    session.marks.depth_cues.set(DepthCue::kHalos, true);
+    session.marks.depth_cues.set(DepthCue::kFog, false);
+    REQUIRE(write_session(session, folder.path() / "s.ramus.json"));
+    const auto read = read_session(folder.path() / "s.ramus.json");
+    REQUIRE(read);
+    CHECK(read->session.marks.depth_cues == session.marks.depth_cues);
+    CHECK(session.marks.depth_cues.has(DepthCue::kOcclusion));
+    CHECK(session.marks.depth_cues != Marks{}.depth_cues);
 }

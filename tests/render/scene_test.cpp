@@ -329,3 +329,25 @@ TEST_CASE("a place on a centerline") {
     CHECK_FALSE(lines.at(-1, 0.5).has_value());
     CHECK_FALSE(lines.at(7, 0.5).has_value());
 }
+
+TEST_CASE("halos darken what lies behind, near the vessel before it; near is red and far is blue") {
+    Scene scene(5.0F, 5.0F, true); // the crossing one passes 4 mm before the tube, at x from 5 to 11
+    const Image plain = scene.draw();
+    scene.frame.appearance.halos = 1.0F;
+    const Image halos = scene.draw();
+    CHECK(brightness(scene.colour(halos, 11.05, 0.0)) < 0.7 * brightness(scene.colour(plain, 11.05, 0.0))); // seam
+    CHECK(brightness(scene.colour(halos, 8.0, 0.0)) == brightness(scene.colour(plain, 8.0, 0.0)));          // in front
+    CHECK(brightness(scene.colour(halos, -10.0, 0.0)) == brightness(scene.colour(plain, -10.0, 0.0)));      // far away
+    scene.frame.appearance.halos = 0.0F;
+    scene.frame.appearance.contours = 1.0F;
+    const Image contours = scene.draw();
+    CHECK(brightness(scene.colour(contours, -10.0, 4.9)) < 0.75 * brightness(scene.colour(plain, -10.0, 4.9)));
+    CHECK(brightness(scene.colour(contours, -10.0, 0.0)) == brightness(scene.colour(plain, -10.0, 0.0)));
+    scene.frame.appearance.contours = 0.0F;
+    scene.frame.appearance.chromadepth = 1.0F;
+    const Image chromatic = scene.draw();
+    const std::uint8_t* before = scene.colour(chromatic, 8.0, 0.0);
+    const std::uint8_t* behind = scene.colour(chromatic, -10.0, 0.0);
+    CHECK(before[0] > before[2] + 40);
+    CHECK(int(behind[2]) - int(behind[0]) > int(before[2]) - int(before[0]) + 60);
+}
