@@ -1,5 +1,5 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
-// is Document::plan(); everything done goes through commands.
+// is Document::plan_so_far(); everything done goes through commands.
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"

@@ -138,7 +138,7 @@ void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan
     Legend& legend = colouring.legend;
     legend.title = "Distance to lesion (mm)";
     colouring.branches.assign(branches, kBeyondMargins);
-    if (plan == nullptr || plan->lesions.empty()) {
+    if (plan == nullptr || (plan->lesions.empty() && !plan->measuring)) {
         legend.title = "No lesion";
         return;
     }

@@ -1,5 +1,5 @@
 // The tables of reports: what is selected, what cuts cost, what lies within the margins of lesions, what was measured.
-// Values with columns, from which CSV and the page are written. Numbers are kept as numbers: CSV gives them in full,
+// Values with columns, from which CSV and the page are written. Numbers are kept as numbers: CSV gives nine digits,
 // pages round them.
 #pragma once
 

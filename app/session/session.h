@@ -1,7 +1,7 @@
 // Session: what a person has made of a tree, as one plain value: which file, what is selected, the state of every
 // branch, the camera and the options of the surface. It is small, comparable and serialisable
-// (app/session/session_file.h); undo is a stack of such values (app/session/document.h). It holds no mesh and no
-// window.
+// (app/session/session_file.h); undo keeps what lies between such values (app/session/document.h). It holds no mesh and
+// no window.
 //
 // The lists are kept canonical (ascending, without repeats; states without trailing normal ones), so that equal
 // sessions compare equal however they came about. The functions below keep them so.

@@ -98,10 +98,10 @@ void read_options(const json& value, Marks& marks) {
         options.method = method == "cones" ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
     }
     if (value.contains("smooth")) options.smooth_passes = integer(value["smooth"], "smooth", 0, 100);
-    if (value.contains("prune")) options.prune_ratio = number(value["prune"], "prune", 0.0, 1e6);
+    if (value.contains("prune")) options.prune_ratio = number(value["prune"], "prune", 0.0, 1e300);
     if (value.contains("width")) options.width = number(value["width"], "width", 0.1, 100.0);
     if (value.contains("detail")) options.detail = integer(value["detail"], "detail", 4, 512);
-    if (value.contains("cell")) options.cell_mm = number(value["cell"], "cell", 0.0, 1e9);
+    if (value.contains("cell")) options.cell_mm = number(value["cell"], "cell", 0.0, 1e300);
     if (value.contains("bands")) {
         if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
         marks.planning.bands_mm.clear();

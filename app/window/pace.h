@@ -1,6 +1,6 @@
-// Pace: which quality a picture is drawn in, so that a window answers at once however slow its rasteriser is. Full
-// frames that come fast enough are always drawn; where they would take long, what changes is drawn quickly first, and
-// fully as soon as it rests. It learns from how long full frames take. No GL.
+// Pace: which quality a picture is drawn in, so that a window answers at once however slow its rasteriser is. While
+// somebody drags, and where full frames would take long, what changes is drawn quickly first, and fully as soon as it
+// rests. It learns from how long full frames take. No GL.
 #pragma once
 
 #include "render/frame.h"

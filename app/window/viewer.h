@@ -122,6 +122,7 @@ private:
     [[nodiscard]] render::Camera camera_on_its_way();
     void run(const Command& command);
     void when_saved(std::function<void()> next);
+    Result<void> open_and_wait(const std::filesystem::path& path);
     [[nodiscard]] Result<RecoveryDialog::Entry*> recovery(int which);
     void take_opened(const Workspace::Opened& opened);
 

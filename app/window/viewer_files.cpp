@@ -5,7 +5,9 @@
 #include "app/window/viewer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <imgui.h>
+#include <thread>
 
 namespace ramus::app {
 
@@ -58,7 +60,20 @@ void Viewer::when_saved(std::function<void()> next) {
     interface_.unsaved.next = std::move(next);
 }
 
+// The next line of a script is about this file: it waits until all is there.
+Result<void> Viewer::open_and_wait(const std::filesystem::path& path) {
+    workspace_.open(path);
+    do {
+        workspace_.update();
+        if (const auto error = workspace_.take_error()) return tl::unexpected(*error);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    } while (workspace_.busy() || (!workspace_.surface_ready() && workspace_.surface_problem().empty()));
+    take_news();
+    return {};
+}
+
 Result<void> Viewer::open(const std::filesystem::path& path) {
+    if (unattended_) return open_and_wait(path);
     when_saved([this, path] {
         recovering_.clear();
         workspace_.open(path);

@@ -1,7 +1,7 @@
 // Workspace: a document and the work that goes on behind it. Files are read and surfaces computed on worker threads;
-// results arrive in update(), on the owner's thread, which never waits. The cones are there as soon as the tree is; the
-// surface of the session's options, without its hidden branches, replaces them when it is ready, and follows. A file
-// that cannot be read leaves everything as it was. No GL, no window.
+// results arrive in update(), on the owner's thread, which waits a frame or two at most. The cones are there as soon as
+// the tree is; the surface of the session's options, without its hidden branches, replaces them when it is ready, and
+// follows. A file that cannot be read leaves everything as it was. No GL, no window.
 #pragma once
 
 #include "app/session/branch_facts.h"

@@ -34,6 +34,10 @@ public:
     // Walks one component from its root, breadth first over branches, so that a branch's parent has a lower id.
     void grow_from(std::uint32_t root) {
         if (reached_[root] || incidence_.degree(root) == 0) return;
+        // Nor is it one where a branch of another root runs through it.
+        const auto first = incidence_.edge.begin() + incidence_.first[root];
+        if (std::all_of(first, first + incidence_.degree(root), [&](std::uint32_t edge) { return bool(used_[edge]); }))
+            return;
         tree_.roots.push_back(root);
         reached_[root] = true;
         struct Node {

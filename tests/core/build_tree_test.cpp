@@ -277,3 +277,18 @@ TEST_CASE("numbers with decimal commas are not misread as more columns") {
     // Decimal commas, which would make eleven columns.
     CHECK_FALSE(io::parse_swc("0 0 0,5 0,5 0,5 1,0 -1\n1 0 0,5 0,5 1,5 1,0 0\n", "a.swc").has_value());
 }
+
+TEST_CASE("a root that a branch of another root runs through is none") {
+    tree::Graph graph = chain(3);
+    graph.roots = {0, 1};
+    const tree::VesselTree tree = built(graph);
+    CHECK(tree.roots == std::vector<std::uint32_t>{0});
+    CHECK(tree.branches.size() == 1);
+    CHECK(tree.loop_count == 0);
+    // The other way round it is the root, and what hangs on either side depends on it separately.
+    graph.roots = {1, 0};
+    const tree::VesselTree other = built(graph);
+    CHECK(other.roots == std::vector<std::uint32_t>{1});
+    CHECK(other.branches.size() == 2);
+    CHECK(other.loop_count == 0);
+}
