@@ -20,18 +20,18 @@ std::vector<Command> make_table() {
              relation_commands,  //
              lasso_commands,     //
              state_commands,     //
-             depth_commands,
-             glass_commands,    //
-             surgery_commands,  //
-             measure_commands,  //
-             report_commands,   //
-             camera_commands,   //
-             travel_commands,   //
-             overview_commands, //
-             colour_commands,   //
-             surface_commands,  //
-             tool_commands,     //
-             window_commands,   //
+             glass_commands,     //
+             surgery_commands,   //
+             measure_commands,   //
+             report_commands,    //
+             camera_commands,    //
+             travel_commands,    //
+             depth_commands,     //
+             overview_commands,  //
+             colour_commands,    //
+             surface_commands,   //
+             tool_commands,      //
+             window_commands,    //
          })
         for (Command& command : part()) table.push_back(std::move(command));
     return table;

@@ -60,7 +60,9 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
 }
 
 bool Interface::dismiss() {
-    if (!errors.empty())
+    if (menu_open)
+        close_menu = true;
+    else if (!errors.empty())
         errors.pop_front();
     else if (unsaved.open())
         unsaved.next = nullptr;

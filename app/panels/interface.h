@@ -60,8 +60,9 @@ struct Fly {
 
 struct Interface {
     bool panel_open = true;
-    bool planning = false;       // the side panel shows its planning half
-    float panel_points = 296.0F; // how wide it wants to be
+    bool menu_open = false, close_menu = false; // a menu of the bar: it is there; it shall go
+    bool planning = false;                      // the side panel shows its planning half
+    float panel_points = 296.0F;                // how wide it wants to be
     bool help_open = false;
     std::array<char, 64> help_search{};
     Settings settings;

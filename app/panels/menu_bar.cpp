@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace ramus::app {
 
@@ -72,16 +73,22 @@ void draw_menus(InterfaceContext& context) {
     for (const Command& command : command_table())
         if (!command.menu.empty() && std::find(menus.begin(), menus.end(), command.menu) == menus.end())
             menus.push_back(command.menu);
+    const bool close = std::exchange(context.interface.close_menu, false);
+    context.interface.menu_open = false;
     for (const std::string& menu : menus) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});
         if (ImGui::BeginMenu(menu.c_str())) {
+            context.interface.menu_open = !close;
+            if (close) ImGui::CloseCurrentPopup();
             std::string_view previous;
             for (const Command& command : command_table()) {
                 if (command.menu != menu) continue;
                 const bool new_switch =
-                    previous != command.name && (command.name.starts_with("lasso-") || command.name == "colour-map");
-                if (command.name == "quit" || command.name == "fit" || command.name == "panel" || new_switch)
+                    previous != command.name &&
+                    (command.name.starts_with("lasso-") || command.name == "colour-map" || command.name == "depth-cue");
+                if (command.name == "quit" || command.name == "fit" || command.name == "overview" ||
+                    command.name == "panel" || new_switch)
                     ImGui::Separator();
                 previous = command.name;
                 draw_entry(context, command);
