@@ -179,14 +179,10 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!done) return tl::unexpected(done.error());
     (void)(*renderer)->pick(0.0, 0.0); // waits until it is there
     const double draw_seconds = watch.seconds();
-    Result<render::Image> image;
-    if (flags.interface)
-        image = draw_interface(flags, document, stage, **renderer, run);
-    else if (flags.figure.sheet)
-        image = draw_sheet(**renderer, *frame, flags.figure);
-    else
-        image =
-            flags.figure.supersample > 1 ? draw_figure(**renderer, *frame, flags.figure) : (*renderer)->read_image();
+    // A plain picture is the one that is there: drawing an equal frame again draws nothing.
+    auto image = flags.interface      ? draw_interface(flags, document, stage, **renderer, run)
+                 : flags.figure.sheet ? draw_sheet(**renderer, *frame, flags.figure)
+                                      : draw_figure(**renderer, *frame, flags.figure);
     if (!image) return tl::unexpected(image.error());
 
     nlohmann::json report{{"size", {image->width, image->height}},
