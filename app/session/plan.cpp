@@ -6,8 +6,13 @@ namespace ramus::app {
 
 namespace {
 
-bool same_lesions(const measure::Lesions& a, const measure::Lesions& b) {
-    return a.spheres == b.spheres && a.meshes == b.meshes;
+// Takes over the distances of an earlier plan of the same lesions; false: there is none.
+bool take_distances(Plan& plan, const Plan* before) {
+    if (before == nullptr || before->lesions.spheres != plan.lesions.spheres ||
+        before->lesions.meshes != plan.lesions.meshes)
+        return false;
+    plan.lesion_distances_mm = before->lesion_distances_mm;
+    return true;
 }
 
 // What takes no time, once the distances are there.
@@ -32,9 +37,7 @@ Plan make_plan(const tree::VesselTree& tree, const TreeFacts& facts, const Marks
         else
             plan.troubles.push_back(mesh.error().message());
     }
-    if (before != nullptr && !before->measuring && same_lesions(before->lesions, plan.lesions))
-        plan.lesion_distances_mm = before->lesion_distances_mm;
-    else if (!plan.lesions.empty())
+    if (!take_distances(plan, before) && !plan.lesions.empty())
         plan.lesion_distances_mm = measure::wall_distances(tree, plan.lesions);
     conclude(plan, tree, facts, marks);
     return plan;
@@ -48,9 +51,7 @@ Plan plan_so_far(const tree::VesselTree& tree, const TreeFacts& facts, const Mar
         plan.meshes.push_back(lesion_mesh_read_before(path));
         if (plan.meshes.back()) plan.lesions.meshes.push_back(plan.meshes.back()->distance);
     }
-    if (before != nullptr && !before->measuring && same_lesions(before->lesions, plan.lesions))
-        plan.lesion_distances_mm = before->lesion_distances_mm;
-    else {
+    if (!take_distances(plan, before)) {
         plan.lesions.meshes.clear();
         if (!plan.lesions.empty()) plan.lesion_distances_mm = measure::wall_distances(tree, plan.lesions);
     }
