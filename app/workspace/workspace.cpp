@@ -1,5 +1,6 @@
 #include "app/workspace/workspace.h"
 
+#include "app/picture/centerlines.h"
 #include "app/picture/distance_grid.h"
 #include "app/session/lesion_meshes.h"
 #include "app/session/session_file.h"
@@ -129,6 +130,7 @@ void Workspace::load_with(const std::filesystem::path& path, std::function<Resul
                           return;
                       }
                       const SurfaceRequest request = surface_request(loaded->session.marks);
+                      (void)centerlines_of(loaded->tree, request.options); // kept: the first picture need not wait
                       const auto maker = loaded->maker;
                       const std::size_t segments = loaded->tree->segment_count();
                       // std::function wants something to copy.
