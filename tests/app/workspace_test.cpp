@@ -286,8 +286,11 @@ TEST_CASE("a file that arrives while unsaved work went on waits to be let in") {
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
     CHECK(workspace.document.marks().names.empty());
     // Without such work it comes in by itself.
+    CHECK(workspace.take_opened()); // what was let in
     workspace.open(other);
-    REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value() && workspace.surface_ready(); }));
+    REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value(); }));
+    CHECK_FALSE(workspace.arrival_waits());
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
 }
 
 TEST_CASE("lesions on their way do not reach the next tree") {
