@@ -4,6 +4,7 @@
 #pragma once
 
 #include "render/gl_objects.h"
+#include "render/layer.h"
 #include "render/paged_mesh.h"
 
 #include <cstdint>
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace ramus::render {
-
-// Which of the two layers a branch is drawn into, if any.
-enum class Layer : std::uint8_t { kOpaque, kGlass, kNone };
 
 class GpuMesh {
 public:

@@ -107,43 +107,60 @@ Image paint_orientation_cube(const Camera& camera, int side, const std::string& 
     }
     Image image(side, side);
     const double extent = 1.76; // half the picture in units of half the cube: a corner never leaves it
+    struct Hit {
+        int face = -1;
+        glm::dvec3 colour{0.0};
+    };
+    // Parallel rays: the nearest entry into the three slabs is the face that is seen.
+    const auto cast = [&](double sx, double sy) -> Hit {
+        const glm::dvec3 start = extent * ((2.0 * sx / side - 1.0) * axes.right + (1.0 - 2.0 * sy / side) * axes.up);
+        double entry = -1e9, exit = 1e9;
+        int face = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double near = (-ahead[k] - start[k]) * inverse[k], far = (ahead[k] - start[k]) * inverse[k];
+            if (near > entry) {
+                entry = near;
+                face = 2 * k + (ahead[k] > 0.0 ? 1 : 0);
+            }
+            exit = std::min(exit, far);
+        }
+        if (entry > exit) return {};
+        const Face& f = kFaces[static_cast<std::size_t>(face)];
+        const glm::dvec3 point = start + entry * axes.forward;
+        const double u = 0.5 + 0.5 * glm::dot(point, f.right), v = 0.5 - 0.5 * glm::dot(point, f.up);
+        const double edge = 2.0 * std::min(std::min(u, 1.0 - u), std::min(v, 1.0 - v));
+        const double lit = 0.55 + 0.60 * std::max(0.0, glm::dot(f.normal, light));
+        glm::dvec3 colour = f.colour * lit;
+        if (edge < 0.07) colour = 1.5 * colour + 0.04;
+        return {face, glm::mix(colour, glm::dvec3(0.90, 0.92, 0.95) * std::min(1.0, 0.35 + 0.7 * lit),
+                               sampled(letters[static_cast<std::size_t>(face)], u, v))};
+    };
     for (int py = 0; py < side; ++py) {
         for (int px = 0; px < side; ++px) {
             glm::dvec3 sum(0.0);
-            int hits = 0;
-            for (int s = 0; s < kSubsamples * kSubsamples; ++s) {
-                const double sx = px + (s % kSubsamples + 0.5) / kSubsamples,
-                             sy = py + (s / kSubsamples + 0.5) / kSubsamples;
-                const glm::dvec3 start =
-                    extent * ((2.0 * sx / side - 1.0) * axes.right + (1.0 - 2.0 * sy / side) * axes.up);
-                // Parallel rays: the nearest entry into the three slabs is the face that is seen.
-                double entry = -1e9, exit = 1e9;
-                std::size_t face = 0;
-                for (int k = 0; k < 3; ++k) {
-                    const double near = (-ahead[k] - start[k]) * inverse[k], far = (ahead[k] - start[k]) * inverse[k];
-                    if (near > entry) {
-                        entry = near;
-                        face = static_cast<std::size_t>(2 * k + (ahead[k] > 0.0 ? 1 : 0));
-                    }
-                    exit = std::min(exit, far);
-                }
-                if (entry > exit) continue;
-                ++hits;
-                const Face& f = kFaces[face];
-                const glm::dvec3 point = start + entry * axes.forward;
-                const double u = 0.5 + 0.5 * glm::dot(point, f.right), v = 0.5 - 0.5 * glm::dot(point, f.up);
-                const double edge = 2.0 * std::min(std::min(u, 1.0 - u), std::min(v, 1.0 - v));
-                const double lit = 0.55 + 0.60 * std::max(0.0, glm::dot(f.normal, light));
-                glm::dvec3 colour = f.colour * lit;
-                if (edge < 0.07) colour = 1.5 * colour + 0.04;
-                sum += glm::mix(colour, glm::dvec3(0.90, 0.92, 0.95) * std::min(1.0, 0.35 + 0.7 * lit),
-                                sampled(letters[face], u, v));
+            int hits = 0, rays = 0;
+            const auto add = [&](int column, int row) {
+                ++rays;
+                const Hit hit = cast(px + (column + 0.5) / kSubsamples, py + (row + 0.5) / kSubsamples);
+                if (hit.face >= 0) ++hits, sum += hit.colour;
+                return hit;
+            };
+            // Where all corners see the same plain colour, so does what lies between.
+            constexpr int kLast = kSubsamples - 1;
+            const std::array<Hit, 4> corners{add(0, 0), add(kLast, 0), add(0, kLast), add(kLast, kLast)};
+            const bool plain = std::ranges::all_of(corners, [&](const Hit& hit) {
+                return hit.face == corners[0].face && hit.colour == corners[0].colour;
+            });
+            for (int s = 0; s < kSubsamples * kSubsamples && !plain; ++s) {
+                const int column = s % kSubsamples, row = s / kSubsamples;
+                if ((column == 0 || column == kLast) && (row == 0 || row == kLast)) continue;
+                (void)add(column, row);
             }
             if (hits == 0) continue;
             sum /= hits;
             std::uint8_t* out = image.pixel(px, py);
             for (int k = 0; k < 3; ++k) out[k] = srgb_byte(sum[k]);
-            out[3] = static_cast<std::uint8_t>(std::lround(235.0 * hits / (kSubsamples * kSubsamples)));
+            out[3] = static_cast<std::uint8_t>(std::lround(235.0 * hits / rays));
         }
     }
     return image;

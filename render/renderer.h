@@ -42,6 +42,7 @@ struct BranchPicture {
 // What the last draw() did, for --benchmark, --verbose and tests.
 struct DrawStatistics {
     std::uint64_t triangles = 0; // sent to the GPU
+    std::uint64_t cones = 0;     // cast at on the processor, in place of triangles
     bool geometry = false;       // triangles were drawn (else the last geometry was shaded again)
     bool shaded = false;         // false: the frame was the same as the one before
     std::uint64_t uploaded = 0;  // bytes of meshes sent to the GPU

@@ -2,6 +2,7 @@
 // renderer_picking.cpp answers what lies under a pixel, renderer.cpp is the public face.
 #pragma once
 
+#include "render/caster/caster.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 #include "render/glass_meetings.h"
@@ -26,8 +27,14 @@ struct ViewBlock {
     glm::vec4 clip_to_eye{0.0F}, pixel_to_eye{0.0F}, depth_range{0.0F}, picture{0.0F};
 };
 
-// Of the uniform blocks of look.glsl and scene.glsl, in bytes.
-inline constexpr GLsizeiptr kLookBlockBytes = 11 * 16;
+// The uniform block of look.glsl.
+struct LookBlock {
+    glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
+        lesion_colour, lost_colour, far_colour, cues;
+};
+static_assert(sizeof(LookBlock) == sizeof(caster::Look));
+
+// Of the uniform block of scene.glsl, in bytes.
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 class Renderer::Impl {
@@ -63,6 +70,8 @@ private:
     std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
     bool make_room_for_panes(std::size_t wanted);
     void bind_panes(const Program& program, Band band) const;
+    std::uint64_t cast(const Frame& frame, const std::vector<Layer>& layers);
+    LookBlock look_of(const Frame& frame, bool outlined) const;
     std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers) const;
     void bind_meetings(const Program& program, const PagedMesh& mesh) const;
     void resolve(Band band);
@@ -118,6 +127,8 @@ private:
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
         lit_target_, picture_target_;
     bool has_glass_ = false;
+    caster::Caster caster_;
+    bool cast_ = false;                            // the last picture is the caster's, not the passes'
     bool moving_ = false;                          // another camera on the same surface, in a hurry
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame, there or not
     GlassMeetings meetings_;
@@ -142,6 +153,7 @@ private:
     GLsizeiptr pick_buffer_size_ = 0;
     GLsync pick_fence_ = nullptr;
     Window pick_window_;
+    std::optional<Pick> pick_answer_; // there already
     Camera pick_camera_;
 };
 

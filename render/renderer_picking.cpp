@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace ramus::render {
 
@@ -49,6 +50,15 @@ Pick Renderer::Impl::pick(double x, double y) {
     if (count == 0) return {};
     std::vector<std::uint32_t> ids(count);
     std::vector<float> depths(count);
+    if (cast_) {
+        for (int row = 0; row < window.height; ++row) {
+            const std::ptrdiff_t from = std::ptrdiff_t{window.y + row} * caster_.stride() + window.x;
+            const std::ptrdiff_t to = std::ptrdiff_t{row} * window.width;
+            std::copy_n(caster_.ids() + from, window.width, ids.data() + to);
+            std::copy_n(caster_.depths() + from, window.width, depths.data() + to);
+        }
+        return nearest_in(window, ids.data(), depths.data(), last_->camera);
+    }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadBuffer(GL_COLOR_ATTACHMENT0);
@@ -62,6 +72,15 @@ Pick Renderer::Impl::pick(double x, double y) {
 BranchPicture Renderer::Impl::read_branches() const {
     BranchPicture picture;
     if (!last_) return picture;
+    if (cast_) {
+        picture.width = size_.x;
+        picture.height = size_.y;
+        for (int y = size_.y - 1; y >= 0; --y) {
+            const std::uint32_t* row = caster_.ids() + std::ptrdiff_t{y} * caster_.stride();
+            for (int x = 0; x < size_.x; ++x) picture.branches.push_back(static_cast<int>(row[x]) - 1);
+        }
+        return picture;
+    }
     const auto inner_width = static_cast<std::size_t>(inner_.x), inner_height = static_cast<std::size_t>(inner_.y);
     std::vector<std::uint32_t> ids(inner_width * inner_height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
@@ -85,6 +104,11 @@ BranchPicture Renderer::Impl::read_branches() const {
 void Renderer::Impl::request_pick(double x, double y) {
     if (pick_fence_ != nullptr) glDeleteSync(pick_fence_);
     pick_fence_ = nullptr;
+    pick_answer_.reset();
+    if (cast_) {
+        pick_answer_ = pick(x, y);
+        return;
+    }
     pick_window_ = pick_window(x, y);
     const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
     if (bytes > 0) {
@@ -111,6 +135,7 @@ void Renderer::Impl::request_pick(double x, double y) {
 }
 
 std::optional<Pick> Renderer::Impl::poll_pick() {
+    if (pick_answer_) return std::exchange(pick_answer_, std::nullopt);
     if (pick_fence_ == nullptr) return std::nullopt;
     const GLenum status = glClientWaitSync(pick_fence_, 0, 0);
     if (status == GL_TIMEOUT_EXPIRED) return std::nullopt;

@@ -43,21 +43,22 @@ Result<void> run_turn_benchmark(render::Renderer& renderer, render::Frame frame,
     frame.quality = hurry ? render::Quality::kInteractive : render::Quality::kFull;
     turn_to(-1.0 / frames); // what is made once is made
     if (auto ready = renderer.draw(frame); !ready) return tl::unexpected(ready.error());
-    std::uint64_t triangles = 0;
+    std::uint64_t triangles = 0, cones = 0;
     const Stopwatch watch;
     for (int i = 0; i < frames; ++i) {
         turn_to(static_cast<double>(i + 1) / frames);
         const auto done = renderer.draw(frame);
         if (!done) return tl::unexpected(done.error());
         triangles += done->triangles;
+        cones += done->cones;
         (void)renderer.pick(0.0, 0.0); // waits until the frame is there
     }
     const double seconds = watch.seconds(), fps = frames / std::max(seconds, 1e-9);
-    const double mean = static_cast<double>(triangles) / frames;
     report["frames"] = frames;
     report["seconds"] = seconds;
     report["fps"] = fps;
-    report["triangles"] = mean;
+    report["triangles"] = static_cast<double>(triangles) / frames;
+    report["cones"] = static_cast<double>(cones) / frames;
     report["quality"] = hurry ? "interactive" : "full";
     double difference = 0.0;
     constexpr int kCompared = 4;
@@ -72,10 +73,10 @@ Result<void> run_turn_benchmark(render::Renderer& renderer, render::Frame frame,
 }
 
 std::string benchmark_sentence(const nlohmann::json& report) {
+    const auto amount = [&](const char* key) { return grouped(static_cast<std::uint64_t>(report[key].get<double>())); };
     std::string text = std::to_string(report["frames"].get<int>()) + " frames in " +
                        digits(report["seconds"].get<double>()) + " s: " + digits(report["fps"].get<double>()) +
-                       " a second, " + grouped(static_cast<std::uint64_t>(report["triangles"].get<double>())) +
-                       " triangles a frame";
+                       " a second, " + amount("triangles") + " triangles and " + amount("cones") + " cones a frame";
     if (report["quality"].get<std::string>() == "interactive")
         text += ", on average " + digits(report["difference"].get<double>()) + " of 255 from the picture at rest";
     return text;

@@ -4,6 +4,7 @@
 #include "app/picture/colouring.h"
 #include "app/picture/distance_grid.h"
 #include "app/picture/marks_drawing.h"
+#include "core/field/convolution_field.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -59,6 +60,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
     if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
     frame.centerlines = centerlines_of(tree, marks.options);
+    frame.beyond_ends = static_cast<float>(field::reach_beyond_end(marks.options.width));
     draw_cuts(frame, marks, plan);
     if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
     return frame;

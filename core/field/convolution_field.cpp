@@ -8,6 +8,16 @@
 
 namespace ramus::field {
 
+double reach_beyond_end(double width) {
+    const double w = width * std::log(2.0), wanted = 1.0 - 2.0 * std::exp(-w);
+    double low = 0.0, high = 6.0; // of erf's argument
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (std::erf(middle) < wanted ? low : high) = middle;
+    }
+    return low / std::sqrt(w);
+}
+
 Kernel::Kernel(double width)
     : w(width * std::numbers::ln2), sqrt_w(std::sqrt(w)), isovalue(std::exp(-w)),
       support_radii(1.7 * std::sqrt(5.0 / width)) {}

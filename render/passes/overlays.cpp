@@ -9,7 +9,9 @@ namespace ramus::render {
 void Renderer::Impl::draw_overlays(const Frame& frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
     glViewport(0, 0, size_.x, size_.y);
-    if (inner_ == size_) {
+    if (cast_) {
+        glTextureSubImage2D(picture_, 0, 0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, caster_.rgba());
+    } else if (inner_ == size_) {
         // Only what was shaded: the rest has its overlays already.
         const glm::ivec2 end = region_at_ + region_size_;
         glBlitNamedFramebuffer(lit_target_, picture_target_, region_at_.x, region_at_.y, end.x, end.y, region_at_.x,

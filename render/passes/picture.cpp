@@ -45,7 +45,7 @@ Result<void> Renderer::Impl::initialise() {
     look_block_ = make_buffer();
     scene_block_ = make_buffer();
     glNamedBufferStorage(view_block_, sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glNamedBufferStorage(look_block_, kLookBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(look_block_, sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferStorage(scene_block_, kSceneBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     return {};
 }
@@ -116,7 +116,11 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     if (last_ && *last_ == frame) return done;
     const glm::ivec2 old_size = size_, old_inner = inner_;
     const float old_samples = view_.picture.z;
-    if (auto resized = resize(frame.size, frame.quality); !resized) {
+    // The picture turns, and nothing else about it changes: then the eye takes cones for the surface.
+    const bool moves = frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
+                       last_->states == frame.states && last_->camera != frame.camera;
+    const bool by_caster = moves && drawn_ != nullptr && lines_.shown() != nullptr && caster::Caster::draws(frame);
+    if (auto resized = resize(frame.size, by_caster ? Quality::kFull : frame.quality); !resized) {
         last_.reset();
         return tl::unexpected(resized.error());
     }
@@ -131,16 +135,18 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    const bool same_geometry = last_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
+    const bool same_geometry = last_ && !cast_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
                                size_ == old_size && inner_ == old_inner && view_.picture.z == old_samples &&
                                last_->quality == frame.quality && last_layers_ == layers &&
                                last_->lesions == frame.lesions && last_->pixel_ratio == frame.pixel_ratio &&
                                (!has_glass_ || last_->centerlines == frame.centerlines) &&
                                (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
-    if (!same_geometry) {
-        // The picture turns, and nothing else about it changes: then the eye takes cones for the surface.
-        moving_ = frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
-                  last_->states == frame.states && last_->camera != frame.camera;
+    cast_ = by_caster;
+    if (cast_) {
+        done.cones = cast(frame, layers);
+        done.geometry = true;
+    } else if (!same_geometry) {
+        moving_ = moves;
         wanted_mesh_ = wanted.mesh;
         const auto triangles = draw_geometry(frame, drawn_, layers);
         if (!triangles) {
@@ -153,7 +159,7 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     }
     // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all.
     const Extent extent = same_geometry && differs_in_hover_only(*last_, frame) ? Extent::kChanged : Extent::kAll;
-    if (auto shaded = shade(frame, drawn_, extent); !shaded) {
+    if (auto shaded = cast_ ? Result<void>{} : shade(frame, drawn_, extent); !shaded) {
         last_.reset();
         return tl::unexpected(shaded.error());
     }

@@ -12,13 +12,6 @@ namespace ramus::render {
 
 namespace {
 
-// The uniform block of look.glsl.
-struct LookBlock {
-    glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
-        lesion_colour, lost_colour, far_colour, cues;
-};
-static_assert(sizeof(LookBlock) == kLookBlockBytes);
-
 // As in shade.frag.
 constexpr unsigned kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kCut = 32, kGlowing = 64,
                    kChanged = 128;
@@ -137,6 +130,23 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
     return &program;
 }
 
+LookBlock Renderer::Impl::look_of(const Frame& frame, bool outlined) const {
+    const Appearance& a = frame.appearance;
+    const Background& b = frame.background;
+    const float point = frame.pixel_ratio * static_cast<float>(inner_.y) / static_cast<float>(size_.y);
+    return {glm::vec4(b.top, b.transparent ? 1.0F : 0.0F),
+            glm::vec4(b.bottom, a.depth_cue),
+            linear(a.glass, has_glass_ ? 1.0F : 0.0F),
+            linear(a.selection, outlined ? std::max(1.0F, 1.6F * point) : 0.0F),
+            {a.key, a.fill, a.rim, a.specular},
+            {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), 0.0F},
+            linear(a.centerline, 1.0F),
+            linear(a.lesion, 1.0F),
+            linear(a.lost, 1.0F),
+            linear(0.5F * (b.top + b.bottom), 1.0F),
+            {a.halos, a.contours, a.chromadepth, std::max(1.0F, 2.6F * point)}};
+}
+
 Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Extent extent) {
     const unsigned variant =
         send_records(frame, mesh, extent) | send_scene(frame) | (has_glass_ ? kGlass : 0U) |
@@ -144,20 +154,7 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
         (frame.appearance.contours > 0.0F ? kContours : 0U) | (frame.appearance.chromadepth > 0.0F ? kChromadepth : 0U);
     const bool outlined = (variant & kOutline) != 0;
 
-    const Appearance& a = frame.appearance;
-    const Background& b = frame.background;
-    const float point = frame.pixel_ratio * static_cast<float>(inner_.y) / static_cast<float>(size_.y);
-    const LookBlock look{glm::vec4(b.top, b.transparent ? 1.0F : 0.0F),
-                         glm::vec4(b.bottom, a.depth_cue),
-                         linear(a.glass, has_glass_ ? 1.0F : 0.0F),
-                         linear(a.selection, outlined ? std::max(1.0F, 1.6F * point) : 0.0F),
-                         {a.key, a.fill, a.rim, a.specular},
-                         {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), 0.0F},
-                         linear(a.centerline, 1.0F),
-                         linear(a.lesion, 1.0F),
-                         linear(a.lost, 1.0F),
-                         linear(0.5F * (b.top + b.bottom), 1.0F),
-                         {a.halos, a.contours, a.chromadepth, std::max(1.0F, 2.6F * point)}};
+    const LookBlock look = look_of(frame, outlined);
     glNamedBufferSubData(look_block_, 0, sizeof look, &look);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());

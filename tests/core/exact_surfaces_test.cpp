@@ -77,6 +77,11 @@ std::size_t components(const mesh::TriangleMesh& mesh) {
 
 } // namespace
 
+TEST_CASE("beyond its free end a vessel reaches as far as the design tells") {
+    CHECK(ramus::field::reach_beyond_end(5.0) == doctest::Approx(0.70752).epsilon(1e-5));
+    CHECK(ramus::field::reach_beyond_end(1.0) == doctest::Approx(0.0).epsilon(1e-9));
+}
+
 TEST_CASE("a long straight vessel has its radius") {
     for (const double width : {5.0, 1.0}) {
         for (const double r : {8.0, 0.3}) {

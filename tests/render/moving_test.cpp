@@ -21,9 +21,10 @@ struct Vessel {
     glm::vec3 from, to;
     float first, last; // radii
 };
+// None begins just where another ends: those would be one vessel, smooth at their joint.
 const std::array<Vessel, 4> kVessels{{{{0, 0, -30}, {0, 0, 10}, 5.0F, 5.0F},
-                                      {{0, 0, 10}, {-25, 0, 30}, 4.0F, 4.0F},
-                                      {{0, 0, 10}, {22, 10, 28}, 2.0F, 2.0F},
+                                      {{0, 0, 10.001F}, {-25, 0, 30}, 4.0F, 4.0F},
+                                      {{0, 0, 10.002F}, {22, 10, 28}, 2.0F, 2.0F},
                                       {{-20, 12, -14}, {20, 14, -10}, 1.0F, 1.0F}}};
 
 // The cones' own surface, finely.
@@ -46,6 +47,7 @@ struct Scene {
         }
         frame.mesh = std::make_shared<const PagedMesh>(mesh);
         frame.centerlines = lines;
+        frame.beyond_ends = 1.0F; // as the capsules do
         frame.size = {640, 480};
         frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, orthographic);
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
@@ -70,10 +72,13 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
         Scene still(orthographic), moving(orthographic);
+        still.frame.quality = Quality::kFull;
         const Camera there = turned(still.frame.camera, 30.0, 20.0);
         CHECK(moving.draw().triangles > 100'000);
         moving.frame.camera = still.frame.camera = there;
-        CHECK(moving.draw().triangles == 2 * kVessels.size());
+        const DrawStatistics turned_by = moving.draw();
+        CHECK(turned_by.cones == kVessels.size());
+        CHECK(turned_by.triangles == 0);
         const Image cones = moving.renderer->read_image();
         const BranchPicture cone_branches = moving.renderer->read_branches();
         const Pick cone_pick = moving.renderer->pick(320, 300);
@@ -92,11 +97,11 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
         MESSAGE("mean difference " << sum / double(vessels) << " of 255; "
                                    << 100.0 * double(other_branch) / double(vessels) << " % show another branch");
         REQUIRE(vessels > 20'000);
-        CHECK(sum / double(vessels) < 2.0);                   // what may be seen while something moves
-        CHECK(double(other_branch) < 0.03 * double(vessels)); // at joints, where one vessel is within the other
+        CHECK(sum / double(vessels) < 0.5); // the samples are the same, the noise of the occlusion is not
+        CHECK(double(other_branch) < 0.001 * double(vessels));
         const Pick pick = still.renderer->pick(320, 300);
         CHECK(cone_pick.branch == pick.branch);
-        CHECK(glm::distance(cone_pick.position, pick.position) < 0.15);
+        CHECK(glm::distance(cone_pick.position, pick.position) < 0.05);
 
         // At rest, and where anything but the camera changes, it is the surface.
         moving.frame.quality = Quality::kFull;
@@ -106,7 +111,7 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
         moving.frame.states[3] = BranchState::kHidden;
         CHECK(moving.draw().triangles > 70'000);
         moving.frame.camera = there;
-        CHECK(moving.draw().triangles == 2 * (kVessels.size() - 1));
+        CHECK(moving.draw().cones == kVessels.size() - 1);
     }
 }
 

@@ -1,0 +1,96 @@
+// What the caster's stages hand to each other: the view, round cones in eye space, samples of a tile, records to shade.
+// Plain arrays: the stages are compiled once per instruction set, and must not share inline code of containers.
+//
+// Eye space has depth as +z, mm. Pixels count from the lower left, as OpenGL's do.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ramus::render::caster {
+
+inline constexpr int kTile = 32;               // pixels a side; what one task casts
+inline constexpr int kBlock = 4;               // pixels a side; what one vector of rays covers
+inline constexpr int kBlocks = kTile / kBlock; // a side
+inline constexpr int kTilePixels = kTile * kTile;
+inline constexpr int kSamples = 4;
+inline constexpr int kMostPanes = 16; // of glass behind each other in one sample; nearer ones win
+inline constexpr float kNothing = 1e30F;
+
+// Where in its pixel a sample lies: those of the resting picture's rasteriser, so that edges stay where they are.
+inline constexpr float kSampleX[kSamples] = {0.375F, 0.875F, 0.125F, 0.625F};
+inline constexpr float kSampleY[kSamples] = {0.125F, 0.375F, 0.625F, 0.875F};
+
+struct View {
+    int width = 0, height = 0, stride = 0; // pixels; rows of the arrays below are `stride` apart
+    float centre_x = 0, centre_y = 0;      // pixel that the eye looks through
+    float mm_a_pixel = 0;                  // at depth 1 when perspective
+    bool flat = false;                     // orthographic
+    float near_mm = 0, far_mm = 1;         // ends of the tree along the line of sight
+    float reach_pixels = 0, reach_mm = 0;  // of the occlusion; mm at depth 1 when perspective
+    int taps = 20;                         // of the occlusion, 0: none
+};
+
+// The hull of two balls. What cone.frag explains about the meeting of a ray with it holds here.
+struct Cone {
+    float from[3], axis[3]; // axis: to the other end
+    float middle_depth;
+    float first_radius, last_radius, growth;
+    float squared, shrunk, inverse_shrunk; // |axis|^2, |axis|^2 - growth^2 and its inverse
+    float from_way[4], to_way[4];          // the vessel's direction at both ends; 3: 1 where it goes on
+    float pixel[2], way[2], length, reach; // in the picture: from where to where, and how far beside that, pixels
+    float nearest;                         // depth
+    float value[2];                        // at both ends, to colour by
+    std::uint32_t id;                      // as in ids.glsl
+    std::uint32_t samples;                 // bits: which samples it may cover
+};
+
+// Nearest hit of every sample of a tile. [block][sample][4 * row + column].
+struct alignas(64) Samples {
+    float depth[kBlocks * kBlocks][kSamples][16];
+    std::uint32_t id[kBlocks * kBlocks][kSamples][16];
+    std::uint32_t normal[kBlocks * kBlocks][kSamples][16]; // octahedral, y up and z towards the eye
+    float value[kBlocks * kBlocks][kSamples][16];
+    float farthest[kBlocks * kBlocks]; // of the block's depths
+    bool touched[kBlocks * kBlocks];   // something was hit
+};
+
+// What is shaded at once: one record for the pixels of one surface, one a sample on edges.
+inline constexpr std::uint32_t kPixelMask = kTilePixels - 1, kSampleShift = 10, kWhole = 1U << 12;
+inline constexpr std::size_t kMostRecords = std::size_t{kTilePixels} * kSamples + 16;
+struct Records {
+    std::uint32_t* place; // pixel of the tile, sample << kSampleShift, kWhole
+    std::uint32_t* id;
+    std::uint32_t* normal;
+    float* depth;
+    float* value;
+    std::size_t count;
+};
+
+// Of the whole picture, `stride` a row.
+struct PictureArrays {
+    float* depth;          // nearest opaque surface; kNothing: none
+    float* picked_depth;   // nearest of anything
+    std::uint32_t* id;     // of that, 0: nothing
+    std::uint32_t* normal; // of the nearest opaque surface
+    float* occlusion;      // before and
+    float* smooth;         // after its noise is gone
+};
+
+// Linear colours, as the uniform block of look.glsl.
+struct Look {
+    float background_top[4], background_bottom[4], glass[4], selection[4], lights[4], more[4], line[4], lesion[4],
+        lost[4], far_colour[4], cues[4];
+};
+
+struct Shading {
+    Look look;
+    const std::uint32_t* branches; // two words each: red, green; blue, flags
+    bool outlined;
+    const float* ramp; // rgb, sRGB; null: colours by branch
+    int ramp_steps;
+    float scale_low, scale_slope;
+    bool scale_logarithmic;
+};
+
+} // namespace ramus::render::caster

@@ -1,0 +1,373 @@
+#include "render/caster/caster.h"
+
+#include "render/caster/cast.h"
+#include "render/caster/occlude.h"
+#include "render/caster/panes.h"
+#include "render/caster/shade.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+namespace ramus::render::caster {
+
+namespace {
+
+constexpr double kThinnedShare = 1e-4; // of the tree's extent: a tenth of a pixel where it fills the window
+constexpr float kLineWidth = 1.6F;     // points
+constexpr std::uint32_t kAllSamples = (1U << kSamples) - 1;
+constexpr std::uint32_t kLineId = 0x80000000U;
+
+// What a thread works in.
+struct Scratch {
+    Samples samples;
+    Colours colours;
+    std::vector<std::uint32_t> order, words;
+    std::vector<float> floats;
+};
+
+// As outline() of cone.vert: half the width of a ball's outline at depth 1.
+float outline(const glm::vec3& centre, float radius) {
+    const float away = glm::length(centre), sine = radius / away,
+                cosine = std::sqrt(std::max(1.0F - sine * sine, 0.0F));
+    const float slope = glm::length(glm::vec2(centre)) / away, straight = centre.z / away;
+    return sine / (straight * (straight * cosine - slope * sine));
+}
+
+void put(float (&to)[3], const glm::vec3& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+void put(float (&to)[4], const glm::vec4& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
+
+} // namespace
+
+// Cones by tile, in one array.
+struct Caster::Bins {
+    std::vector<std::uint32_t> first, cones; // of tile t: cones[first[t]] to cones[first[t + 1]]
+    [[nodiscard]] std::size_t count(int tile) const {
+        return first.empty() ? 0 : first[std::size_t(tile) + 1] - first[std::size_t(tile)];
+    }
+};
+
+void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
+    if (lines == lines_) return;
+    lines_ = lines;
+    segments_.clear();
+    thinned_ = {};
+    if (!lines || lines->points.empty()) return;
+    glm::vec3 lower(lines->points.front()), upper = lower;
+    for (const glm::vec4& point : lines->points)
+        lower = glm::min(lower, glm::vec3(point)), upper = glm::max(upper, glm::vec3(point));
+    thinned_ = lines->thinned(kThinnedShare * double(glm::length(upper - lower)));
+    for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
+        const Centerlines::Run run = thinned_.runs[branch];
+        for (std::uint32_t i = run.first; i + 1 < run.first + run.count; ++i) {
+            const bool first = i == run.first, last = i + 2 == run.first + run.count;
+            segments_.push_back(
+                {i, static_cast<std::int32_t>(branch), first ? Segment::kFree : i - 1, last ? Segment::kFree : i + 2});
+        }
+    }
+    find_joints();
+}
+
+// Branches that meet have an end at the very same place. There the two widest are one vessel that goes on, if they do
+// not turn back; the others go into it.
+void Caster::find_joints() {
+    struct End {
+        std::uint32_t* beyond;       // to fill in
+        std::uint32_t joint, inward; // points
+    };
+    std::map<std::array<float, 3>, std::vector<End>> joints;
+    const auto add = [&](std::uint32_t& beyond, std::uint32_t joint, std::uint32_t inward) {
+        const glm::vec4& p = thinned_.points[joint];
+        if (beyond == Segment::kFree) joints[{p.x, p.y, p.z}].push_back({&beyond, joint, inward});
+    };
+    for (Segment& segment : segments_) {
+        add(segment.before, segment.point, segment.point + 1);
+        add(segment.behind, segment.point + 1, segment.point);
+    }
+    for (auto& [place, ends] : joints) {
+        if (ends.size() < 2) continue;
+        std::ranges::stable_sort(ends, std::greater<>(), [&](const End& end) {
+            return thinned_.details[end.joint].diameter_mm + thinned_.details[end.inward].diameter_mm;
+        });
+        for (const End& end : ends) *end.beyond = Segment::kJoins;
+        const auto inward = [&](const End& end) {
+            return glm::vec3(thinned_.points[end.inward]) - glm::vec3(thinned_.points[end.joint]);
+        };
+        if (glm::dot(inward(ends[0]), inward(ends[1])) >= 0.0F) continue;
+        *ends[0].beyond = ends[1].inward;
+        *ends[1].beyond = ends[0].inward;
+    }
+}
+
+bool Caster::draws(const Frame& frame) {
+    return frame.margins.bands.empty() && frame.lost.empty() && frame.lesions.spheres.empty() &&
+           frame.lesions.meshes.empty() && frame.lines.empty();
+}
+
+void Caster::make_room(const View& view) {
+    if (view.width == view_.width && view.height == view_.height && !rgba_.empty()) return;
+    across_ = (view.width + kTile - 1) / kTile;
+    up_ = (view.height + kTile - 1) / kTile;
+    // Taps to the left and right of the picture read the padding.
+    const std::size_t pixels = std::size_t(view.stride) * std::size_t(up_ * kTile) + 2 * kTile;
+    for (auto* array : {&depths_, &picked_}) array->assign(pixels, kNothing);
+    for (auto* array : {&occlusion_, &smooth_}) array->assign(pixels, 0.0F);
+    for (auto* array : {&ids_, &normals_}) array->assign(pixels, 0);
+    rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
+    tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
+    picture_ = {depths_.data() + kTile,  picked_.data() + kTile,    ids_.data() + kTile,
+                normals_.data() + kTile, occlusion_.data() + kTile, smooth_.data() + kTile};
+}
+
+// As cone.vert. False: there is nothing of it to see.
+bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const {
+    const auto place = [&](std::size_t point) {
+        return glm::vec3(to_eye * glm::vec4(glm::vec3(thinned_.points[point]), 1.0F));
+    };
+    const std::size_t i = segment.point;
+    glm::vec3 from = place(i), to = place(i + 1);
+    const float first = 0.5F * thinned_.details[i].diameter_mm, last = 0.5F * thinned_.details[i + 1].diameter_mm;
+    const float whole = glm::distance(from, to);
+    // A ball at a free end would reach beyond it by its radius.
+    const auto shortened = [&](float radius) {
+        return whole > 0.0F ? std::min(0.45F, (1.0F - frame.beyond_ends) * radius / whole) : 0.0F;
+    };
+    const glm::vec3 step = to - from;
+    if (segment.before == Segment::kFree) from += shortened(first) * step;
+    if (segment.behind == Segment::kFree) to -= shortened(last) * step;
+    const glm::vec3 axis = to - from;
+    cone.nearest = std::min(from.z - first, to.z - last);
+    // What reaches behind the eye has no outline.
+    if (!view_.flat && std::min(from.z - 1.05F * first, to.z - 1.05F * last) <= 1e-4F * view_.far_mm) return false;
+    const glm::vec2 a = view_.flat ? glm::vec2(from) : glm::vec2(from) / from.z;
+    const glm::vec2 b = view_.flat ? glm::vec2(to) : glm::vec2(to) / to.z;
+    const float pixel = 1.0F / view_.mm_a_pixel;
+    cone.reach = pixel * (view_.flat ? std::max(first, last) : std::max(outline(from, first), outline(to, last)));
+    const glm::vec2 start = pixel * a + glm::vec2(view_.centre_x, view_.centre_y), way = pixel * (b - a);
+    const glm::vec2 low = glm::min(start, start + way) - cone.reach, high = glm::max(start, start + way) + cone.reach;
+    if (high.x < 0.0F || high.y < 0.0F || low.x > float(view_.width) || low.y > float(view_.height)) return false;
+    cone.length = glm::length(way);
+    cone.pixel[0] = start.x, cone.pixel[1] = start.y;
+    cone.way[0] = cone.length > 0.0F ? way.x / cone.length : 0.0F;
+    cone.way[1] = cone.length > 0.0F ? way.y / cone.length : 0.0F;
+
+    const float length = glm::length(axis), growth = last - first;
+    const glm::vec3 direction = length > 0.0F ? axis / length : glm::vec3(0.0F, 0.0F, 1.0F);
+    // At the joint of two segments the vessel goes half as the one, half as the other.
+    const auto way_at = [&](std::size_t joint, std::uint32_t beyond, float outward) {
+        if (beyond >= Segment::kJoins) return glm::vec4(direction, 0.0F);
+        const glm::vec3 other = outward * (place(beyond) - place(joint));
+        const float squared = glm::dot(other, other);
+        if (squared <= 0.0F) return glm::vec4(direction, 1.0F);
+        const glm::vec3 middle = direction + other / std::sqrt(squared);
+        const float both = glm::dot(middle, middle);
+        return glm::vec4(both > 0.0F ? middle / std::sqrt(both) : direction, 1.0F);
+    };
+    put(cone.from_way, way_at(i, segment.before, -1.0F));
+    put(cone.to_way, way_at(i + 1, segment.behind, 1.0F));
+    put(cone.from, from);
+    put(cone.axis, axis);
+    cone.middle_depth = 0.5F * (from.z + to.z);
+    cone.first_radius = first;
+    cone.last_radius = last;
+    cone.growth = growth;
+    cone.squared = glm::dot(axis, axis);
+    cone.shrunk = cone.squared - growth * growth;
+    cone.inverse_shrunk = cone.shrunk > 0.0F ? 1.0F / cone.shrunk : 0.0F;
+    cone.samples = kAllSamples;
+    cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
+    const bool by_root = frame.scale.value == ColourScale::Value::kRootDistance;
+    cone.value[0] = by_root ? thinned_.points[i].w : 2.0F * first;
+    cone.value[1] = by_root ? thinned_.points[i + 1].w : 2.0F * last;
+    return true;
+}
+
+void Caster::bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const {
+    const auto tiles = std::size_t(across_) * std::size_t(up_);
+    bins.first.assign(tiles + 1, 0);
+    const auto for_tiles = [&](const Cone& cone, const auto& call) {
+        const float to_x = cone.pixel[0] + cone.length * cone.way[0], to_y = cone.pixel[1] + cone.length * cone.way[1];
+        const auto tile = [](float at, int most) {
+            return static_cast<int>(std::clamp(at / kTile, 0.0F, float(most - 1)));
+        };
+        const int x0 = tile(std::min(cone.pixel[0], to_x) - cone.reach, across_);
+        const int x1 = tile(std::max(cone.pixel[0], to_x) + cone.reach, across_);
+        const int y0 = tile(std::min(cone.pixel[1], to_y) - cone.reach, up_);
+        const int y1 = tile(std::max(cone.pixel[1], to_y) + cone.reach, up_);
+        const float most = cone.reach + 0.7072F * kTile;
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x) {
+                if (x1 - x0 + y1 - y0 > 1) { // slanting ones pass many tiles of their box by
+                    const float px = (float(x) + 0.5F) * kTile - cone.pixel[0],
+                                py = (float(y) + 0.5F) * kTile - cone.pixel[1];
+                    const float t = std::clamp(px * cone.way[0] + py * cone.way[1], 0.0F, cone.length);
+                    const float dx = px - t * cone.way[0], dy = py - t * cone.way[1];
+                    if (dx * dx + dy * dy > most * most) continue;
+                }
+                call(std::size_t(y) * std::size_t(across_) + std::size_t(x));
+            }
+    };
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (kinds[i] == wanted) for_tiles(cones_[i], [&](std::size_t tile) { ++bins.first[tile + 1]; });
+    for (std::size_t tile = 0; tile < tiles; ++tile) bins.first[tile + 1] += bins.first[tile];
+    bins.cones.resize(bins.first.back());
+    std::vector<std::uint32_t> next(bins.first.begin(), bins.first.end() - 1);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (kinds[i] == wanted)
+            for_tiles(cones_[i], [&](std::size_t tile) { bins.cones[next[tile]++] = static_cast<std::uint32_t>(i); });
+}
+
+namespace {
+
+tbb::enumerable_thread_specific<std::unique_ptr<Scratch>>& scratches() {
+    static tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> all([] {
+        auto scratch = std::make_unique<Scratch>();
+        scratch->words.resize(3 * kMostPanesOfTile);
+        scratch->floats.resize(2 * kMostPanesOfTile);
+        return scratch;
+    });
+    return all;
+}
+
+// Vectors read beyond the end: what lies there must be something.
+template <class Value> void keep(std::vector<Value>& to, const Value* from, std::size_t count, Value filler) {
+    to.assign(from, from + count);
+    to.resize(count + 16, filler);
+}
+
+} // namespace
+
+void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_values) {
+    Scratch& scratch = *scratches().local();
+    Tile& tile = tiles_[std::size_t(index)];
+    const int x = index % across_ * kTile, y = index / across_ * kTile;
+    const auto sorted = [&](const Bins& bins) {
+        scratch.order.assign(bins.cones.begin() + bins.first[std::size_t(index)],
+                             bins.cones.begin() + bins.first[std::size_t(index) + 1]);
+        std::ranges::sort(scratch.order, [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair(cones_[a].nearest, a) < std::pair(cones_[b].nearest, b);
+        });
+    };
+    sorted(opaque);
+    cast_tile(view_, cones_.data(), scratch.order.data(), scratch.order.size(), with_values, x, y, scratch.samples);
+    std::uint32_t* words = scratch.words.data();
+    float* floats = scratch.floats.data();
+    Records records{words,  words + kMostPanesOfTile,  words + 2 * kMostPanesOfTile,
+                    floats, floats + kMostPanesOfTile, 0};
+    resolve_tile(view_, scratch.samples, with_values, x, y, picture_, records);
+    tile.count = records.count;
+    if (records.count > 0) {
+        keep(tile.place, records.place, records.count, 0U);
+        keep(tile.id, records.id, records.count, 1U);
+        keep(tile.normal, records.normal, records.count, 0U);
+        keep(tile.depth, records.depth, records.count, 1.0F);
+        if (with_values) keep(tile.value, records.value, records.count, 0.0F);
+    }
+    tile.panes = 0;
+    if (glass.count(index) == 0) return;
+    sorted(glass);
+    Panes panes{words, words + kMostPanesOfTile, words + 2 * kMostPanesOfTile, floats, 0};
+    list_panes(view_, cones_.data(), scratch.order.data(), scratch.order.size(), x, y, scratch.samples, picture_,
+               panes);
+    tile.panes = panes.count;
+    if (panes.count == 0) return;
+    keep(tile.pane_place, panes.place, panes.count, 0U);
+    keep(tile.pane_id, panes.id, panes.count, 1U);
+    keep(tile.pane_normal, panes.normal, panes.count, 0U);
+    keep(tile.pane_depth, panes.depth, panes.count, 1.0F);
+}
+
+std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look,
+                         bool outlined, const std::vector<Layer>& layers,
+                         const std::vector<std::array<std::uint16_t, 4>>& records) {
+    make_room(view);
+    view_ = view;
+    const glm::mat4 lines_to_eye(glm::translate(to_eye, thinned_.origin));
+    const std::size_t segments = segments_.size();
+    const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
+    cones_.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
+    std::vector<Kind> kinds(cones_.size(), Kind::kNone);
+    std::atomic<std::size_t> drawn{0};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
+        std::size_t there = 0;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const auto branch = std::size_t(segments_[i].branch);
+            const Layer layer = branch < layers.size() ? layers[branch] : Layer::kOpaque;
+            if (layer == Layer::kNone || !prepare(segments_[i], lines_to_eye, frame, cones_[i])) continue;
+            ++there;
+            kinds[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
+            if (layer != Layer::kGlass) continue;
+            // As wide as centerline.vert draws it, wherever it is.
+            Cone& line = cones_[segments + i] = cones_[i];
+            const float pixels = 0.5F * std::max(1.0F, kLineWidth * frame.pixel_ratio);
+            const float first = line.from[2], last = line.from[2] + line.axis[2];
+            line.first_radius = pixels * view_.mm_a_pixel * (view_.flat ? 1.0F : first);
+            line.last_radius = pixels * view_.mm_a_pixel * (view_.flat ? 1.0F : last);
+            line.growth = line.last_radius - line.first_radius;
+            line.shrunk = line.squared - line.growth * line.growth;
+            line.inverse_shrunk = line.shrunk > 0.0F ? 1.0F / line.shrunk : 0.0F;
+            line.reach = 1.5F * pixels + 1.0F;
+            line.nearest = std::min(first - line.first_radius, last - line.last_radius);
+            line.id |= kLineId;
+            kinds[segments + i] = Kind::kOpaque;
+        }
+        drawn += there;
+    });
+    Bins opaque, glass;
+    bin(kinds, Kind::kOpaque, opaque);
+    if (any_glass) bin(kinds, Kind::kGlass, glass);
+
+    const bool with_values = frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();
+    const int tiles = across_ * up_;
+    const auto for_tiles = [&](const auto& call) {
+        tbb::parallel_for(tbb::blocked_range<int>(0, tiles, 4), [&](const auto& range) {
+            for (int tile = range.begin(); tile < range.end(); ++tile) call(tile);
+        });
+    };
+    for_tiles([&](int tile) { cast(tile, opaque, glass, with_values); });
+    const auto corner = [&](int tile) { return std::pair(tile % across_ * kTile, tile / across_ * kTile); };
+    if (view.taps > 0) {
+        for_tiles([&](int tile) {
+            if (tiles_[std::size_t(tile)].count > 0)
+                occlude_tile(view_, corner(tile).first, corner(tile).second, picture_);
+        });
+        for_tiles([&](int tile) {
+            if (tiles_[std::size_t(tile)].count > 0)
+                smooth_tile(view_, corner(tile).first, corner(tile).second, picture_);
+        });
+    } else {
+        std::ranges::fill(smooth_, 0.0F);
+    }
+    Shading shading{look, reinterpret_cast<const std::uint32_t*>(records.data()), outlined, nullptr, 0, 0.0F, 0.0F,
+                    false};
+    const ColourScale& scale = frame.scale;
+    if (with_values) {
+        const bool log = scale.logarithmic;
+        const float low = log ? std::log(scale.low) : scale.low, high = log ? std::log(scale.high) : scale.high;
+        shading.ramp = &scale.ramp.front().x;
+        shading.ramp_steps = static_cast<int>(scale.ramp.size());
+        shading.scale_low = low;
+        shading.scale_slope = high > low ? 1.0F / (high - low) : 0.0F;
+        shading.scale_logarithmic = log;
+    }
+    for_tiles([&](int index) {
+        Tile& tile = tiles_[std::size_t(index)];
+        const Records found{tile.place.data(), tile.id.data(),    tile.normal.data(),
+                            tile.depth.data(), tile.value.data(), tile.count};
+        const Panes panes{tile.pane_place.data(), tile.pane_id.data(), tile.pane_normal.data(), tile.pane_depth.data(),
+                          tile.panes};
+        shade_tile(view_, shading, found, panes, corner(index).first, corner(index).second, picture_,
+                   scratches().local()->colours, rgba_.data());
+    });
+    return drawn;
+}
+
+} // namespace ramus::render::caster

@@ -1,0 +1,80 @@
+// Caster: pictures of vessels while the view moves, made on the processor's own cores where OpenGL is software. Rays
+// are cast at round cones along the centerlines, as cone.frag does it, with the samples, the occlusion and the light of
+// the picture at rest; a vector of pixels goes through each step at once (run-time choice of instruction set), tiles in
+// parallel. In the time that a software rasteriser takes for a picture of half the size this makes one of full size
+// and quality. Pictures are the same whatever the number of threads.
+//
+// What it cannot draw stays with OpenGL: see Caster::draws().
+#pragma once
+
+#include "render/caster/cast_types.h"
+#include "render/centerlines.h"
+#include "render/frame.h"
+#include "render/layer.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+namespace ramus::render::caster {
+
+class Caster {
+public:
+    // Of the lines as they are; those of one object are the same for good.
+    void follow(const std::shared_ptr<const Centerlines>& lines);
+    [[nodiscard]] bool ready() const { return lines_ && !segments_.empty(); }
+
+    // Whether it can draw all that the frame shows.
+    [[nodiscard]] static bool draws(const Frame& frame);
+
+    // The picture as sRGB, premultiplied, rows from below; it lasts until the next. `to_eye`: from mm to eye space,
+    // depth as +z. `records`: a branch's linear colour and flags, as shade.frag reads them. Returns how many cones.
+    std::size_t draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look, bool outlined,
+                     const std::vector<Layer>& layers, const std::vector<std::array<std::uint16_t, 4>>& records);
+    [[nodiscard]] const std::uint32_t* rgba() const { return rgba_.data(); }
+
+    // Of the last picture: ids as in ids.glsl and depths in mm, `stride` a row from below.
+    [[nodiscard]] const std::uint32_t* ids() const { return ids_.data() + kTile; }
+    [[nodiscard]] const float* depths() const { return picked_.data() + kTile; }
+    [[nodiscard]] const float* opaque_depths() const { return depths_.data() + kTile; }
+    [[nodiscard]] int stride() const { return view_.stride; }
+
+private:
+    struct Segment {
+        std::uint32_t point; // and the next one
+        std::int32_t branch;
+        // Of the vessel's way on, before and behind; or one of these.
+        static constexpr std::uint32_t kFree = ~0U, kJoins = ~0U - 1; // ends here; goes into another vessel here
+        std::uint32_t before, behind;
+    };
+    void find_joints();
+    enum class Kind : std::uint8_t { kNone, kOpaque, kGlass };
+    // What a tile keeps from casting to shading.
+    struct Tile {
+        std::vector<std::uint32_t> place, id, normal, pane_place, pane_id, pane_normal;
+        std::vector<float> depth, value, pane_depth;
+        std::size_t count = 0, panes = 0;
+    };
+    struct Bins; // which cones reach a tile
+
+    void make_room(const View& view);
+    [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const;
+    void bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const;
+    void cast(int tile, const Bins& opaque, const Bins& glass, bool with_values);
+
+    std::shared_ptr<const Centerlines> lines_;
+    Centerlines thinned_;
+    std::vector<Segment> segments_;
+    std::vector<Cone> cones_;
+    View view_;
+    int across_ = 0, up_ = 0; // tiles
+    std::vector<Tile> tiles_;
+    std::vector<float> depths_, picked_, occlusion_, smooth_;
+    std::vector<std::uint32_t> ids_, normals_;
+    std::vector<std::uint32_t> rgba_; // a pixel each
+    PictureArrays picture_{};
+};
+
+} // namespace ramus::render::caster

@@ -1,0 +1,152 @@
+// Vectors of floats and what the shaders' shared files hold, for the caster's stages. Included once per instruction
+// set.
+#if defined(RAMUS_CASTER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_CASTER_LANES_INL_H
+#undef RAMUS_CASTER_LANES_INL_H
+#else
+#define RAMUS_CASTER_LANES_INL_H
+#endif
+
+#include "render/caster/cast_types.h"
+
+#include <cstdint>
+#include <hwy/contrib/math/math-inl.h> // sine and cosine
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::render::caster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<float, 16>; // a block has 16 pixels
+using DU = hn::RebindToUnsigned<D>;
+using DI = hn::RebindToSigned<D>;
+using V = hn::Vec<D>;
+using VU = hn::Vec<DU>;
+using VI = hn::Vec<DI>;
+using M = hn::Mask<D>;
+
+HWY_INLINE V set(float x) { return hn::Set(D(), x); }
+HWY_INLINE V clamp01(V x) { return hn::Min(hn::Max(x, hn::Zero(D())), set(1.0F)); }
+HWY_INLINE V mix(V a, V b, V t) { return hn::MulAdd(t, hn::Sub(b, a), a); }
+HWY_INLINE V fract(V x) { return hn::Sub(x, hn::Floor(x)); }
+HWY_INLINE V smooth_step(float from, float to, V x) {
+    const V t = clamp01(hn::Mul(hn::Sub(x, set(from)), set(1.0F / (to - from))));
+    return hn::Mul(hn::Mul(t, t), hn::NegMulAdd(set(2.0F), t, set(3.0F)));
+}
+// 1 / sqrt(x), to single precision for x > 0.
+HWY_INLINE V inverse_root(V x) {
+    const V guess = hn::ApproximateReciprocalSqrt(x);
+    return hn::Mul(guess, hn::NegMulAdd(hn::Mul(hn::Mul(set(0.5F), x), guess), guess, set(1.5F)));
+}
+// sqrt(x) for x > 0, and 1 / x: with one step of Newton's method both take a third of the processor's own.
+HWY_INLINE V root_of(V x) { return hn::Mul(x, inverse_root(x)); }
+HWY_INLINE V inverse_of(V x) {
+    const V guess = hn::ApproximateReciprocal(x);
+    return hn::Mul(guess, hn::NegMulAdd(x, guess, set(2.0F)));
+}
+HWY_INLINE VU rounded(V x) { return hn::BitCast(DU(), hn::NearestInt(x)); }
+HWY_INLINE M mask(hn::Mask<DU> m) { return hn::RebindMask(D(), m); }
+HWY_INLINE M any_of(VU flags, std::uint32_t bits) {
+    return mask(hn::Ne(hn::And(flags, hn::Set(DU(), bits)), hn::Zero(DU())));
+}
+
+// To 4e-6, of x > 0; interpolated at the Chebyshev nodes between the roots of 1/2 and 2.
+HWY_INLINE V binary_logarithm(V x) {
+    const DI di;
+    const VI bits = hn::BitCast(di, hn::Max(x, set(1e-30F)));
+    const VI exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
+    const V t = hn::Sub(hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(exponent))), set(1.0F));
+    V p = hn::MulAdd(set(-0.202289264F), t, set(0.316898187F));
+    p = hn::MulAdd(p, t, set(-0.366925771F));
+    p = hn::MulAdd(p, t, set(0.479925573F));
+    p = hn::MulAdd(p, t, set(-0.721195752F));
+    p = hn::MulAdd(p, t, set(1.44270044F));
+    return hn::MulAdd(p, t, hn::ConvertTo(D(), exponent));
+}
+// To 4e-6 of its value, for x from -120 to 120.
+HWY_INLINE V power_of_two(V x) {
+    const DI di;
+    x = hn::Max(x, set(-120.0F));
+    const VI whole = hn::NearestInt(x);
+    const V t = hn::Sub(x, hn::ConvertTo(D(), whole));
+    V p = hn::MulAdd(set(0.00966636852F), t, set(0.0559219758F));
+    p = hn::MulAdd(p, t, set(0.24022349F));
+    p = hn::MulAdd(p, t, set(0.693121045F));
+    p = hn::MulAdd(p, t, set(1.0F));
+    return hn::BitCast(D(), hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(whole)));
+}
+
+struct V3 {
+    V x, y, z;
+};
+HWY_INLINE V3 set(const float* v) { return {set(v[0]), set(v[1]), set(v[2])}; }
+HWY_INLINE V dot(V3 a, V3 b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
+HWY_INLINE V3 operator+(V3 a, V3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE V3 operator-(V3 a, V3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V3 operator*(V a, V3 b) { return {hn::Mul(a, b.x), hn::Mul(a, b.y), hn::Mul(a, b.z)}; }
+HWY_INLINE V3 operator*(V3 a, V3 b) { return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)}; }
+HWY_INLINE V3 mix(V3 a, V3 b, V t) { return {mix(a.x, b.x, t), mix(a.y, b.y, t), mix(a.z, b.z, t)}; }
+HWY_INLINE V3 choose(M m, V3 a, V3 b) {
+    return {hn::IfThenElse(m, a.x, b.x), hn::IfThenElse(m, a.y, b.y), hn::IfThenElse(m, a.z, b.z)};
+}
+HWY_INLINE V3 normalised(V3 a) { return inverse_root(hn::Max(dot(a, a), set(1e-30F))) * a; }
+
+// As octahedral.glsl; `n` may have any length.
+HWY_INLINE VU packed_normal(V3 n) {
+    const V zero = hn::Zero(D());
+    const V scale = hn::Mul(set(32767.0F), inverse_of(hn::Add(hn::Abs(n.x), hn::Add(hn::Abs(n.y), hn::Abs(n.z)))));
+    V x = hn::Mul(n.x, scale), y = hn::Mul(n.y, scale);
+    const M behind = hn::Lt(n.z, zero);
+    const V one = set(32767.0F);
+    const V folded_x = hn::CopySign(hn::Sub(one, hn::Abs(y)), x), folded_y = hn::CopySign(hn::Sub(one, hn::Abs(x)), y);
+    x = hn::IfThenElse(behind, folded_x, x);
+    y = hn::IfThenElse(behind, folded_y, y);
+    return hn::Or(hn::And(rounded(x), hn::Set(DU(), 0xffffU)), hn::ShiftLeft<16>(rounded(y)));
+}
+
+// As unpack_normal() of view.glsl.
+HWY_INLINE V3 unpacked_normal(VU bits) {
+    const VI low = hn::ShiftRight<16>(hn::BitCast(DI(), hn::ShiftLeft<16>(bits)));
+    const VI high = hn::ShiftRight<16>(hn::BitCast(DI(), bits));
+    const V scale = set(1.0F / 32767.0F);
+    V3 n{hn::Mul(hn::ConvertTo(D(), low), scale), hn::Mul(hn::ConvertTo(D(), high), scale), hn::Zero(D())};
+    n.z = hn::Sub(set(1.0F), hn::Add(hn::Abs(n.x), hn::Abs(n.y)));
+    const V fold = hn::Max(hn::Neg(n.z), hn::Zero(D()));
+    n.x = hn::Sub(n.x, hn::CopySign(fold, n.x));
+    n.y = hn::Sub(n.y, hn::CopySign(fold, n.y));
+    return normalised(n);
+}
+
+// As noise() of view.glsl.
+HWY_INLINE V noise(V x, V y) {
+    const V inner = fract(hn::MulAdd(x, set(0.06711056F), hn::Mul(y, set(0.00583715F))));
+    return fract(hn::Mul(set(52.9829189F), inner));
+}
+
+// As eye_position() of view.glsl, at a pixel's centre.
+HWY_INLINE V3 eye_position(const View& view, V x, V y, V depth) {
+    const V scale = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), depth);
+    return {hn::Mul(hn::Sub(x, set(view.centre_x)), scale), hn::Mul(hn::Sub(y, set(view.centre_y)), scale), depth};
+}
+
+HWY_INLINE VI index_of(VI row, VI stride, VI column) { return hn::Add(hn::Mul(row, stride), column); }
+// One load a lane: processors that guard their gathers against leaks take several times as long for those.
+template <class Value> HWY_INLINE void gather_lanes(const Value* values, VI index, Value* to) {
+    alignas(64) std::int32_t at[hn::MaxLanes(D())];
+    hn::Store(index, DI(), at);
+    for (std::size_t k = 0; k < hn::MaxLanes(D()); ++k) to[k] = values[at[k]];
+}
+HWY_INLINE V gather(const float* values, VI index) {
+    alignas(64) float found[hn::MaxLanes(D())];
+    gather_lanes(values, index, found);
+    return hn::Load(D(), found);
+}
+HWY_INLINE VU gather(const std::uint32_t* values, VI index) {
+    alignas(64) std::uint32_t found[hn::MaxLanes(D())];
+    gather_lanes(values, index, found);
+    return hn::Load(DU(), found);
+}
+
+} // namespace ramus::render::caster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,109 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/caster/panes.cpp"
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
+#include "render/caster/meeting-inl.h"
+#include "render/caster/panes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::render::caster::HWY_NAMESPACE {
+
+constexpr int kN = int(hn::MaxLanes(D()));
+alignas(64) constexpr float kColumn[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr float kRow[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+// The stretches that one ray goes through cones, sorted by where they begin.
+struct Stretches {
+    float in[kMostPanes], out[kMostPanes];
+    std::uint32_t id[kMostPanes], normal[kMostPanes];
+    int count;
+
+    // Where there is no room, the farthest gives way.
+    HWY_INLINE void insert(float from, float to, std::uint32_t of, std::uint32_t facing) {
+        if (count == kMostPanes && in[kMostPanes - 1] <= from) return;
+        int at = count < kMostPanes ? count++ : kMostPanes - 1;
+        for (; at > 0 && in[at - 1] > from; --at)
+            in[at] = in[at - 1], out[at] = out[at - 1], id[at] = id[at - 1], normal[at] = normal[at - 1];
+        in[at] = from, out[at] = to, id[at] = of, normal[at] = facing;
+    }
+};
+
+void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
+               const Samples& samples, const PictureArrays& picture, Panes& panes) {
+    const D d;
+    const DU du;
+    panes.count = 0;
+    Stretches lists[16];
+    alignas(64) float in[16], out[16];
+    alignas(64) std::uint32_t normals[16];
+    constexpr float kHalf = 0.5F * kBlock;
+    for (int block = 0; block < kBlocks * kBlocks; ++block) {
+        const int left = block % kBlocks * kBlock, low = block / kBlocks * kBlock;
+        if (x + left >= view.width || y + low >= view.height) continue;
+        const auto fx = static_cast<float>(x + left), fy = static_cast<float>(y + low);
+        for (int sample = 0; sample < kSamples; ++sample) {
+            bool any = false;
+            for (Stretches& list : lists) list.count = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const Cone& cone = cones[order[i]];
+                if (cone.nearest >= samples.farthest[block] || !reaches(cone, fx + kHalf, fy + kHalf)) continue;
+                for (int lane = 0; lane < 16; lane += kN) {
+                    const Rays rays =
+                        rays_through(view, hn::Add(hn::Load(d, kColumn + lane), set(fx + kSampleX[sample])),
+                                     hn::Add(hn::Load(d, kRow + lane), set(fy + kSampleY[sample])));
+                    const Meeting found = view.flat ? meet<true, true>(cone, rays) : meet<false, true>(cone, rays);
+                    const M before =
+                        hn::And(found.there, hn::Lt(found.depth, hn::Load(d, samples.depth[block][sample] + lane)));
+                    if (hn::AllFalse(d, before)) continue;
+                    any = true;
+                    hn::Store(found.depth, d, in);
+                    hn::Store(found.out, d, out);
+                    hn::Store(packed_normal(normal_at(cone, found)), du, normals);
+                    alignas(64) float marks[16];
+                    hn::Store(hn::IfThenElseZero(before, set(1.0F)), d, marks);
+                    for (int k = 0; k < kN; ++k)
+                        if (marks[k] != 0.0F) lists[lane + k].insert(in[k], out[k], cone.id, normals[k]);
+                }
+            }
+            if (!any) continue;
+            for (int lane = 0; lane < 16; ++lane) {
+                const Stretches& list = lists[lane];
+                const int column = left + lane % kBlock, row = low + lane / kBlock;
+                float inside_until = -kNothing;
+                for (int k = 0; k < list.count; ++k) {
+                    const bool enters = list.in[k] > inside_until;
+                    if (list.out[k] > inside_until) inside_until = list.out[k];
+                    if (!enters) continue;
+                    const std::size_t n = panes.count++;
+                    panes.place[n] = static_cast<std::uint32_t>(row * kTile + column) |
+                                     static_cast<std::uint32_t>(sample) << kSampleShift;
+                    panes.id[n] = list.id[k];
+                    panes.normal[n] = list.normal[k];
+                    panes.depth[n] = list.in[k];
+                    const std::size_t at = std::size_t(y + row) * std::size_t(view.stride) + std::size_t(x + column);
+                    if (picture.id[at] == 0) {
+                        picture.id[at] = list.id[k];
+                        picture.picked_depth[at] = list.in[k];
+                    }
+                }
+            }
+        }
+    }
+}
+
+} // namespace ramus::render::caster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ramus::render::caster {
+
+HWY_EXPORT(ListPanes);
+
+void list_panes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
+                const Samples& samples, const PictureArrays& picture, Panes& panes) {
+    HWY_DYNAMIC_DISPATCH(ListPanes)(view, cones, order, count, x, y, samples, picture, panes);
+}
+
+} // namespace ramus::render::caster
+#endif

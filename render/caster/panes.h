@@ -1,0 +1,23 @@
+// The caster's glass: what of it every sample sees, nearest first. The cones of one vessel tree overlap, so that a ray
+// goes through glass from where it enters any of them to where it has left all of them: one pane, at its front.
+#pragma once
+
+#include "render/caster/cast_types.h"
+
+namespace ramus::render::caster {
+
+struct Panes {
+    std::uint32_t* place; // pixel of the tile, sample << kSampleShift
+    std::uint32_t* id;
+    std::uint32_t* normal;
+    float* depth;
+    std::size_t count;
+};
+inline constexpr std::size_t kMostPanesOfTile = std::size_t{kTilePixels} * kSamples * kMostPanes + 16;
+
+// What lies before the samples' opaque surfaces; sample by sample, nearest first. Pixels of `picture` without anything
+// opaque are picked as the glass they show.
+void list_panes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
+                const Samples& samples, const PictureArrays& picture, Panes& panes);
+
+} // namespace ramus::render::caster
