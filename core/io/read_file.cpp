@@ -4,21 +4,37 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <unistd.h>
 
 namespace ramus::io {
 
-Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+namespace {
+
+tl::unexpected<Error> cannot_open(const std::string& name, int number) {
+    return fail(std::string("cannot be opened: ") + std::strerror(number != 0 ? number : EIO), name,
+                "check its permissions");
+}
+
+} // namespace
+
+Result<void> check_input(const std::filesystem::path& path) {
     const std::string name = path.string();
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) return fail("no such file", name, "check the path");
     if (std::filesystem::is_directory(status))
         return fail("this is a directory, not a file", name, "name a file in it");
+    // Not opened here: a pipe can be opened but once.
+    if (::access(path.c_str(), R_OK) != 0) return cannot_open(name, errno);
+    return {};
+}
+
+Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+    const std::string name = path.string();
+    if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return fail(std::string("cannot be opened: ") + std::strerror(errno != 0 ? errno : EIO), name,
-                    "check its permissions");
+    if (!file) return cannot_open(name, errno);
     // Read until the end rather than trust a size: pipes have none, and files may grow.
     std::string text;
     char buffer[1 << 16];

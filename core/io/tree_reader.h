@@ -20,4 +20,7 @@ struct ReadOptions {
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
                                             std::uintmax_t limit = std::uintmax_t{4} << 30);
 
+// Whether there is a file to be read at `path`, or an error that says why not.
+[[nodiscard]] Result<void> check_input(const std::filesystem::path& path);
+
 } // namespace ramus::io
