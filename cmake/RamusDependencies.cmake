@@ -9,3 +9,11 @@ find_package(PNG REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp) # its CMake files ask for packages that it does not need
+
+# NIfTI volumes; Debian's package brings no CMake files.
+find_path(RAMUS_NIFTI_INCLUDE nifti/nifti2_io.h REQUIRED)
+find_library(RAMUS_NIFTI_LIBRARY nifti2 REQUIRED)
+find_library(RAMUS_ZNZ_LIBRARY znz REQUIRED)
+add_library(ramus_nifti INTERFACE)
+target_include_directories(ramus_nifti SYSTEM INTERFACE ${RAMUS_NIFTI_INCLUDE} ${RAMUS_NIFTI_INCLUDE}/nifti)
+target_link_libraries(ramus_nifti INTERFACE ${RAMUS_NIFTI_LIBRARY} ${RAMUS_ZNZ_LIBRARY})

@@ -1,0 +1,59 @@
+#include "core/volume/volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace ramus::volume {
+
+std::size_t voxel_count(const Volume& volume) {
+    return static_cast<std::size_t>(volume.size.x) * static_cast<std::size_t>(volume.size.y) *
+           static_cast<std::size_t>(volume.size.z);
+}
+
+bool holds_whole_numbers(const Volume& volume) { return !std::holds_alternative<LargeArray<float>>(volume.voxels); }
+
+double value_at(const Volume& volume, const glm::ivec3& voxel) {
+    const auto at = static_cast<std::size_t>(voxel.x) +
+                    static_cast<std::size_t>(volume.size.x) *
+                        (static_cast<std::size_t>(voxel.y) +
+                         static_cast<std::size_t>(volume.size.y) * static_cast<std::size_t>(voxel.z));
+    return std::visit([&](const auto& values) { return static_cast<double>(values[at]); }, volume.voxels);
+}
+
+bool looks_like_a_mask(const Volume& volume) {
+    return volume.minimum >= 0.0 && volume.maximum <= (holds_whole_numbers(volume) ? 255.0 : 1.0);
+}
+
+glm::dvec3 spacing_mm(const glm::dmat4& to_patient) {
+    return {glm::length(glm::dvec3(to_patient[0])), glm::length(glm::dvec3(to_patient[1])),
+            glm::length(glm::dvec3(to_patient[2]))};
+}
+
+double voxel_volume_mm3(const glm::dmat4& to_patient) { return std::abs(glm::determinant(glm::dmat3(to_patient))); }
+
+bool mirrors(const glm::dmat4& to_patient) { return glm::determinant(glm::dmat3(to_patient)) < 0.0; }
+
+std::string orientation(const glm::dmat4& to_patient) {
+    // The one assignment of the three axes to the patient's that turns them the least.
+    std::array<int, 3> order{0, 1, 2};
+    std::array<int, 3> best = order;
+    double most = -1.0;
+    do {
+        double sum = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            sum += std::abs(glm::normalize(glm::dvec3(to_patient[axis]))[order[static_cast<std::size_t>(axis)]]);
+        if (sum > most) most = sum, best = order;
+    } while (std::ranges::next_permutation(order).found);
+    std::string letters;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int patient_axis = best[static_cast<std::size_t>(axis)];
+        letters += (to_patient[axis][patient_axis] < 0.0 ? "LPI" : "RAS")[patient_axis];
+    }
+    return letters;
+}
+
+} // namespace ramus::volume

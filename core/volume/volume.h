@@ -1,0 +1,45 @@
+// Volume: a voxel image, a segmentation mask as a rule, and where it lies in the patient. A plain value; large ones are
+// shared as shared_ptr<const Volume>. Values are kept in the smallest type that holds them all, whatever type the file
+// has: masks take a byte for each voxel.
+#pragma once
+
+#include "core/base/large_array.h"
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ramus::volume {
+
+// Whole numbers exactly; others in single precision.
+using Voxels = std::variant<LargeArray<std::uint8_t>, LargeArray<std::uint16_t>, LargeArray<std::int16_t>,
+                            LargeArray<std::int32_t>, LargeArray<float>>;
+
+struct Volume {
+    glm::ivec3 size{0};
+    // Of voxel indices, whole numbers at the centres, to mm, RAS. Invertible and finite; may mirror and shear.
+    glm::dmat4 to_patient{1.0};
+    Voxels voxels; // of (i, j, k) at i + size.x * (j + size.y * k)
+    double minimum = 0.0, maximum = 0.0;
+    std::string type;               // as it was kept: "NIfTI-1, int16"
+    std::vector<std::string> notes; // what was assumed where the file does not say; one sentence each
+};
+
+[[nodiscard]] std::size_t voxel_count(const Volume& volume);
+[[nodiscard]] bool holds_whole_numbers(const Volume& volume);
+[[nodiscard]] double value_at(const Volume& volume, const glm::ivec3& voxel); // of a voxel within `size`
+
+// What may be taken for a mask without a word: whole numbers from 0 to 255, or fractions from 0 to 1.
+[[nodiscard]] bool looks_like_a_mask(const Volume& volume);
+
+[[nodiscard]] glm::dvec3 spacing_mm(const glm::dmat4& to_patient); // from voxel to voxel along each axis of the volume
+[[nodiscard]] double voxel_volume_mm3(const glm::dmat4& to_patient);
+[[nodiscard]] bool mirrors(const glm::dmat4& to_patient); // turns right hands into left ones
+
+// Where each axis of the volume leads, for oblique ones nearly: "RAS" is right, anterior, superior; also L, P, I.
+[[nodiscard]] std::string orientation(const glm::dmat4& to_patient);
+
+} // namespace ramus::volume
