@@ -1,0 +1,139 @@
+#include "core/volume/bit_mask.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+#include <oneapi/tbb/parallel_for.h>
+#include <string>
+#include <type_traits>
+
+namespace ramus::volume {
+
+BitMask::BitMask(const glm::ivec3& size) : size_(size), row_words_((static_cast<std::size_t>(size.x) + 2 + 63) / 64) {
+    words_.resize(first_of(0, size.z), 0);
+}
+
+bool BitMask::test(const glm::ivec3& voxel) const {
+    for (int axis = 0; axis < 3; ++axis)
+        if (voxel[axis] < 0 || voxel[axis] >= size_[axis]) return false;
+    const auto bit = static_cast<std::size_t>(voxel.x) + 1;
+    return (row(voxel.y, voxel.z)[bit / 64] >> (bit % 64) & 1) != 0;
+}
+
+void BitMask::set(const glm::ivec3& voxel) {
+    const auto bit = static_cast<std::size_t>(voxel.x) + 1;
+    row(voxel.y, voxel.z)[bit / 64] |= std::uint64_t{1} << (bit % 64);
+}
+
+std::uint64_t BitMask::count() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t word : words_) sum += static_cast<std::uint64_t>(std::popcount(word));
+    return sum;
+}
+
+namespace {
+
+template <class T> bool all_zero(const T* values, std::size_t count) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(values);
+    std::uint8_t any = 0;
+    for (std::size_t n = 0; n < count * sizeof(T); ++n) any |= bytes[n];
+    return any == 0;
+}
+
+template <class T, class Inside>
+void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, const Inside& is_inside) {
+    // Most rows of a vessel mask are nothing but outside.
+    const bool skip_zeros = !is_inside(T(0));
+    if (skip_zeros && all_zero(values, count)) return;
+    for (std::size_t word = 0, first = 0; first < count; ++word) {
+        const std::size_t begin = word == 0 ? 1 : 0;
+        const std::size_t bits = std::min(64 - begin, count - first);
+        if (!skip_zeros || !all_zero(values + first, bits)) {
+            std::uint64_t gathered = 0;
+            for (std::size_t n = 0; n < bits; ++n)
+                gathered |= std::uint64_t{is_inside(values[first + n])} << (begin + n);
+            row[word] = gathered;
+        }
+        first += bits;
+    }
+}
+
+template <class T, class Inside>
+Result<BitMask> fill(const Volume& volume, const LargeArray<T>& values, const Inside& is_inside,
+                     const JobStretch& job) {
+    BitMask mask(volume.size);
+    const auto columns = static_cast<std::size_t>(volume.size.x);
+    const auto rows = static_cast<std::size_t>(volume.size.y);
+    std::atomic<int> done{0};
+    std::atomic<bool> any{false};
+    tbb::parallel_for(0, volume.size.z, [&](int k) {
+        if (job.cancelled()) return;
+        for (int j = 0; j < volume.size.y; ++j) {
+            const std::size_t first = columns * (static_cast<std::size_t>(j) + rows * static_cast<std::size_t>(k));
+            fill_row(values.data() + first, columns, mask.row(j, k), is_inside);
+        }
+        if (std::ranges::any_of(mask.slice(k), [](std::uint64_t word) { return word != 0; })) any = true;
+        job.report(static_cast<float>(++done) / static_cast<float>(volume.size.z));
+    });
+    if (job.cancelled()) return fail("cancelled");
+    if (!any) return fail("nothing is inside", {}, "choose another label or isovalue");
+    return mask;
+}
+
+// For each value of a type of at most two bytes, by its bits: whether it is one of the labels.
+template <class T> std::vector<std::uint8_t> table_of(const std::vector<std::int32_t>& labels) {
+    std::vector<std::uint8_t> table(std::size_t{1} << (8 * sizeof(T)), labels.empty() ? 1 : 0);
+    if (labels.empty()) table[0] = 0;
+    for (const std::int32_t label : labels)
+        if (std::in_range<T>(label)) table[static_cast<std::make_unsigned_t<T>>(label)] = 1;
+    return table;
+}
+
+template <class T>
+Result<BitMask> fill_labels(const Volume& volume, const LargeArray<T>& values, std::vector<std::int32_t> labels,
+                            const JobStretch& job) {
+    for (const std::int32_t label : labels)
+        if (!std::in_range<T>(label) || std::ranges::find(values, static_cast<T>(label)) == values.end())
+            return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
+    if constexpr (sizeof(T) <= 2) {
+        const auto table = table_of<T>(labels);
+        return fill(
+            volume, values, [&](T v) { return table[static_cast<std::make_unsigned_t<T>>(v)] != 0; }, job);
+    } else {
+        std::ranges::sort(labels);
+        return fill(
+            volume, values, [&](T v) { return labels.empty() ? v != 0 : std::ranges::binary_search(labels, v); }, job);
+    }
+}
+
+} // namespace
+
+std::optional<double> isovalue_of(const Volume& volume, const Selection& selection) {
+    if (selection.isovalue) return selection.isovalue;
+    if (selection.labels.empty() && !holds_whole_numbers(volume)) return 0.5;
+    return std::nullopt;
+}
+
+Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobStretch& job) {
+    if (!selection.labels.empty() && !holds_whole_numbers(volume))
+        return fail("its values are fractions, not labels", {}, "choose an --isovalue");
+    if (selection.labels.empty() && !selection.isovalue && !looks_like_a_mask(volume))
+        return fail("its values, from " + std::to_string(volume.minimum) + " to " + std::to_string(volume.maximum) +
+                        ", are not those of a mask",
+                    {}, "choose an --isovalue, or a --label");
+    const auto isovalue = isovalue_of(volume, selection);
+    return std::visit(
+        [&]<class T>(const LargeArray<T>& values) -> Result<BitMask> {
+            if (isovalue) {
+                const double value = *isovalue;
+                return fill(
+                    volume, values, [value](T v) { return static_cast<double>(v) >= value; }, job);
+            }
+            if constexpr (std::is_integral_v<T>) return fill_labels(volume, values, selection.labels, job);
+            return fail("its values are fractions, not labels", {}, "choose an --isovalue");
+        },
+        volume.voxels);
+}
+
+} // namespace ramus::volume

@@ -1,0 +1,132 @@
+#include "core/volume/isosurface.h"
+
+#include "core/base/memory.h"
+#include "core/volume/slab_mesher.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <oneapi/tbb/task_arena.h>
+#include <string>
+
+namespace ramus::volume {
+
+namespace {
+
+struct Midway {
+    static constexpr double kLeast = 0.5; // nearest that a vertex comes to a voxel centre
+    [[nodiscard]] double at(int, const glm::ivec3&) const { return 0.5; }
+};
+
+// Where a line between the values of two voxels has the isovalue.
+template <class T> struct Interpolated {
+    // Samples at the isovalue itself would let all vertices around them fall into one place.
+    static constexpr double kLeast = 1.0 / 256.0;
+    const Volume& volume;
+    const T* values;
+    double isovalue;
+
+    [[nodiscard]] double at(int axis, const glm::ivec3& voxel) const {
+        glm::ivec3 next = voxel;
+        ++next[axis];
+        if (voxel[axis] < 0 || next[axis] >= volume.size[axis]) return 0.5; // outside has no value
+        const double here = value(voxel);
+        return std::clamp((isovalue - here) / (value(next) - here), kLeast, 1.0 - kLeast);
+    }
+    [[nodiscard]] double value(const glm::ivec3& v) const {
+        const auto x = static_cast<std::size_t>(volume.size.x);
+        const auto y = static_cast<std::size_t>(volume.size.y);
+        return static_cast<double>(values[static_cast<std::size_t>(v.x) +
+                                          x * (static_cast<std::size_t>(v.y) + y * static_cast<std::size_t>(v.z))]);
+    }
+};
+
+// Whether single precision, in which meshes are, has enough steps where the volume lies.
+Result<void> check_precision(const glm::ivec3& size, const glm::dmat4& to_patient, double least) {
+    double farthest = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 voxel((corner & 1) != 0 ? size.x : -1, (corner & 2) != 0 ? size.y : -1,
+                               (corner & 4) != 0 ? size.z : -1, 1.0);
+        const glm::dvec3 place(to_patient * voxel);
+        for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(place[axis]));
+    }
+    const glm::dvec3 spacing = spacing_mm(to_patient);
+    const double widest =
+        std::max({spacing.x * spacing.y, spacing.y * spacing.z, spacing.z * spacing.x}); // of a voxel's faces
+    const double step = farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
+    if (4.0 * step < least * voxel_volume_mm3(to_patient) / widest) return {};
+    return fail("its voxels are too small, or too far from the origin, for single precision", {},
+                "check the unit of length, or move the volume to the origin");
+}
+
+template <class Crossing>
+Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patient, Crossing crossing,
+                                const IsosurfaceOptions& options, const JobStretch& job) {
+    if (auto precise = check_precision(mask.size(), to_patient, Crossing::kLeast); !precise)
+        return tl::unexpected(precise.error());
+    SlabMesher mesher(mask, to_patient, std::move(crossing), job);
+    mesher.count();
+    if (job.cancelled()) return fail("cancelled");
+    if (mesher.vertices() > std::numeric_limits<std::uint32_t>::max())
+        return fail("the surface has more vertices than a mesh can count", {}, "crop the volume");
+    const double bytes = 2.0 * sizeof(glm::vec3) * static_cast<double>(mesher.vertices()) +
+                         sizeof(glm::uvec3) * static_cast<double>(mesher.triangles());
+    const double left = memory_limit(options.memory_bytes) - process_memory();
+    if (bytes > left)
+        return fail("the surface takes " + std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
+                        std::to_string(std::llround(std::max(0.0, left) / 1e6)) + " MB are left to it",
+                    {}, "crop the volume, or raise --memory");
+    return mesher.make();
+}
+
+// In as many threads as asked for, and with a word instead of an exception when memory ends.
+template <class Work> Result<mesh::TriangleMesh> run_with(const IsosurfaceOptions& options, const Work& work) {
+    try {
+        if (options.threads <= 0) return work();
+        tbb::task_arena arena(options.threads);
+        return arena.execute(work);
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory for this surface", {}, "crop the volume");
+    }
+}
+
+// `done_with_values` is called when they are not asked for any more but there is work to do.
+template <class Done>
+Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& selection,
+                                      const IsosurfaceOptions& options, Job& job, const Done& done_with_values) {
+    return run_with(options, [&]() -> Result<mesh::TriangleMesh> {
+        const auto mask = inside(volume, selection, JobStretch(job, 0.0F, 0.3F));
+        if (!mask) return tl::unexpected(mask.error());
+        const JobStretch rest(job, 0.3F, 1.0F);
+        if (const auto isovalue = isovalue_of(volume, selection)) {
+            return std::visit(
+                [&]<class T>(const LargeArray<T>& values) {
+                    return make(*mask, volume.to_patient, Interpolated<T>{volume, values.data(), *isovalue}, options,
+                                rest);
+                },
+                volume.voxels);
+        }
+        done_with_values();
+        return make(*mask, volume.to_patient, Midway{}, options, rest);
+    });
+}
+
+} // namespace
+
+Result<mesh::TriangleMesh> isosurface(const Volume& volume, const Selection& selection,
+                                      const IsosurfaceOptions& options, Job& job) {
+    return surface_of(volume, selection, options, job, [] {});
+}
+
+Result<mesh::TriangleMesh> isosurface(Volume&& volume, const Selection& selection, const IsosurfaceOptions& options,
+                                      Job& job) {
+    Volume taken = std::move(volume);
+    return surface_of(taken, selection, options, job, [&] { taken.voxels = Voxels(); });
+}
+
+Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
+                                        const IsosurfaceOptions& options, Job& job) {
+    return run_with(options, [&] { return make(mask, to_patient, Midway{}, options, JobStretch(job, 0.0F, 1.0F)); });
+}
+
+} // namespace ramus::volume
