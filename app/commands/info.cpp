@@ -2,8 +2,10 @@
 
 #include "app/commands/load_tree.h"
 #include "app/commands/surface_flags.h"
+#include "app/commands/volume_info.h"
 #include "app/session/numbers.h"
 #include "core/measure/tree_statistics.h"
+#include "core/volume/read_volume.h"
 
 #include <iomanip>
 #include <iostream>
@@ -102,6 +104,11 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
 }
 
 Result<int> run_info(const InfoFlags& flags) {
+    if (volume::names_volume(flags.file)) {
+        if (flags.branches)
+            return fail("a volume has no branches", flags.file, "leave out --branches, or name a vessel tree");
+        return run_volume_info(flags.file, flags.surface, flags.json);
+    }
     const auto tree = io::read_tree(flags.file, flags.surface.read);
     if (!tree) return tl::unexpected(tree.error());
     const measure::TreeStatistics statistics = measure::tree_statistics(*tree);
@@ -115,9 +122,9 @@ Result<int> run_info(const InfoFlags& flags) {
 } // namespace
 
 void register_info(CLI::App& app, Action& chosen) {
-    CLI::App* command = add_command(app, "info", "Say what a vessel tree consists of");
+    CLI::App* command = add_command(app, "info", "Say what a vessel tree or a segmentation mask consists of");
     const auto flags = std::make_shared<InfoFlags>();
-    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
+    command->add_option("FILE", flags->file, "Vessel tree, or mask (.nii, .nii.gz)")->type_name("")->required();
     command->add_flag("--json", flags->json, "Print one JSON object");
     command->add_flag("--branches", flags->branches, "List every branch too");
     add_reading_flags(*command, flags->surface);

@@ -1,6 +1,7 @@
 #include "app/commands/mesh.h"
 
 #include "app/commands/load_tree.h"
+#include "app/commands/mesh_of_mask.h"
 #include "app/commands/open_session.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/write_surface.h"
@@ -20,14 +21,38 @@ namespace {
 
 struct MeshFlags {
     SurfaceFlags surface;
+    MaskFlags mask;
     std::string file, session, output;
     bool json = false;
 };
+
+void report(const MeshFlags& flags, const WrittenSurface& written, double load_s) {
+    if (flags.json) {
+        nlohmann::ordered_json figures = {
+            {"vertices", written.vertices}, {"triangles", written.triangles}, {"components", written.components}};
+        if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
+        figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
+        std::cout << figures.dump(2) << '\n';
+    } else {
+        std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
+                  << counted(written.vertices, "vertex", "vertices") << ", "
+                  << counted(static_cast<std::uint64_t>(written.components), "component", "components") << " in "
+                  << rounded(load_s + written.mesh_s + written.write_s) << " s\n";
+    }
+}
 
 Result<int> run_mesh(const MeshFlags& flags) {
     // What would fail at the end shall fail at the beginning.
     if (auto format = io::mesh_format(flags.output); !format) return tl::unexpected(format.error());
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
+
+    if (flags.mask.iso) {
+        double load_s = 0.0;
+        const auto written = mesh_of_mask(flags.file, flags.mask, flags.surface, flags.output, load_s);
+        if (!written) return tl::unexpected(written.error());
+        report(flags, *written, load_s);
+        return kDone;
+    }
 
     const Stopwatch watch;
     const auto opened = open_session(flags.file, flags.session, flags.surface);
@@ -41,31 +66,20 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (!written) return tl::unexpected(written.error());
     say(flags.surface, counted(written->evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written->mesh_s) + " s" + (written->streamed ? ", streamed to the disk" : ""));
-
-    if (flags.json) {
-        const nlohmann::ordered_json report = {{"vertices", written->vertices},
-                                               {"triangles", written->triangles},
-                                               {"components", written->components},
-                                               {"evaluations", written->evaluations},
-                                               {"load_s", load_s},
-                                               {"mesh_s", written->mesh_s},
-                                               {"write_s", written->write_s}};
-        std::cout << report.dump(2) << '\n';
-    } else {
-        std::cout << flags.output << ": " << counted(written->triangles, "triangle", "triangles") << ", "
-                  << counted(written->vertices, "vertex", "vertices") << ", "
-                  << counted(static_cast<std::uint64_t>(written->components), "component", "components") << " in "
-                  << rounded(load_s + written->mesh_s + written->write_s) << " s\n";
-    }
+    report(flags, *written, load_s);
     return kDone;
 }
 
 } // namespace
 
 void register_mesh(CLI::App& app, Action& chosen) {
-    CLI::App* command = add_command(app, "mesh", "Write the surface of a vessel tree as .ply, .stl or .obj");
+    CLI::App* command = add_command(
+        app, "mesh", "Write the surface of a vessel tree, or of a segmentation mask, as .ply, .stl or .obj");
     const auto flags = std::make_shared<MeshFlags>();
-    command->add_option("FILE", flags->file, "Vessel tree; may be left out with --session")->type_name("");
+    command
+        ->add_option("FILE", flags->file,
+                     "Vessel tree, may be left out with --session; with --method iso a mask (.nii, .nii.gz)")
+        ->type_name("");
     command->add_option("-o,--output", flags->output, "Mesh to write: .ply, .stl or .obj")
         ->type_name("MESH")
         ->required();
@@ -73,17 +87,23 @@ void register_mesh(CLI::App& app, Action& chosen) {
                                                                  {"cones", mesh::Method::kTruncatedCones}};
     command
         ->add_option_function<std::string>(
-            "--method", [flags](const std::string& name) { flags->surface.surface.method = kMethods.at(name); },
-            "cs: convolution surface (default); cones: truncated cones")
+            "--method",
+            [flags](const std::string& name) {
+                flags->mask.iso = name == "iso";
+                if (!flags->mask.iso) flags->surface.surface.method = kMethods.at(name);
+            },
+            "cs: convolution surface (default); cones: truncated cones; iso: isosurface of a mask")
         ->type_name("METHOD")
-        ->check(CLI::IsMember({"cs", "cones"}));
+        ->check(CLI::IsMember({"cs", "cones", "iso"}));
     command
         ->add_option("--session", flags->session,
                      "Of this session: its tree and surface options, without its hidden branches")
         ->type_name("FILE");
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     add_surface_flags(*command, flags->surface);
-    command->callback([flags, &chosen] {
+    add_mask_flags(*command, flags->mask);
+    command->callback([flags, command, &chosen] {
+        check_mask_flags(*command, flags->mask);
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
         chosen = [flags] { return run_mesh(*flags); };
     });

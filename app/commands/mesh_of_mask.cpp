@@ -1,0 +1,94 @@
+#include "app/commands/mesh_of_mask.h"
+
+#include "app/commands/interrupt.h"
+#include "app/commands/load_volume.h"
+#include "app/commands/progress_bar.h"
+#include "core/base/stopwatch.h"
+#include "core/io/mesh_writer.h"
+#include "core/measure/mesh_components.h"
+#include "core/volume/isosurface.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ramus::app {
+
+namespace {
+
+std::optional<std::vector<std::int32_t>> labels_in(const std::string& list) {
+    std::vector<std::int32_t> labels;
+    for (const std::string& word : CLI::detail::split(list, ',')) {
+        std::int32_t label = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
+        if (error != std::errc() || end != word.data() + word.size() || label == 0) return std::nullopt;
+        labels.push_back(label);
+    }
+    return labels;
+}
+
+} // namespace
+
+void add_mask_flags(CLI::App& command, MaskFlags& flags) {
+    CLI::Option* label =
+        command
+            .add_option_function<std::string>(
+                "--label", [&flags](const std::string& list) { flags.selection.labels = *labels_in(list); },
+                "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
+            ->type_name("N[,N...]")
+            ->check(CLI::Validator(
+                [](std::string& list) -> std::string {
+                    return labels_in(list) ? "" : list + " is not a list of whole numbers other than 0";
+                },
+                ""));
+    command
+        .add_option_function<double>(
+            "--isovalue",
+            [&flags](double value) {
+                if (!std::isfinite(value)) throw CLI::ValidationError("--isovalue", "must be a finite number");
+                flags.selection.isovalue = value;
+            },
+            "With iso: what is at least that is inside (default for fractions: 0.5)")
+        ->type_name("VALUE")
+        ->excludes(label);
+}
+
+void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
+    const std::vector<const char*> of_masks = {"--label", "--isovalue"};
+    const std::vector<const char*> of_trees = {"--session", "--smooth", "--prune", "--width",
+                                               "--detail",  "--cell",   "--repair"};
+    for (const char* name : flags.iso ? of_trees : of_masks)
+        if (command.get_option(name)->count() > 0)
+            throw CLI::ValidationError(name, flags.iso ? "has no meaning with --method iso"
+                                                       : "has a meaning only with --method iso");
+}
+
+Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& mask, const SurfaceFlags& flags,
+                                    const std::string& output, double& load_s) {
+    Stopwatch watch;
+    auto read = load_volume(file, flags);
+    if (!read) return tl::unexpected(read.error());
+    load_s = watch.lap();
+    Job job;
+    auto surface = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
+        return volume::isosurface(std::move(*read), mask.selection, options, job);
+    }();
+    if (job.cancelled()) return fail("cancelled; nothing was written");
+    if (!surface) {
+        if (surface.error().where.empty()) surface.error().where = file;
+        return tl::unexpected(surface.error());
+    }
+    WrittenSurface written{surface->positions.size(), surface->triangles.size()};
+    written.mesh_s = watch.lap();
+    if (auto saved = io::write_mesh(*surface, output); !saved) return tl::unexpected(saved.error());
+    written.write_s = watch.lap();
+    written.components = measure::component_count(*surface);
+    return written;
+}
+
+} // namespace ramus::app
