@@ -26,6 +26,7 @@ std::optional<std::vector<std::int32_t>> labels_in(const std::string& list) {
         if (error != std::errc() || end != word.data() + word.size() || label == 0) return std::nullopt;
         labels.push_back(label);
     }
+    if (labels.empty()) return std::nullopt;
     return labels;
 }
 
