@@ -1,8 +1,9 @@
-// Real trees live beside the checkout, not in it. Tests on them say so and pass where there are none.
+// Real trees and masks live beside the checkout, not in it. Tests on them say so and pass where there are none.
 #pragma once
 
 #include <doctest/doctest.h>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,15 @@ inline std::vector<std::filesystem::path> shared_trees() {
     std::sort(trees.begin(), trees.end());
     if (trees.empty()) MESSAGE("SKIPPED: no real trees in " << folder.string());
     return trees;
+}
+
+// A mask of the shared data; none (with a visible word) in a plain clone.
+inline std::optional<std::filesystem::path> shared_volume(const std::string& name) {
+    const std::filesystem::path path = std::filesystem::path(RAMUS_SHARED_DATA) / "volumes" / name;
+    std::error_code error;
+    if (std::filesystem::exists(path, error)) return path;
+    MESSAGE("SKIPPED: there is no " << path.string());
+    return std::nullopt;
 }
 
 } // namespace ramus::test
