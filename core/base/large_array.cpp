@@ -1,6 +1,7 @@
 #include "core/base/large_array.h"
 
 #include "core/base/paged_array.h"
+#include "core/base/sparse_array.h"
 
 #include <cstdint>
 #include <sys/mman.h>
@@ -39,6 +40,16 @@ void* take_pages(std::size_t bytes) {
     if (end < begin + mapped) munmap(reinterpret_cast<void*>(end), begin + mapped - end);
     memory = reinterpret_cast<void*>(aligned);
     ask_for_large_pages(memory, size);
+    return memory;
+}
+
+void* take_zero_pages(std::size_t bytes) {
+    const std::size_t size = whole(bytes, kPage);
+    void* memory = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+#ifdef MADV_NOHUGEPAGE
+    madvise(memory, size, MADV_NOHUGEPAGE); // one value in a large page would fill all of it
+#endif
     return memory;
 }
 

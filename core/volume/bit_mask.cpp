@@ -60,7 +60,7 @@ void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, 
 }
 
 template <class T, class Inside>
-Result<BitMask> fill(const Volume& volume, const LargeArray<T>& values, const Inside& is_inside,
+Result<BitMask> fill(const Volume& volume, const SparseArray<T>& values, const Inside& is_inside,
                      const JobStretch& job) {
     BitMask mask(volume.size);
     const auto columns = static_cast<std::size_t>(volume.size.x);
@@ -91,7 +91,7 @@ template <class T> std::vector<std::uint8_t> table_of(const std::vector<std::int
 }
 
 template <class T>
-Result<BitMask> fill_labels(const Volume& volume, const LargeArray<T>& values, std::vector<std::int32_t> labels,
+Result<BitMask> fill_labels(const Volume& volume, const SparseArray<T>& values, std::vector<std::int32_t> labels,
                             const JobStretch& job) {
     for (const std::int32_t label : labels)
         if (!std::in_range<T>(label) || std::ranges::find(values, static_cast<T>(label)) == values.end())
@@ -124,7 +124,7 @@ Result<BitMask> inside(const Volume& volume, const Selection& selection, const J
                     {}, "choose an --isovalue, or a --label");
     const auto isovalue = isovalue_of(volume, selection);
     return std::visit(
-        [&]<class T>(const LargeArray<T>& values) -> Result<BitMask> {
+        [&]<class T>(const SparseArray<T>& values) -> Result<BitMask> {
             if (isovalue) {
                 const double value = *isovalue;
                 return fill(

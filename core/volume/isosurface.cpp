@@ -100,7 +100,7 @@ Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& sel
         const JobStretch rest(job, 0.3F, 1.0F);
         if (const auto isovalue = isovalue_of(volume, selection)) {
             return std::visit(
-                [&]<class T>(const LargeArray<T>& values) {
+                [&]<class T>(const SparseArray<T>& values) {
                     return make(*mask, volume.to_patient, Interpolated<T>{volume, values.data(), *isovalue}, options,
                                 rest);
                 },

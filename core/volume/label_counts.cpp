@@ -15,7 +15,7 @@ using Counts = std::map<std::int32_t, std::uint64_t>;
 using Stretch = tbb::blocked_range<std::size_t>;
 
 // Neighbours are alike as a rule, so that counting goes run by run.
-template <class T> Counts count_runs(const LargeArray<T>& values, const Stretch& stretch, Counts counts) {
+template <class T> Counts count_runs(const SparseArray<T>& values, const Stretch& stretch, Counts counts) {
     for (std::size_t first = stretch.begin(); first < stretch.end();) {
         const T value = values[first];
         std::size_t end = first + 1;
@@ -37,7 +37,7 @@ constexpr std::size_t kGrain = std::size_t{1} << 20;
 
 std::vector<LabelCount> label_counts(const Volume& volume) {
     const Counts counts = std::visit(
-        [&]<class T>(const LargeArray<T>& values) -> Counts {
+        [&]<class T>(const SparseArray<T>& values) -> Counts {
             if constexpr (std::is_integral_v<T>)
                 return tbb::parallel_reduce(
                     Stretch(0, values.size(), kGrain), Counts(),

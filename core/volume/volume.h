@@ -1,9 +1,9 @@
 // Volume: a voxel image, a segmentation mask as a rule, and where it lies in the patient. A plain value; large ones are
 // shared as shared_ptr<const Volume>. Values are kept in the smallest type that holds them all, whatever type the file
-// has: masks take a byte for each voxel.
+// has: masks take a byte for each voxel, and nothing where there are rows of zeros.
 #pragma once
 
-#include "core/base/large_array.h"
+#include "core/base/sparse_array.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -15,8 +15,8 @@
 namespace ramus::volume {
 
 // Whole numbers exactly; others in single precision.
-using Voxels = std::variant<LargeArray<std::uint8_t>, LargeArray<std::uint16_t>, LargeArray<std::int16_t>,
-                            LargeArray<std::int32_t>, LargeArray<float>>;
+using Voxels = std::variant<SparseArray<std::uint8_t>, SparseArray<std::uint16_t>, SparseArray<std::int16_t>,
+                            SparseArray<std::int32_t>, SparseArray<float>>;
 
 struct Volume {
     glm::ivec3 size{0};

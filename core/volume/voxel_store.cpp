@@ -30,7 +30,7 @@ std::string text_of(double whole) {
 VoxelStore::VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name)
     : size_(size),
       total_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z)),
-      memory_bytes_(memory_bytes), name_(std::move(name)), voxels_(LargeArray<std::uint8_t>()) {
+      memory_bytes_(memory_bytes), name_(std::move(name)), voxels_(SparseArray<std::uint8_t>()) {
     std::get<0>(voxels_).resize(total_);
 }
 
@@ -58,14 +58,10 @@ template <class Value> VoxelStore::Range VoxelStore::range_of(const Value* value
 }
 
 template <class To> void VoxelStore::move_to() {
-    if (std::holds_alternative<LargeArray<To>>(voxels_)) return;
-    LargeArray<To> larger;
+    if (std::holds_alternative<SparseArray<To>>(voxels_)) return;
+    SparseArray<To> larger;
     larger.resize(total_);
-    std::visit(
-        [&](const auto& from) {
-            for (std::size_t n = 0; n < used_; ++n) larger[n] = static_cast<To>(from[n]);
-        },
-        voxels_);
+    std::visit([&](const auto& from) { copy_sparsely(from.data(), used_, larger.data()); }, voxels_);
     voxels_ = std::move(larger);
 }
 
@@ -129,13 +125,7 @@ template <class Value> Result<void> VoxelStore::put(const Value* values, std::si
                     "replace it, by 0 if nothing was measured there");
     }
     if (auto room = make_room_for(range, std::is_integral_v<Value>); !room) return room;
-    std::visit(
-        [&](auto& kept) {
-            using Kept = typename std::remove_cvref_t<decltype(kept)>::value_type;
-            Kept* to = kept.data() + used_;
-            for (std::size_t n = 0; n < count; ++n) to[n] = static_cast<Kept>(values[n]);
-        },
-        voxels_);
+    std::visit([&](auto& kept) { copy_sparsely(values, count, kept.data() + used_); }, voxels_);
     used_ += count;
     return {};
 }

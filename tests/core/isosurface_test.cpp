@@ -1,4 +1,5 @@
 // Surfaces of masks and fields: closed, manifold, with the topology of the voxels, and where geometry says they are.
+#include "core/base/memory.h"
 #include "core/measure/mesh_components.h"
 #include "core/volume/isosurface.h"
 #include "tests/support/mesh_topology.h"
@@ -58,7 +59,7 @@ volume::Volume sampled(const glm::ivec3& size, const glm::dmat4& to_patient, Val
     volume::Volume volume;
     volume.size = size;
     volume.to_patient = to_patient;
-    LargeArray<T> values;
+    SparseArray<T> values;
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)
             for (int i = 0; i < size.x; ++i) values.push_back(static_cast<T>(value(glm::dvec3(i, j, k))));
@@ -267,4 +268,16 @@ TEST_CASE("a surface is refused when memory, precision or patience end") {
               .find("single precision") != std::string::npos);
     job.cancel();
     CHECK(refusal(glm::dmat4(1.0), 0.0) == "cancelled");
+}
+
+TEST_CASE("zeros of a volume take no memory") {
+    const double before = process_memory();
+    SparseArray<float> values;
+    values.resize(std::size_t{64} << 20); // 256 MB
+    const std::vector<std::uint8_t> zeros(std::size_t{1} << 20);
+    for (std::size_t at = 0; at < values.size(); at += zeros.size())
+        copy_sparsely(zeros.data(), zeros.size(), values.data() + at);
+    CHECK(values[12345678] == 0.0F);
+    values[23456789] = 1.0F;
+    CHECK(process_memory() - before < 16e6);
 }

@@ -76,7 +76,7 @@ template <class T> void check_type(NiftiType type, const std::vector<T>& values)
 }
 
 template <class T> bool kept_as(const volume::Volume& volume) {
-    return std::holds_alternative<LargeArray<T>>(volume.voxels);
+    return std::holds_alternative<SparseArray<T>>(volume.voxels);
 }
 
 } // namespace
