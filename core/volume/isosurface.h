@@ -34,7 +34,7 @@ struct IsosurfaceOptions {
 [[nodiscard]] Result<mesh::TriangleMesh> isosurface(Volume&& volume, const Selection& selection,
                                                     const IsosurfaceOptions& options, Job& job);
 
-// Likewise of a mask alone, with every vertex midway.
+// Likewise of a mask alone, with every vertex midway; of an empty one no triangles.
 [[nodiscard]] Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
                                                       const IsosurfaceOptions& options, Job& job);
 
