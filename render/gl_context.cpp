@@ -1,7 +1,11 @@
 #include "render/gl_context.h"
 
+#include "render/gl_floor.h"
+
+#include <algorithm>
 #include <cstdio>
 #include <glad/gl.h>
+#include <string_view>
 #include <utility>
 
 namespace ramus::render {
@@ -10,34 +14,49 @@ namespace {
 
 int error_count = 0;
 bool out_of_memory = false;
+bool tells_by_itself = false; // debug messages are on
 std::string last_error;
+GlVersion found_version;
+GlVersion newest_allowed{99, 0};
 
-void GLAD_API_PTR note_message(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei, const GLchar* message,
-                               const void*) {
-    if (type != GL_DEBUG_TYPE_ERROR) return;
+void count_error(std::string text) {
     ++error_count;
-    last_error = message;
-    std::fprintf(stderr, "ramus: OpenGL error %u (severity 0x%x): %s\n", id, severity, message);
+    last_error = std::move(text);
+    std::fprintf(stderr, "ramus: OpenGL: %s\n", last_error.c_str());
+}
+
+void GLAD_API_PTR note_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                               const void*) {
+    if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    // Memory that is short is no mistake of the program's: who asked for it reports it.
+    if (std::string_view(message).find("OUT_OF_MEMORY") != std::string_view::npos) return;
+    count_error(message);
 }
 
 } // namespace
 
-Result<void> load_gl(GlLoader loader) {
-    const int version = gladLoadGL(loader);
-    if (version == 0) return fail("OpenGL could not be loaded", {}, "check the graphics driver, or use `ramus render`");
-    if (version < GLAD_MAKE_VERSION(4, 5))
-        return fail("OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
-                        std::to_string(GLAD_VERSION_MINOR(version)) + " is too old, 4.5 is needed",
-                    gl_description(), "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1");
+Result<void> load_gl(GlLoader loader, const void* context, const std::string& remedy) {
+    const int loaded = gladLoadGL(loader);
+    if (loaded == 0) return fail("OpenGL could not be loaded", {}, "check the graphics driver, or use `ramus render`");
+    found_version = std::min(GlVersion{GLAD_VERSION_MAJOR(loaded), GLAD_VERSION_MINOR(loaded)}, newest_allowed);
+    if (found_version < kOldestGl)
+        return fail("OpenGL " + found_version.text() + " is too old, " + kOldestGl.text() + " is needed",
+                    gl_description(),
+                    remedy.empty() ? "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1" : remedy);
+    install_gl_floor(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
-    if (glDebugMessageCallback != nullptr) {
+    tells_by_itself = glDebugMessageCallback != nullptr;
+    if (tells_by_itself) {
         glEnable(GL_DEBUG_OUTPUT);
         if ((flags & GL_CONTEXT_FLAG_DEBUG_BIT) != 0) glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(note_message, nullptr);
     }
     return {};
 }
+
+GlVersion gl_version() { return found_version; }
+void limit_gl_version(GlVersion newest) { newest_allowed = newest; }
 
 std::string gl_description() {
     const auto text = [](GLenum name) {
@@ -54,20 +73,25 @@ bool is_software_rasteriser() {
     return false;
 }
 
-int gl_error_count() {
-    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
-        out_of_memory = out_of_memory || error == GL_OUT_OF_MEMORY;
-        // With debug output on, the callback has already counted this one.
-        if (last_error.empty()) {
-            ++error_count;
-            last_error = "glGetError " + std::to_string(error);
-        }
+void note_gl_errors(const char* where) {
+    constexpr int kMost = 16; // without a context, or a lost one, it never ends
+    for (int i = 0; i < kMost; ++i) {
+        const GLenum error = glGetError();
+        if (error == GL_NO_ERROR) return;
+        if (error == GL_OUT_OF_MEMORY)
+            out_of_memory = true;
+        else if (!tells_by_itself)
+            count_error("error " + std::to_string(error) + " after " + where);
     }
+}
+
+int gl_error_count() {
+    if (glad_glGetError != nullptr) note_gl_errors("the last call");
     return error_count;
 }
 
 bool gl_ran_out_of_memory() {
-    (void)gl_error_count();
+    note_gl_errors("an allocation");
     return std::exchange(out_of_memory, false);
 }
 

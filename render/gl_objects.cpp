@@ -1,6 +1,8 @@
 #include "render/gl_objects.h"
 
-#include "render/shader_sources.h"
+#include "render/gl_context.h"
+#include "render/gl_floor.h"
+#include "render/shader_text.h"
 
 #include <string>
 #include <vector>
@@ -9,44 +11,89 @@ namespace ramus::render {
 
 namespace {
 
-std::string source_of(std::string_view name) {
-    const auto found = kShaderSources.find(name);
-    if (found == kShaderSources.end()) return "#error no shader file of this name\n";
-    std::string text(found->second);
-    constexpr std::string_view kInclude = "#include \"";
-    for (std::size_t at = text.find(kInclude); at != std::string::npos; at = text.find(kInclude, at)) {
-        const std::size_t end = text.find('"', at + kInclude.size());
-        const std::string included = source_of(text.substr(at + kInclude.size(), end - at - kInclude.size()));
-        text.replace(at, end + 1 - at, included);
+int alive = 0;
+std::size_t largest_allocation = std::numeric_limits<std::size_t>::max();
+
+std::size_t texel_bytes(GLenum format) {
+    switch (format) {
+    case GL_R8:
+        return 1;
+    case GL_RG32UI:
+    case GL_RGB16F:
+        return 8;
+    case GL_RGBA32F:
+        return 16;
+    default:
+        return 4;
     }
-    return text;
 }
 
-Result<GLuint> compile(GLenum stage, std::string_view name, std::string_view defines) {
-    std::string text = source_of(name);
-    if (const std::size_t version = text.find("#version"); version != std::string::npos)
-        text.insert(text.find('\n', version) + 1, defines);
-    const char* const pointer = text.c_str();
-    const GLuint shader = glCreateShader(stage);
-    glShaderSource(shader, 1, &pointer, nullptr);
-    glCompileShader(shader);
-    GLint compiled = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_TRUE) return shader;
-    std::string log(4096, '\0');
+// Around an allocation: what went wrong before is not its fault.
+template <class Allocate> void allocate(std::size_t bytes, const Allocate& call) {
+    if (bytes > largest_allocation) throw OutOfGraphicsMemory(bytes);
+    (void)gl_ran_out_of_memory();
+    call();
+    if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(bytes);
+}
+
+std::size_t area(int width, int height) { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+
+struct Shader {
+    GLuint id = 0;
+    ShaderText text;
+    Shader() = default;
+    Shader(Shader&& other) noexcept : id(std::exchange(other.id, 0)), text(std::move(other.text)) {}
+    Shader& operator=(Shader&&) = delete;
+    ~Shader() {
+        if (id != 0) glDeleteShader(id);
+    }
+};
+
+template <class GetLog> std::string log_of(GLuint id, const GetLog& get) {
+    std::string log(8192, '\0');
     GLsizei length = 0;
-    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+    get(id, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    glDeleteShader(shader);
-    return fail("shader does not compile: " + log, std::string(name), "update the graphics driver");
+    return log;
+}
+
+Result<Shader> compile(GLenum stage, std::string_view name, std::string_view defines) {
+    const GlVersion version = gl_version();
+    const bool depth_control = version >= GlVersion{4, 5};
+    Shader shader;
+    shader.text = shader_text(name, defines, depth_control ? 450 : gl_has_lists() ? 430 : 330, !depth_control);
+    const char* const pointer = shader.text.glsl.c_str();
+    shader.id = glCreateShader(stage);
+    glShaderSource(shader.id, 1, &pointer, nullptr);
+    glCompileShader(shader.id);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_TRUE) return shader;
+    return fail(
+        "a shader does not compile: " + with_file_names(log_of(shader.id, glGetShaderInfoLog), shader.text.files),
+        std::string(name), "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
 }
 
 } // namespace
+
+OutOfGraphicsMemory::OutOfGraphicsMemory(std::size_t bytes)
+    : std::runtime_error("out of graphics memory: " + std::to_string((bytes + (1U << 20) - 1) >> 20) +
+                         " MiB more are not to be had") {}
+
+int gl_objects_alive() { return alive; }
+void count_gl_object(int change) { alive += change; }
+void limit_gl_allocation(std::size_t bytes) { largest_allocation = bytes; }
 
 Buffer make_buffer() {
     GLuint id = 0;
     glCreateBuffers(1, &id);
     return Buffer(id);
+}
+
+Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags) {
+    Buffer buffer = make_buffer();
+    allocate(bytes, [&] { glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, flags); });
+    return buffer;
 }
 
 VertexArray make_vertex_array() {
@@ -58,16 +105,39 @@ VertexArray make_vertex_array() {
 Texture make_texture(GLenum format, int width, int height, int samples) {
     GLuint id = 0;
     glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id);
+    Texture texture(id);
     if (samples > 0) {
-        glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE);
+        allocate(area(width, height) * texel_bytes(format) * static_cast<std::size_t>(samples),
+                 [&] { glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE); });
     } else {
-        glTextureStorage2D(id, 1, format, width, height);
+        allocate(area(width, height) * texel_bytes(format), [&] { glTextureStorage2D(id, 1, format, width, height); });
         glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     }
-    return Texture(id);
+    return texture;
+}
+
+Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth) {
+    GLuint id = 0;
+    glCreateTextures(target, 1, &id);
+    Texture texture(id);
+    allocate(area(width, height) * static_cast<std::size_t>(depth) * texel_bytes(format),
+             [&] { glTextureStorage3D(id, 1, format, width, height, depth); });
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTextureParameteri(id, side, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes) {
+    buffer = make_buffer(bytes, data, GL_DYNAMIC_STORAGE_BIT);
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+    texture = Texture(id);
+    glTextureBuffer(id, format, buffer);
 }
 
 Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth) {
@@ -88,24 +158,18 @@ Result<Program> make_program(std::string_view vertex_shader, std::string_view fr
     const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, defines);
     if (!vertex) return tl::unexpected(vertex.error());
     const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
-    if (!fragment) {
-        glDeleteShader(*vertex);
-        return tl::unexpected(fragment.error());
-    }
+    if (!fragment) return tl::unexpected(fragment.error());
     Program program(glCreateProgram());
-    glAttachShader(program, *vertex);
-    glAttachShader(program, *fragment);
+    glAttachShader(program, vertex->id);
+    glAttachShader(program, fragment->id);
     glLinkProgram(program);
-    glDeleteShader(*vertex);
-    glDeleteShader(*fragment);
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked == GL_TRUE) return program;
-    std::string log(4096, '\0');
-    GLsizei length = 0;
-    glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    return fail("shaders do not link: " + log, std::string(fragment_shader), "update the graphics driver");
+    if (linked != GL_TRUE)
+        return fail("shaders do not link: " + log_of(program, glGetProgramInfoLog), std::string(fragment_shader),
+                    "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
+    settle_program(program, vertex->text, fragment->text);
+    return program;
 }
 
 } // namespace ramus::render

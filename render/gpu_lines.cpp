@@ -14,15 +14,6 @@ constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixe
 
 } // namespace
 
-void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes) {
-    buffer = make_buffer();
-    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
-    GLuint id = 0;
-    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
-    texture = Texture(id);
-    glTextureBuffer(id, format, buffer);
-}
-
 void GpuLines::Copy::send(const Centerlines& lines) {
     const auto send = [](Buffer& buffer, Texture& texture, GLenum format, const auto& values) {
         make_buffer_texture(buffer, texture, format, values.data(), values.size() * sizeof values[0]);

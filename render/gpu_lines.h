@@ -48,7 +48,4 @@ private:
     Copy whole_, thinned_;
 };
 
-// A buffer of `bytes` bytes that shaders read texel by texel.
-void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes);
-
 } // namespace ramus::render

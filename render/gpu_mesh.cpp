@@ -76,13 +76,10 @@ private:
 } // namespace
 
 GpuMesh::Copy::Copy(const PagedMesh& mesh)
-    : vertex_array(make_vertex_array()), vertices(make_buffer()), triangles(make_buffer()),
-      vertex_pages(with_room(mesh.vertex_pages().size())), triangle_pages(with_room(mesh.triangle_pages().size())) {
-    const auto room = [](GLuint buffer, std::size_t bytes) {
-        glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    };
-    room(vertices, vertex_pages.size() * kVertexPageBytes);
-    room(triangles, triangle_pages.size() * kTrianglePageBytes);
+    : vertex_array(make_vertex_array()), vertex_pages(with_room(mesh.vertex_pages().size())),
+      triangle_pages(with_room(mesh.triangle_pages().size())) {
+    vertices = make_buffer(vertex_pages.size() * kVertexPageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    triangles = make_buffer(triangle_pages.size() * kTrianglePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     glVertexArrayVertexBuffer(vertex_array, 0, vertices, 0, sizeof(GpuVertex));
     glVertexArrayElementBuffer(vertex_array, triangles);
     glVertexArrayAttribFormat(vertex_array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));

@@ -60,14 +60,10 @@ GpuSolids::Solid GpuSolids::make(const mesh::TriangleMesh& mesh) {
         for (glm::uvec3& t : triangles) std::swap(t.y, t.z);
 
     solid.vertex_array = make_vertex_array();
-    solid.vertices = make_buffer();
-    solid.triangles = make_buffer();
     solid.indices = static_cast<GLsizei>(3 * triangles.size());
     if (triangles.empty()) return solid;
-    glNamedBufferStorage(solid.vertices, static_cast<GLsizeiptr>(vertices.size() * sizeof vertices[0]), vertices.data(),
-                         0);
-    glNamedBufferStorage(solid.triangles, static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]),
-                         triangles.data(), 0);
+    solid.vertices = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
+    solid.triangles = make_buffer(triangles.size() * sizeof triangles[0], triangles.data());
     glVertexArrayVertexBuffer(solid.vertex_array, 0, solid.vertices, 0, sizeof(SolidVertex));
     glVertexArrayElementBuffer(solid.vertex_array, solid.triangles);
     glVertexArrayAttribFormat(solid.vertex_array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(SolidVertex, position));

@@ -42,7 +42,8 @@ public:
         // OSMesa wants a colour buffer; nobody draws into it.
         if (osmesa().make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
             return fail("OSMesa could not make its context current", {}, "check the installation of libosmesa6");
-        return load_gl([](const char* name) { return reinterpret_cast<GlFunction>(osmesa().get_proc_address(name)); });
+        return load_gl([](const char* name) { return reinterpret_cast<GlFunction>(osmesa().get_proc_address(name)); },
+                       context_, "install Mesa's libosmesa6 22 or newer, or use --backend egl");
     }
 
 private:
@@ -54,27 +55,31 @@ private:
 } // namespace
 
 Result<std::unique_ptr<GlContext>> make_osmesa_context() {
-    const std::array<int, 15> attributes{OSMESA_FORMAT,
-                                         OSMESA_RGBA,
-                                         OSMESA_DEPTH_BITS,
-                                         0,
-                                         OSMESA_STENCIL_BITS,
-                                         0,
-                                         OSMESA_PROFILE,
-                                         OSMESA_CORE_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION,
-                                         4,
-                                         OSMESA_CONTEXT_MINOR_VERSION,
-                                         5,
-                                         0,
-                                         0,
-                                         0};
-    if (!osmesa().complete) return fail("OSMesa is not there", RAMUS_OSMESA, "install Mesa's libosmesa6 22 or newer");
-    OSMesaContext handle = osmesa().create_context(attributes.data(), nullptr);
-    if (handle == nullptr) return fail("OSMesa has no OpenGL 4.5 context", {}, "install Mesa's libosmesa6 22 or newer");
-    std::unique_ptr<GlContext> context = std::make_unique<OsMesaGlContext>(handle);
-    if (auto current = context->make_current(); !current) return tl::unexpected(current.error());
-    return context;
+    const std::string remedy = "install Mesa's libosmesa6 22 or newer";
+    if (!osmesa().complete) return fail("OSMesa is not there", RAMUS_OSMESA, remedy + ", or use --backend egl");
+    // Without a version asked for, what it has: load_gl() says that it is too old, and how old.
+    for (const GlVersion version : {kWantedGl[0], kWantedGl[1], kWantedGl[2], GlVersion{}}) {
+        const bool any = version == GlVersion{};
+        const std::array<int, 13> attributes{OSMESA_FORMAT,
+                                             OSMESA_RGBA,
+                                             OSMESA_DEPTH_BITS,
+                                             0,
+                                             OSMESA_STENCIL_BITS,
+                                             0,
+                                             any ? 0 : OSMESA_PROFILE,
+                                             OSMESA_CORE_PROFILE,
+                                             OSMESA_CONTEXT_MAJOR_VERSION,
+                                             version.major,
+                                             OSMESA_CONTEXT_MINOR_VERSION,
+                                             version.minor,
+                                             0};
+        OSMesaContext handle = osmesa().create_context(attributes.data(), nullptr);
+        if (handle == nullptr) continue;
+        std::unique_ptr<GlContext> context = std::make_unique<OsMesaGlContext>(handle);
+        if (auto current = context->make_current(); !current) return tl::unexpected(current.error());
+        return context;
+    }
+    return fail("OSMesa has no OpenGL " + kOldestGl.text(), {}, remedy);
 }
 
 } // namespace ramus::render

@@ -1,4 +1,4 @@
-// An OpenGL 4.5 core context in memory (Mesa's llvmpipe through OSMesa), for pictures without a display. It has no
+// An OpenGL core context in memory (Mesa's llvmpipe through OSMesa), for pictures without a display. It has no
 // visible surface: the Renderer draws into framebuffers of its own.
 #pragma once
 

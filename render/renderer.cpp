@@ -37,22 +37,24 @@ Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
 void Renderer::request_pick(double x, double y) { impl_->request_pick(x, y); }
 std::optional<Pick> Renderer::poll_pick() { return impl_->poll_pick(); }
 
-Target::Target(int width, int height) : width_(width), height_(height) {
-    glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
-    glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
-    glCreateFramebuffers(1, &framebuffer_);
-    glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
+struct Target::Objects {
+    Texture texture;
+    Framebuffer framebuffer;
+};
+
+Target::Target(int width, int height) : width_(width), height_(height), objects_(std::make_unique<Objects>()) {
+    objects_->texture = make_texture(GL_RGBA8, width, height);
+    objects_->framebuffer = make_framebuffer({objects_->texture});
 }
 
-Target::~Target() {
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteTextures(1, &texture_);
-}
+Target::~Target() = default;
+
+unsigned Target::framebuffer() const { return objects_->framebuffer; }
 
 Image Target::read_image() const {
     Image image(width_, height_), upside_down(width_, height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
+    glGetTextureImage(objects_->texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
                       upside_down.rgba.data());
     for (int y = 0; y < height_; ++y)
         std::copy_n(upside_down.pixel(0, height_ - 1 - y), 4 * static_cast<std::size_t>(width_), image.pixel(0, y));

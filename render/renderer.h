@@ -100,16 +100,17 @@ private:
 // A colour framebuffer without a window, RGBA8: what present() needs when the interface is drawn headlessly.
 class Target {
 public:
-    Target(int width, int height);
+    Target(int width, int height); // throws OutOfGraphicsMemory (render/gl_objects.h)
     ~Target();
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
-    [[nodiscard]] unsigned framebuffer() const { return framebuffer_; }
+    [[nodiscard]] unsigned framebuffer() const;
     [[nodiscard]] Image read_image() const;
 
 private:
+    struct Objects;
     int width_, height_;
-    unsigned framebuffer_ = 0, texture_ = 0;
+    std::unique_ptr<Objects> objects_;
 };
 
 } // namespace ramus::render

@@ -13,6 +13,7 @@
 #include "render/renderer.h"
 
 #include <array>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <map>
@@ -26,6 +27,8 @@ namespace ramus::render {
 struct ViewBlock {
     glm::vec4 clip_to_eye{0.0F}, pixel_to_eye{0.0F}, depth_range{0.0F}, picture{0.0F};
 };
+
+inline constexpr int kMostSamples = 4; // a pixel; as in shade.frag
 
 // The uniform block of look.glsl.
 struct LookBlock {
@@ -68,6 +71,13 @@ private:
     };
     Result<std::uint64_t> draw_glass(const Frame& frame, const GpuMesh& mesh);
     std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
+    // Where there are no lists: passes/peeling.cpp.
+    void make_layers();
+    void find_sample_places();
+    void draw_by_sample(const Program& program, const std::function<void()>& draw) const;
+    bool draw_layer(const Frame& frame, const GpuMesh& mesh, int layer, std::uint64_t& triangles);
+    std::uint64_t draw_first_layer(const Frame& frame, const GpuMesh& mesh);
+    Result<void> peel(const Frame& frame, const GpuMesh& mesh, unsigned variant);
     bool make_room_for_panes(std::size_t wanted);
     void bind_panes(const Program& program, Band band) const;
     std::uint64_t cast(const Frame& frame, const std::vector<Layer>& layers);
@@ -88,6 +98,7 @@ private:
         kHalos = 128,
         kContours = 256,
         kChromadepth = 512,
+        kLayer = 1024,
     };
     enum class Extent { kAll, kChanged }; // the picture, or the branches that the last one showed otherwise
     unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);
@@ -136,6 +147,13 @@ private:
     std::size_t glass_bytes_;                // that panes may take
     Buffer pane_heads_, panes_, pane_count_; // as in panes.glsl
     std::size_t head_room_ = 0, pane_room_ = 0;
+    // Of glass without lists: the last layer and the one before, what they come to in front of each sample.
+    Texture layer_panes_, fronts_;
+    std::array<Texture, 2> layer_depths_;
+    std::array<Framebuffer, 2> layer_targets_;
+    Framebuffer fronts_target_;
+    Query layer_query_;
+    std::array<glm::vec2, kMostSamples> sample_places_{};
     std::vector<Band> bands_; // of the last picture with glass; one: its lists are still there
 
     GpuMesh mesh_, preview_;

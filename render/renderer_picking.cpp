@@ -114,9 +114,9 @@ void Renderer::Impl::request_pick(double x, double y) {
     if (bytes > 0) {
         pick_camera_ = last_->camera;
         if (2 * bytes > pick_buffer_size_) {
-            pick_buffer_ = make_buffer();
+            pick_buffer_ =
+                make_buffer(static_cast<std::size_t>(2 * bytes), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
             pick_buffer_size_ = 2 * bytes;
-            glNamedBufferStorage(pick_buffer_, pick_buffer_size_, nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
         }
         glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
         glBindBuffer(GL_PIXEL_PACK_BUFFER, pick_buffer_);

@@ -10,6 +10,9 @@ flat in int branch_id;
 #ifdef OPAQUE_SIDE
 in float glassy;
 layout(location = 2) uniform int samples;
+#ifdef FLOOR
+#include "one_sample.glsl"
+#endif
 #endif
 
 layout(location = 0) out uvec2 surface;
@@ -18,10 +21,14 @@ void main() {
     uint id = uint(branch_id + 1);
     vec3 normal = normalize(normal_eye);
 #ifdef OPAQUE_SIDE
+    if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0);
+#ifdef FLOOR
+    if (side_at_sample(glassy) > 0.0) discard;
+#else
     int covered = 0;
     for (int i = 0; i < samples; ++i) covered |= (interpolateAtSample(glassy, i) > 0.0 ? 0 : 1) << i;
-    if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0);
     gl_SampleMask[0] = covered;
+#endif
 #endif
 #ifdef LINE
     id |= kLine;

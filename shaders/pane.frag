@@ -28,7 +28,9 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uint before = atomicExchange(heads[(pixel.y - pixels.y) * pixels.x + pixel.x], number);
     // The normal is that at the pixel's centre: beyond the triangle's edge it goes on as the next one's does. The depth
-    // decides what lies before what, and must be one that the triangle has.
+    // decides what lies before what, and must be one that the triangle has, whatever hides some of it.
+    float depth = gl_SampleMaskIn[0] == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
+                                                    : interpolateAtSample(depth_value, findLSB(gl_SampleMaskIn[0]));
     panes[number] = Pane(before, uint(branch_id + 1) | (uint(covered) << kSampleShift),
-                         packSnorm2x16(octahedral(normalize(normal_eye))), floatBitsToUint(depth_value));
+                         packSnorm2x16(octahedral(normalize(normal_eye))), floatBitsToUint(depth));
 }

@@ -1,5 +1,6 @@
 // Glass as a list of panes a pixel: one for each triangle of it that covers any of the pixel's samples. The lists are
 // made in any order and sorted afterwards, nearest first, so that the picture does not depend on the order of triangles.
+#ifndef FLOOR
 struct Pane {
     uint next;           // its number, 0 at the end
     uint id_and_samples; // id as in ids.glsl, and from kSampleShift on a bit for each sample that it covers
@@ -10,6 +11,14 @@ struct Pane {
 layout(std430, binding = 0) buffer Heads { uint heads[]; };  // by pixel: its first pane; 0: none
 layout(std430, binding = 1) buffer Panes { Pane panes[]; };  // panes[0] is none
 layout(std430, binding = 2) buffer Count { uint pane_count; }; // of all that were wanted, with or without room
+#endif
 
-const int kSampleShift = 28;
+#ifdef FLOOR
+// In place of a mask of samples that are covered, which 3.30 cannot tell: those before what is opaque, if they are
+// covered, and those on the glass's side where it meets what is opaque.
+const int kBeforeShift = 24, kGlassShift = 28;
+const uint kIdBits = 0x00ffffffu;
+#else
+const int kSampleShift = 28, kAllSamples = 15;
 const uint kIdBits = 0x0fffffffu;
+#endif

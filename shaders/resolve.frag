@@ -6,7 +6,12 @@
 #include "ids.glsl"
 #ifdef GLASS
 #include "panes.glsl"
+#ifdef FLOOR
+layout(binding = 2) uniform usampler2DMS first_panes; // as pane_layer.frag leaves them
+layout(binding = 3) uniform sampler2DMS first_depths;
+#else
 layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+#endif
 #endif
 
 layout(binding = 0) uniform usampler2DMS surface_samples;
@@ -16,7 +21,7 @@ layout(location = 0) out uvec2 id_normal;
 layout(location = 1) out float opaque_depth; // for the occlusion: opaque surfaces only
 layout(location = 2) out float picked_depth; // of id_normal
 
-#ifdef GLASS
+#if defined(GLASS) && !defined(FLOOR)
 // Any order will do where depths are the same, if only it is always the same one.
 bool before(Pane a, Pane b) {
     float da = uintBitsToFloat(a.depth), db = uintBitsToFloat(b.depth);
@@ -71,6 +76,21 @@ void main() {
     }
     opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
     id_normal.x &= ~kLine;
+#ifdef FLOOR
+    float first = 0.0;
+    for (int s = 0; s < samples; ++s) {
+        float depth = texelFetch(first_depths, pixel, s).x;
+        seen = depth > first ? s : seen;
+        first = max(first, depth);
+    }
+    if (first > 0.0 && id_normal.x == 0u) {
+        uvec2 pane = texelFetch(first_panes, pixel, seen).xy;
+        id_normal = uvec2(pane.x & kIdBits, pane.y);
+        nearest = first;
+        picked_depth = eye_depth(nearest);
+    }
+    if (first > 0.0) nearest = max(nearest, 1e-30);
+#else
     int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
     uint first = sorted(heads[place]);
     heads[place] = first;
@@ -82,6 +102,7 @@ void main() {
     }
     // What is only covered by glass is covered: full-screen passes must not skip it.
     if (first != 0u) nearest = max(nearest, 1e-30);
+#endif
 #endif
     gl_FragDepth = nearest;
 }

@@ -4,7 +4,7 @@
 // Variants: GLASS when anything is defocused, OUTLINE when anything is selected, SOLIDS when there are lesions, MARGINS
 // to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost,
 // CHANGED to shade what is marked so and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what
-// tells near from far.
+// tells near from far. LAYER lays one layer of glass onto those before it, where there are no lists (FLOOR).
 #include "view.glsl"
 #include "ids.glsl"
 #include "look.glsl"
@@ -19,11 +19,18 @@ layout(binding = 6) uniform usamplerBuffer branches; // linear colour of 65535, 
 
 #ifdef GLASS
 #include "panes.glsl"
+#ifdef FLOOR
+layout(binding = 14) uniform sampler2DArray fronts_of_samples; // what layer.glsl made of the glass, a layer a sample
+layout(binding = 15) uniform sampler2DMS opaque_samples;
+#else
 layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+#endif
 const int kMostSamples = 4;
 #endif
 
+#ifndef LAYER
 layout(location = 0) out vec4 colour;
+#endif
 
 const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kLost = 16u, kCut = 32u, kGlowing = 64u,
            kChanged = 128u;
@@ -215,19 +222,22 @@ float outline(ivec2 pixel) {
 }
 #endif
 
+#ifdef LAYER
+#include "layer.glsl"
+#else
 // Software rasterisers execute both sides of a branch, but leave a loop early: pixels inside one surface go round once,
 // pixels on an edge once a sample.
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z);
-#ifdef GLASS
+#if defined(GLASS) && !defined(FLOOR)
     int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
 #endif
 #ifdef CHANGED
     // Pixels without a sample of what changed go round no loop below, and stay as they are.
     bool changed = false;
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
-#ifdef GLASS
+#if defined(GLASS) && !defined(FLOOR)
     for (uint number = heads[place]; number != 0u && !changed; number = panes[number].next)
         changed = has_changed(panes[number].id_and_samples & kIdBits);
 #endif
@@ -259,6 +269,9 @@ void main() {
         front[s] = vec4(0.0);
         empty = empty && opaque_values[s] == 0.0;
     }
+#ifdef FLOOR
+    for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
+#else
     float clear = 1.0;
     for (uint number = heads[place]; number != 0u && clear > 1e-3;) {
         Pane pane = panes[number];
@@ -273,6 +286,7 @@ void main() {
         }
         number = pane.next;
     }
+#endif
     vec4 mean_front = vec4(0.0);
     for (int s = 0; s < kMostSamples; ++s) mean_front += s < samples ? front[s] : vec4(0.0);
     mean_front /= float(max(samples, 1));
@@ -311,3 +325,4 @@ void main() {
 #endif
     colour = encoded(sum, gl_FragCoord.xy);
 }
+#endif

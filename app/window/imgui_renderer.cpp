@@ -5,71 +5,26 @@
 #include <cstddef>
 #include <cstring>
 #include <glad/gl.h>
-#include <string>
 
 namespace ramus::app {
 
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 450 core
-layout(location = 0) in vec2 position;
-layout(location = 1) in vec2 uv;
-layout(location = 2) in vec4 colour;
-layout(location = 0) uniform vec4 window; // x, y, width, height in ImGui's coordinates
-out vec2 vertex_uv;
-out vec4 vertex_colour;
-void main() {
-    vec2 at = (position - window.xy) / window.zw;
-    gl_Position = vec4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, 0.0, 1.0);
-    vertex_uv = uv;
-    vertex_colour = colour;
-})";
-
-constexpr const char* kFragmentShader = R"(#version 450 core
-in vec2 vertex_uv;
-in vec4 vertex_colour;
-layout(binding = 0) uniform sampler2D image;
-out vec4 colour;
-void main() { colour = vertex_colour * texture(image, vertex_uv); })";
-
-Result<unsigned> compile(unsigned kind, const char* source) {
-    const unsigned shader = glCreateShader(kind);
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    int compiled = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled != 0) return shader;
-    std::array<char, 1024> log{};
-    glGetShaderInfoLog(shader, static_cast<int>(log.size()), nullptr, log.data());
-    glDeleteShader(shader);
-    return fail("the interface's shader does not compile: " + std::string(log.data()));
-}
-
-void grow(unsigned& buffer, std::int64_t& bytes, std::int64_t needed) {
+void grow(render::Buffer& buffer, std::int64_t& bytes, std::int64_t needed) {
     if (needed <= bytes) return;
-    bytes = std::max(needed, 2 * bytes);
-    glDeleteBuffers(1, &buffer);
-    glCreateBuffers(1, &buffer);
-    glNamedBufferStorage(buffer, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    const std::int64_t room = std::max(needed, 2 * bytes);
+    buffer = render::make_buffer(static_cast<std::size_t>(room), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    bytes = room;
 }
 
 } // namespace
 
 Result<std::unique_ptr<ImguiRenderer>> ImguiRenderer::create() {
-    const auto vertex = compile(GL_VERTEX_SHADER, kVertexShader);
-    if (!vertex) return tl::unexpected(vertex.error());
-    const auto fragment = compile(GL_FRAGMENT_SHADER, kFragmentShader);
-    if (!fragment) return tl::unexpected(fragment.error());
+    auto program = render::make_program("interface.vert", "interface.frag");
+    if (!program) return tl::unexpected(program.error());
     std::unique_ptr<ImguiRenderer> renderer(new ImguiRenderer);
-    renderer->program_ = glCreateProgram();
-    for (const unsigned shader : {*vertex, *fragment}) glAttachShader(renderer->program_, shader);
-    glLinkProgram(renderer->program_);
-    for (const unsigned shader : {*vertex, *fragment}) glDeleteShader(shader);
-    int linked = 0;
-    glGetProgramiv(renderer->program_, GL_LINK_STATUS, &linked);
-    if (linked == 0) return fail("the interface's shaders do not link");
-
-    glCreateVertexArrays(1, &renderer->vertex_array_);
+    renderer->program_ = std::move(*program);
+    renderer->vertex_array_ = render::make_vertex_array();
     const auto attribute = [&](unsigned index, int size, unsigned type, bool normalised, std::size_t offset) {
         glEnableVertexArrayAttrib(renderer->vertex_array_, index);
         glVertexArrayAttribFormat(renderer->vertex_array_, index, size, type, normalised ? GL_TRUE : GL_FALSE,
@@ -83,23 +38,13 @@ Result<std::unique_ptr<ImguiRenderer>> ImguiRenderer::create() {
     return renderer;
 }
 
-ImguiRenderer::~ImguiRenderer() {
-    glDeleteProgram(program_);
-    glDeleteVertexArrays(1, &vertex_array_);
-    const std::array<unsigned, 2> buffers{vertices_, indices_};
-    glDeleteBuffers(2, buffers.data());
-    glDeleteTextures(1, &font_);
-}
-
 void ImguiRenderer::upload_fonts() {
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.GetTexDataAsAlpha8(&pixels, &width, &height);
-    glDeleteTextures(1, &font_);
-    glCreateTextures(GL_TEXTURE_2D, 1, &font_);
-    glTextureStorage2D(font_, 1, GL_R8, width, height);
+    font_ = render::make_texture(GL_R8, width, height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(font_, 0, 0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, pixels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -107,7 +52,7 @@ void ImguiRenderer::upload_fonts() {
     glTextureParameteriv(font_, GL_TEXTURE_SWIZZLE_RGBA, white_with_alpha.data());
     glTextureParameteri(font_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(font_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(font_)));
+    fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(GLuint(font_))));
 }
 
 void ImguiRenderer::draw(const ImDrawData& data) {

@@ -1,9 +1,10 @@
-// ImguiRenderer: draws Dear ImGui's draw lists with OpenGL 4.5 through glad, into whatever framebuffer is bound. The
+// ImguiRenderer: draws Dear ImGui's draw lists with OpenGL through glad, into whatever framebuffer is bound. The
 // window and headless pictures with the interface (`ramus render --ui`) use the same one. It leaves GL's state as the
 // scene renderer expects it: blending, scissor and culling off, no program, no vertex array.
 #pragma once
 
 #include "core/base/error.h"
+#include "render/gl_objects.h"
 
 #include <cstdint>
 #include <imgui.h>
@@ -15,7 +16,6 @@ class ImguiRenderer {
 public:
     // Needs a current context, and an ImGui context whose fonts upload_fonts() then takes.
     [[nodiscard]] static Result<std::unique_ptr<ImguiRenderer>> create();
-    ~ImguiRenderer();
     ImguiRenderer(const ImguiRenderer&) = delete;
     ImguiRenderer& operator=(const ImguiRenderer&) = delete;
 
@@ -25,7 +25,10 @@ public:
 
 private:
     ImguiRenderer() = default;
-    unsigned program_ = 0, vertex_array_ = 0, vertices_ = 0, indices_ = 0, font_ = 0;
+    render::Program program_;
+    render::VertexArray vertex_array_;
+    render::Buffer vertices_, indices_;
+    render::Texture font_;
     std::int64_t vertex_bytes_ = 0, index_bytes_ = 0;
 };
 

@@ -119,7 +119,7 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
             // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
             bind_meetings(opaque_side_, *mesh->shown());
             glDisable(GL_CULL_FACE);
-            draw(opaque_side_, meetings_.meeting_as(Layer::kOpaque));
+            draw_by_sample(opaque_side_, [&] { draw(opaque_side_, meetings_.meeting_as(Layer::kOpaque)); });
             glEnable(GL_CULL_FACE);
         }
     }
@@ -192,12 +192,16 @@ void Renderer::Impl::resolve(Band band) {
     glBindTextureUnit(0, surface_);
     glBindTextureUnit(1, depth_);
     const Program& program = has_glass_ ? resolve_glass_ : resolve_;
-    if (has_glass_) bind_panes(program, band);
+    if (has_glass_ && gl_has_lists()) bind_panes(program, band);
+    if (has_glass_ && !gl_has_lists()) {
+        glBindTextureUnit(2, layer_panes_);
+        glBindTextureUnit(3, layer_depths_[0]);
+    }
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, band.first, inner_.x, band.count);
     fullscreen(program);
     glDisable(GL_SCISSOR_TEST);
-    if (has_glass_) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (has_glass_ && gl_has_lists()) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Renderer::Impl::draw_occlusion(const Frame& frame) {

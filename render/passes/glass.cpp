@@ -15,10 +15,7 @@ namespace {
 constexpr std::size_t kPaneBytes = 16;
 constexpr std::size_t kFirstPanes = std::size_t{1} << 20;
 
-void make_storage(Buffer& buffer, std::size_t bytes) {
-    buffer = make_buffer();
-    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
-}
+Buffer make_storage(std::size_t bytes) { return make_buffer(bytes, nullptr, GL_DYNAMIC_STORAGE_BIT); }
 
 } // namespace
 
@@ -29,11 +26,12 @@ bool Renderer::Impl::make_room_for_panes(std::size_t wanted) {
     const std::size_t most = std::min(glass_bytes_, static_cast<std::size_t>(largest)) / kPaneBytes - 1;
     if (pane_room_ >= most) return false;
     const std::size_t room = std::min(most, std::max(kFirstPanes, wanted + wanted / 4));
-    (void)gl_ran_out_of_memory();
-    Buffer panes;
-    make_storage(panes, (room + 1) * kPaneBytes);
-    if (gl_ran_out_of_memory()) return false; // bands of what there is
-    panes_ = std::move(panes);
+    try {
+        panes_ = make_storage((room + 1) * kPaneBytes);
+    } catch (const OutOfGraphicsMemory&) {
+        if (pane_room_ == 0) throw;
+        return false; // bands of what there is
+    }
     pane_room_ = room;
     return true;
 }
@@ -50,10 +48,10 @@ void Renderer::Impl::bind_panes(const Program& program, Band band) const {
 std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles) {
     const std::size_t pixels = std::size_t(inner_.x) * std::size_t(band.count);
     if (head_room_ < pixels) {
-        make_storage(pane_heads_, 4 * pixels);
+        pane_heads_ = make_storage(4 * pixels);
         head_room_ = pixels;
     }
-    if (pane_count_ == 0) make_storage(pane_count_, 4);
+    if (pane_count_ == 0) pane_count_ = make_storage(4);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // lists of the band before have been sorted and read
     const GLuint zero = 0;
     glClearNamedBufferSubData(pane_heads_, GL_R32UI, 0, static_cast<GLsizeiptr>(4 * pixels), GL_RED_INTEGER,
@@ -95,6 +93,7 @@ std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, 
 
 // Lists and sorts all panes, in one band if there is room. resolve() goes with it: it sorts.
 Result<std::uint64_t> Renderer::Impl::draw_glass(const Frame& frame, const GpuMesh& mesh) {
+    if (!gl_has_lists()) return draw_first_layer(frame, mesh);
     std::uint64_t triangles = 0;
     if (pane_room_ == 0) make_room_for_panes(0);
     bands_.clear();

@@ -77,8 +77,7 @@ void Renderer::Impl::draw_marks(const Frame& frame) {
         end_run();
     }
     if (vertices.empty()) return;
-    const Buffer buffer = make_buffer();
-    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(vertices.size() * sizeof vertices[0]), vertices.data(), 0);
+    const Buffer buffer = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
     const VertexArray array = make_vertex_array();
     glVertexArrayVertexBuffer(array, 0, buffer, 0, sizeof(MarkVertex));
     glVertexArrayAttribFormat(array, 0, 2, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, pixel));

@@ -33,20 +33,18 @@ Result<void> Renderer::Impl::initialise() {
                                              {&overlay_, "fullscreen.vert", "overlay.frag"},
                                              {&mark_, "mark.vert", "mark.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
+    const char* const pane = gl_has_lists() ? "pane.frag" : "pane_layer.frag";
     for (auto [program, vertex, fragment, defines] :
          {std::tuple{&opaque_side_, "geometry.vert", "geometry.frag", "#define OPAQUE_SIDE\n"},
-          {&pane_, "geometry.vert", "pane.frag", "#define PANE\n"},
-          {&glass_side_, "geometry.vert", "pane.frag", "#define PANE\n#define GLASS_SIDE\n"},
+          {&pane_, "geometry.vert", pane, "#define PANE\n"},
+          {&glass_side_, "geometry.vert", pane, "#define PANE\n#define GLASS_SIDE\n"},
           {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n"}})
         if (auto made = make(*program, vertex, fragment, defines); !made) return made;
     if (auto made = make(centerline_, "centerline.vert", "geometry.frag", "#define LINE\n"); !made) return made;
     no_vertices_ = make_vertex_array();
-    view_block_ = make_buffer();
-    look_block_ = make_buffer();
-    scene_block_ = make_buffer();
-    glNamedBufferStorage(view_block_, sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glNamedBufferStorage(look_block_, sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glNamedBufferStorage(scene_block_, kSceneBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    look_block_ = make_buffer(sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    scene_block_ = make_buffer(kSceneBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     return {};
 }
 
@@ -94,7 +92,7 @@ void Renderer::Impl::restore_state() const {
     glDepthFunc(GL_LESS);
     glBindVertexArray(0);
     glUseProgram(0);
-    for (GLuint unit = 0; unit < 14; ++unit) glBindTextureUnit(unit, 0);
+    for (GLuint unit = 0; unit < 16; ++unit) glBindTextureUnit(unit, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
@@ -158,7 +156,9 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
         done.geometry = true;
     }
     // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all.
-    const Extent extent = same_geometry && differs_in_hover_only(*last_, frame) ? Extent::kChanged : Extent::kAll;
+    const bool can_change_parts = !has_glass_ || gl_has_lists(); // layers are not kept
+    const Extent extent =
+        can_change_parts && same_geometry && differs_in_hover_only(*last_, frame) ? Extent::kChanged : Extent::kAll;
     if (auto shaded = cast_ ? Result<void>{} : shade(frame, drawn_, extent); !shaded) {
         last_.reset();
         return tl::unexpected(shaded.error());

@@ -35,16 +35,13 @@ void send_texels(Buffer& buffer, Texture& texture, std::size_t& capacity, const 
 }
 
 Texture distance_texture(const DistanceGrid& grid) {
-    GLuint id = 0;
-    glCreateTextures(GL_TEXTURE_3D, 1, &id);
-    glTextureStorage3D(id, 1, GL_R32F, grid.size.x, grid.size.y, grid.size.z);
+    Texture texture = make_deep_texture(GL_TEXTURE_3D, GL_R32F, grid.size.x, grid.size.y, grid.size.z);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTextureSubImage3D(id, 0, 0, 0, 0, grid.size.x, grid.size.y, grid.size.z, GL_RED, GL_FLOAT, grid.values.data());
-    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTextureParameteri(id, side, GL_CLAMP_TO_EDGE);
-    return Texture(id);
+    glTextureSubImage3D(texture, 0, 0, 0, 0, grid.size.x, grid.size.y, grid.size.z, GL_RED, GL_FLOAT,
+                        grid.values.data());
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
 }
 
 bool whole(const DistanceGrid& grid) {

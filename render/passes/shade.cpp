@@ -122,7 +122,8 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
                                     {kOnlyChanged, "CHANGED"},
                                     {kHalos, "HALOS"},
                                     {kContours, "CONTOURS"},
-                                    {kChromadepth, "CHROMADEPTH"}})
+                                    {kChromadepth, "CHROMADEPTH"},
+                                    {kLayer, "LAYER"}})
         if ((variant & bit) != 0) defines += std::string("#define ") + name + "\n";
     auto made = make_program("fullscreen.vert", "shade.frag", defines);
     if (!made) return tl::unexpected(made.error());
@@ -160,6 +161,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     if (!program) return tl::unexpected(program.error());
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
+    if (has_glass_ && !gl_has_lists())
+        if (auto peeled = peel(frame, *mesh, variant); !peeled) return peeled;
     glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
     if (extent == Extent::kAll) fullscreen(background_);
     const auto shade_rows = [&](Band band) {
@@ -171,7 +174,7 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
         for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(opaque_depth_), GLuint(0),
                                      GLuint(id_normal_), GLuint(blurred_), GLuint(branch_texture_)})
             glBindTextureUnit(unit++, texture);
-        if (has_glass_) bind_panes(**program, band);
+        if (has_glass_ && gl_has_lists()) bind_panes(**program, band);
         glEnable(GL_SCISSOR_TEST);
         glScissor(region_at_.x, first, region_size_.x, last - first);
         // An outline reaches beyond the surface it surrounds.

@@ -7,7 +7,6 @@ namespace ramus::render {
 
 namespace {
 
-constexpr int kSamples = 4;
 constexpr int kInteractiveDivisor = 2; // of width and height
 
 } // namespace
@@ -17,7 +16,7 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
     const glm::ivec2 inner = (size + divisor - 1) / divisor;
     GLint integer_samples = 0;
     glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
-    const int s = quality == Quality::kFull ? std::clamp(integer_samples, 1, kSamples) : 1;
+    const int s = quality == Quality::kFull ? std::clamp(integer_samples, 1, kMostSamples) : 1;
     const bool same_inner = inner == inner_ && float(s) == view_.picture.z;
     if (size == size_ && same_inner) return {};
     GLint largest = 0;
@@ -46,8 +45,10 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
         half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
         blur_target_ = make_framebuffer({blurred_}, covered_);
         lit_target_ = make_framebuffer({lit_}, covered_);
-        glass_target_ = make_framebuffer({}, depth_);
+        if (gl_has_lists()) glass_target_ = make_framebuffer({}, depth_);
         view_.picture.z = static_cast<float>(s);
+        layer_panes_ = {}; // makes the others anew when they are needed
+        find_sample_places();
     }
     if (size != size_) {
         picture_ = make_texture(GL_RGBA8, size.x, size.y);

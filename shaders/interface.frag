@@ -1,0 +1,11 @@
+// The interface: letters and icons are in `image`, plain areas take a white place of it.
+#version 450 core
+
+layout(binding = 0) uniform sampler2D image;
+
+in vec2 vertex_uv;
+in vec4 vertex_colour;
+
+layout(location = 0) out vec4 colour;
+
+void main() { colour = vertex_colour * texture(image, vertex_uv); }

@@ -1,0 +1,18 @@
+// The interface: triangles in its own coordinates, whose origin is at the top left.
+#version 450 core
+
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 uv;
+layout(location = 2) in vec4 colour;
+
+layout(location = 0) uniform vec4 window; // x, y, width, height
+
+out vec2 vertex_uv;
+out vec4 vertex_colour;
+
+void main() {
+    vec2 at = (position - window.xy) / window.zw;
+    gl_Position = vec4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, 0.0, 1.0);
+    vertex_uv = uv;
+    vertex_colour = colour;
+}
