@@ -58,13 +58,18 @@ Result<void> load_gl(GlLoader loader, const void* context, const std::string& re
 GlVersion gl_version() { return found_version; }
 void limit_gl_version(GlVersion newest) { newest_allowed = newest; }
 
-std::string gl_description() {
-    const auto text = [](GLenum name) {
-        const auto* value = glGetString(name);
-        return std::string(value != nullptr ? reinterpret_cast<const char*>(value) : "unknown");
-    };
-    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+namespace {
+
+std::string text_of(GLenum name) {
+    const auto* value = glGetString(name);
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
 }
+
+} // namespace
+
+std::string gl_renderer() { return text_of(GL_RENDERER); }
+
+std::string gl_description() { return gl_renderer() + ", OpenGL " + text_of(GL_VERSION); }
 
 bool is_software_rasteriser() {
     const std::string name = gl_description();

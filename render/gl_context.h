@@ -42,6 +42,9 @@ void limit_gl_version(GlVersion newest);
 // "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6"
 [[nodiscard]] std::string gl_description();
 
+// "llvmpipe (LLVM 15.0.6, 256 bits)"
+[[nodiscard]] std::string gl_renderer();
+
 // Whether the processor draws, triangle by triangle, instead of a graphics card.
 [[nodiscard]] bool is_software_rasteriser();
 

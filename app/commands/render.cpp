@@ -14,8 +14,9 @@
 #include "core/base/stopwatch.h"
 #include "core/io/output_file.h"
 #include "core/io/tree_reader.h"
+#include "render/egl_context.h"
 #include "render/gl_context.h"
-#include "render/osmesa_context.h"
+#include "render/headless_context.h"
 #include "render/renderer.h"
 
 #include <charconv>
@@ -38,6 +39,8 @@ struct RenderFlags {
     double tolerance = 0.001; // of the pixels
     int benchmark = 0;        // frames
     bool benchmark_full = false;
+    render::Backend backend = render::Backend::kOsMesa;
+    int device = -1; // of EGL's; -1: the best
     FigureFlags figure;
 };
 
@@ -117,6 +120,28 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
     });
 }
 
+// OpenGL from the backend that was asked for; current.
+Result<std::unique_ptr<render::GlContext>> open_context(const RenderFlags& flags) {
+    if (flags.backend == render::Backend::kEgl && flags.common.verbose) {
+        const std::vector<std::string> devices = render::egl_devices();
+        for (std::size_t i = 0; i < devices.size(); ++i)
+            say(flags.common, "EGL device " + std::to_string(i) + ": " + devices[i]);
+    }
+    auto context = render::make_headless_context(flags.backend,
+                                                 flags.device >= 0 ? std::optional<int>(flags.device) : std::nullopt);
+    if (context)
+        say(flags.common,
+            "drawing with " + std::string(render::name_of(flags.backend)) + ": " + render::gl_description());
+    return context;
+}
+
+// For --json.
+nlohmann::json description_of(render::Backend backend) {
+    return {{"backend", render::name_of(backend)},
+            {"renderer", render::gl_renderer()},
+            {"version", render::gl_version().text()}};
+}
+
 Result<int> run_render(const RenderFlags& flags) {
     const auto say = [&](const std::string& line) { app::say(flags.common, line); };
     // What can be wrong is found before the long work.
@@ -150,9 +175,8 @@ Result<int> run_render(const RenderFlags& flags) {
     if (camera) document.set_camera(*camera);
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 
-    const auto context = render::make_osmesa_context();
+    const auto context = open_context(flags);
     if (!context) return tl::unexpected(context.error());
-    say(render::gl_description());
     const auto renderer = render::Renderer::create();
     if (!renderer) return tl::unexpected(renderer.error());
     stage.draw_with(**renderer);
@@ -169,7 +193,7 @@ Result<int> run_render(const RenderFlags& flags) {
         const auto files = write_turntable(**renderer, *frame, flags.figure, keep_camera, flags.output);
         if (!files) return tl::unexpected(files.error());
         say("wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());
-        nlohmann::json report{{"pictures", nlohmann::json::array()}};
+        nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
         for (const auto& file : *files) report["pictures"].push_back(file.string());
         if (flags.json) std::cout << report.dump(2) << '\n';
         return kDone;
@@ -185,11 +209,10 @@ Result<int> run_render(const RenderFlags& flags) {
                                       : draw_figure(**renderer, *frame, flags.figure);
     if (!image) return tl::unexpected(image.error());
 
-    nlohmann::json report{{"size", {image->width, image->height}},
-                          {"triangles", done->triangles},
-                          {"mesh_s", stage.surface().seconds},
-                          {"draw_s", draw_seconds},
-                          {"camera", render::to_json(document.session().camera)}};
+    nlohmann::json report{
+        {"size", {image->width, image->height}}, {"triangles", done->triangles},
+        {"mesh_s", stage.surface().seconds},     {"draw_s", draw_seconds},
+        {"gl", description_of(flags.backend)},   {"camera", render::to_json(document.session().camera)}};
     int status = kDone;
     if (!flags.output.empty()) {
         if (auto written = render::write_png(*image, flags.output); !written) return tl::unexpected(written.error());
@@ -266,12 +289,26 @@ void register_render(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1, 1000000).description(""));
     command->add_flag("--benchmark-full", flags->benchmark_full,
                       "With --benchmark: draw every frame as if the view rested");
+    const std::map<std::string, render::Backend> backends{{"osmesa", render::Backend::kOsMesa},
+                                                          {"egl", render::Backend::kEgl}};
+    command
+        ->add_option("--backend", flags->backend,
+                     "What draws: osmesa, on the processor (default), or egl, on a graphics card where there is one")
+        ->type_name("NAME")
+        ->transform(CLI::CheckedTransformer(backends).description(""));
+    CLI::Option* device = command
+                              ->add_option("--device", flags->device,
+                                           "With --backend egl: this one of its devices, from 0; --verbose lists them")
+                              ->type_name("N")
+                              ->check(CLI::Range(0, 63).description(""));
     add_figure_flags(*command, flags->figure);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
-    command->callback([flags, view, &chosen] {
+    command->callback([flags, view, device, &chosen] {
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
         flags->view_given = view->count() > 0;
+        if (device->count() > 0 && flags->backend != render::Backend::kEgl)
+            throw CLI::ValidationError("--device", "needs --backend egl");
         if (flags->figure.turntable > 0 && flags->output.empty()) throw CLI::RequiredError("-o");
         if (flags->figure.turntable > 0 && (flags->interface || !flags->reference.empty() || flags->benchmark > 0))
             throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
