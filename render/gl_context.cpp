@@ -25,9 +25,10 @@ void count_error(std::string text) {
     std::fprintf(stderr, "ramus: OpenGL: %s\n", last_error.c_str());
 }
 
-void GLAD_API_PTR note_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+void GLAD_API_PTR note_message(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
                                const void*) {
     if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return; // make_program() reports it
     // Memory that is short is no mistake of the program's: who asked for it reports it.
     if (std::string_view(message).find("OUT_OF_MEMORY") != std::string_view::npos) return;
     count_error(message);

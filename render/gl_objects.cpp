@@ -77,8 +77,10 @@ Result<Shader> compile(GLenum stage, std::string_view name, std::string_view def
 } // namespace
 
 OutOfGraphicsMemory::OutOfGraphicsMemory(std::size_t bytes)
-    : std::runtime_error("out of graphics memory: " + std::to_string((bytes + (1U << 20) - 1) >> 20) +
-                         " MiB more are not to be had") {}
+    : std::runtime_error(
+          "out of graphics memory" +
+          (bytes == 0 ? std::string()
+                      : ": " + std::to_string((bytes + (1U << 20) - 1) >> 20) + " MiB more are not to be had")) {}
 
 int gl_objects_alive() { return alive; }
 void count_gl_object(int change) { alive += change; }

@@ -34,7 +34,13 @@ Image Renderer::read_image() { return impl_->read_image(); }
 void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }
 BranchPicture Renderer::read_branches() { return impl_->read_branches(); }
 Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
-void Renderer::request_pick(double x, double y) { impl_->request_pick(x, y); }
+void Renderer::request_pick(double x, double y) {
+    try {
+        impl_->request_pick(x, y);
+    } catch (const OutOfGraphicsMemory&) {
+        impl_->request_pick(-1e9, -1e9); // the answer is: nothing there
+    }
+}
 std::optional<Pick> Renderer::poll_pick() { return impl_->poll_pick(); }
 
 struct Target::Objects {

@@ -60,6 +60,8 @@ private:
         int x = 0, y = 0, width = 0, height = 0; // GL's sense of y
     };
 
+    Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget);
+    void let_go();
     Result<void> resize(glm::ivec2 size, Quality quality);
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);

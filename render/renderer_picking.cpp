@@ -114,6 +114,7 @@ void Renderer::Impl::request_pick(double x, double y) {
     if (bytes > 0) {
         pick_camera_ = last_->camera;
         if (2 * bytes > pick_buffer_size_) {
+            pick_buffer_size_ = 0; // until it is there
             pick_buffer_ =
                 make_buffer(static_cast<std::size_t>(2 * bytes), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
             pick_buffer_size_ = 2 * bytes;

@@ -80,9 +80,6 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
     };
     if (!set("DISPLAY") && !set("WAYLAND_DISPLAY")) return fail(kNoDisplay, {}, remedy);
     if (glfwInit() != GLFW_TRUE) return fail(kNoDisplay, {}, remedy);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has framebuffers of its own
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale == 0.0F ? GLFW_TRUE : GLFW_FALSE);
@@ -97,11 +94,27 @@ Result<std::unique_ptr<GlfwWindow>> GlfwWindow::create(glm::ivec2 size_points, f
         glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
         if (width > 0 && height > 0) size = glm::min(size, glm::ivec2(width, height));
     }
-    GLFWwindow* handle = glfwCreateWindow(size.x, size.y, "ramus", nullptr, nullptr);
+    GLFWwindow* handle = nullptr;
+    std::string why;
+    for (const render::GlVersion version : render::kWantedGl) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        handle = glfwCreateWindow(size.x, size.y, "ramus", nullptr, nullptr);
+        if (handle != nullptr) break;
+        why = last_error();
+    }
+    if (handle == nullptr) { // whatever there is: load_gl() says that it is too old, and how old
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 1);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
+        handle = glfwCreateWindow(size.x, size.y, "ramus", nullptr, nullptr);
+    }
     if (handle == nullptr) {
-        const std::string why = last_error();
         glfwTerminate();
-        return fail("the display gives no OpenGL 4.5 window" + (why.empty() ? "" : " (" + why + ")"), {}, remedy);
+        return fail("the display gives no window with OpenGL " + render::kOldestGl.text() +
+                        (why.empty() ? "" : " (" + why + ")"),
+                    {}, "update the graphics driver, or " + remedy);
     }
     std::unique_ptr<GlfwWindow> window(new GlfwWindow(handle, scale));
     if (auto current = window->make_current(); !current) return tl::unexpected(current.error());
@@ -123,7 +136,10 @@ GlfwWindow::~GlfwWindow() {
 
 Result<void> GlfwWindow::make_current() {
     glfwMakeContextCurrent(window_);
-    return render::load_gl([](const char* name) { return glfwGetProcAddress(name); });
+    return render::load_gl(
+        [](const char* name) { return glfwGetProcAddress(name); }, window_,
+        "update the graphics driver, set LIBGL_ALWAYS_SOFTWARE=1, or draw without a window: ramus render "
+        "FILE -o PNG");
 }
 
 namespace {

@@ -1,4 +1,4 @@
-// A GLFW window with an OpenGL 4.5 core context, its events handed to a Viewer in framebuffer pixels. One at a time.
+// A GLFW window with an OpenGL core context, its events handed to a Viewer in framebuffer pixels. One at a time.
 #pragma once
 
 #include "app/window/viewer.h"
@@ -17,7 +17,7 @@ namespace ramus::app {
 
 class GlfwWindow final : public render::GlContext {
 public:
-    // Fails without a display (what == kNoDisplay) or without OpenGL 4.5. The context is current afterwards.
+    // Fails without a display (what == kNoDisplay) or without OpenGL 3.3. The context is current afterwards.
     static constexpr const char* kNoDisplay = "there is no display to open a window on";
     [[nodiscard]] static Result<std::unique_ptr<GlfwWindow>> create(glm::ivec2 size_points, float scale);
     ~GlfwWindow() override;

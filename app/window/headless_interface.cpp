@@ -1,8 +1,10 @@
 #include "app/window/headless_interface.h"
 
 #include "app/window/viewer.h"
+#include "render/gl_objects.h"
 
 #include <imgui.h>
+#include <optional>
 
 namespace ramus::app {
 
@@ -13,7 +15,12 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
         ~Context() { ImGui::DestroyContext(); }
     } const imgui;
     if (auto possible = render::check_size(size.x, size.y); !possible) return tl::unexpected(possible.error());
-    const render::Target target(size.x, size.y);
+    std::optional<render::Target> target;
+    try {
+        target.emplace(size.x, size.y);
+    } catch (const render::OutOfGraphicsMemory& error) {
+        return fail(error.what(), {}, "give a smaller --size");
+    }
     auto viewer = Viewer::create(workspace, renderer, scale);
     if (!viewer) return tl::unexpected(viewer.error());
     (*viewer)->resize(size, scale);
@@ -23,7 +30,7 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
         (void)workspace.document.plan(); // waits for what a window would leave to a worker
         constexpr int kMostFrames = 20;  // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
-            (*viewer)->draw(now, target.framebuffer());
+            (*viewer)->draw(now, target->framebuffer());
             now += kFrameSeconds;
             if ((*viewer)->resting()) break;
         }
@@ -32,7 +39,7 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     if (prepare)
         if (auto done = prepare(**viewer); !done) return tl::unexpected(done.error());
     settle();
-    return target.read_image();
+    return target->read_image();
 }
 
 } // namespace ramus::app

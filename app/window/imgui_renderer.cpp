@@ -66,8 +66,12 @@ void ImguiRenderer::draw(const ImDrawData& data) {
         vertex_bytes += data.CmdLists[i]->VtxBuffer.size_in_bytes();
         index_bytes += data.CmdLists[i]->IdxBuffer.size_in_bytes();
     }
-    grow(vertices_, vertex_bytes_, vertex_bytes);
-    grow(indices_, index_bytes_, index_bytes);
+    try {
+        grow(vertices_, vertex_bytes_, vertex_bytes);
+        grow(indices_, index_bytes_, index_bytes);
+    } catch (const render::OutOfGraphicsMemory&) {
+        return; // a picture without panels rather than none; the next frame tries again
+    }
 
     glViewport(0, 0, width, height);
     glDisable(GL_DEPTH_TEST);

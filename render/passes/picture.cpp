@@ -107,9 +107,47 @@ bool differs_in_hover_only(const Frame& before, const Frame& after) {
 
 } // namespace
 
+// Memory may run out in any pass: then nothing is kept of the picture and of what was sent for it, so that the next
+// draw(), perhaps of less, begins with what was there before the first.
 Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget) {
-    DrawStatistics done;
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
+    try {
+        return draw_all(wanted, upload_budget);
+    } catch (const OutOfGraphicsMemory& error) {
+        let_go();
+        return fail(error.what(), {}, "give a smaller size or a coarser --detail");
+    }
+}
+
+void Renderer::Impl::let_go() {
+    restore_state();
+    last_.reset();
+    drawn_ = nullptr;
+    wanted_mesh_ = nullptr;
+    mesh_ = {};
+    preview_ = {};
+    lines_ = {};
+    solids_ = {};
+    pane_heads_ = {};
+    panes_ = {};
+    head_room_ = pane_room_ = 0;
+    branch_buffer_ = {};
+    lesion_buffer_ = {};
+    cut_buffer_ = {};
+    branch_capacity_ = lesion_capacity_ = cut_capacity_ = 0;
+    distances_.reset();
+    distance_texture_ = {};
+    bands_.clear();
+    has_glass_ = false;
+    size_ = inner_ = glm::ivec2(0); // what the picture was drawn into is made anew
+    for (Texture* texture :
+         {&surface_, &depth_, &id_normal_, &opaque_depth_, &picked_depth_, &covered_, &occlusion_, &half_blurred_,
+          &blurred_, &lit_, &picture_, &layer_panes_, &fronts_, &layer_depths_[0], &layer_depths_[1]})
+        *texture = {};
+}
+
+Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t upload_budget) {
+    DrawStatistics done;
     const Frame frame = take_up(wanted, upload_budget, done);
     if (last_ && *last_ == frame) return done;
     const glm::ivec2 old_size = size_, old_inner = inner_;
@@ -152,7 +190,9 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
             return tl::unexpected(triangles.error());
         }
         done.triangles = *triangles;
+        note_gl_errors("drawing surfaces");
         if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
+        note_gl_errors("the occlusion");
         done.geometry = true;
     }
     // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all.
@@ -163,15 +203,14 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
         last_.reset();
         return tl::unexpected(shaded.error());
     }
+    note_gl_errors("shading");
     draw_overlays(frame);
+    note_gl_errors("the overlays");
     done.shaded = true;
     restore_state();
     last_ = frame;
     last_layers_ = std::move(layers);
-    if (gl_ran_out_of_memory()) {
-        last_.reset();
-        return fail("out of graphics memory", {}, "give a smaller size or a coarser --detail");
-    }
+    if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0); // drivers may say it late
     return done;
 }
 

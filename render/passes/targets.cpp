@@ -24,8 +24,6 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
     if (size.x > largest || size.y > largest)
         return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
                     "give a smaller size");
-    while (glGetError() != GL_NO_ERROR) {
-    }
     if (!same_inner) {
         const int w = inner.x, h = inner.y;
         surface_ = make_texture(GL_RG32UI, w, h, s);
@@ -56,12 +54,11 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
     }
     size_ = size;
     inner_ = inner;
-    if (glGetError() != GL_NO_ERROR ||
-        glCheckNamedFramebufferStatus(geometry_target_, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        size_ = inner_ = glm::ivec2(0);
-        return fail("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                        " pixels does not fit into graphics memory",
-                    {}, "give a smaller size");
+    if (glCheckNamedFramebufferStatus(geometry_target_, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        let_go();
+        return fail("this graphics driver cannot draw a picture of " + std::to_string(size.x) + "x" +
+                        std::to_string(size.y) + " pixels",
+                    gl_description(), "give a smaller size, or use another driver: ramus render --backend osmesa");
     }
     return {};
 }

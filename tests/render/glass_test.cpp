@@ -2,8 +2,8 @@
 // the triangles come in and however little memory there is for the layers.
 #include "render/colour.h"
 #include "render/gl_context.h"
-#include "render/osmesa_context.h"
 #include "render/renderer.h"
+#include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;
 using ramus::test::add_capsule;
+using ramus::test::largest_difference;
 
 namespace {
 
@@ -38,7 +39,7 @@ BranchState state_of(int branch) { return branch % 3 == 2 ? BranchState::kNormal
 
 struct Scene {
     TriangleMesh mesh = crossing_vessels();
-    std::unique_ptr<GlContext> context = make_osmesa_context().value();
+    ramus::test::WatchedContext context;
     std::unique_ptr<Renderer> renderer;
     Frame frame;
 
@@ -52,10 +53,7 @@ struct Scene {
         frame.appearance.depth_cue = 0.0F;
         for (int i = 0; i < kVessels; ++i) frame.states.push_back(state_of(i));
     }
-    ~Scene() {
-        renderer.reset();
-        CHECK_MESSAGE(gl_error_count() == 0, gl_last_error());
-    }
+    ~Scene() { renderer.reset(); }
     Image draw() {
         REQUIRE(context->make_current());
         const auto done = renderer->draw(frame);
@@ -63,12 +61,6 @@ struct Scene {
         return renderer->read_image();
     }
 };
-
-int largest_difference(const Image& a, const Image& b) {
-    int largest = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i) largest = std::max(largest, std::abs(a.rgba[i] - b.rgba[i]));
-    return largest;
-}
 
 struct Hit {
     double depth; // along the ray
@@ -255,6 +247,7 @@ TEST_CASE("the order of triangles makes no difference to glass") {
 }
 
 TEST_CASE("glass that does not fit into its memory is drawn in bands, with the same pixels") {
+    if (const ramus::test::WatchedContext any; !gl_has_lists()) return; // no lists, no bands
     Scene scene(false);
     const Image whole = scene.draw();
     const Pick pick = scene.renderer->pick(160, 120);

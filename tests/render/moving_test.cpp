@@ -1,8 +1,8 @@
 // What stands in for the surface while the view moves: round cones along the centerlines, found by a ray a pixel.
 #include "render/centerlines.h"
 #include "render/gl_context.h"
-#include "render/osmesa_context.h"
 #include "render/renderer.h"
+#include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const std::array<Vessel, 4> kVessels{{{{0, 0, -30}, {0, 0, 10}, 5.0F, 5.0F},
 
 // The cones' own surface, finely.
 struct Scene {
-    std::unique_ptr<GlContext> context = make_osmesa_context().value();
+    ramus::test::WatchedContext context;
     std::unique_ptr<Renderer> renderer = Renderer::create().value();
     Frame frame;
 
@@ -54,10 +54,7 @@ struct Scene {
         frame.states.assign(kVessels.size(), BranchState::kNormal);
         frame.quality = Quality::kInteractive;
     }
-    ~Scene() {
-        renderer.reset();
-        CHECK_MESSAGE(gl_error_count() == 0, gl_last_error());
-    }
+    ~Scene() { renderer.reset(); }
     DrawStatistics draw() {
         REQUIRE(context->make_current());
         const auto done = renderer->draw(frame);

@@ -3,8 +3,8 @@
 #include "core/mesh/surface.h"
 #include "render/gl_context.h"
 #include "render/image.h"
-#include "render/osmesa_context.h"
 #include "render/renderer.h"
+#include "tests/support/gl_test.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/tube_mesh.h"
 
@@ -20,7 +20,7 @@ struct Explorer {
     tree::VesselTree tree = test::grown_tree(300).value();
     mesh::Polygonizer polygonizer;
     std::shared_ptr<const PagedMesh> mesh;
-    std::unique_ptr<GlContext> context = make_osmesa_context().value();
+    ramus::test::WatchedContext context;
     std::unique_ptr<Renderer> renderer = Renderer::create().value();
     Frame frame;
 
@@ -30,10 +30,7 @@ struct Explorer {
         frame.camera = camera_for(mesh->positions(), View::kAnterior, frame.size);
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
     }
-    ~Explorer() {
-        renderer.reset();
-        CHECK_MESSAGE(gl_error_count() == 0, gl_last_error());
-    }
+    ~Explorer() { renderer.reset(); }
     void update(const std::vector<std::uint8_t>& hidden) {
         Job job;
         REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));

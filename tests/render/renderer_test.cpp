@@ -1,8 +1,8 @@
 // Pictures of a small tree of capsules, drawn through OSMesa: what the eye expects of them, put into numbers.
 #include "render/gl_context.h"
 #include "render/image.h"
-#include "render/osmesa_context.h"
 #include "render/renderer.h"
+#include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ std::shared_ptr<const PagedMesh> small_tree() {
 }
 
 struct Scene {
-    std::unique_ptr<GlContext> context = make_osmesa_context().value();
+    ramus::test::WatchedContext context;
     std::unique_ptr<Renderer> renderer = Renderer::create().value();
     Frame frame;
 
@@ -40,10 +40,7 @@ struct Scene {
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
         frame.states.assign(4, BranchState::kNormal);
     }
-    ~Scene() {
-        renderer.reset();
-        CHECK_MESSAGE(gl_error_count() == 0, gl_last_error());
-    }
+    ~Scene() { renderer.reset(); }
     Image draw() {
         const auto done = renderer->draw(frame);
         REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));

@@ -3,10 +3,10 @@
 // without perspective, 0.1 mm a pixel.
 #include "render/gl_context.h"
 #include "render/legend.h"
-#include "render/osmesa_context.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
 #include "render/text.h"
+#include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 constexpr double kPixelMm = 0.1;
 
 struct Scene {
-    std::unique_ptr<GlContext> context = make_osmesa_context().value();
+    ramus::test::WatchedContext context;
     std::unique_ptr<Renderer> renderer = Renderer::create().value();
     Frame frame;
 
@@ -51,10 +51,7 @@ struct Scene {
             lines->points.emplace_back(8.0F, 12.0F, z, z), lines->details.push_back({6.0F, 1});
         frame.centerlines = lines;
     }
-    ~Scene() {
-        renderer.reset();
-        CHECK_MESSAGE(gl_error_count() == 0, gl_last_error());
-    }
+    ~Scene() { renderer.reset(); }
     Image draw() {
         const auto done = renderer->draw(frame);
         REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
