@@ -14,7 +14,7 @@ namespace {
 
 int error_count = 0;
 bool out_of_memory = false;
-bool tells_by_itself = false; // debug messages are on
+int looked_at = 0; // error_count when glGetError() was last asked
 std::string last_error;
 GlVersion found_version;
 GlVersion newest_allowed{99, 0};
@@ -47,8 +47,7 @@ Result<void> load_gl(GlLoader loader, const void* context, const std::string& re
     install_gl_floor(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
-    tells_by_itself = glDebugMessageCallback != nullptr;
-    if (tells_by_itself) {
+    if (glDebugMessageCallback != nullptr) {
         glEnable(GL_DEBUG_OUTPUT);
         if ((flags & GL_CONTEXT_FLAG_DEBUG_BIT) != 0) glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(note_message, nullptr);
@@ -83,12 +82,13 @@ void note_gl_errors(const char* where) {
     constexpr int kMost = 16; // without a context, or a lost one, it never ends
     for (int i = 0; i < kMost; ++i) {
         const GLenum error = glGetError();
-        if (error == GL_NO_ERROR) return;
+        if (error == GL_NO_ERROR) break;
         if (error == GL_OUT_OF_MEMORY)
             out_of_memory = true;
-        else if (!tells_by_itself)
+        else if (error_count == looked_at) // no debug message has told it
             count_error("error " + std::to_string(error) + " after " + where);
     }
+    looked_at = error_count;
 }
 
 int gl_error_count() {
