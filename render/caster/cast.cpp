@@ -31,40 +31,56 @@ alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
                                                       3 * kTile + 2,
                                                       3 * kTile + 3};
 
+// Two samples at a time.
 template <bool Flat>
 HWY_INLINE void CastBlock(const View& view, const Cone& cone, bool with_values, float x, float y, int block,
                           Samples& samples) {
     const D d;
     const DU du;
-    V farthest = hn::Zero(d);
-    for (int sample = 0; sample < kSamples; ++sample) {
-        float* depths = samples.depth[block][sample];
-        for (int lane = 0; lane < 16; lane += kN) {
-            const V old = hn::Load(d, depths + lane);
-            V now = old;
-            if ((cone.samples >> sample & 1U) != 0) {
-                const Rays rays = rays_through(view, hn::Add(hn::Load(d, kLaneX + lane), set(x + kSampleX[sample])),
-                                               hn::Add(hn::Load(d, kLaneY + lane), set(y + kSampleY[sample])));
-                const Meeting found = meet<Flat, false>(cone, rays);
-                const M nearer = hn::And(found.there, hn::Lt(found.depth, old));
-                if (!hn::AllFalse(d, nearer)) {
-                    samples.touched[block] = true;
-                    now = hn::IfThenElse(nearer, found.depth, old);
-                    hn::Store(now, d, depths + lane);
-                    const auto write = [&](std::uint32_t* to, VU value) {
-                        hn::Store(hn::IfThenElse(hn::RebindMask(du, nearer), value, hn::Load(du, to + lane)), du,
-                                  to + lane);
-                    };
-                    write(samples.id[block][sample], hn::Set(du, cone.id));
-                    write(samples.normal[block][sample], packed_normal(normal_at(cone, found)));
-                    if (with_values) {
-                        float* values = samples.value[block][sample] + lane;
-                        const V value = mix(set(cone.value[0]), set(cone.value[1]), found.s);
-                        hn::Store(hn::IfThenElse(nearer, value, hn::Load(d, values)), d, values);
-                    }
-                }
+    if (!samples.touched[block]) {
+        samples.touched[block] = true;
+        for (int sample = 0; sample < kSamples; ++sample)
+            for (int lane = 0; lane < 16; lane += kN) {
+                hn::Store(set(kNothing), d, samples.depth[block][sample] + lane);
+                hn::Store(hn::Zero(du), du, samples.id[block][sample] + lane);
             }
-            farthest = hn::Max(farthest, now);
+    }
+    V farthest = hn::Zero(d);
+    for (int lane = 0; lane < 16; lane += kN) {
+        const V column = hn::Add(hn::Load(d, kLaneX + lane), set(x)), row = hn::Add(hn::Load(d, kLaneY + lane), set(y));
+        for (int sample = 0; sample < kSamples; sample += 2) {
+            const auto rays_of = [&](int s) {
+                return rays_through(view, hn::Add(column, set(kSampleX[s])), hn::Add(row, set(kSampleY[s])));
+            };
+            const auto depths = [&](int s) { return samples.depth[block][s] + lane; };
+            const Rays<V> first = rays_of(sample), second = rays_of(sample + 1);
+            const auto found = meet<Flat, false>(cone, Rays<Pair>{{first.x, second.x}, {first.y, second.y}});
+            const Pair old{hn::Load(d, depths(sample)), hn::Load(d, depths(sample + 1))};
+            MaskPair nearer = And(found.there, Lt(found.depth, old));
+            if ((cone.samples >> sample & 1U) == 0) nearer.a = hn::Xor(nearer.a, nearer.a);
+            if ((cone.samples >> sample & 2U) == 0) nearer.b = hn::Xor(nearer.b, nearer.b);
+            if (None(nearer)) {
+                farthest = hn::Max(farthest, hn::Max(old.a, old.b));
+                continue;
+            }
+            const Pair now = IfThenElse(nearer, found.depth, old);
+            farthest = hn::Max(farthest, hn::Max(now.a, now.b));
+            const Normal<Pair> normal = normal_at(cone, found);
+            const auto write = [&](int s, M which, V depth, V3 direction, V at) {
+                hn::Store(depth, d, depths(s));
+                const auto which_u = hn::RebindMask(du, which);
+                const auto put = [&](std::uint32_t* to, VU value) {
+                    hn::Store(hn::IfThenElse(which_u, value, hn::Load(du, to + lane)), du, to + lane);
+                };
+                put(samples.id[block][s], hn::Set(du, cone.id));
+                put(samples.normal[block][s], packed_normal(direction));
+                if (!with_values) return;
+                float* values = samples.value[block][s] + lane;
+                const V value = mix(set(cone.value[0]), set(cone.value[1]), at);
+                hn::Store(hn::IfThenElse(which, value, hn::Load(d, values)), d, values);
+            };
+            write(sample, nearer.a, now.a, {normal.x.a, normal.y.a, normal.z.a}, found.s.a);
+            write(sample + 1, nearer.b, now.b, {normal.x.b, normal.y.b, normal.z.b}, found.s.b);
         }
     }
     samples.farthest[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
@@ -72,16 +88,9 @@ HWY_INLINE void CastBlock(const View& view, const Cone& cone, bool with_values, 
 
 void CastTile(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, bool with_values,
               int x, int y, Samples& samples) {
-    const D d;
-    const DU du;
     for (int block = 0; block < kBlocks * kBlocks; ++block) {
         samples.farthest[block] = kNothing;
-        samples.touched[block] = false;
-        for (int sample = 0; sample < kSamples; ++sample)
-            for (int lane = 0; lane < 16; lane += kN) {
-                hn::Store(set(kNothing), d, samples.depth[block][sample] + lane);
-                hn::Store(hn::Zero(du), du, samples.id[block][sample] + lane);
-            }
+        samples.touched[block] = false; // what it holds is of another tile
     }
     constexpr float kHalf = 0.5F * kBlock;
     for (std::size_t i = 0; i < count; ++i) {
@@ -101,9 +110,8 @@ void CastTile(const View& view, const Cone* cones, const std::uint32_t* order, s
         for (int by = y0; by <= y1; ++by) {
             for (int bx = x0; bx <= x1; ++bx) {
                 const int block = by * kBlocks + bx;
-                if (cone.nearest >= samples.farthest[block]) continue;
                 const auto left = static_cast<float>(x + kBlock * bx), low = static_cast<float>(y + kBlock * by);
-                if (!reaches(cone, left + kHalf, low + kHalf)) continue;
+                if (!reaches(cone, left + kHalf, low + kHalf, samples.farthest[block])) continue;
                 if (view.flat)
                     CastBlock<true>(view, cone, with_values, left, low, block, samples);
                 else

@@ -40,9 +40,11 @@ struct Cone {
     float from_way[4], to_way[4];          // the vessel's direction at both ends; 3: 1 where it goes on
     float pixel[2], way[2], length, reach; // in the picture: from where to where, and how far beside that, pixels
     float nearest;                         // depth
-    float value[2];                        // at both ends, to colour by
-    std::uint32_t id;                      // as in ids.glsl
-    std::uint32_t samples;                 // bits: which samples it may cover
+    float depth[3];        // of the axis: at its first end, and how it changes to the other; when [2] is 0, its inverse
+    float widest;          // radius
+    float value[2];        // at both ends, to colour by
+    std::uint32_t id;      // as in ids.glsl
+    std::uint32_t samples; // bits: which samples it may cover
 };
 
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].
@@ -52,7 +54,7 @@ struct alignas(64) Samples {
     std::uint32_t normal[kBlocks * kBlocks][kSamples][16]; // octahedral, y up and z towards the eye
     float value[kBlocks * kBlocks][kSamples][16];
     float farthest[kBlocks * kBlocks]; // of the block's depths
-    bool touched[kBlocks * kBlocks];   // something was hit
+    bool touched[kBlocks * kBlocks];   // else it holds nothing, and what is above means nothing
 };
 
 // What is shaded at once: one record for the pixels of one surface, one a sample on edges.

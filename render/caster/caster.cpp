@@ -21,7 +21,7 @@ namespace ramus::render::caster {
 
 namespace {
 
-constexpr double kThinnedShare = 1e-4; // of the tree's extent: a tenth of a pixel where it fills the window
+constexpr double kThinnedShare = 2e-4; // of the tree's extent: a fifth of a pixel where it fills the window
 constexpr float kLineWidth = 1.6F;     // points
 constexpr std::uint32_t kAllSamples = (1U << kSamples) - 1;
 constexpr std::uint32_t kLineId = 0x80000000U;
@@ -155,6 +155,9 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     const glm::vec2 low = glm::min(start, start + way) - cone.reach, high = glm::max(start, start + way) + cone.reach;
     if (high.x < 0.0F || high.y < 0.0F || low.x > float(view_.width) || low.y > float(view_.height)) return false;
     cone.length = glm::length(way);
+    const float d0 = view_.flat ? from.z : 1.0F / from.z, d1 = view_.flat ? to.z : 1.0F / to.z;
+    put(cone.depth, {d0, d1 - d0, view_.flat ? 1.0F : 0.0F});
+    cone.widest = std::max(first, last);
     cone.pixel[0] = start.x, cone.pixel[1] = start.y;
     cone.way[0] = cone.length > 0.0F ? way.x / cone.length : 0.0F;
     cone.way[1] = cone.length > 0.0F ? way.y / cone.length : 0.0F;
@@ -315,6 +318,7 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
             line.shrunk = line.squared - line.growth * line.growth;
             line.inverse_shrunk = line.shrunk > 0.0F ? 1.0F / line.shrunk : 0.0F;
             line.reach = 1.5F * pixels + 1.0F;
+            line.widest = std::max(line.first_radius, line.last_radius);
             line.nearest = std::min(first - line.first_radius, last - line.last_radius);
             line.id |= kLineId;
             kinds[segments + i] = Kind::kOpaque;

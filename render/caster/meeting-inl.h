@@ -6,123 +6,136 @@
 #define RAMUS_CASTER_MEETING_INL_H
 #endif
 
-#include "render/caster/lanes-inl.h"
+#include "render/caster/pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 // Through a block's pixels. A place on a ray is (x, y, 1) times its depth when perspective, (x, y, depth) when flat:
 // ways along rays are depths.
-struct Rays {
-    V x, y;
-};
+// Through a block's pixels. A place on a ray is (x, y, 1) times its depth when perspective, (x, y, depth) when flat:
+// ways along rays are depths. `Vec`: V or Pair.
+template <class Vec> struct Rays { Vec x, y; };
 
-HWY_INLINE Rays rays_through(const View& view, V x, V y) {
+HWY_INLINE Rays<V> rays_through(const View& view, V x, V y) {
     const V scale = set(view.mm_a_pixel);
     return {hn::Mul(hn::Sub(x, set(view.centre_x)), scale), hn::Mul(hn::Sub(y, set(view.centre_y)), scale)};
 }
 
-struct Meeting {
-    M there;
-    V depth; // where the ray goes in
-    V out;   // and where it comes out; only if asked for
-    V s;     // along the cone, 0 to 1
-    M on_side;
-    V3 from_axis; // from the axis at s to the place: not yet the normal
+template <class Vec, class Mask> struct Meeting {
+    Mask there;
+    Vec depth; // where the ray goes in
+    Vec out;   // and where it comes out; only if asked for
+    Vec s;     // along the cone, 0 to 1
+    Mask on_side;
+    Vec off_x, off_y, off_z; // from the axis at s to the place: not yet the normal
 };
 
 // Ways to a ball and out of it, where they are nearer and farther than those found. As seen from the ray's start, with
 // the ray's squared length and its inverse: (start - centre) . ray, and |start - centre|^2 - radius^2.
-template <bool Out> HWY_INLINE void meet_ball(V middle, V squared, V ray2, V inverse_ray2, V end, V& in, V& out, V& s) {
-    const V inside = hn::MulSub(middle, middle, hn::Mul(squared, ray2));
-    const M hit = hn::Gt(inside, hn::Zero(D()));
-    const V root = root_of(hn::Max(inside, set(1e-30F)));
-    const V way = hn::Mul(hn::Neg(hn::Add(middle, root)), inverse_ray2);
-    const M nearer = hn::And(hit, hn::Lt(way, in));
-    in = hn::IfThenElse(nearer, way, in);
-    s = hn::IfThenElse(nearer, end, s);
-    if constexpr (Out) out = hn::IfThenElse(hit, hn::Max(out, hn::Mul(hn::Sub(root, middle), inverse_ray2)), out);
+template <bool Out, class Vec>
+HWY_INLINE void meet_ball(Vec middle, Vec squared, Vec ray2, Vec inverse_ray2, Vec end, Vec& in, Vec& out, Vec& s) {
+    const Vec inside = MulSub(middle, middle, Mul(squared, ray2));
+    const auto hit = Gt(inside, Splat<Vec>(0.0F));
+    const Vec root = root_of(Max(inside, Splat<Vec>(1e-30F)));
+    const Vec way = Mul(Neg(Add(middle, root)), inverse_ray2);
+    const auto nearer = And(hit, Lt(way, in));
+    in = IfThenElse(nearer, way, in);
+    s = IfThenElse(nearer, end, s);
+    if constexpr (Out) out = IfThenElse(hit, Max(out, Mul(Sub(root, middle), inverse_ray2)), out);
 }
 
 // `Out`: with the way out, for what is seen through.
-template <bool Flat, bool Out> HWY_INLINE Meeting meet(const Cone& cone, const Rays& rays) {
-    const V zero = hn::Zero(D()), one = set(1.0F);
+template <bool Flat, bool Out, class Vec> HWY_INLINE auto meet(const Cone& cone, const Rays<Vec>& rays) {
+    const auto S = [](float x) { return Splat<Vec>(x); };
+    const Vec zero = S(0.0F), one = S(1.0F);
     // From the depth of the cone's middle: small numbers.
-    const float start = cone.middle_depth, off_z = start - cone.from[2];
-    const V off_x = Flat ? hn::Sub(rays.x, set(cone.from[0])) : hn::MulSub(rays.x, set(start), set(cone.from[0]));
-    const V off_y = Flat ? hn::Sub(rays.y, set(cone.from[1])) : hn::MulSub(rays.y, set(start), set(cone.from[1]));
-    const V ax = set(cone.axis[0]), ay = set(cone.axis[1]), az = set(cone.axis[2]);
-    const V ray2 = Flat ? one : hn::MulAdd(rays.x, rays.x, hn::MulAdd(rays.y, rays.y, one));
-    const V slope = Flat ? az : hn::MulAdd(rays.x, ax, hn::MulAdd(rays.y, ay, az));
-    const V to_ray = Flat ? set(off_z) : hn::MulAdd(rays.x, off_x, hn::MulAdd(rays.y, off_y, set(off_z)));
-    const V along = hn::MulAdd(off_x, ax, hn::MulAdd(off_y, ay, set(off_z * cone.axis[2])));
-    const V squared = hn::MulAdd(off_x, off_x, hn::MulAdd(off_y, off_y, set(off_z * off_z)));
-    const V shrunk = set(cone.shrunk);
-    const V a = hn::Sub(squared, set(cone.first_radius * cone.first_radius));
-    const V b = hn::Add(along, set(cone.first_radius * cone.growth));
-    const V q2 = hn::NegMulAdd(slope, slope, hn::Mul(shrunk, ray2));
-    const V q1 = hn::MulSub(shrunk, to_ray, hn::Mul(b, slope));
-    const V q0 = hn::MulSub(shrunk, a, hn::Mul(b, b));
-    const V inside = hn::MulSub(q1, q1, hn::Mul(q2, q0));
-    const M tapers = hn::And(hn::Gt(q2, zero), hn::Gt(shrunk, zero)), real = hn::And(hn::Gt(inside, zero), tapers);
-    const V root = root_of(hn::Max(inside, set(1e-30F))), inverse = inverse_of(q2);
-    const V way = hn::Mul(hn::Neg(hn::Add(q1, root)), inverse);
-    const V s = hn::Mul(hn::MulAdd(way, slope, b), set(cone.inverse_shrunk));
-    Meeting found;
-    found.on_side = hn::And(real, hn::And(hn::Ge(s, zero), hn::Le(s, one)));
-    V in = hn::IfThenElse(found.on_side, way, set(kNothing));
-    found.s = s;
-    found.out = set(-kNothing);
+    const float start = cone.middle_depth, z = start - cone.from[2];
+    const Vec off_x = Flat ? Sub(rays.x, S(cone.from[0])) : MulSub(rays.x, S(start), S(cone.from[0]));
+    const Vec off_y = Flat ? Sub(rays.y, S(cone.from[1])) : MulSub(rays.y, S(start), S(cone.from[1]));
+    const Vec ax = S(cone.axis[0]), ay = S(cone.axis[1]), az = S(cone.axis[2]), off_z = S(z);
+    const Vec ray2 = Flat ? one : MulAdd(rays.x, rays.x, MulAdd(rays.y, rays.y, one));
+    const Vec slope = Flat ? az : MulAdd(rays.x, ax, MulAdd(rays.y, ay, az));
+    const Vec to_ray = Flat ? off_z : MulAdd(rays.x, off_x, MulAdd(rays.y, off_y, off_z));
+    const Vec along = MulAdd(off_x, ax, MulAdd(off_y, ay, S(z * cone.axis[2])));
+    const Vec squared = MulAdd(off_x, off_x, MulAdd(off_y, off_y, S(z * z)));
+    const Vec shrunk = S(cone.shrunk);
+    const Vec a = Sub(squared, S(cone.first_radius * cone.first_radius));
+    const Vec b = Add(along, S(cone.first_radius * cone.growth));
+    const Vec q2 = NegMulAdd(slope, slope, Mul(shrunk, ray2));
+    const Vec q1 = MulSub(shrunk, to_ray, Mul(b, slope));
+    const Vec q0 = MulSub(shrunk, a, Mul(b, b));
+    const Vec inside = MulSub(q1, q1, Mul(q2, q0));
+    const auto tapers = And(Gt(q2, zero), Gt(shrunk, zero)), real = And(Gt(inside, zero), tapers);
+    const Vec root = root_of(Max(inside, S(1e-30F))), inverse = inverse_of(q2);
+    const Vec way = Mul(Neg(Add(q1, root)), inverse);
+    const Vec s = Mul(MulAdd(way, slope, b), S(cone.inverse_shrunk));
+    const auto on_side = And(real, And(Ge(s, zero), Le(s, one)));
+    Vec in = IfThenElse(on_side, way, S(kNothing)), out = S(-kNothing), at = s;
     if constexpr (Out) {
-        const V leaving = hn::Mul(hn::Sub(root, q1), inverse);
-        const V s_out = hn::Mul(hn::MulAdd(leaving, slope, b), set(cone.inverse_shrunk));
-        const M by_side = hn::And(real, hn::And(hn::Ge(s_out, zero), hn::Le(s_out, one)));
-        found.out = hn::IfThenElse(by_side, leaving, found.out);
+        const Vec leaving = Mul(Sub(root, q1), inverse);
+        const Vec s_out = Mul(MulAdd(leaving, slope, b), S(cone.inverse_shrunk));
+        out = IfThenElse(And(real, And(Ge(s_out, zero), Le(s_out, one))), leaving, out);
     }
     // The cone that the side goes on in holds both balls: who misses it misses them.
-    const M may_meet_balls =
-        Out ? hn::Or(real, hn::Not(tapers)) : hn::AndNot(found.on_side, hn::Or(real, hn::Not(tapers)));
-    if (!hn::AllFalse(D(), may_meet_balls)) {
-        const V inverse_ray2 = Flat ? one : inverse_of(ray2);
-        V nearest = in;
-        meet_ball<Out>(to_ray, a, ray2, inverse_ray2, zero, nearest, found.out, found.s);
-        const V last =
-            hn::Add(hn::NegMulAdd(set(2.0F), along, squared), set(cone.squared - cone.last_radius * cone.last_radius));
-        meet_ball<Out>(hn::Sub(to_ray, slope), last, ray2, inverse_ray2, one, nearest, found.out, found.s);
+    const auto may_meet_balls = Out ? Or(real, Not(tapers)) : AndNot(on_side, Or(real, Not(tapers)));
+    if (!None(may_meet_balls)) {
+        const Vec inverse_ray2 = Flat ? one : inverse_of(ray2);
+        Vec nearest = in;
+        meet_ball<Out, Vec>(to_ray, a, ray2, inverse_ray2, zero, nearest, out, at);
+        const Vec last = Add(NegMulAdd(S(2.0F), along, squared), S(cone.squared - cone.last_radius * cone.last_radius));
+        meet_ball<Out, Vec>(Sub(to_ray, slope), last, ray2, inverse_ray2, one, nearest, out, at);
         // Where the side is met, a ball that is met before it can only be so by rounding.
-        in = hn::IfThenElse(found.on_side, in, nearest);
-        found.s = hn::IfThenElse(found.on_side, s, found.s);
+        in = IfThenElse(on_side, in, nearest);
+        at = IfThenElse(on_side, s, at);
     }
-    found.there = hn::Lt(in, set(0.5F * kNothing));
-    const V x = Flat ? off_x : hn::MulAdd(in, rays.x, off_x), y = Flat ? off_y : hn::MulAdd(in, rays.y, off_y);
-    found.from_axis = {hn::NegMulAdd(found.s, ax, x), hn::NegMulAdd(found.s, ay, y),
-                       hn::NegMulAdd(found.s, az, hn::Add(in, set(off_z)))};
-    found.depth = hn::Add(in, set(start));
-    found.out = hn::Add(found.out, set(start));
-    return found;
+    const Vec x = Flat ? off_x : MulAdd(in, rays.x, off_x), y = Flat ? off_y : MulAdd(in, rays.y, off_y);
+    return Meeting<Vec, decltype(on_side)>{Lt(in, S(0.5F * kNothing)),
+                                           Add(in, S(start)),
+                                           Add(out, S(start)),
+                                           at,
+                                           on_side,
+                                           NegMulAdd(at, ax, x),
+                                           NegMulAdd(at, ay, y),
+                                           NegMulAdd(at, az, Add(in, off_z))};
 }
 
 // Upright on the vessel's own way rather than on the segment's: the eye sees no joints. Y up, z towards the eye; not of
 // unit length.
-HWY_INLINE V3 normal_at(const Cone& cone, const Meeting& found) {
-    const V3 way = mix(set(cone.from_way), set(cone.to_way), found.s);
-    const V goes_on = mix(set(cone.from_way[3]), set(cone.to_way[3]), found.s);
-    const M straightened = hn::Or(found.on_side, hn::Gt(goes_on, set(0.5F)));
-    const V along = hn::IfThenElseZero(straightened, dot(found.from_axis, way));
-    const V3 n = found.from_axis - along * way;
-    return {n.x, n.y, hn::Neg(n.z)};
+template <class Vec> struct Normal { Vec x, y, z; };
+template <class Vec, class Mask> HWY_INLINE Normal<Vec> normal_at(const Cone& cone, const Meeting<Vec, Mask>& found) {
+    const auto between = [&](int i) {
+        return MulAdd(found.s, Splat<Vec>(cone.to_way[i] - cone.from_way[i]), Splat<Vec>(cone.from_way[i]));
+    };
+    const Vec wx = between(0), wy = between(1), wz = between(2);
+    const auto straightened = Or(found.on_side, Gt(between(3), Splat<Vec>(0.5F)));
+    const Vec along =
+        IfThenElseZero(straightened, MulAdd(found.off_x, wx, MulAdd(found.off_y, wy, Mul(found.off_z, wz))));
+    return {NegMulAdd(along, wx, found.off_x), NegMulAdd(along, wy, found.off_y), MulSub(along, wz, found.off_z)};
 }
 
-// Whether the cone's outline may come into the block whose middle is (x, y).
-HWY_INLINE bool reaches(const Cone& cone, float x, float y) {
+// Whether the cone may come into the block whose middle is (x, y), before `farthest`.
+HWY_INLINE bool reaches(const Cone& cone, float x, float y, float farthest) {
     constexpr float kHalf = 0.5F * kBlock;
+    if (cone.nearest >= farthest) return false;
     const float px = x - cone.pixel[0], py = y - cone.pixel[1], wx = cone.way[0], wy = cone.way[1];
-    const float half = kHalf * (__builtin_fabsf(wx) + __builtin_fabsf(wy)); // of the block, as wide as it is seen along
-    const float corner = cone.length > 0.0F ? half : 1.4143F * kHalf; // and across: a square is the same both ways
+    if (cone.length <= 0.0F) {
+        const float most = cone.reach + 1.4143F * kHalf;
+        return px * px + py * py <= most * most;
+    }
+    // Half of the block as it is seen along the cone, and across: a square is the same both ways.
+    const float half = kHalf * (__builtin_fabsf(wx) + __builtin_fabsf(wy)), beside = cone.reach + half;
     const float along = px * wx + py * wy, across = __builtin_fabsf(px * wy - py * wx);
-    if (cone.length > 0.0F)
-        return across <= cone.reach + corner && along >= -cone.reach - half && along <= cone.length + cone.reach + half;
-    return px * px + py * py <= (cone.reach + corner) * (cone.reach + corner);
+    if (across > beside || along < -beside || along > cone.length + beside) return false;
+    // The part of its axis that may be seen there: depths are even in the picture when flat, else their inverse is.
+    const float from = along - beside, to = along + beside, scale = 1.0F / cone.length;
+    const float t0 = from <= 0.0F ? 0.0F : from * scale, t1 = to >= cone.length ? 1.0F : to * scale;
+    const float d0 = cone.depth[0] + t0 * cone.depth[1], d1 = cone.depth[0] + t1 * cone.depth[1];
+    if (cone.depth[2] > 0.0F) { // flat
+        const float nearest = (d0 < d1 ? d0 : d1) - cone.widest;
+        return nearest < farthest;
+    }
+    return (d0 > d1 ? d0 : d1) * (farthest + cone.widest) > 1.0F;
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE

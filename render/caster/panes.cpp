@@ -47,19 +47,22 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
             for (Stretches& list : lists) list.count = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 const Cone& cone = cones[order[i]];
-                if (cone.nearest >= samples.farthest[block] || !reaches(cone, fx + kHalf, fy + kHalf)) continue;
+                if (!reaches(cone, fx + kHalf, fy + kHalf, samples.farthest[block])) continue;
                 for (int lane = 0; lane < 16; lane += kN) {
-                    const Rays rays =
+                    const Rays<V> rays =
                         rays_through(view, hn::Add(hn::Load(d, kColumn + lane), set(fx + kSampleX[sample])),
                                      hn::Add(hn::Load(d, kRow + lane), set(fy + kSampleY[sample])));
-                    const Meeting found = view.flat ? meet<true, true>(cone, rays) : meet<false, true>(cone, rays);
+                    const auto found = view.flat ? meet<true, true>(cone, rays) : meet<false, true>(cone, rays);
                     const M before =
-                        hn::And(found.there, hn::Lt(found.depth, hn::Load(d, samples.depth[block][sample] + lane)));
+                        hn::And(found.there, hn::Lt(found.depth, samples.touched[block]
+                                                                     ? hn::Load(d, samples.depth[block][sample] + lane)
+                                                                     : set(kNothing)));
                     if (hn::AllFalse(d, before)) continue;
                     any = true;
+                    const Normal<V> normal = normal_at(cone, found);
                     hn::Store(found.depth, d, in);
                     hn::Store(found.out, d, out);
-                    hn::Store(packed_normal(normal_at(cone, found)), du, normals);
+                    hn::Store(packed_normal({normal.x, normal.y, normal.z}), du, normals);
                     alignas(64) float marks[16];
                     hn::Store(hn::IfThenElseZero(before, set(1.0F)), d, marks);
                     for (int k = 0; k < kN; ++k)

@@ -9,7 +9,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr int kTaps = 20; // of the occlusion, as at rest
+constexpr int kTaps = 12; // of the occlusion; fewer than at rest, and nobody sees it
 
 } // namespace
 
