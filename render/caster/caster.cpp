@@ -25,6 +25,7 @@ constexpr double kThinnedShare = 2e-4; // of the tree's extent: a fifth of a pix
 constexpr float kLineWidth = 1.6F;     // points
 constexpr std::uint32_t kAllSamples = (1U << kSamples) - 1;
 constexpr std::uint32_t kLineId = 0x80000000U;
+constexpr std::uint16_t kSelectedFlag = 8; // as in shade.frag
 
 // What a thread works in.
 struct Scratch {
@@ -362,13 +363,31 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
         shading.scale_slope = high > low ? 1.0F / (high - low) : 0.0F;
         shading.scale_logarithmic = log;
     }
+    // An outline reaches into the tiles around at most.
+    std::vector<std::uint8_t> near_selected(outlined ? std::size_t(tiles) : 0, 0);
+    const auto is_selected = [&](std::uint32_t id) {
+        const std::size_t branch = (id & ~kLineId) - 1;
+        return branch < records.size() && (records[branch][3] & kSelectedFlag) != 0;
+    };
+    for (int tile = 0; tile < tiles && outlined; ++tile) {
+        const Tile& at = tiles_[std::size_t(tile)];
+        if (std::none_of(at.id.begin(), at.id.begin() + std::ptrdiff_t(at.count), is_selected) &&
+            std::none_of(at.pane_id.begin(), at.pane_id.begin() + std::ptrdiff_t(at.panes), is_selected))
+            continue;
+        const int x = tile % across_, y = tile / across_;
+        for (int ty = std::max(y - 1, 0); ty <= std::min(y + 1, up_ - 1); ++ty)
+            for (int tx = std::max(x - 1, 0); tx <= std::min(x + 1, across_ - 1); ++tx)
+                near_selected[std::size_t(ty * across_ + tx)] = 1;
+    }
     for_tiles([&](int index) {
         Tile& tile = tiles_[std::size_t(index)];
         const Records found{tile.place.data(), tile.id.data(),    tile.normal.data(),
                             tile.depth.data(), tile.value.data(), tile.count};
         const Panes panes{tile.pane_place.data(), tile.pane_id.data(), tile.pane_normal.data(), tile.pane_depth.data(),
                           tile.panes};
-        shade_tile(view_, shading, found, panes, corner(index).first, corner(index).second, picture_,
+        Shading here = shading;
+        here.outlined = outlined && near_selected[std::size_t(index)] != 0;
+        shade_tile(view_, here, found, panes, corner(index).first, corner(index).second, picture_,
                    scratches().local()->colours, rgba_.data());
     });
     return drawn;
