@@ -6,6 +6,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/mesh.h"
 #include "app/commands/render.h"
+#include "app/commands/study.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
 
@@ -74,6 +75,7 @@ int run(int argc, char** argv) {
     add_window_flags(app, window);
 
     register_render(app, chosen);
+    register_study(app, chosen);
     register_mesh(app, chosen);
     register_info(app, chosen);
     register_convert(app, chosen);

@@ -4,6 +4,7 @@
 #include "app/commands/figures.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
+#include "app/commands/picture_size.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
@@ -19,7 +20,6 @@
 #include "render/headless_context.h"
 #include "render/renderer.h"
 
-#include <charconv>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -43,19 +43,6 @@ struct RenderFlags {
     int device = -1; // of EGL's; -1: the best
     FigureFlags figure;
 };
-
-// "1600x1200", within what can be drawn; else a message for the user.
-std::string read_size(const std::string& text, glm::ivec2& size) {
-    std::int64_t width = 0, height = 0;
-    const char *const end = text.data() + text.size(), *const kWanted = " is not a size such as 1600x1200";
-    const auto x = std::from_chars(text.data(), end, width);
-    if (x.ec != std::errc{} || x.ptr == end || *x.ptr != 'x') return text + kWanted;
-    const auto y = std::from_chars(x.ptr + 1, end, height);
-    if (y.ec != std::errc{} || y.ptr != end) return text + kWanted;
-    if (const auto fits = render::check_size(width, height); !fits) return fits.error().message();
-    size = {width, height};
-    return {};
-}
 
 Result<render::Camera> read_camera(const std::string& text) {
     if (text.find('{') != std::string::npos) return render::parse_camera(text, "--camera");
@@ -241,15 +228,7 @@ void register_render(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(app, "render", "Make the window's picture without a window");
     command->add_option("FILE", flags->file, "Vessel tree; may be left out with --session")->type_name("");
     command->add_option("-o,--output", flags->output, "PNG to write")->type_name("PNG");
-    command
-        ->add_option_function<std::string>(
-            "--size",
-            [flags](const std::string& text) {
-                if (const std::string wrong = read_size(text, flags->size); !wrong.empty())
-                    throw CLI::ValidationError("--size", wrong);
-            },
-            "Pixels of the picture (default 1600x1200)")
-        ->type_name("WxH");
+    add_size_flag(*command, flags->size);
     std::map<std::string, render::View> views;
     for (const render::View view : render::kViews) views.emplace(render::name_of(view), view);
     CLI::Option* view =

@@ -1,0 +1,265 @@
+#include "app/commands/study.h"
+
+#include "app/commands/interrupt.h"
+#include "app/commands/load_tree.h"
+#include "app/commands/load_volume.h"
+#include "app/commands/picture_size.h"
+#include "app/commands/progress_bar.h"
+#include "app/commands/surface_flags.h"
+#include "app/session/numbers.h"
+#include "app/workspace/surface_maker.h"
+#include "core/io/output_file.h"
+#include "core/volume/isosurface.h"
+#include "core/volume/voxelise.h"
+#include "render/headless_context.h"
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::size_t kPlaces = 3;
+constexpr double kPlaceHeight = 14.0; // of a close-up's picture, in diameters of the vessel in its middle
+constexpr double kPlaceShare = 0.35;  // of the whole tree's picture that it shows at most, in height
+
+struct StudyFlags {
+    SurfaceFlags common;
+    std::string file, mask;
+    std::filesystem::path folder;
+    glm::ivec2 size{1200, 900};
+    render::View view = render::View::kAnterior;
+    double voxel_mm = 0.0; // 0: a sensible one
+    bool json = false;
+};
+
+using Paged = std::shared_ptr<const render::PagedMesh>;
+
+// The three surfaces of one tree.
+struct Surfaces {
+    struct One {
+        std::string name, title; // of files, of captions
+        Paged mesh;
+    };
+    std::array<One, 3> all;
+    double voxel_mm = 0.0; // of a mask that was made; 0: it was given
+};
+
+Result<mesh::TriangleMesh> isosurface_of(const StudyFlags& flags, const tree::VesselTree& tree, double& voxel_mm) {
+    const volume::IsosurfaceOptions options{static_cast<double>(flags.common.surface.memory_bytes),
+                                            flags.common.surface.threads};
+    Job job;
+    const CancelOnInterrupt cancel(job);
+    const ProgressBar bar("isosurface", job);
+    if (!flags.mask.empty()) {
+        auto read = load_volume(flags.mask, flags.common);
+        if (!read) return tl::unexpected(read.error());
+        auto made = volume::isosurface(std::move(*read), {}, options, job);
+        if (!made && made.error().where.empty()) made.error().where = flags.mask;
+        return made;
+    }
+    voxel_mm = flags.voxel_mm > 0.0 ? flags.voxel_mm : volume::sensible_voxel_mm(tree);
+    const auto voxels = volume::voxelised(tree, voxel_mm, options.memory_bytes);
+    if (!voxels) return tl::unexpected(voxels.error());
+    return volume::mask_surface(voxels->mask, voxels->to_patient, options, job);
+}
+
+Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& tree) {
+    Surfaces made;
+    auto iso = isosurface_of(flags, tree, made.voxel_mm);
+    if (!iso) return tl::unexpected(iso.error());
+    iso->branches.resize(iso->positions.size());
+    iso->radii.resize(iso->positions.size());
+    std::ranges::fill(iso->branches, 0); // a mask knows none: all are the first
+    std::ranges::fill(iso->radii, 0.0F);
+    made.all[0] = {"isosurface", "Isosurface of the mask", paged(*iso, tree)};
+    const auto with = [&](mesh::Method method) -> Result<Paged> {
+        SurfaceRequest request;
+        request.options = flags.common.surface;
+        request.options.method = method;
+        Job job;
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        const auto ready = make_ready(tree, request, job);
+        if (!ready) return tl::unexpected(ready.error());
+        return ready->mesh;
+    };
+    auto cones = with(mesh::Method::kTruncatedCones), smooth = with(mesh::Method::kConvolutionSurface);
+    if (!cones) return tl::unexpected(cones.error());
+    if (!smooth) return tl::unexpected(smooth.error());
+    made.all[1] = {"cones", "Truncated cones", *cones};
+    made.all[2] = {"convolution", "Convolution surface", *smooth};
+    return made;
+}
+
+// A place worth a close-up.
+struct Place {
+    glm::dvec3 position{0.0};
+    double radius = 0.0;
+};
+
+// Where vessels branch, the widest first; the middles of branches where nothing does.
+std::vector<Place> places_of(const tree::VesselTree& tree) {
+    std::map<std::uint32_t, int> meeting;
+    for (const tree::Branch& branch : tree.branches)
+        for (const std::uint32_t end : {branch.points.front(), branch.points.back()}) ++meeting[end];
+    std::vector<Place> places;
+    for (const auto& [point, branches] : meeting)
+        if (branches > 2) places.push_back({tree.points[point].position, tree.points[point].radius});
+    for (std::size_t i = 0; places.size() < kPlaces && i < tree.branches.size(); ++i) {
+        const auto& points = tree.branches[i].points;
+        const tree::Point& middle = tree.points[points[points.size() / 2]];
+        places.push_back({middle.position, middle.radius});
+    }
+    std::ranges::stable_sort(places, std::greater<>(), &Place::radius);
+    return places;
+}
+
+// Of the widest, the middling and the thin ones one each, of those that can be seen in the picture that is drawn.
+std::vector<Place> choose(render::Renderer& renderer, const render::Frame& context, const std::vector<Place>& all) {
+    std::vector<Place> seen;
+    for (const Place& place : all) {
+        const auto at = render::project(context.camera, context.size, place.position);
+        const glm::dvec2 margin = 0.08 * glm::dvec2(context.size);
+        if (!at || at->x < margin.x || at->y < margin.y || at->x > context.size.x - margin.x ||
+            at->y > context.size.y - margin.y)
+            continue;
+        const render::Pick pick = renderer.pick(at->x, at->y);
+        if (pick.branch != render::kNoBranch && glm::distance(pick.position, place.position) < 2.0 * place.radius)
+            seen.push_back(place);
+    }
+    const std::vector<Place>& from = seen.size() >= kPlaces ? seen : all;
+    std::set<std::size_t> ranks;
+    for (const double share : {0.0, 0.4, 0.85})
+        ranks.insert(std::min(from.size() - 1, static_cast<std::size_t>(share * static_cast<double>(from.size()))));
+    std::vector<Place> chosen;
+    for (const std::size_t rank : ranks) chosen.push_back(from[rank]);
+    return chosen;
+}
+
+render::Camera close_to(const Place& place, render::Camera camera) {
+    const double slope = std::tan(glm::radians(0.5 * camera.view_angle));
+    const double whole = slope * glm::distance(camera.position, camera.focal_point);
+    const double half = std::min(0.5 * kPlaceHeight * 2.0 * place.radius, kPlaceShare * whole);
+    const glm::dvec3 forward = render::axes_of(camera).forward;
+    camera.focal_point = place.position;
+    camera.position = place.position - half / slope * forward;
+    camera.scale = half;
+    return camera;
+}
+
+// Draws the pictures as they are asked for.
+class Painter {
+public:
+    Painter(render::Renderer& renderer, const StudyFlags& flags) : renderer_(renderer), flags_(flags) {}
+
+    [[nodiscard]] render::Frame frame(const Paged& mesh, const render::Camera& camera, std::string caption) const {
+        render::Frame frame;
+        frame.mesh = mesh;
+        frame.camera = camera;
+        frame.size = flags_.size;
+        frame.overlays.caption = std::move(caption);
+        return frame;
+    }
+    Result<void> write(const render::Frame& frame, const std::string& name) {
+        if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+        const auto path = flags_.folder / (name + ".png");
+        if (auto written = render::write_png(renderer_.read_image(), path); !written) return written;
+        files_.push_back(path.string());
+        say(flags_.common, "wrote " + path.string());
+        return {};
+    }
+    [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+
+private:
+    render::Renderer& renderer_;
+    const StudyFlags& flags_;
+    std::vector<std::string> files_;
+};
+
+Result<int> run_study(const StudyFlags& flags) {
+    std::error_code error;
+    std::filesystem::create_directories(flags.folder, error);
+    if (error || !std::filesystem::is_directory(flags.folder))
+        return fail("the folder cannot be made", flags.folder.string(), "give the name of a folder");
+    if (auto can = io::check_output(flags.folder / "context.png"); !can) return tl::unexpected(can.error());
+    const auto tree = load_tree(flags.file, flags.common);
+    if (!tree) return tl::unexpected(tree.error());
+    const auto surfaces = make_surfaces(flags, *tree);
+    if (!surfaces) return tl::unexpected(surfaces.error());
+    const auto context = render::make_headless_context(render::Backend::kOsMesa, std::nullopt);
+    if (!context) return tl::unexpected(context.error());
+    const auto renderer = render::Renderer::create();
+    if (!renderer) return tl::unexpected(renderer.error());
+
+    Painter painter(**renderer, flags);
+    const Paged& smooth = surfaces->all[2].mesh;
+    const render::Frame whole =
+        painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces->all[2].title);
+    if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
+    const std::vector<Place> places = choose(**renderer, whole, places_of(*tree));
+    nlohmann::ordered_json report;
+    report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
+    if (surfaces->voxel_mm > 0.0) report["voxel_mm"] = surfaces->voxel_mm;
+    report["places"] = nlohmann::json::array();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const render::Camera camera = close_to(places[i], whole.camera);
+        for (const auto& [name, title, mesh] : surfaces->all) {
+            render::Frame frame = painter.frame(mesh, camera, title);
+            frame.overlays.orientation_cube = false;
+            if (auto done = painter.write(frame, "place_" + std::to_string(i + 1) + "_" + name); !done)
+                return tl::unexpected(done.error());
+        }
+        report["places"].push_back({{"diameter_mm", 2.0 * places[i].radius}, {"camera", render::to_json(camera)}});
+    }
+    report["pictures"] = painter.files();
+    if (flags.json)
+        std::cout << report.dump(2) << '\n';
+    else
+        std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << '\n';
+    return kDone;
+}
+
+} // namespace
+
+void register_study(CLI::App& app, Action& chosen) {
+    const auto flags = std::make_shared<StudyFlags>();
+    CLI::App* command = add_command(
+        app, "study",
+        "Ten pictures to compare surfaces by: the tree, and three places as isosurface, cones, convolution");
+    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
+    command->add_option("-o,--output", flags->folder, "Folder for the pictures; it is made if need be")
+        ->type_name("FOLDER")
+        ->required();
+    CLI::Option* mask =
+        command->add_option("--mask", flags->mask, "Segmentation mask of the same vessels (.nii, .nii.gz)")
+            ->type_name("MASK");
+    command
+        ->add_option("--voxel", flags->voxel_mm,
+                     "Without a mask one is made of the tree, with voxels of this size (default: as is sensible)")
+        ->type_name("MM")
+        ->check(CLI::PositiveNumber.description(""))
+        ->excludes(mask);
+    add_size_flag(*command, flags->size);
+    std::map<std::string, render::View> views;
+    for (const render::View view : render::kViews) views.emplace(render::name_of(view), view);
+    command->add_option("--view", flags->view, "anterior (default), posterior, left, right, superior or inferior")
+        ->type_name("NAME")
+        ->transform(CLI::CheckedTransformer(views).description(""));
+    command->add_flag("--json", flags->json, "Print what was done as one JSON object");
+    add_surface_flags(*command, flags->common);
+    command->callback([flags, &chosen] { chosen = [flags] { return run_study(*flags); }; });
+}
+
+} // namespace ramus::app

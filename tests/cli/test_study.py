@@ -1,0 +1,50 @@
+"""The pictures that surfaces are compared by, on the command line."""
+
+import struct
+import unittest
+
+from nifti import compressed, nifti, voxels
+from ramus import GOOD, CommandLineTest
+
+NAMES = ["context.png"] + [f"place_{place}_{surface}.png" for place in (1, 2, 3)
+                           for surface in ("cones", "convolution", "isosurface")]
+
+
+class Study(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.write("tree.swc", GOOD)
+
+    def test_ten_pictures_of_one_size_and_no_two_alike(self):
+        report = self.json("study", "tree.swc", "-o", "made/pictures", "--size", "160x120", "--json")
+        folder = self.folder / "made" / "pictures"
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), NAMES)
+        self.assertEqual(len(report["pictures"]), 10)
+        self.assertEqual(len(report["places"]), 3)
+        self.assertEqual(report["mask"], "made of the tree")
+        self.assertGreater(report["voxel_mm"], 0)
+        contents = [(folder / name).read_bytes() for name in NAMES]
+        for content in contents:
+            self.assertEqual(struct.unpack(">II", content[16:24]), (160, 120))
+        self.assertEqual(len(set(contents)), 10)
+
+    def test_a_mask_of_the_same_vessels(self):
+        size = (9, 5, 16)
+        inside = [1 if 3 <= x <= 5 and 1 <= y <= 3 and 1 <= z <= 14 else 0 for x, y, z in voxels(size)]
+        rows = ((1, 0, 0, -4), (0, 1, 0, -2), (0, 0, 1, 0))
+        self.write("mask.nii.gz", compressed(nifti(size, inside, rows=rows)))
+        report = self.json("study", "tree.swc", "--mask", "mask.nii.gz", "-o", "out", "--size", "80x60", "--json")
+        self.assertEqual(report["mask"], "mask.nii.gz")
+        self.assertNotIn("voxel_mm", report)
+
+    def test_what_cannot_be_is_told_before_anything_is_drawn(self):
+        self.write("file", "not a folder")
+        self.expect_failure("study", "tree.swc", "-o", "file", says=("file", "folder"))
+        self.expect_failure("study", "tree.swc", "-o", "out", "--mask", "tree.swc", says=("tree.swc",))
+        self.expect_failure("study", "tree.swc", "-o", "out", "--voxel", "1e-7", says=("too fine",))
+        self.assertEqual(self.run_ramus("study", "tree.swc", "-o", "out", "--voxel", "0").returncode, 2)
+        self.assertEqual(self.run_ramus("study", "tree.swc").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
