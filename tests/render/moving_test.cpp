@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <random>
+#include <string>
 
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;
@@ -54,7 +56,10 @@ struct Scene {
         frame.states.assign(kVessels.size(), BranchState::kNormal);
         frame.quality = Quality::kInteractive;
     }
-    ~Scene() { renderer.reset(); }
+    ~Scene() {
+        CHECK(context->make_current()); // there may be another one
+        renderer.reset();
+    }
     DrawStatistics draw() {
         REQUIRE(context->make_current());
         const auto done = renderer->draw(frame);
@@ -109,6 +114,85 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
         CHECK(moving.draw().triangles > 70'000);
         moving.frame.camera = there;
         CHECK(moving.draw().cones == kVessels.size() - 1);
+    }
+}
+
+TEST_CASE("every look is the same while the view moves") {
+    struct Look {
+        std::string name;
+        std::function<void(Frame&)> put_on;
+    };
+    const std::vector<Look> looks{
+        {"glass", [](Frame& f) { f.states[3] = BranchState::kDefocused; }},
+        {"dense glass, selected",
+         [](Frame& f) {
+             f.states[3] = BranchState::kDefocused;
+             f.selected = {3};
+             f.appearance.glass_opacity = 1.6F;
+         }},
+        {"highlighted and selected",
+         [](Frame& f) {
+             f.states[1] = BranchState::kHighlighted;
+             f.selected = {2};
+         }},
+        {"hidden", [](Frame& f) { f.states[0] = BranchState::kHidden; }},
+        {"hovered",
+         [](Frame& f) {
+             f.hovered = 0;
+             f.hovered_dependents = {1, 2};
+         }},
+        {"own colours",
+         [](Frame& f) {
+             f.colours = {{0.2F, 0.6F, 0.9F}, {0.9F, 0.8F, 0.1F}, {0.1F, 0.9F, 0.3F}};
+         }},
+        {"by diameter",
+         [](Frame& f) {
+             f.scale.value = ColourScale::Value::kDiameter;
+             f.scale.low = 1.0F, f.scale.high = 11.0F;
+             f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.2F, 0.7F, 0.4F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"by diameter, logarithmic",
+         [](Frame& f) {
+             f.scale.value = ColourScale::Value::kDiameter;
+             f.scale.logarithmic = true;
+             f.scale.low = 1.0F, f.scale.high = 11.0F;
+             f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"contours and near red", [](Frame& f) { f.appearance.contours = 1.0F, f.appearance.chromadepth = 1.0F; }},
+        {"halos, no fog", [](Frame& f) { f.appearance.halos = 1.0F, f.appearance.depth_cue = 0.0F; }},
+        {"no occlusion", [](Frame& f) { f.appearance.occlusion = 0.0F; }},
+        {"nothing behind", [](Frame& f) { f.background.transparent = true; }},
+    };
+    for (const bool orthographic : {false, true}) {
+        Scene still(orthographic), moving(orthographic);
+        const Camera there = turned(still.frame.camera, 24.0, 12.0);
+        still.frame.quality = Quality::kFull;
+        for (const Look& look : looks) {
+            CAPTURE(look.name);
+            CAPTURE(orthographic);
+            const Frame plain_still = still.frame, plain_moving = moving.frame;
+            look.put_on(still.frame);
+            look.put_on(moving.frame);
+            moving.draw();
+            moving.frame.camera = still.frame.camera = there;
+            CHECK(moving.draw().cones > 0);
+            const Image cones = moving.renderer->read_image();
+            still.draw();
+            const Image surface = still.renderer->read_image();
+            const BranchPicture branches = still.renderer->read_branches();
+            double sum = 0.0;
+            std::size_t vessels = 0;
+            for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+                if (branches.branches[i] == kNoBranch) continue;
+                ++vessels;
+                for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) sum += std::abs(cones.rgba[k] - surface.rgba[k]) / 4.0;
+            }
+            REQUIRE(vessels > 5'000);
+            MESSAGE(look.name << ": " << sum / double(vessels) << " of 255");
+            CHECK(sum / double(vessels) < 0.5);
+            still.frame = plain_still;
+            moving.frame = plain_moving;
+        }
     }
 }
 
