@@ -89,7 +89,8 @@ struct Shading {
     Look look;
     const std::uint32_t* branches; // two words each: red, green; blue, flags
     bool outlined;
-    const float* ramp; // rgb, sRGB; null: colours by branch
+    int outline_ring[12][2], halo_ring[12][2]; // steps from a pixel to those around it
+    const float* ramp;                         // rgb, sRGB; null: colours by branch
     int ramp_steps;
     float scale_low, scale_slope;
     bool scale_logarithmic;

@@ -351,8 +351,18 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     } else {
         std::ranges::fill(smooth_, 0.0F);
     }
-    Shading shading{look, reinterpret_cast<const std::uint32_t*>(records.data()), outlined, nullptr, 0, 0.0F, 0.0F,
-                    false};
+    Shading shading{};
+    shading.look = look;
+    shading.branches = reinterpret_cast<const std::uint32_t*>(records.data());
+    for (int i = 0; i < 12; ++i) { // as outline() and halo() of shade.frag
+        const float angle = 0.5235988F * (static_cast<float>(i) + 0.5F);
+        const auto put_step = [&](int(&step)[2], float reach) {
+            step[0] = static_cast<int>(std::lround(reach * std::cos(angle)));
+            step[1] = static_cast<int>(std::lround(reach * std::sin(angle)));
+        };
+        put_step(shading.outline_ring[i], look.selection[3]);
+        put_step(shading.halo_ring[i], look.cues[3] * ((i & 1) == 0 ? 1.0F : 0.55F));
+    }
     const ColourScale& scale = frame.scale;
     if (with_values) {
         const bool log = scale.logarithmic;

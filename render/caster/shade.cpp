@@ -111,17 +111,14 @@ HWY_INLINE V3 Chromatic(V far) {
 }
 
 // How much of the ring around a pixel shows something nearer; as halo() of shade.frag.
-HWY_INLINE V Halo(const View& view, const Look& look, const Place& p, const PictureArrays& picture) {
+HWY_INLINE V Halo(const View& view, const Shading& shading, const Place& p, const PictureArrays& picture) {
     const DI di;
     const float least = 0.006F * (view.far_mm - view.near_mm), slope = 1.0F / (11.0F * least);
     const VI row = hn::NearestInt(hn::Floor(hn::Div(hn::ConvertTo(D(), p.in_picture), set(float(view.stride)))));
     const VI column = hn::Sub(p.in_picture, hn::Mul(row, hn::Set(di, view.stride)));
     V sum = hn::Zero(D());
-    for (int i = 0; i < 12; ++i) {
-        const float angle = 0.5235988F * (static_cast<float>(i) + 0.5F),
-                    reach = look.cues[3] * ((i & 1) == 0 ? 1.0F : 0.55F);
-        const VI tx = hn::Add(column, hn::Set(di, int(__builtin_lrintf(reach * __builtin_cosf(angle)))));
-        const VI ty = hn::Add(row, hn::Set(di, int(__builtin_lrintf(reach * __builtin_sinf(angle)))));
+    for (const auto& step : shading.halo_ring) {
+        const VI tx = hn::Add(column, hn::Set(di, step[0])), ty = hn::Add(row, hn::Set(di, step[1]));
         const VI cx = hn::Min(hn::Max(tx, hn::Zero(di)), hn::Set(di, view.width - 1));
         const VI cy = hn::Min(hn::Max(ty, hn::Zero(di)), hn::Set(di, view.height - 1));
         const V before = hn::Sub(p.at.z, gather(picture.depth, index_of(cy, hn::Set(di, view.stride), cx)));
@@ -204,7 +201,7 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
     }
     if (look.cues[0] > 0.0F)
         radiance =
-            hn::NegMulAdd(set(0.9F * look.cues[0]), hn::IfThenElse(line, zero, Halo(view, look, p, picture)), one) *
+            hn::NegMulAdd(set(0.9F * look.cues[0]), hn::IfThenElse(line, zero, Halo(view, shading, p, picture)), one) *
             radiance;
     return radiance;
 }
@@ -301,10 +298,8 @@ HWY_INLINE V Outline(const View& view, const Shading& shading, const PictureArra
     const VI column = hn::Iota(di, x), row = hn::Set(di, y), stride = hn::Set(di, view.stride);
     const M inside = is_selected(index_of(row, stride, column));
     V differing = hn::Zero(d);
-    for (int i = 0; i < 12; ++i) {
-        const float angle = 0.5235988F * (static_cast<float>(i) + 0.5F), reach = shading.look.selection[3];
-        VI tx = hn::Add(column, hn::Set(di, int(__builtin_lrintf(reach * __builtin_cosf(angle)))));
-        VI ty = hn::Add(row, hn::Set(di, int(__builtin_lrintf(reach * __builtin_sinf(angle)))));
+    for (const auto& step : shading.outline_ring) {
+        VI tx = hn::Add(column, hn::Set(di, step[0])), ty = hn::Add(row, hn::Set(di, step[1]));
         tx = hn::Min(hn::Max(tx, hn::Zero(di)), hn::Set(di, view.width - 1));
         ty = hn::Min(hn::Max(ty, hn::Zero(di)), hn::Set(di, view.height - 1));
         differing =

@@ -152,9 +152,10 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     if (last_ && *last_ == frame) return done;
     const glm::ivec2 old_size = size_, old_inner = inner_;
     const float old_samples = view_.picture.z;
-    // The picture turns, and nothing else about it changes: then the eye takes cones for the surface.
+    // The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the view
+    // rests it stays with them.
     const bool moves = frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
-                       last_->states == frame.states && last_->camera != frame.camera;
+                       last_->states == frame.states && (cast_ || last_->camera != frame.camera);
     const bool by_caster = moves && drawn_ != nullptr && lines_.shown() != nullptr && caster::Caster::draws(frame);
     if (auto resized = resize(frame.size, by_caster ? Quality::kFull : frame.quality); !resized) {
         last_.reset();

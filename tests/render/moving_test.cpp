@@ -105,6 +105,12 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
         CHECK(cone_pick.branch == pick.branch);
         CHECK(glm::distance(cone_pick.position, pick.position) < 0.05);
 
+        // It stays until the view rests.
+        moving.frame.hovered = 1;
+        CHECK(moving.draw().cones == kVessels.size());
+        CHECK(moving.renderer->read_image() != cones);
+        moving.frame.hovered = kNoBranch;
+
         // At rest, and where anything but the camera changes, it is the surface.
         moving.frame.quality = Quality::kFull;
         CHECK(moving.draw().triangles > 100'000);
