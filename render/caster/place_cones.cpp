@@ -1,0 +1,151 @@
+// From centerlines to cones: which vessels go on into which, once for all; then, for every picture, where each cone
+// lies before the eye.
+#include "render/caster/caster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+
+namespace ramus::render::caster {
+
+namespace {
+
+constexpr std::uint32_t kAllSamples = (1U << kSamples) - 1;
+constexpr double kThinnedShare = 2e-4; // of the tree's extent: a fifth of a pixel where it fills the window
+
+// As outline() of cone.vert: half the width of a ball's outline at depth 1.
+float outline(const glm::vec3& centre, float radius) {
+    const float away = glm::length(centre), sine = radius / away,
+                cosine = std::sqrt(std::max(1.0F - sine * sine, 0.0F));
+    const float slope = glm::length(glm::vec2(centre)) / away, straight = centre.z / away;
+    return sine / (straight * (straight * cosine - slope * sine));
+}
+
+void put(float (&to)[3], const glm::vec3& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+void put(float (&to)[4], const glm::vec4& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
+
+} // namespace
+
+void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
+    if (lines == lines_) return;
+    lines_ = lines;
+    segments_.clear();
+    thinned_ = {};
+    if (!lines || lines->points.empty()) return;
+    glm::vec3 lower(lines->points.front()), upper = lower;
+    for (const glm::vec4& point : lines->points)
+        lower = glm::min(lower, glm::vec3(point)), upper = glm::max(upper, glm::vec3(point));
+    thinned_ = lines->thinned(kThinnedShare * double(glm::length(upper - lower)));
+    for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
+        const Centerlines::Run run = thinned_.runs[branch];
+        for (std::uint32_t i = run.first; i + 1 < run.first + run.count; ++i) {
+            const bool first = i == run.first, last = i + 2 == run.first + run.count;
+            segments_.push_back(
+                {i, static_cast<std::int32_t>(branch), first ? Segment::kFree : i - 1, last ? Segment::kFree : i + 2});
+        }
+    }
+    find_joints();
+}
+
+// Branches that meet have an end at the very same place. There the two widest are one vessel that goes on, if they do
+// not turn back; the others go into it.
+void Caster::find_joints() {
+    struct End {
+        std::uint32_t* beyond;       // to fill in
+        std::uint32_t joint, inward; // points
+    };
+    std::map<std::array<float, 3>, std::vector<End>> joints;
+    const auto add = [&](std::uint32_t& beyond, std::uint32_t joint, std::uint32_t inward) {
+        const glm::vec4& p = thinned_.points[joint];
+        if (beyond == Segment::kFree) joints[{p.x, p.y, p.z}].push_back({&beyond, joint, inward});
+    };
+    for (Segment& segment : segments_) {
+        add(segment.before, segment.point, segment.point + 1);
+        add(segment.behind, segment.point + 1, segment.point);
+    }
+    for (auto& [place, ends] : joints) {
+        if (ends.size() < 2) continue;
+        std::ranges::stable_sort(ends, std::greater<>(), [&](const End& end) {
+            return thinned_.details[end.joint].diameter_mm + thinned_.details[end.inward].diameter_mm;
+        });
+        for (const End& end : ends) *end.beyond = Segment::kJoins;
+        const auto inward = [&](const End& end) {
+            return glm::vec3(thinned_.points[end.inward]) - glm::vec3(thinned_.points[end.joint]);
+        };
+        if (glm::dot(inward(ends[0]), inward(ends[1])) >= 0.0F) continue;
+        *ends[0].beyond = ends[1].inward;
+        *ends[1].beyond = ends[0].inward;
+    }
+}
+
+// As cone.vert. False: there is nothing of it to see.
+bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const {
+    const auto place = [&](std::size_t point) {
+        return glm::vec3(to_eye * glm::vec4(glm::vec3(thinned_.points[point]), 1.0F));
+    };
+    const std::size_t i = segment.point;
+    glm::vec3 from = place(i), to = place(i + 1);
+    const float first = 0.5F * thinned_.details[i].diameter_mm, last = 0.5F * thinned_.details[i + 1].diameter_mm;
+    const float whole = glm::distance(from, to);
+    // A ball at a free end would reach beyond it by its radius.
+    const auto shortened = [&](float radius) {
+        return whole > 0.0F ? std::min(0.45F, (1.0F - frame.beyond_ends) * radius / whole) : 0.0F;
+    };
+    const glm::vec3 step = to - from;
+    if (segment.before == Segment::kFree) from += shortened(first) * step;
+    if (segment.behind == Segment::kFree) to -= shortened(last) * step;
+    const glm::vec3 axis = to - from;
+    cone.nearest = std::min(from.z - first, to.z - last);
+    // What reaches behind the eye has no outline.
+    if (!view_.flat && std::min(from.z - 1.05F * first, to.z - 1.05F * last) <= 1e-4F * view_.far_mm) return false;
+    const glm::vec2 a = view_.flat ? glm::vec2(from) : glm::vec2(from) / from.z;
+    const glm::vec2 b = view_.flat ? glm::vec2(to) : glm::vec2(to) / to.z;
+    const float pixel = 1.0F / view_.mm_a_pixel;
+    cone.reach = pixel * (view_.flat ? std::max(first, last) : std::max(outline(from, first), outline(to, last)));
+    const glm::vec2 start = pixel * a + glm::vec2(view_.centre_x, view_.centre_y), way = pixel * (b - a);
+    const glm::vec2 low = glm::min(start, start + way) - cone.reach, high = glm::max(start, start + way) + cone.reach;
+    if (high.x < 0.0F || high.y < 0.0F || low.x > float(view_.width) || low.y > float(view_.height)) return false;
+    cone.length = glm::length(way);
+    const float d0 = view_.flat ? from.z : 1.0F / from.z, d1 = view_.flat ? to.z : 1.0F / to.z;
+    put(cone.depth, {d0, d1 - d0, view_.flat ? 1.0F : 0.0F});
+    cone.widest = std::max(first, last);
+    cone.pixel[0] = start.x, cone.pixel[1] = start.y;
+    cone.way[0] = cone.length > 0.0F ? way.x / cone.length : 0.0F;
+    cone.way[1] = cone.length > 0.0F ? way.y / cone.length : 0.0F;
+
+    const float length = glm::length(axis), growth = last - first;
+    const glm::vec3 direction = length > 0.0F ? axis / length : glm::vec3(0.0F, 0.0F, 1.0F);
+    // At the joint of two segments the vessel goes half as the one, half as the other.
+    const auto way_at = [&](std::size_t joint, std::uint32_t beyond, float outward) {
+        if (beyond >= Segment::kJoins) return glm::vec4(direction, 0.0F);
+        const glm::vec3 other = outward * (place(beyond) - place(joint));
+        const float squared = glm::dot(other, other);
+        if (squared <= 0.0F) return glm::vec4(direction, 1.0F);
+        const glm::vec3 middle = direction + other / std::sqrt(squared);
+        const float both = glm::dot(middle, middle);
+        return glm::vec4(both > 0.0F ? middle / std::sqrt(both) : direction, 1.0F);
+    };
+    put(cone.from_way, way_at(i, segment.before, -1.0F));
+    put(cone.to_way, way_at(i + 1, segment.behind, 1.0F));
+    put(cone.from, from);
+    put(cone.axis, axis);
+    cone.middle_depth = 0.5F * (from.z + to.z);
+    cone.first_radius = first;
+    cone.last_radius = last;
+    cone.growth = growth;
+    cone.squared = glm::dot(axis, axis);
+    cone.shrunk = cone.squared - growth * growth;
+    cone.inverse_shrunk = cone.shrunk > 0.0F ? 1.0F / cone.shrunk : 0.0F;
+    cone.samples = kAllSamples;
+    cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
+    const bool by_root = frame.scale.value == ColourScale::Value::kRootDistance;
+    cone.value[0] = by_root ? thinned_.points[i].w : 2.0F * first;
+    cone.value[1] = by_root ? thinned_.points[i + 1].w : 2.0F * last;
+    return true;
+}
+
+} // namespace ramus::render::caster
