@@ -26,6 +26,14 @@ std::optional<Centerlines::Place> Centerlines::at(int branch, double fraction) c
     return place;
 }
 
+double Centerlines::extent_mm() const {
+    if (points.empty()) return 0.0;
+    glm::vec3 lower(points.front()), upper = lower;
+    for (const glm::vec4& point : points)
+        lower = glm::min(lower, glm::vec3(point)), upper = glm::max(upper, glm::vec3(point));
+    return glm::length(upper - lower);
+}
+
 namespace {
 
 constexpr double kThinningShare = 0.15; // of the radius; tuned by eye

@@ -11,6 +11,8 @@
 
 namespace ramus::render {
 
+inline constexpr float kCenterlineWidth = 1.6F; // of lines inside glass, points
+
 struct Centerlines {
     struct Detail {
         float diameter_mm;
@@ -27,6 +29,8 @@ struct Centerlines {
     std::vector<Run> runs;         // by branch id, from the parent's end outward; a branch without a place has no point
     glm::dvec3 origin{0.0};        // mm
 
+    // From corner to corner of the box around the points; 0 without any.
+    [[nodiscard]] double extent_mm() const;
     // The same with fewer points: each branch's line and its radius go no farther from these than a share of the radius
     // and than `most_mm`.
     [[nodiscard]] Centerlines thinned(double most_mm) const;

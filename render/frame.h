@@ -82,7 +82,7 @@ struct Frame {
     std::vector<BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<glm::vec3> colours; // sRGB by branch id, for colour-by; branches beyond its end have Appearance::vessel
     std::shared_ptr<const Centerlines> centerlines; // of the surface's branches; null: none
-    float beyond_ends = 0.7075F; // how far the surface goes on beyond a free end, in radii there
+    float beyond_ends = 0.7075F;                    // how far the surface goes on beyond a free end, in radii there
     ColourScale scale;                              // instead of colours
     Lesions lesions;
     Margins margins;            // instead of colours, scale

@@ -28,11 +28,8 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (lines == shown_) return;
     shown_ = lines && !lines->points.empty() ? lines : nullptr;
     if (!shown_) return;
-    glm::vec3 lower(shown_->points.front()), upper = lower;
-    for (const glm::vec4& point : shown_->points)
-        lower = glm::min(lower, glm::vec3(point)), upper = glm::max(upper, glm::vec3(point));
     whole_.send(*shown_);
-    thinned_.send(shown_->thinned(kThinnedShare * double(glm::length(upper - lower))));
+    thinned_there_ = false;
 
     // Branches that meet have an end at the very same place.
     std::map<std::array<float, 3>, std::vector<int>> ends;
@@ -70,6 +67,12 @@ std::vector<std::vector<int>> GpuLines::meetings(const std::vector<Layer>& layer
         }
     }
     return found;
+}
+
+void GpuLines::thin() {
+    if (!shown_ || thinned_there_) return;
+    thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
+    thinned_there_ = true;
 }
 
 std::uint64_t GpuLines::draw(const std::vector<Layer>& layers, Layer layer) const {

@@ -23,6 +23,7 @@ public:
         GLuint runs;    // RG32UI: first point, count
     };
     [[nodiscard]] Textures textures() const { return whole_.textures(); }
+    void thin(); // makes and sends what thinned() and draw_thinned() are about, unless it is there
     [[nodiscard]] Textures thinned() const { return thinned_.textures(); } // for what moves
 
     // By branch id: the branches that it meets, itself included, where glass meets what is opaque; none elsewhere.
@@ -46,6 +47,7 @@ private:
     std::shared_ptr<const Centerlines> shown_;
     std::vector<std::vector<int>> nodes_; // branches that meet at a place
     Copy whole_, thinned_;
+    bool thinned_there_ = false;
 };
 
 } // namespace ramus::render

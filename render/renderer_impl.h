@@ -40,6 +40,9 @@ static_assert(sizeof(LookBlock) == sizeof(caster::Look));
 // Of the uniform block of scene.glsl, in bytes.
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
+// From mm to eye space with depth as +z, as the full-screen passes reckon.
+glm::dmat4 eye_matrix(const Camera& camera);
+
 class Renderer::Impl {
 public:
     explicit Impl(std::size_t glass_bytes) : glass_bytes_(glass_bytes) {}
@@ -84,7 +87,9 @@ private:
     void bind_panes(const Program& program, Band band) const;
     std::uint64_t cast(const Frame& frame, const std::vector<Layer>& layers);
     LookBlock look_of(const Frame& frame, bool outlined) const;
-    std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers) const;
+    std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers);
+    void take_front_faces(bool write_depth) const;
+    void clear_samples() const;
     void bind_meetings(const Program& program, const PagedMesh& mesh) const;
     void resolve(Band band);
     void draw_occlusion(const Frame& frame);

@@ -4,7 +4,7 @@
 #include "app/commands/figures.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
-#include "app/commands/picture_size.h"
+#include "app/commands/picture_flags.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
@@ -229,12 +229,7 @@ void register_render(CLI::App& app, Action& chosen) {
     command->add_option("FILE", flags->file, "Vessel tree; may be left out with --session")->type_name("");
     command->add_option("-o,--output", flags->output, "PNG to write")->type_name("PNG");
     add_size_flag(*command, flags->size);
-    std::map<std::string, render::View> views;
-    for (const render::View view : render::kViews) views.emplace(render::name_of(view), view);
-    CLI::Option* view =
-        command->add_option("--view", flags->view, "anterior (default), posterior, left, right, superior or inferior")
-            ->type_name("NAME")
-            ->transform(CLI::CheckedTransformer(views).description(""));
+    CLI::Option* view = add_view_flag(*command, flags->view);
     command->add_option("--session", flags->session, "Draw this session: its tree, states, camera and surface options")
         ->type_name("FILE");
     command

@@ -3,7 +3,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/load_volume.h"
-#include "app/commands/picture_size.h"
+#include "app/commands/picture_flags.h"
 #include "app/commands/progress_bar.h"
 #include "app/commands/surface_flags.h"
 #include "app/session/numbers.h"
@@ -252,11 +252,7 @@ void register_study(CLI::App& app, Action& chosen) {
         ->check(CLI::PositiveNumber.description(""))
         ->excludes(mask);
     add_size_flag(*command, flags->size);
-    std::map<std::string, render::View> views;
-    for (const render::View view : render::kViews) views.emplace(render::name_of(view), view);
-    command->add_option("--view", flags->view, "anterior (default), posterior, left, right, superior or inferior")
-        ->type_name("NAME")
-        ->transform(CLI::CheckedTransformer(views).description(""));
+    add_view_flag(*command, flags->view);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
     command->callback([flags, &chosen] { chosen = [flags] { return run_study(*flags); }; });

@@ -5,6 +5,7 @@
 // clang-format on
 #include "render/caster/cast.h"
 #include "render/caster/meeting-inl.h"
+#include "render/record_flags.h"
 
 #include <algorithm>
 
@@ -12,8 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 constexpr int kN = int(hn::MaxLanes(D()));
-alignas(64) constexpr float kLaneX[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-alignas(64) constexpr float kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
                                                       1,
                                                       2,
@@ -47,18 +46,12 @@ HWY_INLINE void CastBlock(const View& view, const Cone& cone, bool with_values, 
     }
     V farthest = hn::Zero(d);
     for (int lane = 0; lane < 16; lane += kN) {
-        const V column = hn::Add(hn::Load(d, kLaneX + lane), set(x)), row = hn::Add(hn::Load(d, kLaneY + lane), set(y));
         for (int sample = 0; sample < kSamples; sample += 2) {
-            const auto rays_of = [&](int s) {
-                return rays_through(view, hn::Add(column, set(kSampleX[s])), hn::Add(row, set(kSampleY[s])));
-            };
             const auto depths = [&](int s) { return samples.depth[block][s] + lane; };
-            const Rays<V> first = rays_of(sample), second = rays_of(sample + 1);
+            const Rays<V> first = rays_of(view, x, y, lane, sample), second = rays_of(view, x, y, lane, sample + 1);
             const auto found = meet<Flat, false>(cone, Rays<Pair>{{first.x, second.x}, {first.y, second.y}});
             const Pair old{hn::Load(d, depths(sample)), hn::Load(d, depths(sample + 1))};
-            MaskPair nearer = And(found.there, Lt(found.depth, old));
-            if ((cone.samples >> sample & 1U) == 0) nearer.a = hn::Xor(nearer.a, nearer.a);
-            if ((cone.samples >> sample & 2U) == 0) nearer.b = hn::Xor(nearer.b, nearer.b);
+            const MaskPair nearer = And(found.there, Lt(found.depth, old));
             if (None(nearer)) {
                 farthest = hn::Max(farthest, hn::Max(old.a, old.b));
                 continue;
@@ -120,8 +113,6 @@ void CastTile(const View& view, const Cone* cones, const std::uint32_t* order, s
         }
     }
 }
-
-constexpr std::uint32_t kLine = 0x80000000U; // as in ids.glsl
 
 // One block of 16 pixels, lane by lane.
 HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block, int lane, int left, int low,

@@ -40,11 +40,10 @@ struct Cone {
     float from_way[4], to_way[4];          // the vessel's direction at both ends; 3: 1 where it goes on
     float pixel[2], way[2], length, reach; // in the picture: from where to where, and how far beside that, pixels
     float nearest;                         // depth
-    float depth[3];        // of the axis: at its first end, and how it changes to the other; when [2] is 0, its inverse
-    float widest;          // radius
-    float value[2];        // at both ends, to colour by
-    std::uint32_t id;      // as in ids.glsl
-    std::uint32_t samples; // bits: which samples it may cover
+    float depth[3];   // of the axis: at its first end, and how it changes to the other; when [2] is 0, its inverse
+    float widest;     // radius
+    float value[2];   // at both ends, to colour by
+    std::uint32_t id; // as in ids.glsl
 };
 
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].
@@ -59,7 +58,6 @@ struct alignas(64) Samples {
 
 // What is shaded at once: one record for the pixels of one surface, one a sample on edges.
 inline constexpr std::uint32_t kPixelMask = kTilePixels - 1, kSampleShift = 10, kWhole = 1U << 12;
-inline constexpr std::size_t kMostRecords = std::size_t{kTilePixels} * kSamples + 16;
 struct Records {
     std::uint32_t* place; // pixel of the tile, sample << kSampleShift, kWhole
     std::uint32_t* id;

@@ -4,6 +4,7 @@
 #include "render/caster/occlude.h"
 #include "render/caster/panes.h"
 #include "render/caster/shade.h"
+#include "render/record_flags.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,10 +16,6 @@
 namespace ramus::render::caster {
 
 namespace {
-
-constexpr float kLineWidth = 1.6F; // points
-constexpr std::uint32_t kLineId = 0x80000000U;
-constexpr std::uint16_t kSelectedFlag = 8; // as in shade.frag
 
 // What a thread works in.
 struct Scratch {
@@ -175,17 +172,13 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
             if (layer != Layer::kGlass) continue;
             // As wide as centerline.vert draws it, wherever it is.
             Cone& line = cones_[segments + i] = cones_[i];
-            const float pixels = 0.5F * std::max(1.0F, kLineWidth * frame.pixel_ratio);
+            const float pixels = 0.5F * std::max(1.0F, kCenterlineWidth * frame.pixel_ratio);
             const float first = line.from[2], last = line.from[2] + line.axis[2];
-            line.first_radius = pixels * view_.mm_a_pixel * (view_.flat ? 1.0F : first);
-            line.last_radius = pixels * view_.mm_a_pixel * (view_.flat ? 1.0F : last);
-            line.growth = line.last_radius - line.first_radius;
-            line.shrunk = line.squared - line.growth * line.growth;
-            line.inverse_shrunk = line.shrunk > 0.0F ? 1.0F / line.shrunk : 0.0F;
+            const float at_unit_depth = pixels * view_.mm_a_pixel;
+            set_radii(line, at_unit_depth * (view_.flat ? 1.0F : first), at_unit_depth * (view_.flat ? 1.0F : last));
             line.reach = 1.5F * pixels + 1.0F;
-            line.widest = std::max(line.first_radius, line.last_radius);
             line.nearest = std::min(first - line.first_radius, last - line.last_radius);
-            line.id |= kLineId;
+            line.id |= kLine;
             kinds[segments + i] = Kind::kOpaque;
         }
         drawn += there;
@@ -240,8 +233,8 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     // An outline reaches into the tiles around at most.
     std::vector<std::uint8_t> near_selected(outlined ? std::size_t(tiles) : 0, 0);
     const auto is_selected = [&](std::uint32_t id) {
-        const std::size_t branch = (id & ~kLineId) - 1;
-        return branch < records.size() && (records[branch][3] & kSelectedFlag) != 0;
+        const std::size_t branch = (id & ~kLine) - 1;
+        return branch < records.size() && (records[branch][3] & kSelected) != 0;
     };
     for (int tile = 0; tile < tiles && outlined; ++tile) {
         const Tile& at = tiles_[std::size_t(tile)];

@@ -24,7 +24,6 @@ class Caster {
 public:
     // Of the lines as they are; those of one object are the same for good.
     void follow(const std::shared_ptr<const Centerlines>& lines);
-    [[nodiscard]] bool ready() const { return lines_ && !segments_.empty(); }
 
     // Whether it can draw all that the frame shows.
     [[nodiscard]] static bool draws(const Frame& frame);
@@ -38,7 +37,6 @@ public:
     // Of the last picture: ids as in ids.glsl and depths in mm, `stride` a row from below.
     [[nodiscard]] const std::uint32_t* ids() const { return ids_.data() + kTile; }
     [[nodiscard]] const float* depths() const { return picked_.data() + kTile; }
-    [[nodiscard]] const float* opaque_depths() const { return depths_.data() + kTile; }
     [[nodiscard]] int stride() const { return view_.stride; }
 
 private:
@@ -61,6 +59,7 @@ private:
 
     void make_room(const View& view);
     [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const;
+    static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
     void bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const;
     void cast(int tile, const Bins& opaque, const Bins& glass, bool with_values);
 

@@ -8,13 +8,11 @@
 #endif
 
 #include "render/caster/lanes-inl.h"
+#include "render/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-// As in shade.frag and ids.glsl.
-constexpr std::uint32_t kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kGlowing = 64;
-constexpr std::uint32_t kLine = 0x80000000U, kSolid = 0x40000000U;
 constexpr float kKey[3] = {-0.429F, 0.572F, 0.699F}, kFill[3] = {0.772F, -0.051F, 0.634F};
 
 HWY_INLINE V to_8(V x) {
@@ -66,15 +64,13 @@ HWY_INLINE Place PlaceOf(const View& view, const Shading& shading, const std::ui
     p.in_picture = index_of(row, hn::Set(di, view.stride), column);
     p.id = hn::LoadU(du, ids);
     const VU branch = hn::Sub(hn::AndNot(hn::Set(du, kLine), p.id), hn::Set(du, 1U));
-    const auto solid = hn::Ne(hn::And(p.id, hn::Set(du, kSolid)), hn::Zero(du));
-    const VI word = hn::BitCast(di, hn::ShiftLeft<1>(hn::IfThenZeroElse(solid, branch)));
+    const VI word = hn::BitCast(di, hn::ShiftLeft<1>(branch));
     const VU red_green = gather(shading.branches, word), blue_flags = gather(shading.branches + 1, word);
-    p.flags = hn::IfThenZeroElse(solid, hn::ShiftRight<16>(blue_flags));
+    p.flags = hn::ShiftRight<16>(blue_flags);
     const VU low = hn::Set(du, 0xffffU);
     const V unit = set(1.0F / 65535.0F);
     const auto value = [&](VU bits) { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, bits)), unit); };
     p.albedo = {value(hn::And(red_green, low)), value(hn::ShiftRight<16>(red_green)), value(hn::And(blue_flags, low))};
-    p.albedo = choose(mask(solid), set(shading.look.lesion), p.albedo);
     p.normal = unpacked_normal(hn::LoadU(du, normals));
     const V depth = hn::LoadU(d, depths), half = set(0.5F);
     p.at = eye_position(view, hn::Add(hn::ConvertTo(d, column), half), hn::Add(hn::ConvertTo(d, row), half), depth);
@@ -135,9 +131,9 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
     const Look& look = shading.look;
     const V one = set(1.0F), zero = hn::Zero(d);
     const M highlighted = any_of(p.flags, kHighlighted), selected = any_of(p.flags, kSelected),
-            calm = any_of(p.flags, kCalm), solid = any_of(p.id, kSolid);
+            calm = any_of(p.flags, kCalm);
     V3 albedo = p.albedo;
-    if (shading.ramp != nullptr) albedo = choose(hn::Or(highlighted, solid), albedo, OnScale(shading, value, albedo));
+    if (shading.ramp != nullptr) albedo = choose(highlighted, albedo, OnScale(shading, value, albedo));
     const V facing = clamp01(dot(p.normal, p.towards_eye)), aside = hn::Sub(one, facing);
     if (look.cues[2] > 0.0F) albedo = choose(highlighted, albedo, mix(albedo, Chromatic(p.far), set(look.cues[2])));
     if (!hn::AllFalse(d, selected)) albedo = choose(selected, mix(albedo, set(look.selection), set(0.62F)), albedo);
@@ -169,12 +165,6 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
     radiance = radiance + rim * (set(0.14F) * albedo + V3{set(0.015F), set(0.0174F), set(0.020F)});
     if (!hn::AllFalse(d, highlighted))
         radiance = choose(highlighted, set(1.10F) * radiance + set(0.05F) * albedo, radiance);
-    if (!hn::AllFalse(d, solid)) {
-        const V edge = hn::Mul(set(0.55F), power(aside, 2.5F));
-        radiance =
-            choose(solid, set(0.92F) * radiance + edge * mix(albedo, V3{set(0.9F), set(0.9F), set(0.9F)}, set(0.4F)),
-                   radiance);
-    }
     if (look.cues[1] > 0.0F)
         radiance =
             hn::NegMulAdd(set(look.cues[1] * 0.85F), hn::Sub(one, smooth_step(0.12F, 0.42F, facing)), one) * radiance;
@@ -196,7 +186,6 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
         V3 plain = set(look.line);
         plain = choose(selected, mix(plain, set(look.selection), set(0.8F)), plain);
         plain = choose(any_of(p.flags, kHovered), mix(plain, V3{one, set(0.85F), set(0.55F)}, set(0.6F)), plain);
-        plain = choose(any_of(p.flags, kLost), mix(plain, set(look.lost), set(0.6F)), plain);
         plain = mix(plain, set(look.far_colour), hn::Mul(set(0.62F * look.background_bottom[3]), p.far));
         radiance = choose(line, plain, radiance);
     }

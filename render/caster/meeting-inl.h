@@ -17,9 +17,14 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 // ways along rays are depths. `Vec`: V or Pair.
 template <class Vec> struct Rays { Vec x, y; };
 
-HWY_INLINE Rays<V> rays_through(const View& view, V x, V y) {
+// Of one sample of the pixels from `lane` on, in the block whose lower left pixel is (x, y).
+HWY_INLINE Rays<V> rays_of(const View& view, float x, float y, int lane, int sample) {
+    alignas(64) static constexpr float kColumn[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) static constexpr float kRow[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
     const V scale = set(view.mm_a_pixel);
-    return {hn::Mul(hn::Sub(x, set(view.centre_x)), scale), hn::Mul(hn::Sub(y, set(view.centre_y)), scale)};
+    const V px = hn::Add(hn::Load(D(), kColumn + lane), set(x + kSampleX[sample] - view.centre_x));
+    const V py = hn::Add(hn::Load(D(), kRow + lane), set(y + kSampleY[sample] - view.centre_y));
+    return {hn::Mul(px, scale), hn::Mul(py, scale)};
 }
 
 template <class Vec, class Mask> struct Meeting {

@@ -10,8 +10,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 constexpr int kN = int(hn::MaxLanes(D()));
-alignas(64) constexpr float kColumn[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-alignas(64) constexpr float kRow[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
 // The stretches that one ray goes through cones, sorted by where they begin.
 struct Stretches {
@@ -49,9 +47,7 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
                 const Cone& cone = cones[order[i]];
                 if (!reaches(cone, fx + kHalf, fy + kHalf, samples.farthest[block])) continue;
                 for (int lane = 0; lane < 16; lane += kN) {
-                    const Rays<V> rays =
-                        rays_through(view, hn::Add(hn::Load(d, kColumn + lane), set(fx + kSampleX[sample])),
-                                     hn::Add(hn::Load(d, kRow + lane), set(fy + kSampleY[sample])));
+                    const Rays<V> rays = rays_of(view, fx, fy, lane, sample);
                     const auto found = view.flat ? meet<true, true>(cone, rays) : meet<false, true>(cone, rays);
                     const M before =
                         hn::And(found.there, hn::Lt(found.depth, samples.touched[block]

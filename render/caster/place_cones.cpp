@@ -14,7 +14,6 @@ namespace ramus::render::caster {
 
 namespace {
 
-constexpr std::uint32_t kAllSamples = (1U << kSamples) - 1;
 constexpr double kThinnedShare = 2e-4; // of the tree's extent: a fifth of a pixel where it fills the window
 
 // As outline() of cone.vert: half the width of a ball's outline at depth 1.
@@ -36,10 +35,7 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
     segments_.clear();
     thinned_ = {};
     if (!lines || lines->points.empty()) return;
-    glm::vec3 lower(lines->points.front()), upper = lower;
-    for (const glm::vec4& point : lines->points)
-        lower = glm::min(lower, glm::vec3(point)), upper = glm::max(upper, glm::vec3(point));
-    thinned_ = lines->thinned(kThinnedShare * double(glm::length(upper - lower)));
+    thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
     for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
         const Centerlines::Run run = thinned_.runs[branch];
         for (std::uint32_t i = run.first; i + 1 < run.first + run.count; ++i) {
@@ -82,6 +78,15 @@ void Caster::find_joints() {
     }
 }
 
+void Caster::set_radii(Cone& cone, float first, float last) {
+    cone.first_radius = first;
+    cone.last_radius = last;
+    cone.widest = std::max(first, last);
+    cone.growth = last - first;
+    cone.shrunk = cone.squared - cone.growth * cone.growth;
+    cone.inverse_shrunk = cone.shrunk > 0.0F ? 1.0F / cone.shrunk : 0.0F;
+}
+
 // As cone.vert. False: there is nothing of it to see.
 bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const {
     const auto place = [&](std::size_t point) {
@@ -112,12 +117,11 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     cone.length = glm::length(way);
     const float d0 = view_.flat ? from.z : 1.0F / from.z, d1 = view_.flat ? to.z : 1.0F / to.z;
     put(cone.depth, {d0, d1 - d0, view_.flat ? 1.0F : 0.0F});
-    cone.widest = std::max(first, last);
     cone.pixel[0] = start.x, cone.pixel[1] = start.y;
     cone.way[0] = cone.length > 0.0F ? way.x / cone.length : 0.0F;
     cone.way[1] = cone.length > 0.0F ? way.y / cone.length : 0.0F;
 
-    const float length = glm::length(axis), growth = last - first;
+    const float length = glm::length(axis);
     const glm::vec3 direction = length > 0.0F ? axis / length : glm::vec3(0.0F, 0.0F, 1.0F);
     // At the joint of two segments the vessel goes half as the one, half as the other.
     const auto way_at = [&](std::size_t joint, std::uint32_t beyond, float outward) {
@@ -134,13 +138,8 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     put(cone.from, from);
     put(cone.axis, axis);
     cone.middle_depth = 0.5F * (from.z + to.z);
-    cone.first_radius = first;
-    cone.last_radius = last;
-    cone.growth = growth;
     cone.squared = glm::dot(axis, axis);
-    cone.shrunk = cone.squared - growth * growth;
-    cone.inverse_shrunk = cone.shrunk > 0.0F ? 1.0F / cone.shrunk : 0.0F;
-    cone.samples = kAllSamples;
+    set_radii(cone, first, last);
     cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
     const bool by_root = frame.scale.value == ColourScale::Value::kRootDistance;
     cone.value[0] = by_root ? thinned_.points[i].w : 2.0F * first;

@@ -64,7 +64,7 @@ HWY_INLINE V Outline(const View& view, const Shading& shading, const PictureArra
     const DI di;
     const auto is_selected = [&](VI at) {
         const VU id = gather(picture.id, at);
-        const auto branch = hn::And(hn::Ne(id, hn::Zero(du)), hn::Eq(hn::And(id, hn::Set(du, kSolid)), hn::Zero(du)));
+        const auto branch = hn::Ne(id, hn::Zero(du));
         const VU index = hn::IfThenElseZero(branch, hn::Sub(id, hn::Set(du, 1U)));
         const VU flags = hn::ShiftRight<16>(gather(shading.branches + 1, hn::BitCast(di, hn::ShiftLeft<1>(index))));
         return hn::And(mask(branch), any_of(flags, kSelected));

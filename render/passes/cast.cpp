@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace ramus::render {
 
@@ -35,8 +34,7 @@ std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>&
     const LookBlock block = look_of(frame, outlined);
     caster::Look look;
     std::memcpy(&look, &block, sizeof look);
-    const glm::dmat4 to_eye = glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(frame.camera);
-    return caster_.draw(frame, view, to_eye, look, outlined, layers, records_);
+    return caster_.draw(frame, view, eye_matrix(frame.camera), look, outlined, layers, records_);
 }
 
 } // namespace ramus::render

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kTaps = 20, kInteractiveTaps = 7;
 constexpr std::uint64_t kMostMovingTriangles = 40'000; // more are drawn as cones while the view moves
-constexpr float kCenterlineWidth = 1.6F;               // points
 constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
 
@@ -71,6 +70,25 @@ void Renderer::Impl::bind_meetings(const Program& program, const PagedMesh& mesh
         glBindTextureUnit(unit++, texture);
 }
 
+// Of closed surfaces, by reversed depth.
+void Renderer::Impl::take_front_faces(bool write_depth) const {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(write_depth ? GL_TRUE : GL_FALSE);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glEnable(GL_MULTISAMPLE);
+}
+
+// Ids and depths of what is bound: nothing is there.
+void Renderer::Impl::clear_samples() const {
+    const std::array<GLuint, 4> nothing{};
+    const GLfloat farthest = 0.0F;
+    glClearBufferuiv(GL_COLOR, 0, nothing.data());
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
 Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh,
                                                     const std::vector<Layer>& layers) {
     const glm::dmat4 to_clip = look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : Box{});
@@ -89,19 +107,10 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
             send(company_buffer_, company_texture_, meetings_.company);
         }
     }
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_GREATER);
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
-    glEnable(GL_MULTISAMPLE);
+    take_front_faces(true);
     std::uint64_t triangles = 0;
     glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
-    const std::array<GLuint, 4> nothing{};
-    const GLfloat farthest = 0.0F;
-    glClearBufferuiv(GL_COLOR, 0, nothing.data());
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    clear_samples();
     if (mesh != nullptr) {
         const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
             glUseProgram(program);
@@ -147,8 +156,9 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
 
 // What moves fast enough that nobody sees the difference: a rectangle a segment takes a software rasteriser a tenth of
 // the time that its triangles do.
-std::uint64_t Renderer::Impl::draw_cones(const Frame& frame, const std::vector<Layer>& layers) const {
-    const glm::dmat4 to_eye = glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(frame.camera);
+std::uint64_t Renderer::Impl::draw_cones(const Frame& frame, const std::vector<Layer>& layers) {
+    lines_.thin();
+    const glm::dmat4 to_eye = eye_matrix(frame.camera);
     const glm::dmat4 projection = projection_matrix(frame.camera, frame.size, 1.0, 2.0);
     glUseProgram(cone_);
     glBindVertexArray(no_vertices_);

@@ -59,13 +59,7 @@ std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, 
     glNamedBufferSubData(pane_count_, 0, 4, &zero);
 
     glBindFramebuffer(GL_FRAMEBUFFER, glass_target_);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_GREATER);
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
-    glEnable(GL_MULTISAMPLE);
+    take_front_faces(false);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, band.first, inner_.x, band.count);
     const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {

@@ -70,17 +70,8 @@ void Renderer::Impl::draw_by_sample(const Program& program, const std::function<
 // Into layer_panes_ and layer_depths_[layer % 2]; false: no pane is left.
 bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int layer, std::uint64_t& triangles) {
     glBindFramebuffer(GL_FRAMEBUFFER, layer_targets_.at(std::size_t(layer % 2)));
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_GREATER);
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
-    glEnable(GL_MULTISAMPLE);
-    const std::array<GLuint, 4> nothing{};
-    const GLfloat farthest = 0.0F;
-    glClearBufferuiv(GL_COLOR, 0, nothing.data());
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    take_front_faces(true);
+    clear_samples();
     const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));

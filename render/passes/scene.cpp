@@ -20,9 +20,6 @@ struct SceneBlock {
 };
 static_assert(sizeof(SceneBlock) == kSceneBlockBytes);
 
-// Eye space with depth as +z, as the full-screen passes reckon.
-glm::dmat4 to_eye(const Camera& camera) { return glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(camera); }
-
 // Fills a texture of few texels; room for more is made as it is needed.
 void send_texels(Buffer& buffer, Texture& texture, std::size_t& capacity, const std::vector<glm::vec4>& texels) {
     const std::size_t bytes = texels.size() * sizeof(glm::vec4);
@@ -62,11 +59,15 @@ Texture ramp_texture(const std::vector<glm::vec3>& ramp) {
 
 } // namespace
 
+glm::dmat4 eye_matrix(const Camera& camera) {
+    return glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(camera);
+}
+
 // Returns the variants that the scene needs. What a plain tree does not need costs it nothing.
 unsigned Renderer::Impl::send_scene(const Frame& frame) {
     unsigned variant = 0;
     SceneBlock scene;
-    const glm::dmat4 eye = to_eye(frame.camera), from_eye = glm::inverse(eye);
+    const glm::dmat4 eye = eye_matrix(frame.camera), from_eye = glm::inverse(eye);
     const Lesions& lesions = frame.lesions;
     if (!lesions.spheres.empty() || !lesions.meshes.empty()) variant |= kSolids;
 

@@ -1,4 +1,5 @@
 #include "render/colour.h"
+#include "render/record_flags.h"
 #include "render/renderer_impl.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 namespace ramus::render {
 
 namespace {
-
-// As in shade.frag.
-constexpr unsigned kCalm = 1, kHighlighted = 2, kHovered = 4, kSelected = 8, kLost = 16, kCut = 32, kGlowing = 64,
-                   kChanged = 128;
 
 // Linear, of 65535.
 std::uint16_t linear_word(float srgb) {

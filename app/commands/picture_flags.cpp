@@ -1,9 +1,10 @@
-#include "app/commands/picture_size.h"
+#include "app/commands/picture_flags.h"
 
 #include "render/renderer.h"
 
 #include <charconv>
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace ramus::app {
@@ -36,6 +37,14 @@ void add_size_flag(CLI::App& command, glm::ivec2& size) {
             },
             "Pixels of the picture (default " + usual + ")")
         ->type_name("WxH");
+}
+
+CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
+    std::map<std::string, render::View> views;
+    for (const render::View one : render::kViews) views.emplace(render::name_of(one), one);
+    return command.add_option("--view", view, "anterior (default), posterior, left, right, superior or inferior")
+        ->type_name("NAME")
+        ->transform(CLI::CheckedTransformer(views).description(""));
 }
 
 } // namespace ramus::app

@@ -1,0 +1,17 @@
+// Options of all commands that make pictures.
+#pragma once
+
+#include "render/camera.h"
+
+#include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
+
+namespace ramus::app {
+
+// --size WxH; its help names what `size` is before. Sizes that cannot be drawn are wrong usage.
+void add_size_flag(CLI::App& command, glm::ivec2& size);
+
+// --view NAME; its help names anterior as what `view` is before.
+CLI::Option* add_view_flag(CLI::App& command, render::View& view);
+
+} // namespace ramus::app
