@@ -12,6 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
+using namespace record;
+
 constexpr int kN = int(hn::MaxLanes(D()));
 alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
                                                       1,

@@ -15,6 +15,8 @@
 
 namespace ramus::render::caster {
 
+using namespace record;
+
 namespace {
 
 // What a thread works in.

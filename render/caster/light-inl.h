@@ -13,6 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
+using namespace record;
+
 constexpr float kKey[3] = {-0.429F, 0.572F, 0.699F}, kFill[3] = {0.772F, -0.051F, 0.634F};
 
 HWY_INLINE V to_8(V x) {
