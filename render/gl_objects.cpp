@@ -155,16 +155,22 @@ Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth
     return Framebuffer(id);
 }
 
-Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
-                             std::string_view defines) {
+Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader, std::string_view defines,
+                             std::string_view geometry_shader) {
     const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, defines);
     if (!vertex) return tl::unexpected(vertex.error());
+    const auto geometry =
+        geometry_shader.empty() ? Result<Shader>() : compile(GL_GEOMETRY_SHADER, geometry_shader, defines);
+    if (!geometry) return tl::unexpected(geometry.error());
     const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
     if (!fragment) return tl::unexpected(fragment.error());
     Program program(glCreateProgram());
     glAttachShader(program, vertex->id);
+    if (!geometry_shader.empty()) glAttachShader(program, geometry->id);
     glAttachShader(program, fragment->id);
     glLinkProgram(program);
+    for (const GLuint shader : {vertex->id, geometry->id, fragment->id}) // which nothing needs any more
+        if (shader != 0) glDetachShader(program, shader);
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE)

@@ -76,9 +76,9 @@ void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const 
 // What a single buffer or texture may take from now on, in bytes. Tests let memory run out with it.
 void limit_gl_allocation(std::size_t bytes = std::numeric_limits<std::size_t>::max());
 
-// From two of the embedded files, for the version of the current context (render/shader_text.h). `defines` goes into
-// both, after their #version lines. A failure names the file and the line.
+// From two or three of the embedded files, for the version of the current context (render/shader_text.h). `defines`
+// goes into all, after their #version lines. A failure names the file and the line.
 [[nodiscard]] Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
-                                           std::string_view defines = {});
+                                           std::string_view defines = {}, std::string_view geometry_shader = {});
 
 } // namespace ramus::render

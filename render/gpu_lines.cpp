@@ -1,10 +1,8 @@
 #include "render/gpu_lines.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
 
 namespace ramus::render {
 
@@ -30,43 +28,6 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (!shown_) return;
     whole_.send(*shown_);
     thinned_there_ = false;
-
-    // Branches that meet have an end at the very same place.
-    std::map<std::array<float, 3>, std::vector<int>> ends;
-    for (std::size_t branch = 0; branch < shown_->runs.size(); ++branch) {
-        const Centerlines::Run run = shown_->runs[branch];
-        if (run.count < 2) continue;
-        for (const std::uint32_t end : {run.first, run.first + run.count - 1}) {
-            const glm::vec4& p = shown_->points[end];
-            ends[{p.x, p.y, p.z}].push_back(static_cast<int>(branch));
-        }
-    }
-    nodes_.clear();
-    for (auto& [place, branches] : ends)
-        if (branches.size() > 1) nodes_.push_back(std::move(branches));
-}
-
-std::vector<std::vector<int>> GpuLines::meetings(const std::vector<Layer>& layers) const {
-    std::vector<std::vector<int>> found(layers.size());
-    const auto layer = [&](int branch) {
-        return static_cast<std::size_t>(branch) < layers.size() ? layers[static_cast<std::size_t>(branch)]
-                                                                : Layer::kNone;
-    };
-    if (!shown_) return found;
-    for (const std::vector<int>& node : nodes_) {
-        const auto any = [&](Layer wanted) {
-            return std::ranges::any_of(node, [&](int branch) { return layer(branch) == wanted; });
-        };
-        if (!any(Layer::kOpaque) || !any(Layer::kGlass)) continue;
-        for (const int branch : node) {
-            if (layer(branch) == Layer::kNone) continue;
-            auto& company = found[static_cast<std::size_t>(branch)];
-            for (const int other : node)
-                if (layer(other) != Layer::kNone && std::ranges::find(company, other) == company.end())
-                    company.push_back(other);
-        }
-    }
-    return found;
 }
 
 void GpuLines::thin() {

@@ -26,9 +26,6 @@ public:
     void thin(); // makes and sends what thinned() and draw_thinned() are about, unless it is there
     [[nodiscard]] Textures thinned() const { return thinned_.textures(); } // for what moves
 
-    // By branch id: the branches that it meets, itself included, where glass meets what is opaque; none elsewhere.
-    [[nodiscard]] std::vector<std::vector<int>> meetings(const std::vector<Layer>& layers) const;
-
     // Draws six corners a segment, without attributes, of branches whose entry in `layers` is `layer` (missing entries
     // are opaque). Returns the number of segments.
     std::uint64_t draw(const std::vector<Layer>& layers, Layer layer) const;
@@ -45,7 +42,6 @@ private:
         std::uint64_t draw(const std::vector<Layer>& layers, Layer layer) const;
     };
     std::shared_ptr<const Centerlines> shown_;
-    std::vector<std::vector<int>> nodes_; // branches that meet at a place
     Copy whole_, thinned_;
     bool thinned_there_ = false;
 };

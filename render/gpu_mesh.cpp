@@ -47,8 +47,10 @@ bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budg
     return true;
 }
 
-// Ranges of one index buffer that are drawn together; neighbours are joined.
-class Ranges {
+} // namespace
+
+// Of the index buffer, that are drawn together; neighbours are joined.
+class GpuMesh::Ranges {
 public:
     void add(std::size_t first, std::size_t count) {
         if (count == 0) return;
@@ -73,8 +75,6 @@ private:
     std::size_t end_ = 0;
 };
 
-} // namespace
-
 GpuMesh::Copy::Copy(const PagedMesh& mesh)
     : vertex_array(make_vertex_array()), vertex_pages(with_room(mesh.vertex_pages().size())),
       triangle_pages(with_room(mesh.triangle_pages().size())) {
@@ -85,7 +85,8 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
     glVertexArrayAttribFormat(vertex_array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
     glVertexArrayAttribFormat(vertex_array, 1, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
     glVertexArrayAttribIFormat(vertex_array, 2, 1, GL_INT, offsetof(GpuVertex, branch));
-    for (GLuint i = 0; i < 3; ++i) {
+    glVertexArrayAttribIFormat(vertex_array, 3, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, lead));
+    for (GLuint i = 0; i < 4; ++i) {
         glVertexArrayAttribBinding(vertex_array, i, 0);
         glEnableVertexArrayAttrib(vertex_array, i);
     }
@@ -143,7 +144,7 @@ std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const
         if (page.count == 0 || !in_picture(page.lower, page.upper, to_clip)) continue;
         const std::size_t first = i * TrianglePage::kSize;
         if (all_opaque) {
-            ranges.add(first, page.count);
+            ranges.add(first, page.first_border);
             continue;
         }
         for (const TrianglePage::Run& run : page.runs) {
@@ -152,6 +153,28 @@ std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const
                 ranges.add(first + run.first, run.count);
         }
     }
+    return draw(ranges);
+}
+
+std::uint64_t GpuMesh::draw_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
+    if (!shown_) return 0;
+    const auto is_wanted = [&](std::int32_t branch) {
+        const auto at = static_cast<std::size_t>(branch);
+        return (at < layers.size() ? layers[at] : Layer::kOpaque) == layer;
+    };
+    Ranges ranges;
+    const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const TrianglePage& page = *pages[i];
+        if (page.count == page.first_border || !in_picture(page.lower, page.upper, to_clip)) continue;
+        if (std::ranges::any_of(page.borders,
+                                [&](const auto& pair) { return is_wanted(pair[0]) || is_wanted(pair[1]); }))
+            ranges.add(i * TrianglePage::kSize + page.first_border, page.count - page.first_border);
+    }
+    return draw(ranges);
+}
+
+std::uint64_t GpuMesh::draw(const Ranges& ranges) const {
     if (ranges.triangles == 0) return 0;
     glBindVertexArray(drawn_->vertex_array);
     ranges.draw();

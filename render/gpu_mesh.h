@@ -23,8 +23,12 @@ public:
     [[nodiscard]] const std::shared_ptr<const PagedMesh>& shown() const { return shown_; }
 
     // Draws the branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip`
-    // (from positions relative to origin) leaves in the picture. Returns the number of triangles drawn.
+    // (from positions relative to origin) leaves in the picture, as far as their triangles go that are one branch's.
+    // Returns the number of triangles drawn.
     std::uint64_t draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
+    // The triangles where branches meet, for programs that tell whose each place is (shaders/border.glsl): those of
+    // pages where a branch of this layer meets another.
+    std::uint64_t draw_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
     // Of the pages that would be looked at, with branches of any layer.
     [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 
@@ -41,6 +45,9 @@ private:
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
         bool send(const PagedMesh& mesh, std::size_t& budget);          // true: all is there
     };
+
+    class Ranges;
+    std::uint64_t draw(const Ranges& ranges) const;
 
     std::unique_ptr<Copy> drawn_, coming_;
     std::shared_ptr<const PagedMesh> shown_;

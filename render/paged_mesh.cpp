@@ -37,6 +37,9 @@ struct Source {
     [[nodiscard]] std::int32_t branch(std::size_t vertex) const {
         return mesh.branches.empty() ? 0 : std::max(mesh.branches[vertex], 0);
     }
+    [[nodiscard]] field::Lead lead(std::size_t vertex) const {
+        return mesh.leads.empty() ? field::Lead{{255, 255}, {0, 0}} : mesh.leads[vertex];
+    }
     [[nodiscard]] glm::vec3 position(std::size_t vertex) const { return {glm::dvec3(mesh.positions[vertex]) - origin}; }
 };
 
@@ -47,50 +50,56 @@ std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::si
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3& n = source.normals[first + i];
         made->vertices[i] = {source.position(first + i),
-                             {normalised(n.x), normalised(n.y), normalised(n.z), 0},
-                             source.branch(first + i)};
+                             source.branch(first + i),
+                             source.lead(first + i),
+                             {normalised(n.x), normalised(n.y), normalised(n.z), 0}};
     }
     std::fill(made->vertices.begin() + static_cast<std::ptrdiff_t>(count), made->vertices.end(), GpuVertex{});
     return made;
 }
 
-// The corner that gives the triangle its branch comes last: one of the majority's.
-glm::uvec3 majority_last(const glm::uvec3& t, const Source& source) {
-    const std::int32_t a = source.branch(t.x);
-    const std::int32_t b = source.branch(t.y);
-    const std::int32_t c = source.branch(t.z);
-    if (c == a || c == b) return t;
-    return a == b ? glm::uvec3(t.z, t.x, t.y) : t;
+// Notes which branches meet in a triangle; none where its corners have the same one.
+void note_borders(const glm::ivec3& branches, std::vector<std::array<std::int32_t, 2>>& borders) {
+    for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(branches[k], branches[(k + 1) % 3]);
+        const std::array pair{low, high};
+        if (low != high && std::ranges::find(borders, pair) == borders.end()) borders.push_back(pair);
+    }
 }
 
 std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std::size_t page) {
     const auto made = std::make_shared_for_overwrite<TrianglePage>();
-    made->count = 0;
     const std::size_t first = page * TrianglePage::kSize;
     const std::size_t end = std::min(first + TrianglePage::kSize, source.mesh.triangles.size());
-    std::array<glm::uvec3, TrianglePage::kSize> turned;    // NOLINT: written as far as it is read
-    std::array<std::uint32_t, TrianglePage::kSize> run_of; // NOLINT
+    std::array<glm::uvec3, TrianglePage::kSize> whole, on_border; // NOLINT: written as far as they are read
+    std::array<std::uint32_t, TrianglePage::kSize> run_of;        // NOLINT
     std::vector<TrianglePage::Run>& runs = made->runs;
-    std::uint32_t run = 0;
+    std::uint32_t run = 0, border_count = 0;
     for (std::size_t i = first; i < end; ++i) {
         const glm::uvec3& t = source.mesh.triangles[i];
         if (t.x == t.y) continue; // a gap
-        const glm::uvec3 triangle = majority_last(t, source);
-        const std::int32_t branch = source.branch(triangle.z);
+        for (int corner = 0; corner < 3; ++corner) {
+            const glm::vec3 p = source.position(t[corner]);
+            const bool first_corner = made->first_border + border_count == 0 && corner == 0;
+            made->lower = first_corner ? p : glm::min(made->lower, p);
+            made->upper = first_corner ? p : glm::max(made->upper, p);
+        }
+        const glm::ivec3 branches(source.branch(t.x), source.branch(t.y), source.branch(t.z));
+        if (branches.x != branches.y || branches.y != branches.z) {
+            note_borders(branches, made->borders);
+            on_border[border_count++] = t;
+            continue;
+        }
+        const std::int32_t branch = branches.x;
         // Triangles come in stretches of one branch, and a page has few branches.
         if (run >= runs.size() || runs[run].branch != branch) {
             run =
                 static_cast<std::uint32_t>(std::ranges::find(runs, branch, &TrianglePage::Run::branch) - runs.begin());
             if (run == runs.size()) runs.push_back({branch, 0, 0});
         }
-        for (int corner = 0; corner < 3; ++corner) {
-            const glm::vec3 p = source.position(triangle[corner]);
-            made->lower = made->count == 0 && corner == 0 ? p : glm::min(made->lower, p);
-            made->upper = made->count == 0 && corner == 0 ? p : glm::max(made->upper, p);
-        }
         ++runs[run].count;
-        turned[made->count] = triangle;
-        run_of[made->count++] = run;
+        whole[made->first_border] = t;
+        run_of[made->first_border++] = run;
     }
     // A counting sort keeps the triangles' order within each branch, and with it the vertices' locality.
     std::uint32_t next = 0;
@@ -98,10 +107,12 @@ std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std
         r.first = next;
         next += std::exchange(r.count, 0);
     }
-    for (std::uint32_t i = 0; i < made->count; ++i) {
+    for (std::uint32_t i = 0; i < made->first_border; ++i) {
         TrianglePage::Run& r = runs[run_of[i]];
-        made->triangles[r.first + r.count++] = turned[i];
+        made->triangles[r.first + r.count++] = whole[i];
     }
+    std::copy_n(on_border.begin(), border_count, made->triangles.begin() + made->first_border);
+    made->count = made->first_border + border_count;
     std::fill(made->triangles.begin() + made->count, made->triangles.end(), glm::uvec3(0));
     return made;
 }
@@ -161,6 +172,7 @@ void PagedMesh::summarise() {
     for (const auto& page : triangle_pages_) {
         triangle_count_ += page->count;
         for (const TrianglePage::Run& run : page->runs) branch_count_ = std::max(branch_count_, run.branch + 1);
+        for (const auto& pair : page->borders) branch_count_ = std::max(branch_count_, pair[1] + 1);
         if (page->count == 0) continue;
         bounds_.include(origin_ + glm::dvec3(page->lower));
         bounds_.include(origin_ + glm::dvec3(page->upper));

@@ -21,10 +21,11 @@ namespace ramus::render {
 
 struct GpuVertex {
     glm::vec3 position;
-    std::array<std::int16_t, 4> normal; // signed normalised
     std::int32_t branch;
+    field::Lead lead;                   // of the branch over others
+    std::array<std::int16_t, 4> normal; // signed normalised; the last is nothing
 };
-static_assert(sizeof(GpuVertex) == 24);
+static_assert(sizeof(GpuVertex) == 28);
 
 // Pages are small enough to follow a change closely and to tell what the view leaves out, and large enough that a
 // surface has some hundred of them.
@@ -33,8 +34,8 @@ struct VertexPage {
     std::array<GpuVertex, kSize> vertices;
 };
 
-// Triangles sorted by branch, so that hiding a branch or looking past one is a matter of which are drawn. A triangle's
-// branch is that of its last corner (OpenGL's provoking vertex), one of the majority's.
+// Triangles sorted by branch, so that hiding a branch or looking past one is a matter of which are drawn: those whose
+// corners have one branch, and then those on borders between branches, which run through them.
 struct TrianglePage {
     static constexpr std::size_t kSize = 2048;
     struct Run {
@@ -42,8 +43,9 @@ struct TrianglePage {
         std::uint32_t first, count;
     };
     std::vector<Run> runs;
-    std::uint32_t count = 0;
-    glm::vec3 lower{0.0F}, upper{0.0F}; // relative to origin
+    std::uint32_t first_border = 0, count = 0;        // triangles
+    std::vector<std::array<std::int32_t, 2>> borders; // branches that meet, each pair once, the lower first
+    glm::vec3 lower{0.0F}, upper{0.0F};               // relative to origin
     std::array<glm::uvec3, kSize> triangles;
 };
 

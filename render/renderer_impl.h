@@ -5,7 +5,6 @@
 #include "render/caster/caster.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
-#include "render/glass_meetings.h"
 #include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_solids.h"
@@ -88,9 +87,11 @@ private:
     std::uint64_t cast(const Frame& frame, const std::vector<Layer>& layers);
     LookBlock look_of(const Frame& frame, bool outlined) const;
     std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers);
+    static void end_borders();
     void take_front_faces(bool write_depth) const;
     void clear_samples() const;
-    void bind_meetings(const Program& program, const PagedMesh& mesh) const;
+    void send_layers(const PagedMesh& mesh, const std::vector<Layer>& layers);
+    std::uint64_t draw_surface(const Frame& frame, const GpuMesh& mesh, const std::vector<Layer>& layers) const;
     void resolve(Band band);
     void draw_occlusion(const Frame& frame);
     // What shade.frag is told, and which of its variants: bits of Variant.
@@ -123,17 +124,15 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, cone_, opaque_side_, pane_, glass_side_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
+    Program geometry_, border_, cone_, pane_, border_pane_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
         background_, enlarge_, overlay_, mark_;
     std::map<unsigned, Program> shade_;                 // by variant, made when needed
     std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
     glm::ivec2 region_at_{0}, region_size_{0};          // that is shaded, of `inner_`, in GL's sense of y
     VertexArray no_vertices_;
-    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, meeting_buffer_,
-        company_buffer_;
-    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, meeting_texture_,
-        company_texture_;
-    std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0;
+    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, layer_buffer_;
+    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, layer_texture_;
+    std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0, layer_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 
     glm::ivec2 size_{0};                              // of the picture
@@ -149,7 +148,7 @@ private:
     bool cast_ = false;                            // the last picture is the caster's, not the passes'
     bool moving_ = false;                          // another camera on the same surface, in a hurry
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame, there or not
-    GlassMeetings meetings_;
+    std::vector<Layer> layers_;                    // by branch, all of them: in layer_texture_
     glm::dmat4 mesh_to_clip_{1.0};
     std::size_t glass_bytes_;                // that panes may take
     Buffer pane_heads_, panes_, pane_count_; // as in panes.glsl

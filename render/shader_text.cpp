@@ -89,6 +89,7 @@ ShaderText shader_text(std::string_view name, std::string_view defines, int vers
     const bool wrapped = full_depth && name.ends_with(".vert");
     std::string head = "#version " + std::to_string(version) + " core\n";
     if (version < 430) head += "#define FLOOR\n";
+    if (full_depth) head += "#define FULL_DEPTH\n";
     head += defines;
     if (wrapped) head += "#define main place_vertex\n";
     if (version < 430) assembler.add("floor.glsl");

@@ -24,7 +24,7 @@ struct ShaderText {
 
 // The embedded file `name`. `defines` goes after the #version line. `version` is 450, 430 or 330; at 330 FLOOR is
 // defined. With `full_depth`, clip space has depths from -w to w: a vertex shader, which reckons from 0 to w, is
-// brought to that at its end.
+// brought to that at its end, and FULL_DEPTH is defined for what comes after it.
 [[nodiscard]] ShaderText shader_text(std::string_view name, std::string_view defines, int version,
                                      bool full_depth = false);
 

@@ -1,33 +1,41 @@
 // Vessel surface to clip space. Positions are relative to the middle of the mesh, so that single precision is enough
 // wherever the tree lies.
 #version 450 core
-// Variants: PANE for glass; OPAQUE_SIDE and GLASS_SIDE for branches where glass meets what is opaque.
+// Variants: PANE for glass; BORDER for triangles where branches meet (border.geom goes on).
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in int branch;
+#ifdef BORDER
+layout(location = 3) in uvec4 lead; // as field::Lead: over two rivals, and their marks
+#endif
 
 layout(location = 0) uniform mat4 to_clip;
 layout(location = 1) uniform mat3 to_eye; // rotation only
 
+#ifdef BORDER
+out vec3 corner_normal;
+flat out uvec4 corner_lead;
+flat out int corner_branch;
+#else
 out vec3 normal_eye;
+flat out int branch_id;
 #ifdef PANE
 noperspective centroid out float depth_value;
 #endif
-flat out int branch_id;
-#if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
-#include "meeting.glsl"
-out float glassy;
 #endif
 
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
+#ifdef BORDER
+    corner_normal = to_eye * normal;
+    corner_lead = lead;
+    corner_branch = branch;
+#else
     normal_eye = to_eye * normal;
     branch_id = branch;
 #ifdef PANE
     depth_value = gl_Position.z / gl_Position.w;
 #endif
-#if defined(OPAQUE_SIDE) || defined(GLASS_SIDE)
-    glassy = glassiness(branch, position);
 #endif
 }

@@ -1,9 +1,9 @@
-// GLSL 3.30 neither reads values at samples nor writes to chosen ones. Where an opaque triangle is cut in two, it is
-// drawn once for each sample, with a sample mask: this tells on which side of the cut that sample lies.
+// GLSL 3.30 does not read values at samples. Where one sample of a pixel may show another branch than the next, triangles
+// are drawn once for each sample, with a sample mask: this tells what is there.
 layout(location = 6) uniform vec2 sample_place; // from the pixel's middle, in pixels
 
-// Above 0 where `value` is, at the sample: over w, values are linear in the picture.
-float side_at_sample(float value) {
-    float over_w = value * gl_FragCoord.w;
-    return over_w + dot(sample_place, vec2(dFdx(over_w), dFdy(over_w)));
+// `values` at the sample, times something above 0: over w, values are linear in the picture.
+vec3 at_sample(vec3 values) {
+    vec3 over_w = values * gl_FragCoord.w;
+    return over_w + sample_place.x * dFdx(over_w) + sample_place.y * dFdy(over_w);
 }

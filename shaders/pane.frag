@@ -1,6 +1,6 @@
 // Adds a pane of glass to the list of its pixel.
 #version 450 core
-// Variant: GLASS_SIDE cuts triangles in two where glass meets what is opaque.
+// Variant: BORDER for triangles where branches meet: a pane for each that is glass.
 #include "ids.glsl"
 #include "panes.glsl"
 #include "octahedral.glsl"
@@ -9,19 +9,16 @@ layout(early_fragment_tests) in; // what opaque surfaces hide is no pane
 
 in vec3 normal_eye;
 noperspective centroid in float depth_value;
-flat in int branch_id;
-#ifdef GLASS_SIDE
-in float glassy;
+#ifdef BORDER
+#include "border.glsl"
 layout(location = 2) uniform int samples;
+#else
+flat in int branch_id;
 #endif
 layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
 layout(location = 5) uniform uint room;    // panes
 
-void main() {
-    int covered = gl_SampleMaskIn[0];
-#ifdef GLASS_SIDE
-    for (int i = 0; i < samples; ++i) covered &= ~((interpolateAtSample(glassy, i) > 0.0 ? 0 : 1) << i);
-#endif
+void add_pane(int branch, int covered) {
     if (covered == 0) return;
     uint number = atomicAdd(pane_count, 1u) + 1u;
     if (number > room) return;
@@ -31,6 +28,21 @@ void main() {
     // decides what lies before what, and must be one that the triangle has, whatever hides some of it.
     float depth = gl_SampleMaskIn[0] == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
                                                     : interpolateAtSample(depth_value, findLSB(gl_SampleMaskIn[0]));
-    panes[number] = Pane(before, uint(branch_id + 1) | (uint(covered) << kSampleShift),
+    panes[number] = Pane(before, uint(branch + 1) | (uint(covered) << kSampleShift),
                          packSnorm2x16(octahedral(normalize(normal_eye))), floatBitsToUint(depth));
+}
+
+void main() {
+#ifdef BORDER
+    // A branch that has two corners has its samples with the first of them.
+    ivec3 covered = ivec3(0);
+    for (int i = 0; i < samples; ++i) {
+        int corner = owner(interpolateAtSample(shares, i));
+        covered[corner] |= gl_SampleMaskIn[0] & (1 << i);
+    }
+    for (int corner = 0; corner < 3; ++corner)
+        if (layer_of(branch_ids[corner]) == 1u) add_pane(branch_ids[corner], covered[corner]);
+#else
+    add_pane(branch_id, gl_SampleMaskIn[0]);
+#endif
 }

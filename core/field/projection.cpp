@@ -21,9 +21,28 @@ using VI = hn::Vec<DI>;
 struct Points {
     V x, y, z;
     V sum, gx, gy, gz;
-    V best, best_scale;
-    VI best_branch;
+    V best, best_scale; // of segments
+    V share;            // of the branch that is looked at
+    V shares[3];        // of the branches that have most, the most first
+    VI branches[3];
 };
+
+// All segments of a branch have been added: it takes its place among those that have most.
+HWY_INLINE void end_branch(Points& p, std::int32_t branch) {
+    const D d;
+    V share = p.share;
+    VI id = hn::Set(DI(), branch);
+    for (int place = 0; place < 3; ++place) {
+        const V there = p.shares[place];
+        const VI id_there = p.branches[place];
+        const auto more = hn::RebindMask(DI(), hn::Gt(share, there));
+        p.shares[place] = hn::Max(share, there);
+        p.branches[place] = hn::IfThenElse(more, id, id_there);
+        share = hn::Min(share, there);
+        id = hn::IfThenElse(more, id_there, id);
+    }
+    p.share = hn::Zero(d);
+}
 
 // Adds up the field and its gradient at N vectors of points: together, so that one hides what the other waits for.
 template <std::size_t N>
@@ -36,8 +55,11 @@ HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, float ro
         p.sum = p.gx = p.gy = p.gz = hn::Zero(d);
         p.best = hn::Set(d, -1.0F);
         p.best_scale = hn::Set(d, 1.0F);
-        p.best_branch = hn::Set(di, local.branch[0]);
+        p.share = p.shares[0] = p.shares[1] = p.shares[2] = hn::Zero(d);
+        p.branches[0] = p.branches[1] = p.branches[2] = hn::Set(di, local.branch[0]);
     }
+    // Segments are in order, and with them those of a branch are together.
+    std::int32_t branch = count > 0 ? local.branch[static_cast<std::size_t>(local.reaching[0] >> 1)] : 0;
     for (std::size_t r = 0; r < count; r += kPack) {
         const auto m0 = static_cast<std::size_t>(local.reaching[r] >> 1);
         const auto m1 = static_cast<std::size_t>(local.reaching[r + 1] >> 1);
@@ -45,7 +67,9 @@ HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, float ro
         const Pack ax = broadcast(local.x, m0, m1);
         const Pack ay = broadcast(local.y, m0, m1);
         const Pack az = broadcast(local.z, m0, m1);
-        const VI branch[kPack] = {hn::Set(di, local.branch[m0]), hn::Set(di, local.branch[m1])};
+        const std::int32_t before[kPack] = {branch, local.branch[m0]};
+        const std::int32_t here[kPack] = {local.branch[m0], local.branch[m1]};
+        branch = here[kPack - 1];
         for_ends(static_cast<Ends>((local.reaching[r] | local.reaching[r + 1]) & 1), [&](auto near) {
             for (Points& p : points) {
                 const Foot foot =
@@ -59,11 +83,13 @@ HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, float ro
                     const M stronger = hn::Gt(g.value.v[s], p.best);
                     p.best = hn::IfThenElse(stronger, g.value.v[s], p.best);
                     p.best_scale = hn::IfThenElse(stronger, foot.scale.v[s], p.best_scale);
-                    p.best_branch = hn::IfThenElse(hn::RebindMask(di, stronger), branch[s], p.best_branch);
+                    if (here[s] != before[s]) end_branch(p, before[s]);
+                    p.share = hn::Add(p.share, g.value.v[s]);
                 }
             }
         });
     }
+    for (Points& p : points) end_branch(p, branch);
 }
 
 // One step of Newton's method on phi = sqrt(-ln F), which is linear in the distance from a straight vessel's axis, so
@@ -144,7 +170,19 @@ HWY_INLINE void write(D d, const Points& p, float root, const glm::dvec3& origin
     const V unit = hn::Div(hn::Set(d, -1.0F), hn::Sqrt(hn::Max(g2, hn::Set(d, 1e-30F))));
     hn::StoreInterleaved3(hn::Mul(p.gx, unit), hn::Mul(p.gy, unit), hn::Mul(p.gz, unit), d, &to.normals[at].x);
     hn::StoreU(hn::Div(hn::Set(d, root), p.best_scale), d, to.radii + at);
-    hn::StoreU(p.best_branch, di, to.branches + at);
+    hn::StoreU(p.branches[0], di, to.branches + at);
+    const hn::Rebind<std::uint8_t, D> du8;
+    const V tiny = hn::Set(d, 1e-30F);
+    const auto lead = [&](V share) {
+        const V scaled = hn::Mul(hn::Log(d, hn::Div(hn::Max(p.shares[0], tiny), hn::Max(share, tiny))),
+                                 hn::Set(d, static_cast<float>(255.0 / kLargestLead)));
+        return hn::DemoteTo(du8, hn::NearestInt(hn::Min(scaled, hn::Set(d, 255.0F))));
+    };
+    const auto rival = [&](int rank) { // none where nothing is added, whoever was looked at
+        const auto there = hn::RebindMask(di, hn::Gt(p.shares[rank], hn::Zero(d)));
+        return hn::DemoteTo(du8, hn::IfThenElseZero(there, hn::And(p.branches[rank], hn::Set(di, 255))));
+    };
+    hn::StoreInterleaved4(lead(p.shares[1]), lead(p.shares[2]), rival(1), rival(2), du8, to.leads[at].over.data());
 }
 
 // N vectors of points from the n-th on. Returns the number of kernels evaluated.

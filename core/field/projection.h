@@ -2,6 +2,7 @@
 // points.
 #pragma once
 
+#include "core/field/lead.h"
 #include "core/field/local_segments.h"
 
 #include <cstdint>
@@ -42,10 +43,11 @@ private:
 
 // Where the points go, with room for kProjectionPadding more than there are.
 struct SurfacePoints {
-    glm::vec3* positions; // mm
-    glm::vec3* normals;   // unit length, outward
-    float* radii;         // local radius, mm
-    std::int32_t* branches;
+    glm::vec3* positions;   // mm
+    glm::vec3* normals;     // unit length, outward
+    float* radii;           // local radius, mm: of the strongest segment there
+    std::int32_t* branches; // that contribute most
+    Lead* leads;
 };
 
 inline constexpr std::size_t kProjectionPadding = 32; // whole vectors are done, two at a time

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/large_array.h"
+#include "core/field/lead.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,6 +16,7 @@ struct TriangleMesh {
     LargeArray<glm::vec3> normals;     // unit length, outward
     LargeArray<float> radii;           // local vessel radius in mm
     LargeArray<std::int32_t> branches; // id of the dominating branch
+    LargeArray<field::Lead> leads;     // how clearly it does; between vertices they say where branches end
     LargeArray<glm::uvec3> triangles;  // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };

@@ -59,15 +59,14 @@ glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     return projection * view_matrix(camera);
 }
 
-void Renderer::Impl::bind_meetings(const Program& program, const PagedMesh& mesh) const {
-    glProgramUniform1i(program, 2, static_cast<GLint>(view_.picture.z));
-    const glm::vec3 offset(lines_.shown()->origin - mesh.origin());
-    glProgramUniform3f(program, 3, offset.x, offset.y, offset.z);
-    GLuint unit = 0;
-    const GpuLines::Textures lines = lines_.textures();
-    for (const GLuint texture :
-         {lines.points, lines.details, lines.runs, GLuint(meeting_texture_), GLuint(company_texture_)})
-        glBindTextureUnit(unit++, texture);
+void Renderer::Impl::send_layers(const PagedMesh& mesh, const std::vector<Layer>& layers) {
+    layers_ = layers;
+    layers_.resize(static_cast<std::size_t>(mesh.branch_count()), Layer::kOpaque);
+    if (layers_.size() > layer_capacity_) {
+        layer_capacity_ = layers_.size();
+        make_buffer_texture(layer_buffer_, layer_texture_, GL_R8UI, nullptr, layer_capacity_);
+    }
+    glNamedBufferSubData(layer_buffer_, 0, static_cast<GLsizeiptr>(layers_.size()), layers_.data());
 }
 
 // Of closed surfaces, by reversed depth.
@@ -96,41 +95,15 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
 
     has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
     if (mesh != nullptr) mesh_to_clip_ = relative_to(mesh->shown()->origin());
-    meetings_ = {};
-    if (has_glass_) {
-        meetings_ = GlassMeetings(layers, static_cast<std::size_t>(mesh->shown()->branch_count()), lines_);
-        if (!meetings_.meeting.empty()) {
-            const auto send = [](Buffer& buffer, Texture& texture, const auto& values) {
-                make_buffer_texture(buffer, texture, GL_RG32UI, values.data(), values.size() * sizeof values[0]);
-            };
-            send(meeting_buffer_, meeting_texture_, meetings_.spans);
-            send(company_buffer_, company_texture_, meetings_.company);
-        }
-    }
+    if (mesh != nullptr) send_layers(*mesh->shown(), layers);
     take_front_faces(true);
     std::uint64_t triangles = 0;
     glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
     clear_samples();
     if (mesh != nullptr) {
-        const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
-            glUseProgram(program);
-            glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
-            glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
-            triangles += mesh->draw(wanted, Layer::kOpaque, mesh_to_clip_);
-        };
         const bool as_cones = moving_ && !has_glass_ && lines_.shown() != nullptr &&
                               mesh->triangles_in_picture(mesh_to_clip_) > kMostMovingTriangles;
-        if (as_cones)
-            triangles += draw_cones(frame, layers);
-        else
-            draw(geometry_, has_glass_ ? meetings_.away : layers);
-        if (!meetings_.meeting.empty()) {
-            // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
-            bind_meetings(opaque_side_, *mesh->shown());
-            glDisable(GL_CULL_FACE);
-            draw_by_sample(opaque_side_, [&] { draw(opaque_side_, meetings_.meeting_as(Layer::kOpaque)); });
-            glEnable(GL_CULL_FACE);
-        }
+        triangles += as_cones ? draw_cones(frame, layers) : draw_surface(frame, *mesh, layers);
     }
     draw_solids(frame, to_clip);
     glDisable(GL_CULL_FACE);
@@ -152,6 +125,45 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
     const auto panes = draw_glass(frame, *mesh);
     if (!panes) return panes;
     return triangles + *panes;
+}
+
+// Mesa holds on to the program that comes right after one with a geometry shader, and would keep it for good.
+void Renderer::Impl::end_borders() { glUseProgram(0); }
+
+// Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
+std::uint64_t Renderer::Impl::draw_surface(const Frame& frame, const GpuMesh& mesh,
+                                           const std::vector<Layer>& layers) const {
+    const auto use = [&](const Program& program) {
+        glUseProgram(program);
+        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
+        glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+    };
+    std::vector<Layer> closed = layers, open;
+    if (has_glass_) {
+        closed = layers_;
+        open.assign(layers_.size(), Layer::kNone);
+        for (const auto& page : mesh.shown()->triangle_pages())
+            for (const auto& pair : page->borders)
+                for (const int i : {0, 1}) {
+                    const auto one = static_cast<std::size_t>(pair.at(static_cast<std::size_t>(i)));
+                    const auto other = static_cast<std::size_t>(pair.at(static_cast<std::size_t>(1 - i)));
+                    if (layers_[one] != Layer::kOpaque || layers_[other] != Layer::kGlass) continue;
+                    closed[one] = Layer::kNone;
+                    open[one] = Layer::kOpaque;
+                }
+    }
+    use(geometry_);
+    std::uint64_t triangles = mesh.draw(closed, Layer::kOpaque, mesh_to_clip_);
+    if (has_glass_) {
+        glDisable(GL_CULL_FACE);
+        triangles += mesh.draw(open, Layer::kOpaque, mesh_to_clip_);
+    }
+    use(border_);
+    glBindTextureUnit(7, layer_texture_);
+    draw_by_sample(border_, [&] { triangles += mesh.draw_borders(layers, Layer::kOpaque, mesh_to_clip_); });
+    end_borders();
+    glEnable(GL_CULL_FACE);
+    return triangles;
 }
 
 // What moves fast enough that nobody sees the difference: a rectangle a segment takes a software rasteriser a tenth of

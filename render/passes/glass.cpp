@@ -62,19 +62,20 @@ std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, 
     take_front_faces(false);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, band.first, inner_.x, band.count);
-    const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
+    const auto use = [&](const Program& program) {
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
         bind_panes(program, band);
         glUniform1ui(5, static_cast<GLuint>(pane_room_));
-        triangles += mesh.draw(wanted, Layer::kGlass, mesh_to_clip_);
     };
-    draw(pane_, meetings_.away);
-    if (!meetings_.meeting.empty()) {
-        bind_meetings(glass_side_, *mesh.shown());
-        draw(glass_side_, meetings_.meeting_as(Layer::kGlass));
-    }
+    use(pane_);
+    triangles += mesh.draw(layers_, Layer::kGlass, mesh_to_clip_);
+    use(border_pane_);
+    glUniform1i(2, static_cast<GLint>(view_.picture.z));
+    glBindTextureUnit(7, layer_texture_);
+    triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
+    end_borders();
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

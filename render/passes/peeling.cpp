@@ -72,7 +72,7 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     glBindFramebuffer(GL_FRAMEBUFFER, layer_targets_.at(std::size_t(layer % 2)));
     take_front_faces(true);
     clear_samples();
-    const auto draw = [&](const Program& program, const std::vector<Layer>& wanted) {
+    const auto use = [&](const Program& program) {
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
@@ -81,14 +81,14 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
         glUniform2fv(8, kMostSamples, &sample_places_[0].x);
         glBindTextureUnit(5, depth_);
         glBindTextureUnit(6, layer_depths_.at(std::size_t(1 - layer % 2)));
-        triangles += mesh.draw(wanted, Layer::kGlass, mesh_to_clip_);
     };
     glBeginQuery(GL_ANY_SAMPLES_PASSED, layer_query_);
-    draw(pane_, meetings_.away);
-    if (!meetings_.meeting.empty()) {
-        bind_meetings(glass_side_, *mesh.shown());
-        draw(glass_side_, meetings_.meeting_as(Layer::kGlass));
-    }
+    use(pane_);
+    triangles += mesh.draw(layers_, Layer::kGlass, mesh_to_clip_);
+    use(border_pane_);
+    glBindTextureUnit(7, layer_texture_);
+    triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
+    end_borders();
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

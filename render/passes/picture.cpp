@@ -17,8 +17,8 @@ Layer layer_of(BranchState state) {
 
 Result<void> Renderer::Impl::initialise() {
     const auto make = [](Program& program, std::string_view vertex, std::string_view fragment,
-                         std::string_view defines = {}) -> Result<void> {
-        auto made = make_program(vertex, fragment, defines);
+                         std::string_view defines = {}, std::string_view geometry = {}) -> Result<void> {
+        auto made = make_program(vertex, fragment, defines, geometry);
         if (!made) return tl::unexpected(made.error());
         program = std::move(*made);
         return {};
@@ -34,13 +34,13 @@ Result<void> Renderer::Impl::initialise() {
                                              {&mark_, "mark.vert", "mark.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
     const char* const pane = gl_has_lists() ? "pane.frag" : "pane_layer.frag";
-    for (auto [program, vertex, fragment, defines] :
-         {std::tuple{&opaque_side_, "geometry.vert", "geometry.frag", "#define OPAQUE_SIDE\n"},
-          {&pane_, "geometry.vert", pane, "#define PANE\n"},
-          {&glass_side_, "geometry.vert", pane, "#define PANE\n#define GLASS_SIDE\n"},
-          {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n"}})
-        if (auto made = make(*program, vertex, fragment, defines); !made) return made;
-    if (auto made = make(centerline_, "centerline.vert", "geometry.frag", "#define LINE\n"); !made) return made;
+    for (auto [program, vertex, fragment, defines, geometry] :
+         {std::tuple{&border_, "geometry.vert", "geometry.frag", "#define BORDER\n", "border.geom"},
+          {&pane_, "geometry.vert", pane, "#define PANE\n", ""},
+          {&border_pane_, "geometry.vert", pane, "#define PANE\n#define BORDER\n", "border.geom"},
+          {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n", ""},
+          {&centerline_, "centerline.vert", "geometry.frag", "#define LINE\n", ""}})
+        if (auto made = make(*program, vertex, fragment, defines, geometry); !made) return made;
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     look_block_ = make_buffer(sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -134,7 +134,8 @@ void Renderer::Impl::let_go() {
     branch_buffer_ = {};
     lesion_buffer_ = {};
     cut_buffer_ = {};
-    branch_capacity_ = lesion_capacity_ = cut_capacity_ = 0;
+    layer_buffer_ = {};
+    branch_capacity_ = lesion_capacity_ = cut_capacity_ = layer_capacity_ = 0;
     distances_.reset();
     distance_texture_ = {};
     bands_.clear();

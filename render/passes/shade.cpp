@@ -11,6 +11,8 @@
 
 namespace ramus::render {
 
+using namespace record;
+
 namespace {
 
 // Linear, of 65535.
@@ -87,10 +89,11 @@ void Renderer::Impl::find_region(const Frame& frame, const PagedMesh& mesh, cons
     const Projector project(frame.camera, frame.size);
     glm::dvec2 lower(frame.size), upper(0.0);
     for (const auto& page : mesh.triangle_pages()) {
-        const auto has_changed = [&](const TrianglePage::Run& run) {
-            return run.count > 0 && run.branch >= 0 && changed[static_cast<std::size_t>(run.branch)] != 0;
-        };
-        if (page->count == 0 || std::ranges::none_of(page->runs, has_changed)) continue;
+        const auto has_changed = [&](std::int32_t branch) { return changed[static_cast<std::size_t>(branch)] != 0; };
+        const bool any =
+            std::ranges::any_of(page->runs, has_changed, &TrianglePage::Run::branch) ||
+            std::ranges::any_of(page->borders, [&](const auto& p) { return has_changed(p[0]) || has_changed(p[1]); });
+        if (page->count == 0 || !any) continue;
         for (int corner = 0; corner < 8; ++corner) {
             const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
             const auto at = project(mesh.origin() + glm::dvec3(glm::mix(page->lower, page->upper, high)));

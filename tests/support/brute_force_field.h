@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -22,13 +23,15 @@ public:
     };
 
     BruteForceField(const tree::PreparedTree& prepared, double width) : w_(width * std::numbers::ln2) {
+        std::size_t ordinal = 0;
         for (const tree::Branch& branch : prepared.tree.branches) {
-            for (std::size_t i = 1; i < branch.points.size(); ++i) {
+            for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
                 const tree::Point& a = prepared.tree.points[branch.points[i - 1]];
                 const tree::Point& b = prepared.tree.points[branch.points[i]];
                 const double length = glm::distance(a.position, b.position);
                 if (length > 0.0)
-                    segments_.push_back({a.position, (b.position - a.position) / length, length, a.radius, b.radius});
+                    segments_.push_back({a.position, (b.position - a.position) / length, length, a.radius, b.radius,
+                                         prepared.segment_source[ordinal]});
             }
         }
     }
@@ -61,6 +64,13 @@ public:
         return result;
     }
 
+    // What each branch adds to the field at a point.
+    [[nodiscard]] std::map<int, double> shares(glm::dvec3 p) const {
+        std::map<int, double> shares;
+        for (const Segment& s : segments_) shares[s.branch] += kernel(s, p).h;
+        return shares;
+    }
+
     // First-order distance to the isosurface in units of the local radius.
     [[nodiscard]] double relative_distance(const Sample& s) const {
         return std::abs(s.value - isovalue()) / glm::length(s.gradient) / s.radius;
@@ -70,6 +80,7 @@ private:
     struct Segment {
         glm::dvec3 a, u;
         double length, ra, rb;
+        int branch;
     };
     struct Kernel {
         double h, r;

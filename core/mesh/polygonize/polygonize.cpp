@@ -17,6 +17,7 @@ public:
         mesh_.normals.reserve(kVertices * bricks);
         mesh_.radii.reserve(kVertices * bricks);
         mesh_.branches.reserve(kVertices * bricks);
+        mesh_.leads.reserve(kVertices * bricks);
         mesh_.triangles.reserve(2 * kVertices * bricks);
     }
     [[nodiscard]] bool resize_vertices(std::size_t count) override {

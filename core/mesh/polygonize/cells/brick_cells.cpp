@@ -41,6 +41,7 @@ void SurfaceVertices::make_room(std::size_t more) {
     normals.resize(grown);
     radii.resize(grown);
     branches.resize(grown);
+    leads.resize(grown);
 }
 
 std::uint64_t append_projected(const field::LocalSegments& local, field::Projection& projection,
@@ -50,7 +51,8 @@ std::uint64_t append_projected(const field::LocalSegments& local, field::Project
     vertices.count += projection.size();
     return field::project(local, projection,
                           {vertices.positions.data() + first, vertices.normals.data() + first,
-                           vertices.radii.data() + first, vertices.branches.data() + first});
+                           vertices.radii.data() + first, vertices.branches.data() + first,
+                           vertices.leads.data() + first});
 }
 
 namespace {
@@ -86,6 +88,7 @@ private:
         block->normals.resize(kBlock);
         block->radii.resize(kBlock);
         block->branches.resize(kBlock);
+        block->leads.resize(kBlock);
         return block;
     }
 

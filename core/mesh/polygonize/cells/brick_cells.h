@@ -73,6 +73,7 @@ struct SurfaceVertices {
     LargeArray<glm::vec3> positions, normals;
     LargeArray<float> radii;
     LargeArray<std::int32_t> branches;
+    LargeArray<field::Lead> leads;
     std::size_t count = 0;
 
     void make_room(std::size_t more);
@@ -85,6 +86,8 @@ void copy_vertices(const SurfaceVertices& from, std::size_t begin, Arrays& to, s
     std::copy_n(from.normals.data() + begin, count, to.normals.data() + at);
     std::copy_n(from.radii.data() + begin, count, to.radii.data() + at);
     std::copy_n(from.branches.data() + begin, count, to.branches.data() + at);
+    if constexpr (requires { to.leads; }) // those that are shown have them
+        std::copy_n(from.leads.data() + begin, count, to.leads.data() + at);
 }
 
 // What the bricks of one tile make.

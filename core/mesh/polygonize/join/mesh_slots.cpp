@@ -51,6 +51,7 @@ void MeshSlots::grow_vertices(double slack) {
     grow(mesh_.normals, count, slack);
     grow(mesh_.radii, count, slack);
     grow(mesh_.branches, count, slack);
+    grow(mesh_.leads, count, slack);
 }
 
 void MeshSlots::place_vertices(const Octree& octree, std::span<const std::uint32_t> tiles, SurfaceCells& surface,
@@ -130,6 +131,7 @@ TriangleMesh MeshSlots::compact(std::span<const TileBatch> order) const {
             mesh.normals[place[n]] = mesh_.normals[n];
             mesh.radii[place[n]] = mesh_.radii[n];
             mesh.branches[place[n]] = mesh_.branches[n];
+            mesh.leads[place[n]] = mesh_.leads[n];
         }
     };
     std::uint64_t at = 0;

@@ -1,0 +1,45 @@
+// Triangles where branches meet: says how far behind the leading branch of each corner the three corners' branches are,
+// in logarithms of their shares in the field, which are nearly linear over a triangle. A place belongs to the branch that
+// is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
+// triangle to triangle.
+#version 450 core
+// Variant: PANE for glass.
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+
+in vec3 corner_normal[];
+flat in uvec4 corner_lead[]; // over two rivals, and the lowest bytes of their ids
+flat in int corner_branch[];
+
+out vec3 normal_eye;
+out vec3 shares; // of the corners' branches
+flat out ivec3 branch_ids;
+#ifdef PANE
+noperspective centroid out float depth_value;
+#endif
+
+// At corner a, of corner b's branch. Of a branch that is not among those that are told it is no more than the last.
+float share(int a, int b) {
+    if (corner_branch[a] == corner_branch[b]) return 0.0;
+    uint mark = uint(corner_branch[b]) & 255u;
+    uvec4 lead = corner_lead[a];
+    return -float(max(lead.z == mark ? lead.x : lead.y, 1u)); // never a tie: the corner itself is its own branch's
+}
+
+void main() {
+    for (int corner = 0; corner < 3; ++corner) {
+        gl_Position = gl_in[corner].gl_Position;
+        normal_eye = corner_normal[corner];
+        shares = vec3(share(corner, 0), share(corner, 1), share(corner, 2));
+        branch_ids = ivec3(corner_branch[0], corner_branch[1], corner_branch[2]);
+#ifdef PANE
+#ifdef FULL_DEPTH
+        depth_value = 0.5 * gl_Position.z / gl_Position.w + 0.5;
+#else
+        depth_value = gl_Position.z / gl_Position.w;
+#endif
+#endif
+        EmitVertex();
+    }
+    EndPrimitive();
+}

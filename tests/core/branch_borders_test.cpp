@@ -1,0 +1,58 @@
+// Which branch a vertex is said to belong to, and how clearly, against the brute-force field.
+#include "core/mesh/surface.h"
+#include "tests/support/brute_force_field.h"
+#include "tests/support/grown_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <numbers>
+#include <random>
+
+using namespace ramus;
+
+TEST_CASE("a vertex belongs to the branch that adds most to the field there, as clearly as it says") {
+    const tree::VesselTree tree = test::grown_tree(150).value();
+    Job job;
+    const mesh::SurfaceOptions options;
+    const auto surface = mesh::make_surface(tree, options, job);
+    REQUIRE(surface.has_value());
+    const mesh::TriangleMesh& mesh = surface->mesh;
+    REQUIRE(mesh.leads.size() == mesh.positions.size());
+    const test::BruteForceField witness(mesh::prepare_tree(tree, options), options.width);
+
+    // A vertex is told of the field where it was before its last step, which is up to 0.054 of the radius long
+    // (projection.cpp): over that way the logarithm of a kernel, -w d^2 / r^2, changes by 2 w 0.054 at most.
+    const double most_error = 2.0 * 5.0 * std::numbers::ln2 * 0.054;
+    constexpr double kNear = 1.5, kTie = 0.1; // beyond the first the kernel fades, as the witness's does not
+    std::mt19937 random(20051025);
+    std::vector<double> errors;
+    int wrong = 0, wrong_rivals = 0;
+    for (int i = 0; i < 8000; ++i) {
+        const std::size_t v = random() % mesh.positions.size();
+        std::vector<std::pair<double, int>> shares; // the largest first
+        for (const auto& [branch, share] : witness.shares(glm::dvec3(mesh.positions[v])))
+            shares.emplace_back(-std::log(std::max(share, 1e-30)), branch);
+        std::ranges::sort(shares);
+        const double exact = shares[1].first - shares[0].first, to_third = shares[2].first - shares[1].first;
+        const double said = mesh.leads[v].over[0] * field::kLargestLead / 255.0;
+        const bool right = mesh.branches[v] == shares[0].second;
+        wrong += right ? 0 : 1;
+        if (!right) CHECK(exact < kTie);
+        if (exact > kNear) {
+            CHECK(said > kNear - most_error);
+            continue;
+        }
+        errors.push_back(right ? std::abs(said - exact) : said + exact); // the other side of the border
+        if (right && to_third > kTie && mesh.leads[v].rivals[0] != static_cast<std::uint8_t>(shares[1].second))
+            ++wrong_rivals;
+    }
+    std::ranges::sort(errors);
+    const double most_of_them = errors[errors.size() * 99 / 100];
+    MESSAGE(errors.size(), " of 8000 vertices near borders, ", wrong, " beyond them; error 99 %: ", most_of_them,
+            ", most: ", errors.back());
+    CHECK(errors.size() > 500);
+    CHECK(wrong_rivals == 0);
+    CHECK(most_of_them < 0.15);
+    CHECK(errors.back() < most_error);
+}
