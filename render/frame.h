@@ -85,6 +85,7 @@ struct Frame {
     float beyond_ends = 0.7075F;                    // how far the surface goes on beyond a free end, in radii there
     ColourScale scale;                              // instead of colours
     Lesions lesions;
+    std::vector<ContextMesh> context;
     Margins margins;            // instead of colours, scale
     std::vector<LostPart> lost; // one a branch at most; in place of every other colour
     std::vector<MarkLine> lines;

@@ -21,6 +21,7 @@ struct Native {
     PFNGLUSEPROGRAMPROC use_program = nullptr;
     PFNGLUNIFORM1IPROC uniform1i = nullptr;
     PFNGLUNIFORM1UIPROC uniform1ui = nullptr;
+    PFNGLUNIFORM1FPROC uniform1f = nullptr;
     PFNGLUNIFORM2IPROC uniform2i = nullptr;
     PFNGLUNIFORM2FPROC uniform2f = nullptr;
     PFNGLUNIFORM3FPROC uniform3f = nullptr;
@@ -45,6 +46,7 @@ void GLAD_API_PTR use_program(GLuint program) {
 
 void GLAD_API_PTR uniform1i(GLint at, GLint x) { native.uniform1i(chosen(at), x); }
 void GLAD_API_PTR uniform1ui(GLint at, GLuint x) { native.uniform1ui(chosen(at), x); }
+void GLAD_API_PTR uniform1f(GLint at, GLfloat x) { native.uniform1f(chosen(at), x); }
 void GLAD_API_PTR uniform2i(GLint at, GLint x, GLint y) { native.uniform2i(chosen(at), x, y); }
 void GLAD_API_PTR uniform2f(GLint at, GLfloat x, GLfloat y) { native.uniform2f(chosen(at), x, y); }
 void GLAD_API_PTR uniform3f(GLint at, GLfloat x, GLfloat y, GLfloat z) { native.uniform3f(chosen(at), x, y, z); }
@@ -98,11 +100,13 @@ void install_uniform_floor(int version, const void* context) {
     GLint in_use = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &in_use);
     current = static_cast<GLuint>(in_use);
-    native = {glad_glUseProgram, glad_glUniform1i, glad_glUniform1ui, glad_glUniform2i,        glad_glUniform2f,
-              glad_glUniform3f,  glad_glUniform4f, glad_glUniform2fv, glad_glUniformMatrix3fv, glad_glUniformMatrix4fv};
+    native = {glad_glUseProgram, glad_glUniform1i,        glad_glUniform1ui,      glad_glUniform1f,
+              glad_glUniform2i,  glad_glUniform2f,        glad_glUniform3f,       glad_glUniform4f,
+              glad_glUniform2fv, glad_glUniformMatrix3fv, glad_glUniformMatrix4fv};
     glad_glUseProgram = use_program;
     glad_glUniform1i = uniform1i;
     glad_glUniform1ui = uniform1ui;
+    glad_glUniform1f = uniform1f;
     glad_glUniform2i = uniform2i;
     glad_glUniform2f = uniform2f;
     glad_glUniform3f = uniform3f;

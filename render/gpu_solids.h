@@ -12,6 +12,7 @@
 namespace ramus::render {
 
 inline constexpr int kFirstSolid = 0x40000000;
+inline constexpr int kFirstContext = 0x60000000; // of context meshes (render/gpu_context.h), beyond every lesion
 
 class GpuSolids {
 public:

@@ -5,6 +5,7 @@
 #include "render/caster/caster.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
+#include "render/gpu_context.h"
 #include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
 #include "render/gpu_solids.h"
@@ -62,6 +63,11 @@ private:
         int x = 0, y = 0, width = 0, height = 0; // GL's sense of y
     };
 
+    // Rows of `inner_`, in GL's sense of y, whose panes of glass fit into their bound together.
+    struct Band {
+        int first = 0, count = 0;
+    };
+
     Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget);
     void let_go();
     Result<void> resize(glm::ivec2 size, Quality quality);
@@ -69,17 +75,20 @@ private:
     Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
     void draw_solids(const Frame& frame, const glm::dmat4& to_clip);
-    // Rows of `inner_`, in GL's sense of y, whose panes of glass fit into their bound together.
-    struct Band {
-        int first = 0, count = 0;
-    };
+    // Context meshes: passes/context.cpp. Each returns the number of triangles drawn.
+    std::uint64_t draw_solid_context(const Frame& frame) const;
+    std::uint64_t list_context_panes(const Frame& frame, Band band) const;
+    std::uint64_t draw_context_layer(const Frame& frame, int layer) const;
+    std::uint64_t draw_context_cover(const Frame& frame) const;
+    std::uint64_t draw_clear_context(const Frame& frame, const std::function<void(const Program&)>& prepare) const;
     Result<std::uint64_t> draw_glass(const Frame& frame, const GpuMesh& mesh);
     std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
     // Where there are no lists: passes/peeling.cpp.
     void make_layers();
     void find_sample_places();
     void draw_by_sample(const Program& program, const std::function<void()>& draw) const;
-    bool draw_layer(const Frame& frame, const GpuMesh& mesh, int layer, std::uint64_t& triangles);
+    enum class LayerOf { kVessels, kEverything };
+    bool draw_layer(const Frame& frame, const GpuMesh& mesh, int layer, LayerOf what, std::uint64_t& triangles);
     std::uint64_t draw_first_layer(const Frame& frame, const GpuMesh& mesh);
     Result<void> peel(const Frame& frame, const GpuMesh& mesh, unsigned variant);
     bool make_room_for_panes(std::size_t wanted);
@@ -107,6 +116,7 @@ private:
         kContours = 256,
         kChromadepth = 512,
         kLayer = 1024,
+        kContext = 2048,
     };
     enum class Extent { kAll, kChanged }; // the picture, or the branches that the last one showed otherwise
     unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);
@@ -125,14 +135,17 @@ private:
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
     Program geometry_, border_, cone_, pane_, border_pane_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
-        background_, enlarge_, overlay_, mark_;
+        background_, enlarge_, overlay_, mark_, context_, context_pane_, context_lines_;
     std::map<unsigned, Program> shade_;                 // by variant, made when needed
     std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
     glm::ivec2 region_at_{0}, region_size_{0};          // that is shaded, of `inner_`, in GL's sense of y
     VertexArray no_vertices_;
-    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, layer_buffer_;
-    Texture branch_texture_, lesion_texture_, cut_texture_, ramp_texture_, distance_texture_, layer_texture_;
-    std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0, layer_capacity_ = 0;
+    Buffer view_block_, look_block_, scene_block_, branch_buffer_, lesion_buffer_, cut_buffer_, context_buffer_,
+        layer_buffer_;
+    Texture branch_texture_, lesion_texture_, cut_texture_, context_texture_, ramp_texture_, distance_texture_,
+        layer_texture_;
+    std::size_t branch_capacity_ = 0, lesion_capacity_ = 0, cut_capacity_ = 0, context_capacity_ = 0,
+                layer_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 
     glm::ivec2 size_{0};                              // of the picture
@@ -143,7 +156,8 @@ private:
     Texture occlusion_, half_blurred_, blurred_, lit_, picture_;
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
         lit_target_, picture_target_;
-    bool has_glass_ = false;
+    bool has_glass_ = false;     // or context that is clear
+    glm::dmat4 projection_{1.0}; // of the last look_at()
     caster::Caster caster_;
     bool cast_ = false;                            // the last picture is the caster's, not the passes'
     bool moving_ = false;                          // another camera on the same surface, in a hurry
@@ -163,8 +177,10 @@ private:
     std::vector<Band> bands_; // of the last picture with glass; one: its lists are still there
 
     GpuMesh mesh_, preview_;
+    const GpuMesh no_mesh_;
     GpuLines lines_;
     GpuSolids solids_;
+    GpuContext context_meshes_;
     const GpuMesh* drawn_ = nullptr; // the one of the last picture; null: nothing
 
     std::vector<Sprite> sprites_;

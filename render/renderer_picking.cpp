@@ -37,7 +37,7 @@ Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, 
             const glm::dvec2 in_picture = pixel * glm::dvec2(size_) / glm::dvec2(inner_);
             const int id = static_cast<int>(ids[i]) - 1;
             result.branch = id < kFirstSolid ? id : kNoBranch;
-            result.lesion = id < kFirstSolid ? kNoLesion : id - kFirstSolid;
+            result.lesion = id < kFirstSolid || id >= kFirstContext ? kNoLesion : id - kFirstSolid;
             result.position = unproject(camera, size_, {in_picture.x, size_.y - in_picture.y}, depths[i]);
         }
     }
@@ -95,8 +95,10 @@ BranchPicture Renderer::Impl::read_branches() const {
     for (std::size_t y = 0; y < height; ++y) {
         // GL counts from below; a picture that is drawn quickly has fewer pixels inside.
         const std::uint32_t* row = &ids[inner_width * ((height - 1 - y) * inner_height / height)];
-        for (std::size_t x = 0; x < width; ++x)
-            picture.branches[y * width + x] = static_cast<int>(row[x * inner_width / width]) - 1;
+        for (std::size_t x = 0; x < width; ++x) {
+            const int id = static_cast<int>(row[x * inner_width / width]) - 1;
+            picture.branches[y * width + x] = id < kFirstSolid ? id : kNoBranch;
+        }
     }
     return picture;
 }

@@ -1,5 +1,5 @@
-// What a picture shows beside vessels, and what their colours mean: lesions, margins around them, cuts, lines with
-// labels, a legend. Plain comparable values; places in mm (RAS), colours in sRGB, texts in Latin-1.
+// What a picture shows beside vessels, and what their colours mean: lesions, margins around them, context, cuts,
+// lines with labels, a legend. Plain comparable values; places in mm (RAS), colours in sRGB, texts in Latin-1.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -49,6 +49,20 @@ struct Lesions {
     std::vector<std::shared_ptr<const mesh::TriangleMesh>> meshes;
     std::shared_ptr<const DistanceGrid> distances; // to the meshes; null: none
     bool operator==(const Lesions&) const = default;
+};
+
+// A surface beside the tree, in the same coordinates: an organ, a lesion, a bone, another surface of the same vessels.
+// It is never picked: through one that is clear vessels are, an opaque one hides them.
+struct ContextMesh {
+    std::shared_ptr<const mesh::TriangleMesh> mesh;    // with or without normals, closed or open; null: nothing
+    std::shared_ptr<const mesh::TriangleMesh> preview; // the same with fewer triangles, for kInteractive; may be null
+    glm::vec3 colour{0.8F};
+    float opacity = 0.3F;   // where it faces the eye, denser towards its outline; 0: nothing, 1: as solid as vessels
+    bool wireframe = false; // its triangles' edges, as lines, in place of the surface
+    bool operator==(const ContextMesh&) const = default;
+    [[nodiscard]] bool shown() const { return mesh != nullptr && opacity > 0.0F; }
+    [[nodiscard]] bool clear() const { return shown() && (opacity < 1.0F || wireframe); }
+    [[nodiscard]] bool solid() const { return shown() && !clear(); }
 };
 
 // The part of a branch that is lost, as fractions of its length from the parent's end. Parts other than the whole need

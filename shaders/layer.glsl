@@ -26,7 +26,7 @@ void main() {
         hit[s] = hit[s] && ((panes[s].x >> (kGlassShift + s)) & 1u) != 0u && nearest > texelFetch(opaque_samples, pixel, s < samples ? s : 0).x;
         if (hit[s] && panes[s] != last) {
             last = panes[s];
-            veil = glass(last.x & kIdBits, unpack_normal(last.y), position);
+            veil = veil_of(last.x, last.y, position);
         }
         fronts[s] = hit[s] ? veil : vec4(0.0);
     }

@@ -17,8 +17,10 @@ layout(std430, binding = 2) buffer Count { uint pane_count; }; // of all that we
 // In place of a mask of samples that are covered, which 3.30 cannot tell: those before what is opaque, if they are
 // covered, and those on the glass's side where it meets what is opaque.
 const int kBeforeShift = 24, kGlassShift = 28;
-const uint kIdBits = 0x00ffffffu;
+const uint kIdBits = 0x00ffffffu, kContextPane = 0x00800000u;
 #else
 const int kSampleShift = 28, kAllSamples = 15;
-const uint kIdBits = 0x0fffffffu;
+const uint kIdBits = 0x0fffffffu, kContextPane = 0x08000000u;
 #endif
+// kContextPane: not of a branch but of a context mesh, by its number + 1 in the bits below. Of one that is lines, the
+// normal is the bits of the share that the line has of the pixel.

@@ -1,7 +1,8 @@
 // One value a pixel from the samples: the nearest opaque surface, else the nearest glass. Picking, outlines and the
-// occlusion read this. The lists of glass are put in order on the way.
+// occlusion read this. The lists of glass are put in order on the way. Clear context is seen through, and glass in
+// front of opaque context is pointed at: that has no branch.
 #version 450 core
-// Variant: GLASS when anything is defocused.
+// Variant: GLASS when anything is defocused or context is clear.
 #include "view.glsl"
 #include "ids.glsl"
 #ifdef GLASS
@@ -9,6 +10,7 @@
 #ifdef FLOOR
 layout(binding = 2) uniform usampler2DMS first_panes; // as pane_layer.frag leaves them
 layout(binding = 3) uniform sampler2DMS first_depths;
+layout(binding = 4) uniform sampler2DMS context_depths; // of the nearest clear context
 #else
 layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
 #endif
@@ -17,7 +19,7 @@ layout(location = 4) uniform ivec2 pixels; // width and first row of the band th
 layout(binding = 0) uniform usampler2DMS surface_samples;
 layout(binding = 1) uniform sampler2DMS depth_samples;
 
-layout(location = 0) out uvec2 id_normal;
+layout(location = 0) out uvec2 id_normal; // the normal is the opaque surface's
 layout(location = 1) out float opaque_depth; // for the occlusion: opaque surfaces only
 layout(location = 2) out float picked_depth; // of id_normal
 
@@ -77,28 +79,27 @@ void main() {
     opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
     id_normal.x &= ~kLine;
 #ifdef FLOOR
-    float first = 0.0;
+    float first = 0.0, context = 0.0;
     for (int s = 0; s < samples; ++s) {
         float depth = texelFetch(first_depths, pixel, s).x;
         seen = depth > first ? s : seen;
         first = max(first, depth);
+        context = max(context, texelFetch(context_depths, pixel, s).x);
     }
-    if (first > 0.0 && id_normal.x == 0u) {
-        uvec2 pane = texelFetch(first_panes, pixel, seen).xy;
-        id_normal = uvec2(pane.x & kIdBits, pane.y);
-        nearest = first;
-        picked_depth = eye_depth(nearest);
+    if (first > 0.0 && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
+        id_normal.x = texelFetch(first_panes, pixel, seen).x & kIdBits;
+        picked_depth = eye_depth(first);
     }
-    if (first > 0.0) nearest = max(nearest, 1e-30);
+    if (max(first, context) > 0.0) nearest = max(nearest, 1e-30);
 #else
     int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
     uint first = sorted(heads[place]);
     heads[place] = first;
-    if (first != 0u && id_normal.x == 0u) {
-        Pane pane = panes[first];
-        id_normal = uvec2(pane.id_and_samples & kIdBits, pane.normal);
-        nearest = uintBitsToFloat(pane.depth);
-        picked_depth = eye_depth(nearest);
+    uint vessel = first;
+    while (vessel != 0u && (panes[vessel].id_and_samples & kContextPane) != 0u) vessel = panes[vessel].next;
+    if (vessel != 0u && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
+        id_normal.x = panes[vessel].id_and_samples & kIdBits;
+        picked_depth = eye_depth(uintBitsToFloat(panes[vessel].depth));
     }
     // What is only covered by glass is covered: full-screen passes must not skip it.
     if (first != 0u) nearest = max(nearest, 1e-30);

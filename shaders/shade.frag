@@ -4,7 +4,7 @@
 // Variants: GLASS when anything is defocused, OUTLINE when anything is selected, SOLIDS when there are lesions, MARGINS
 // to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost,
 // CHANGED to shade what is marked so and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what
-// tells near from far. LAYER lays one layer of glass onto those before it, where there are no lists (FLOOR).
+// tells near from far, CONTEXT when there are context meshes. LAYER lays one layer of glass onto those before it, where there are no lists (FLOOR).
 #include "view.glsl"
 #include "ids.glsl"
 #include "look.glsl"
@@ -69,6 +69,10 @@ float to_70(float x) {
 const vec3 kKey = vec3(-0.429, 0.572, 0.699);
 const vec3 kFill = vec3(0.772, -0.051, 0.634);
 
+#ifdef CONTEXT
+#include "context.glsl"
+#endif
+
 #ifdef CUTS
 // What is lost is dark and hatched; a clean ring ends it at the cut.
 vec3 lost(vec3 albedo, uint flags, int branch, vec3 position) {
@@ -109,7 +113,8 @@ float halo(ivec2 pixel, float depth) {
 
 vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
-#ifdef SOLIDS
+#if defined(SOLIDS) || defined(CONTEXT)
+    uint own = id;
     bool solid = (id & kSolid) != 0u;
     id = solid ? 1u : id;
 #endif
@@ -127,10 +132,18 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
 #ifdef SOLIDS
     if (solid) branch.a = 0u, albedo = lesion_colour.rgb;
 #endif
+#ifdef CONTEXT
+    bool is_context = (own & kContext) != 0u;
+    if (is_context) branch.a = 0u, albedo = context_mesh(own).rgb;
+#endif
     float facing = clamp(dot(n, v), 0.0, 1.0);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
 #ifdef CHROMADEPTH
+    vec3 own_colour = albedo;
     if ((branch.a & kHighlighted) == 0u) albedo = mix(albedo, chromatic(far), cues.z);
+#ifdef CONTEXT
+    if (is_context) albedo = own_colour; // as it was chosen
+#endif
 #endif
     if ((branch.a & kSelected) != 0u) albedo = mix(albedo, selection_colour.rgb, 0.62);
     if ((branch.a & kCalm) != 0u) albedo = mix(vec3(dot(albedo, vec3(0.2126, 0.7152, 0.0722))), albedo, 0.38) * 0.62;
@@ -146,7 +159,8 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     radiance += lights.z * aside * aside * aside * open * (0.14 * albedo + 0.020 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
     if ((branch.a & kHighlighted) != 0u) radiance = radiance * 1.10 + 0.05 * albedo;
 #ifdef SOLIDS
-    if (solid) radiance = 0.92 * radiance + 0.55 * pow(1.0 - facing, 2.5) * mix(albedo, vec3(0.9), 0.4);
+    if (solid && (own & kContext) == 0u)
+        radiance = 0.92 * radiance + 0.55 * pow(1.0 - facing, 2.5) * mix(albedo, vec3(0.9), 0.4);
 #endif
 
 #ifdef CONTOURS
@@ -193,6 +207,13 @@ vec4 glass(uint id, vec3 n, vec3 position) {
     return vec4(radiance * veil + shine, clamp(veil + shine, 0.0, 1.0));
 }
 
+// Of a pane as the lists and layers have it.
+vec4 veil_of(uint id, uint normal, vec3 position) {
+#ifdef CONTEXT
+    if ((id & kContextPane) != 0u) return context_veil(id, normal, position);
+#endif
+    return glass(id & kIdBits, unpack_normal(normal), position);
+}
 #endif
 
 #ifdef CHANGED
@@ -239,7 +260,8 @@ void main() {
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
 #if defined(GLASS) && !defined(FLOOR)
     for (uint number = heads[place]; number != 0u && !changed; number = panes[number].next)
-        changed = has_changed(panes[number].id_and_samples & kIdBits);
+        changed = (panes[number].id_and_samples & kContextPane) == 0u &&
+                  has_changed(panes[number].id_and_samples & kIdBits);
 #endif
     samples = changed ? samples : 0;
 #endif
@@ -276,8 +298,7 @@ void main() {
     for (uint number = heads[place]; number != 0u && clear > 1e-3;) {
         Pane pane = panes[number];
         float value = uintBitsToFloat(pane.depth);
-        vec4 veil = glass(pane.id_and_samples & kIdBits, unpack_normal(pane.normal),
-                          eye_position(gl_FragCoord.xy, eye_depth(value)));
+        vec4 veil = veil_of(pane.id_and_samples, pane.normal, eye_position(gl_FragCoord.xy, eye_depth(value)));
         clear = 0.0;
         for (int s = 0; s < kMostSamples; ++s) {
             bool hit = ((pane.id_and_samples >> (kSampleShift + s)) & 1u) != 0u && value > opaque_values[s];

@@ -39,7 +39,7 @@ struct Caster::Bins {
 
 bool Caster::draws(const Frame& frame) {
     return frame.margins.bands.empty() && frame.lost.empty() && frame.lesions.spheres.empty() &&
-           frame.lesions.meshes.empty() && frame.lines.empty();
+           frame.lesions.meshes.empty() && frame.context.empty() && frame.lines.empty();
 }
 
 void Caster::make_room(const View& view) {

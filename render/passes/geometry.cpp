@@ -18,8 +18,8 @@ constexpr double kOcclusionShare =
 
 } // namespace
 
-// The near and far planes enclose all of `box`, and lesions beside it. Reversed depth, 1 at the near plane and 0 at the
-// far one: float depth is then as fine far away as near by.
+// The near and far planes enclose all of `box`, and lesions and context beside it. Reversed depth, 1 at the near plane
+// and 0 at the far one: float depth is then as fine far away as near by.
 glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     const Camera& camera = frame.camera;
     const CameraAxes axes = axes_of(camera);
@@ -33,6 +33,8 @@ glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     for (const glm::dvec4& sphere : frame.lesions.spheres) include(glm::dvec3(sphere), sphere.w);
     for (const auto& lesion : frame.lesions.meshes)
         if (const Box around = solids_.bounds(*lesion); !around.empty()) include(around.centre(), around.radius());
+    if (const Box around = context_meshes_.bounds(frame.context); !around.empty())
+        include(around.centre(), around.radius());
     if (!camera.orthographic) {
         far = std::max(far, 1e-3 * radius);
         near = std::max(near, 1e-4 * far);
@@ -40,6 +42,8 @@ glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     glm::dmat4 projection = projection_matrix(camera, frame.size, near, far);
     projection[2][2] = camera.orthographic ? 1.0 / (far - near) : near / (far - near);
     projection[3][2] = camera.orthographic ? far / (far - near) : near * far / (far - near);
+
+    projection_ = projection;
 
     const glm::vec2 size(inner_);
     const bool flat = camera.orthographic;
@@ -90,10 +94,12 @@ void Renderer::Impl::clear_samples() const {
 
 Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh,
                                                     const std::vector<Layer>& layers) {
-    const glm::dmat4 to_clip = look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : Box{});
+    const glm::dmat4 to_clip =
+        look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : context_meshes_.bounds(frame.context));
     const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
 
-    has_glass_ = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
+    const bool glass_vessels = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
+    has_glass_ = glass_vessels || std::ranges::any_of(frame.context, &ContextMesh::clear);
     if (mesh != nullptr) mesh_to_clip_ = relative_to(mesh->shown()->origin());
     if (mesh != nullptr) send_layers(*mesh->shown(), layers);
     take_front_faces(true);
@@ -101,10 +107,11 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
     glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
     clear_samples();
     if (mesh != nullptr) {
-        const bool as_cones = moving_ && !has_glass_ && lines_.shown() != nullptr &&
+        const bool as_cones = moving_ && !glass_vessels && lines_.shown() != nullptr &&
                               mesh->triangles_in_picture(mesh_to_clip_) > kMostMovingTriangles;
         triangles += as_cones ? draw_cones(frame, layers) : draw_surface(frame, *mesh, layers);
     }
+    triangles += draw_solid_context(frame);
     draw_solids(frame, to_clip);
     glDisable(GL_CULL_FACE);
     // Seen through the glass, and hidden by what is opaque.
@@ -122,7 +129,7 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
         resolve({0, inner_.y});
         return triangles;
     }
-    const auto panes = draw_glass(frame, *mesh);
+    const auto panes = draw_glass(frame, mesh != nullptr ? *mesh : no_mesh_);
     if (!panes) return panes;
     return triangles + *panes;
 }
@@ -139,7 +146,8 @@ std::uint64_t Renderer::Impl::draw_surface(const Frame& frame, const GpuMesh& me
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
     };
     std::vector<Layer> closed = layers, open;
-    if (has_glass_) {
+    const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
+    if (any_glass) {
         closed = layers_;
         open.assign(layers_.size(), Layer::kNone);
         for (const auto& page : mesh.shown()->triangle_pages())
@@ -154,7 +162,7 @@ std::uint64_t Renderer::Impl::draw_surface(const Frame& frame, const GpuMesh& me
     }
     use(geometry_);
     std::uint64_t triangles = mesh.draw(closed, Layer::kOpaque, mesh_to_clip_);
-    if (has_glass_) {
+    if (any_glass) {
         glDisable(GL_CULL_FACE);
         triangles += mesh.draw(open, Layer::kOpaque, mesh_to_clip_);
     }
@@ -218,6 +226,7 @@ void Renderer::Impl::resolve(Band band) {
     if (has_glass_ && !gl_has_lists()) {
         glBindTextureUnit(2, layer_panes_);
         glBindTextureUnit(3, layer_depths_[0]);
+        glBindTextureUnit(4, layer_depths_[1]);
     }
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, band.first, inner_.x, band.count);

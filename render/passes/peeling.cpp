@@ -5,7 +5,7 @@
 //
 // Where it differs: of panes with the very same depth at a sample one is seen; and what lies behind kMostLayers panes
 // of one pixel is not. A pane is a triangle: a layer of glass is one to four of them where edges cross the pixel.
-// Branches beyond 16 million have no number here.
+// Branches beyond 8 million have no number here.
 #include "render/renderer_impl.h"
 
 #include <array>
@@ -68,7 +68,8 @@ void Renderer::Impl::draw_by_sample(const Program& program, const std::function<
 }
 
 // Into layer_panes_ and layer_depths_[layer % 2]; false: no pane is left.
-bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int layer, std::uint64_t& triangles) {
+bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int layer, LayerOf what,
+                                std::uint64_t& triangles) {
     glBindFramebuffer(GL_FRAMEBUFFER, layer_targets_.at(std::size_t(layer % 2)));
     take_front_faces(true);
     clear_samples();
@@ -89,6 +90,7 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     glBindTextureUnit(7, layer_texture_);
     triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
     end_borders();
+    if (what == LayerOf::kEverything) triangles += draw_context_layer(frame, layer);
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -97,11 +99,11 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     return any != GL_FALSE;
 }
 
-// The nearest layer alone, for what is picked and outlined; shading peels the others.
+// The vessels' nearest layer alone, for what is picked and outlined, and where context is; shading peels the others.
 std::uint64_t Renderer::Impl::draw_first_layer(const Frame& frame, const GpuMesh& mesh) {
     make_layers();
-    std::uint64_t triangles = 0;
-    (void)draw_layer(frame, mesh, 0, triangles);
+    std::uint64_t triangles = draw_context_cover(frame);
+    (void)draw_layer(frame, mesh, 0, LayerOf::kVessels, triangles);
     bands_ = {{0, inner_.y}};
     resolve(bands_.front());
     return triangles;
@@ -109,16 +111,18 @@ std::uint64_t Renderer::Impl::draw_first_layer(const Frame& frame, const GpuMesh
 
 // All layers into fronts_, front to back. The blocks and the branches' records are those of the shading that follows.
 Result<void> Renderer::Impl::peel(const Frame& frame, const GpuMesh& mesh, unsigned variant) {
-    const auto program = shading(kGlass | kLayer | (variant & kCuts));
+    const auto program = shading(kGlass | kLayer | (variant & (kCuts | kContext)));
     if (!program) return tl::unexpected(program.error());
     glBindFramebuffer(GL_FRAMEBUFFER, fronts_target_);
     const std::array<GLfloat, 4> clear{};
     for (GLint s = 0; s < kMostSamples; ++s) glClearBufferfv(GL_COLOR, s, clear.data());
     std::uint64_t triangles = 0;
-    for (int layer = 0; layer < kMostLayers && draw_layer(frame, mesh, layer, triangles); ++layer) {
+    for (int layer = 0; layer < kMostLayers && draw_layer(frame, mesh, layer, LayerOf::kEverything, triangles);
+         ++layer) {
         glBindFramebuffer(GL_FRAMEBUFFER, fronts_target_);
         glBindTextureUnit(0, layer_panes_);
         glBindTextureUnit(1, layer_depths_.at(std::size_t(layer % 2)));
+        glBindTextureUnit(3, context_texture_);
         glBindTextureUnit(6, branch_texture_);
         glBindTextureUnit(15, depth_);
         glEnable(GL_BLEND);

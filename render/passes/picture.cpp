@@ -31,13 +31,16 @@ Result<void> Renderer::Impl::initialise() {
                                              {&background_, "fullscreen.vert", "background.frag"},
                                              {&enlarge_, "fullscreen.vert", "enlarge.frag"},
                                              {&overlay_, "fullscreen.vert", "overlay.frag"},
-                                             {&mark_, "mark.vert", "mark.frag"}})
+                                             {&mark_, "mark.vert", "mark.frag"},
+                                             {&context_, "context.vert", "context.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
     const char* const pane = gl_has_lists() ? "pane.frag" : "pane_layer.frag";
     for (auto [program, vertex, fragment, defines, geometry] :
          {std::tuple{&border_, "geometry.vert", "geometry.frag", "#define BORDER\n", "border.geom"},
           {&pane_, "geometry.vert", pane, "#define PANE\n", ""},
           {&border_pane_, "geometry.vert", pane, "#define PANE\n#define BORDER\n", "border.geom"},
+          {&context_pane_, "context.vert", "context.frag", "#define PANE\n", ""},
+          {&context_lines_, "context.vert", "context.frag", "#define PANE\n#define LINES\n", ""},
           {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n", ""},
           {&centerline_, "centerline.vert", "geometry.frag", "#define LINE\n", ""}})
         if (auto made = make(*program, vertex, fragment, defines, geometry); !made) return made;
@@ -67,6 +70,7 @@ Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, Dr
     frame.preview = nullptr;
     lines_.follow(wanted.centerlines);
     solids_.follow(wanted.lesions.meshes);
+    context_meshes_.follow(wanted.context);
     done.quality = frame.quality;
     return frame;
 }
@@ -105,6 +109,14 @@ bool differs_in_hover_only(const Frame& before, const Frame& after) {
     return same == after;
 }
 
+// Colours, and how clear what is clear is, only shade.
+bool same_shapes(const std::vector<ContextMesh>& a, const std::vector<ContextMesh>& b) {
+    const auto shape = [](const ContextMesh& m) {
+        return std::tuple(m.shown() ? m.mesh : nullptr, m.shown() ? m.preview : nullptr, m.clear(), m.wireframe);
+    };
+    return std::ranges::equal(a, b, {}, shape, shape);
+}
+
 } // namespace
 
 // Memory may run out in any pass: then nothing is kept of the picture and of what was sent for it, so that the next
@@ -128,6 +140,7 @@ void Renderer::Impl::let_go() {
     preview_ = {};
     lines_ = {};
     solids_ = {};
+    context_meshes_ = {};
     pane_heads_ = {};
     panes_ = {};
     head_room_ = pane_room_ = 0;
@@ -135,7 +148,8 @@ void Renderer::Impl::let_go() {
     lesion_buffer_ = {};
     cut_buffer_ = {};
     layer_buffer_ = {};
-    branch_capacity_ = lesion_capacity_ = cut_capacity_ = layer_capacity_ = 0;
+    context_buffer_ = {};
+    branch_capacity_ = lesion_capacity_ = cut_capacity_ = layer_capacity_ = context_capacity_ = 0;
     distances_.reset();
     distance_texture_ = {};
     bands_.clear();
@@ -173,12 +187,12 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    const bool same_geometry = last_ && !cast_ && last_->mesh == frame.mesh && last_->camera == frame.camera &&
-                               size_ == old_size && inner_ == old_inner && view_.picture.z == old_samples &&
-                               last_->quality == frame.quality && last_layers_ == layers &&
-                               last_->lesions == frame.lesions && last_->pixel_ratio == frame.pixel_ratio &&
-                               (!has_glass_ || last_->centerlines == frame.centerlines) &&
-                               (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
+    const bool same_geometry =
+        last_ && !cast_ && last_->mesh == frame.mesh && last_->camera == frame.camera && size_ == old_size &&
+        inner_ == old_inner && view_.picture.z == old_samples && last_->quality == frame.quality &&
+        last_layers_ == layers && last_->lesions == frame.lesions && same_shapes(last_->context, frame.context) &&
+        last_->pixel_ratio == frame.pixel_ratio && (!has_glass_ || last_->centerlines == frame.centerlines) &&
+        (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
     cast_ = by_caster;
     if (cast_) {
         done.cones = cast(frame, layers);

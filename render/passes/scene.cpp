@@ -128,6 +128,11 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
         scene.counts.y = static_cast<float>(cuts.size() / 5);
         if (!cuts.empty()) glBindTextureUnit(11, cut_texture_);
     }
+    std::vector<glm::vec4> context; // a negative opacity: lines
+    for (const ContextMesh& one : frame.context)
+        context.push_back(linear(one.colour, (one.wireframe ? -1.0F : 1.0F) * std::clamp(one.opacity, 0.0F, 1.0F)));
+    send_texels(context_buffer_, context_texture_, context_capacity_, context);
+    if (!context.empty()) variant |= kContext;
     glNamedBufferSubData(scene_block_, 0, sizeof scene, &scene);
     glBindBufferBase(GL_UNIFORM_BUFFER, 2, scene_block_);
     return variant;

@@ -123,7 +123,8 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
                                     {kHalos, "HALOS"},
                                     {kContours, "CONTOURS"},
                                     {kChromadepth, "CHROMADEPTH"},
-                                    {kLayer, "LAYER"}})
+                                    {kLayer, "LAYER"},
+                                    {kContext, "CONTEXT"}})
         if ((variant & bit) != 0) defines += std::string("#define ") + name + "\n";
     auto made = make_program("fullscreen.vert", "shade.frag", defines);
     if (!made) return tl::unexpected(made.error());
@@ -162,7 +163,7 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
     if (has_glass_ && !gl_has_lists())
-        if (auto peeled = peel(frame, *mesh, variant); !peeled) return peeled;
+        if (auto peeled = peel(frame, mesh != nullptr ? *mesh : no_mesh_, variant); !peeled) return peeled;
     glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
     if (extent == Extent::kAll) fullscreen(background_);
     const auto shade_rows = [&](Band band) {
@@ -171,7 +172,7 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
         if (first >= last) return;
         glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
         GLuint unit = 0;
-        for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(opaque_depth_), GLuint(0),
+        for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(opaque_depth_), GLuint(context_texture_),
                                      GLuint(id_normal_), GLuint(blurred_), GLuint(branch_texture_)})
             glBindTextureUnit(unit++, texture);
         if (has_glass_ && gl_has_lists()) bind_panes(**program, band);
@@ -185,7 +186,7 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     for (const Band band : has_glass_ ? bands_ : std::vector<Band>{}) {
         if (bands_.size() > 1) { // its lists have given way to those of other bands
             std::uint64_t again = 0;
-            (void)list_panes(frame, *mesh, band, again);
+            (void)list_panes(frame, mesh != nullptr ? *mesh : no_mesh_, band, again);
             resolve(band);
         }
         shade_rows(band);

@@ -67,7 +67,11 @@ struct Case {
     std::function<void(Frame&)> change;
 };
 
-const std::array<Case, 9> kCases{{
+std::shared_ptr<const TriangleMesh> ball(glm::dvec3 centre, double radius) {
+    return std::make_shared<const TriangleMesh>(ramus::test::icosphere(3, centre, radius));
+}
+
+const std::array<Case, 11> kCases{{
     {"plain", [](Frame&) {}},
     {"glass", [](Frame& f) { f.states.assign(kVessels, BranchState::kDefocused); }},
     {"glass before and behind opaque vessels, and where it meets them",
@@ -100,6 +104,20 @@ const std::array<Case, 9> kCases{{
      [](Frame& f) {
          f.lost = {{0, 0.5, 1.0}, {1, 0.0, 1.0}, {3, 0.25, 1.0}};
          f.states[3] = f.states[1] = BranchState::kDefocused;
+     }},
+    {"context: an organ, an opaque bone and lines, around opaque vessels",
+     [](Frame& f) {
+         f.context = {{ball({0, 0, 0}, 20.0), nullptr, {0.8F, 0.5F, 0.4F}, 0.25F, false},
+                      {ball({12, 5, -10}, 8.0), nullptr, {0.9F, 0.9F, 0.8F}, 1.0F, false},
+                      {ball({-12, 5, 10}, 9.0), nullptr, {0.2F, 0.9F, 0.9F}, 0.9F, true}};
+     }},
+    {"context among glass",
+     [](Frame& f) {
+         for (int i = 0; i < kVessels; i += 2) f.states[std::size_t(i)] = BranchState::kDefocused;
+         f.context = {{ball({0, 0, 0}, 20.0), nullptr, {0.8F, 0.5F, 0.4F}, 0.25F, false},
+                      {ball({4, 0, -3}, 15.0), nullptr, {0.3F, 0.5F, 0.9F}, 0.5F, false}};
+         f.selected = {1};
+         f.hovered = 2;
      }},
     {"depth cues and marks",
      [](Frame& f) {

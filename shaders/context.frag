@@ -1,0 +1,86 @@
+// A context mesh at a pixel: opaque ones as vessels are (geometry.frag), clear ones as panes in the lists of glass
+// (pane.frag) or, where there are none, as a layer of it (pane_layer.frag).
+#version 450 core
+// Variants: PANE for what is seen through; LINES for the edges of its triangles.
+#include "ids.glsl"
+#include "panes.glsl"
+#include "octahedral.glsl"
+
+in vec3 normal_eye;
+layout(location = 7) uniform uint number; // of the mesh, from 1
+
+#ifdef PANE
+noperspective centroid in float depth_value;
+#ifdef FLOOR
+layout(binding = 5) uniform sampler2DMS opaque_samples;
+layout(binding = 6) uniform sampler2DMS last_layer; // depths
+layout(location = 2) uniform int samples;
+layout(location = 4) uniform int layer; // 0: there is none before
+layout(location = 8) uniform vec2 places[4]; // of the samples, from the pixel's middle
+layout(location = 0) out uvec2 pane;
+#else
+layout(early_fragment_tests) in; // what opaque surfaces hide is no pane
+layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+layout(location = 5) uniform uint room;    // panes
+#endif
+#else
+layout(location = 0) out uvec2 surface;
+#endif
+
+#ifdef LINES
+noperspective in vec3 from_edges;
+layout(location = 12) uniform float half_width; // pixels
+
+// How much of the pixel a line takes. Where triangles are hardly wider than lines, those get fainter: an even tone with
+// what lies behind it still to be seen, instead of a solid wall.
+float line_share() {
+    vec3 across = dFdx(from_edges), up = dFdy(from_edges);
+    vec3 slope = max(sqrt(across * across + up * up), 1e-6); // of the share, per pixel
+    vec3 away = abs(from_edges) / slope;
+    float nearest = min(away.x, min(away.y, away.z)), narrowest = 1.0 / max(slope.x, max(slope.y, slope.z));
+    float crowded = clamp(narrowest / (8.0 * half_width), 0.22, 1.0); // tuned by eye
+    return clamp(half_width + 0.5 - nearest, 0.0, 1.0) * min(1.0, 2.0 * half_width) * crowded;
+}
+#endif
+
+void main() {
+    vec3 towards_eye = gl_FrontFacing ? normal_eye : -normal_eye;
+    uint normal = packSnorm2x16(octahedral(normalize(towards_eye)));
+#if defined(PANE) && defined(FLOOR)
+    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+#endif
+#ifdef LINES
+    float share = line_share();
+    normal = floatBitsToUint(share);
+#ifdef FLOOR
+    if (share < 0.004) discard;
+#else
+    if (share < 0.004) return;
+#endif
+#endif
+#ifndef PANE
+    surface = uvec2(kSolid | kContext | number, normal);
+#elif defined(FLOOR)
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float last = layer == 0 ? 2.0 : 0.0;
+    uint before = 0u;
+    for (int s = 0; s < samples; ++s) {
+        if (layer > 0) last = max(last, texelFetch(last_layer, pixel, s).x);
+        float depth = gl_FragCoord.z + dot(places[s], slope);
+        before |= (depth > texelFetch(opaque_samples, pixel, s).x ? 1u : 0u) << s;
+    }
+    if (before == 0u || depth_value >= last) discard;
+    pane = uvec2(kContextPane | number | (before << kBeforeShift) | (15u << kGlassShift), normal);
+    gl_FragDepth = depth_value;
+#else
+    int covered = gl_SampleMaskIn[0];
+    if (covered == 0) return;
+    uint place = atomicAdd(pane_count, 1u) + 1u;
+    if (place > room) return;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uint before = atomicExchange(heads[(pixel.y - pixels.y) * pixels.x + pixel.x], place);
+    float depth = covered == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
+                                         : interpolateAtSample(depth_value, findLSB(covered));
+    panes[place] = Pane(before, kContextPane | number | (uint(covered) << kSampleShift), normal, floatBitsToUint(depth));
+#endif
+}

@@ -1,0 +1,336 @@
+// Context meshes against what geometry says: opaque ones hide and are hidden, clear ones veil what lies behind them as
+// reckoned by hand, lines are as wide as they say. A tube along x of 5 mm radius and a sphere of 12 mm around its
+// middle, seen from the front without perspective, 0.1 mm a pixel.
+#include "render/colour.h"
+#include "render/renderer.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/icosphere.h"
+#include "tests/support/tube_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <random>
+
+using namespace ramus::render;
+using ramus::mesh::TriangleMesh;
+using ramus::test::icosphere;
+using ramus::test::largest_difference;
+
+namespace {
+
+constexpr double kPixelMm = 0.1, kTube = 5.0, kSphere = 12.0;
+constexpr glm::vec3 kColour{0.85F, 0.55F, 0.35F};
+
+struct Scene {
+    ramus::test::WatchedContext context;
+    std::unique_ptr<Renderer> renderer = Renderer::create().value();
+    Frame frame;
+
+    explicit Scene(GlVersion newest = {99, 0}) : context(newest) {
+        TriangleMesh mesh;
+        ramus::test::add_capsule(mesh, {-20, 0, 0}, {20, 0, 0}, float(kTube), float(kTube), 0, 96);
+        frame.mesh = std::make_shared<const PagedMesh>(mesh);
+        frame.size = {600, 300};
+        frame.camera = looking(Camera{}, View::kAnterior);
+        frame.camera.focal_point = {0, 0, 0};
+        frame.camera.position = {0, 200, 0};
+        frame.camera.orthographic = true;
+        frame.camera.scale = 0.5 * kPixelMm * frame.size.y;
+        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+        frame.appearance.depth_cue = 0.0F;
+        frame.states.assign(1, BranchState::kNormal);
+    }
+    ~Scene() { renderer.reset(); }
+    void add_sphere(float opacity, glm::dvec3 centre = glm::dvec3(0.0), double radius = kSphere) {
+        frame.context.push_back(
+            {std::make_shared<const TriangleMesh>(icosphere(6, centre, radius)), nullptr, kColour, opacity, false});
+    }
+    DrawStatistics draw() {
+        const auto done = renderer->draw(frame);
+        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
+        return *done;
+    }
+    Image picture() {
+        (void)draw();
+        return renderer->read_image();
+    }
+    // The pixel of a place; the patient's right is at the left.
+    [[nodiscard]] glm::ivec2 at(double x, double z) const {
+        const glm::dvec3 seen = *project(frame.camera, frame.size, {x, 0.0, z});
+        return {int(std::floor(seen.x)), int(std::floor(seen.y))};
+    }
+    [[nodiscard]] const std::uint8_t* colour(const Image& image, double x, double z) const {
+        const glm::ivec2 p = at(x, z);
+        return image.pixel(p.x, p.y);
+    }
+    [[nodiscard]] Pick pick(double x, double z) const {
+        const glm::ivec2 p = at(x, z);
+        return renderer->pick(p.x + 0.5, p.y + 0.5);
+    }
+};
+
+int apart(const std::uint8_t* a, const std::uint8_t* b) {
+    int most = 0;
+    for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(a[k] - b[k]));
+    return most;
+}
+
+// What shaders/look.glsl adds against banding, of a byte.
+double half_step(int x, int y, int height) {
+    const glm::vec2 at(float(height - 1 - y) + 0.5F + 17.0F, float(x) + 0.5F + 17.0F);
+    const float turned = glm::dot(at, glm::vec2(0.06711056F, 0.00583715F));
+    const float noise = 52.9829189F * (turned - std::floor(turned));
+    return double(noise - std::floor(noise)) - 0.5;
+}
+
+// As shaders/look.glsl encodes, and back.
+double encoded(double c) {
+    if (c >= 0.72) c = 0.72 + 0.28 * (1.0 - std::exp(-(c - 0.72) / 0.28));
+    return 255.0 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
+}
+double decoded(double byte) {
+    const double c = linear(float(byte / 255.0));
+    return c < 0.72 ? c : 0.72 - 0.28 * std::log(1.0 - (std::min(c, 0.999) - 0.72) / 0.28);
+}
+
+// A pane of context as shaders/context.glsl has it, without depth cue, the eye being infinitely far: premultiplied.
+glm::dvec4 veil_of(const glm::vec3& colour, double opacity, const glm::dvec3& normal) {
+    const glm::dvec3 key(-0.429, 0.572, 0.699), fill(0.772, -0.051, 0.634), eye(0, 0, 1);
+    const double veil = 1.0 - std::pow(1.0 - opacity, 1.0 / (0.14 + 0.86 * std::max(0.0, normal.z)));
+    const glm::dvec3 light = glm::dvec3(linear(colour, 0.0F)) * (0.45 + 0.85 * std::max(0.0, glm::dot(normal, key)) +
+                                                                 0.15 * std::max(0.0, glm::dot(normal, fill)));
+    const double shine = 0.22 * opacity * std::pow(std::max(0.0, glm::dot(normal, glm::normalize(key + eye))), 60.0);
+    return {light * veil + shine, std::min(1.0, veil + shine)};
+}
+
+} // namespace
+
+TEST_CASE("an opaque context mesh hides vessels, glass and lines behind it, and is hidden by what lies before it") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
+        for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused}) {
+            CAPTURE(newest.text());
+            CAPTURE(int(state));
+            Scene scene(newest);
+            scene.frame.states[0] = BranchState::kHidden;
+            scene.add_sphere(1.0F, {0, 30, 0}, 3.0);   // before the tube
+            scene.add_sphere(1.0F, {15, -30, 0}, 3.0); // behind it
+            const Image alone = scene.picture();
+            CHECK(scene.pick(0, 0).branch == kNoBranch);
+            scene.frame.states[0] = state;
+            const Image both = scene.picture();
+            const auto context = std::exchange(scene.frame.context, {});
+            const Image tube = scene.picture();
+            CHECK(apart(scene.colour(both, 0, 0), scene.colour(alone, 0, 0)) <= 1);
+            CHECK(apart(scene.colour(both, 0, 0), scene.colour(tube, 0, 0)) > 30);
+            CHECK(apart(scene.colour(both, -10, 0), scene.colour(tube, -10, 0)) <= 1);
+            // Opaque vessels hide what is behind them, glass shows it.
+            const bool hidden = apart(scene.colour(both, 15, 0), scene.colour(tube, 15, 0)) <= 1;
+            CHECK(hidden == (state == BranchState::kNormal));
+            scene.frame.context = context;
+            (void)scene.draw();
+            const Pick before = scene.pick(0, 0), behind = scene.pick(15, 0), beside = scene.pick(-10, 0);
+            CHECK(before.branch == kNoBranch);
+            CHECK(before.lesion == kNoLesion);
+            CHECK(behind.branch == 0);
+            CHECK(beside.branch == 0);
+            const glm::ivec2 p = scene.at(0, 0);
+            CHECK(scene.renderer->read_branches().at(p.x, p.y) == kNoBranch);
+        }
+}
+
+TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, and vessels are picked through it") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
+        for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused, BranchState::kHidden})
+            for (const float opacity : {0.2F, 0.6F}) {
+                CAPTURE(newest.text());
+                CAPTURE(int(state));
+                CAPTURE(opacity);
+                Scene scene(newest);
+                scene.frame.states[0] = state;
+                const Image without = scene.picture();
+                scene.add_sphere(opacity);
+                const Image with = scene.picture();
+                int compared = 0;
+                double largest = 0.0;
+                for (int y = 3; y + 3 < scene.frame.size.y; y += 3)
+                    for (int x = 3; x + 3 < scene.frame.size.x; x += 3) {
+                        // The picture's x is the patient's left: -x of the eye is +x of the patient.
+                        const glm::dvec2 mm = kPixelMm * (glm::dvec2(x, y) + 0.5 - 0.5 * glm::dvec2(scene.frame.size));
+                        const double away = glm::length(mm),
+                                     front = std::sqrt(std::max(0.0, kSphere * kSphere - away * away));
+                        // Away from outlines, and from where the sphere goes through the tube.
+                        const double tube = std::sqrt(std::max(0.0, kTube * kTube - mm.y * mm.y));
+                        if (std::abs(away - kSphere) < 0.3 || std::abs(std::abs(mm.y) - kTube) < 0.3) continue;
+                        const bool has_tube = std::abs(mm.y) < kTube && state != BranchState::kHidden;
+                        if (has_tube && front < tube + 0.3) continue;
+                        const double added = half_step(x, y, scene.frame.size.y);
+                        for (int k = 0; k < 3; ++k) {
+                            const double behind = decoded(double(without.pixel(x, y)[k]) - added);
+                            double mean = behind;
+                            if (away < kSphere) {
+                                mean = 0.0;
+                                for (const glm::dvec2 sample :
+                                     {glm::dvec2(-0.125, -0.375), {0.375, -0.125}, {-0.375, 0.125}, {0.125, 0.375}}) {
+                                    const glm::dvec2 place = mm + kPixelMm * sample;
+                                    const glm::dvec2 across = place / kSphere;
+                                    const glm::dvec3 normal(across.x, -across.y,
+                                                            std::sqrt(std::max(0.0, 1.0 - glm::dot(across, across))));
+                                    const glm::dvec4 veil = veil_of(kColour, double(opacity), normal);
+                                    mean += 0.25 * (veil[k] + (1.0 - veil.w) * behind);
+                                }
+                            }
+                            largest = std::max(largest, std::abs(encoded(mean) + added - double(with.pixel(x, y)[k])));
+                        }
+                        ++compared;
+                    }
+                CHECK(compared > 3000);
+                CHECK(largest <= 2.0);
+                MESSAGE(newest.text(), ", ", compared, " pixels: at most ", largest, " of 255 apart");
+                const bool seen = state != BranchState::kHidden;
+                CHECK(scene.pick(0, 0).branch == (seen ? 0 : kNoBranch));
+                CHECK(scene.pick(0, 9).branch == kNoBranch);
+                if (seen) CHECK(scene.pick(0, 0).position.y == doctest::Approx(kTube).epsilon(0.01));
+            }
+}
+
+TEST_CASE("the order of triangles and of meshes makes no difference to clear context") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}}) {
+        Scene scene(newest);
+        scene.frame.states[0] = BranchState::kDefocused;
+        scene.frame.camera = turned(scene.frame.camera, 30.0, 20.0);
+        scene.add_sphere(0.3F);
+        scene.add_sphere(0.5F, {6, 3, 2}, 9.0);
+        scene.frame.context.back().colour = {0.3F, 0.6F, 0.9F};
+        scene.add_sphere(1.0F, {-9, 3, 2}, 7.0);
+        scene.frame.context.back().wireframe = true;
+        const Image before = scene.picture();
+        std::mt19937 random(3);
+        for (int round = 0; round < 2; ++round) {
+            for (ContextMesh& one : scene.frame.context) {
+                TriangleMesh mesh = *one.mesh;
+                std::ranges::shuffle(mesh.triangles, random);
+                one.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+            }
+            std::ranges::rotate(scene.frame.context, scene.frame.context.begin() + 1);
+            CHECK(largest_difference(before, scene.picture()) <= 1);
+        }
+    }
+}
+
+TEST_CASE("lines are as wide as they say, hidden by what lies before them, and on both sides of an open mesh") {
+    for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
+        for (const float ratio : {1.0F, 2.0F})
+            for (const bool turned_round : {false, true}) {
+                CAPTURE(newest.text());
+                CAPTURE(ratio);
+                Scene scene(newest);
+                scene.frame.pixel_ratio = ratio;
+                scene.frame.background = {glm::vec3(0.0F), glm::vec3(0.0F), false};
+                TriangleMesh square;
+                square.positions = {{-12, 0, -12}, {12, 0, -12}, {12, 0, 12}, {-12, 0, 12}};
+                square.triangles = {{0, 1, 2}, {0, 2, 3}};
+                if (turned_round)
+                    for (glm::uvec3& t : square.triangles) std::swap(t.y, t.z);
+                scene.frame.context = {
+                    {std::make_shared<const TriangleMesh>(square), nullptr, glm::vec3(1.0F), 1.0F, true}};
+                scene.frame.states[0] = BranchState::kHidden;
+                const Image lines = scene.picture();
+                // Across the diagonal, from a row of pixels: sqrt(2) of its width, with light added up in linear light.
+                const int row = scene.at(0, 7.0).y;
+                const int crossing = scene.at(7.0, 7.0).x;
+                double ink = 0.0;
+                for (int x = crossing - 12; x <= crossing + 12; ++x)
+                    ink += decoded(double(lines.pixel(x, row)[0]) - half_step(x, row, scene.frame.size.y)) /
+                           decoded(encoded(1.0));
+                CHECK(ink == doctest::Approx(std::sqrt(2.0) * 1.15 * ratio).epsilon(0.12));
+                CHECK(lines.pixel(crossing - 25, row)[0] <= 1);
+                // The tube's front hides them, and they are never pointed at.
+                scene.frame.states[0] = BranchState::kNormal;
+                const Image both = scene.picture();
+                const auto context = std::exchange(scene.frame.context, {});
+                const Image tube = scene.picture();
+                CHECK(apart(scene.colour(both, 2.0, 2.0), scene.colour(tube, 2.0, 2.0)) <= 1);
+                scene.frame.context = context;
+                (void)scene.draw();
+                CHECK(scene.pick(2.0, 2.0).branch == 0);
+                CHECK(scene.pick(9.0, 9.0).branch == kNoBranch);
+            }
+}
+
+TEST_CASE("an open context mesh is seen from behind as well, one that is inside out is turned") {
+    Scene scene;
+    scene.frame.states[0] = BranchState::kHidden;
+    const Image nothing = scene.picture();
+    TriangleMesh square;
+    square.positions = {{-12, 0, -12}, {12, 0, -12}, {12, 0, 12}, {-12, 0, 12}};
+    square.triangles = {{0, 1, 2}, {0, 2, 3}};
+    std::vector<Image> sides;
+    for (const float opacity : {0.5F, 1.0F})
+        for (const View view : {View::kAnterior, View::kPosterior}) {
+            scene.frame.camera = looking(scene.frame.camera, view);
+            scene.frame.context = {{std::make_shared<const TriangleMesh>(square), nullptr, kColour, opacity, false}};
+            const Image image = scene.picture();
+            CHECK(apart(image.pixel(300, 150), nothing.pixel(300, 150)) > 30);
+        }
+    scene.frame.camera = looking(scene.frame.camera, View::kAnterior);
+    for (const float opacity : {0.5F, 1.0F}) {
+        TriangleMesh ball = icosphere(4, {0, 0, 0}, 10.0);
+        ball.normals.clear();
+        scene.frame.context = {{std::make_shared<const TriangleMesh>(ball), nullptr, kColour, opacity, false}};
+        const Image right = scene.picture();
+        for (glm::uvec3& t : ball.triangles) std::swap(t.y, t.z);
+        scene.frame.context = {{std::make_shared<const TriangleMesh>(ball), nullptr, kColour, opacity, false}};
+        CHECK(largest_difference(right, scene.picture()) <= 1);
+    }
+}
+
+TEST_CASE("another colour or opacity draws no triangles again, and context needs no tree") {
+    Scene scene;
+    scene.add_sphere(0.3F);
+    CHECK(scene.draw().geometry);
+    const Image before = scene.renderer->read_image();
+    scene.frame.context[0].opacity = 0.7F;
+    scene.frame.context[0].colour = {0.2F, 0.4F, 0.9F};
+    CHECK_FALSE(scene.draw().geometry);
+    CHECK(largest_difference(before, scene.renderer->read_image()) > 30);
+    scene.frame.context[0].opacity = 1.0F; // no pane any more
+    CHECK(scene.draw().geometry);
+    scene.frame.context[0].opacity = 0.0F;
+    const Image gone = scene.picture();
+    scene.frame.context.clear();
+    CHECK(largest_difference(gone, scene.picture()) == 0);
+    scene.frame.mesh = nullptr;
+    const Image nothing = scene.picture();
+    for (const float opacity : {0.4F, 1.0F}) {
+        scene.frame.context.clear();
+        scene.add_sphere(opacity);
+        CHECK(apart(scene.colour(scene.picture(), 0, 0), scene.colour(nothing, 0, 0)) > 30);
+    }
+}
+
+TEST_CASE("context stays while the view moves") {
+    Scene scene;
+    auto lines = std::make_shared<Centerlines>();
+    lines->runs = {{0, 2}};
+    lines->points = {{-20, 0, 0, 0}, {20, 0, 0, 40}};
+    lines->details = {{float(2.0 * kTube), 0}, {float(2.0 * kTube), 0}};
+    scene.frame.centerlines = lines;
+    scene.frame.preview = scene.frame.mesh;
+    scene.add_sphere(0.5F, {0, 0, 9}, 5.0);
+    scene.frame.context[0].preview = std::make_shared<const TriangleMesh>(icosphere(2, {0, 0, 9}, 5.0));
+    scene.frame.quality = Quality::kInteractive;
+    for (int turn = 0; turn < 3; ++turn) {
+        scene.frame.camera = turned(scene.frame.camera, 5.0, 0.0);
+        CHECK(scene.draw().cones == 0);
+        const Image moving = scene.renderer->read_image();
+        scene.frame.quality = Quality::kFull;
+        const Image still = scene.picture();
+        scene.frame.quality = Quality::kInteractive;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < still.rgba.size(); ++i) sum += std::abs(still.rgba[i] - moving.rgba[i]);
+        CHECK(sum / double(still.rgba.size()) < 1.0);
+    }
+}
