@@ -93,13 +93,13 @@ Result<PolygonSoup> read_with_assimp(const std::string& text, const std::string&
 
 } // namespace
 
-Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path) {
+Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
     const std::string name = path.string();
     std::string extension = path.extension().string();
     if (!extension.empty()) extension.erase(0, 1);
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     if (extension != "stl" && extension != "ply" && extension != "obj")
-        return fail("a lesion's mesh is an .stl, .ply or .obj file", name, "convert it to one of these");
+        return fail("a mesh is an .stl, .ply or .obj file", name, "convert it to one of these");
     const auto text = read_file(path, kMostMeshBytes);
     if (!text) return tl::unexpected(text.error());
     if (text->empty()) return fail("the file is empty", name, "write it again");
@@ -108,7 +108,8 @@ Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path) {
     if (!soup) return tl::unexpected(soup.error());
     auto loose = triangles_of(*soup, name);
     if (!loose) return tl::unexpected(loose.error());
-    return mesh::closed_mesh(std::move(*loose), name);
+    return holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(*loose), name)
+                                    : mesh::closed_mesh(std::move(*loose), name);
 }
 
 } // namespace ramus::io

@@ -165,4 +165,16 @@ Result<TriangleMesh> closed_mesh(TriangleMesh loose, const std::string& where) {
     return loose;
 }
 
+Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where) {
+    weld(loose);
+    if (loose.triangles.empty()) return fail("there is no surface in it", where, "give a triangle mesh");
+    const std::vector<HalfEdge> edges = half_edges(loose);
+    if (expect_two_each(loose, edges, where)) {
+        TriangleMesh turned = loose;
+        if (turn_alike(turned, edges, where)) loose = std::move(turned);
+    }
+    add_normals(loose);
+    return loose;
+}
+
 } // namespace ramus::mesh

@@ -16,4 +16,8 @@ namespace ramus::mesh {
 // says how many, and where the first is), and on a surface with one side only.
 [[nodiscard]] Result<TriangleMesh> closed_mesh(TriangleMesh loose, const std::string& where);
 
+// The same of a surface that is only looked at: one with holes, or whose edges have more triangles than two, stays as
+// it is but for the welding and the normals. Fails when nothing is left.
+[[nodiscard]] Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where);
+
 } // namespace ramus::mesh

@@ -1,0 +1,144 @@
+#include "core/mesh/close_mesh.h"
+#include "core/mesh/coarse_mesh.h"
+#include "core/volume/isosurface.h"
+#include "core/volume/relax_surface.h"
+#include "tests/support/icosphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <random>
+#include <utility>
+
+using namespace ramus;
+using mesh::TriangleMesh;
+
+namespace {
+
+// Every edge is gone along as often one way as the other.
+bool balanced(const TriangleMesh& mesh) {
+    std::map<std::pair<unsigned, unsigned>, int> edges;
+    for (const glm::uvec3& t : mesh.triangles)
+        for (const auto& [a, b] : {std::pair(t.x, t.y), {t.y, t.z}, {t.z, t.x}})
+            edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+    for (const auto& [edge, sum] : edges)
+        if (sum != 0) return false;
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("a coarse mesh has about as many triangles as asked for, stays closed and near the surface") {
+    const double radius = 50.0;
+    const TriangleMesh sphere = test::icosphere(6, {10, -20, 30}, radius);
+    REQUIRE(sphere.triangles.size() == 81920);
+    for (const std::size_t wanted : {20000U, 5000U, 500U}) {
+        CAPTURE(wanted);
+        const TriangleMesh coarse = mesh::coarse_mesh(sphere, wanted);
+        CHECK(coarse.triangles.size() < 1.6 * double(wanted));
+        CHECK(coarse.triangles.size() > 0.4 * double(wanted));
+        CHECK(balanced(coarse));
+        const double side = std::sqrt(2.0 * 4.0 * 3.14159265 * radius * radius / double(wanted));
+        REQUIRE(coarse.normals.size() == coarse.positions.size());
+        for (std::size_t v = 0; v < coarse.positions.size(); ++v) {
+            const glm::dvec3 out = glm::dvec3(coarse.positions[v]) - glm::dvec3(10, -20, 30);
+            // The middle of points of the sphere in a cell lies inside it, by no more than the cell's sagitta.
+            CHECK(glm::length(out) <= radius * 1.0001);
+            CHECK(glm::length(out) >= radius - 3.0 * side * side / (2.0 * radius) - 0.01);
+            CHECK(glm::length(coarse.normals[v]) == doctest::Approx(1.0F));
+        }
+    }
+    CHECK(mesh::coarse_mesh(sphere, 100000) == sphere);
+}
+
+TEST_CASE("smooth normals forget steps and keep shapes") {
+    // Every normal of a ball is off by up to some 30 degrees.
+    TriangleMesh sphere = test::icosphere(5, {0, 0, 0}, 10.0);
+    const auto true_normals = sphere.normals;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> off(-0.5F, 0.5F);
+    for (glm::vec3& n : sphere.normals) n = glm::normalize(n + glm::vec3(off(random), off(random), off(random)));
+    const auto mean_error = [&](const TriangleMesh& mesh) {
+        double sum = 0.0;
+        for (std::size_t v = 0; v < mesh.normals.size(); ++v)
+            sum += std::acos(std::min(1.0F, glm::dot(mesh.normals[v], true_normals[v])));
+        return sum / double(mesh.normals.size());
+    };
+    const double before = mean_error(sphere);
+    const auto positions = sphere.positions;
+    mesh::smooth_normals(sphere, 6);
+    CHECK(sphere.positions == positions);
+    CHECK(mean_error(sphere) < 0.25 * before);
+    for (const glm::vec3& n : sphere.normals) CHECK(glm::length(n) == doctest::Approx(1.0F));
+    // What is smooth already stays.
+    sphere.normals = true_normals;
+    mesh::smooth_normals(sphere, 6);
+    CHECK(mean_error(sphere) < 0.01);
+}
+
+TEST_CASE("a surface with holes is tidied and kept, one without is turned outward") {
+    TriangleMesh cube = test::cube(2.0);
+    TriangleMesh open = cube;
+    open.triangles.pop_back();
+    const auto kept = mesh::tidy_mesh(open, "open");
+    REQUIRE(kept);
+    CHECK(kept->triangles.size() == 11);
+    CHECK(kept->normals.size() == kept->positions.size());
+    CHECK_FALSE(mesh::closed_mesh(open, "open"));
+    for (glm::uvec3& t : cube.triangles) std::swap(t.y, t.z);
+    const auto turned = mesh::tidy_mesh(cube, "inside out");
+    REQUIRE(turned);
+    for (std::size_t v = 0; v < turned->positions.size(); ++v)
+        CHECK(glm::dot(turned->normals[v], turned->positions[v]) > 0.0F);
+    TriangleMesh nothing;
+    CHECK_FALSE(mesh::tidy_mesh(nothing, "nothing"));
+}
+
+TEST_CASE(
+    "a mask's surface relaxes within its voxels: steps go, no vertex leaves its place by more than half a voxel") {
+    // A ball of 12 mm in voxels of 1 x 1 x 4 mm, turned and moved in space.
+    const glm::ivec3 size(32, 32, 9);
+    const glm::dmat4 to_patient =
+        glm::rotate(glm::translate(glm::dmat4(1.0), {40.0, -7.0, 12.0}), 0.7, {1.0, 2.0, -1.0}) *
+        glm::scale(glm::dmat4(1.0), {1.0, 1.0, 4.0});
+    const glm::dvec3 middle(15.3, 15.8, 4.1);
+    volume::BitMask mask(size);
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i)
+                if (glm::length((glm::dvec3(i, j, k) - middle) * glm::dvec3(1, 1, 4)) < 12.0) mask.set({i, j, k});
+    Job job;
+    const TriangleMesh exact = volume::mask_surface(mask, to_patient, {}, job).value();
+    TriangleMesh relaxed = exact;
+    volume::relax_surface(relaxed, to_patient, 60, job);
+    CHECK(relaxed.triangles == exact.triangles);
+    const glm::dmat4 to_voxels = glm::inverse(to_patient);
+    const glm::dvec3 centre(to_patient * glm::dvec4(middle, 1.0));
+    const auto roughness = [&](const TriangleMesh& mesh) { // of its triangles against the ball
+        double sum = 0.0, area = 0.0;
+        for (const glm::uvec3& t : mesh.triangles) {
+            const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+            const glm::dvec3 normal = glm::cross(b - a, c - a);
+            const double twice = glm::length(normal);
+            if (twice == 0.0) continue;
+            const double along = glm::dot(normal / twice, glm::normalize((a + b + c) / 3.0 - centre));
+            sum += twice * std::acos(std::clamp(along, -1.0, 1.0));
+            area += twice;
+        }
+        return sum / area;
+    };
+    double farthest = 0.0;
+    for (std::size_t v = 0; v < exact.positions.size(); ++v) {
+        const glm::dvec3 moved(to_voxels * glm::dvec4(glm::dvec3(relaxed.positions[v] - exact.positions[v]), 0.0));
+        farthest = std::max({farthest, std::abs(moved.x), std::abs(moved.y), std::abs(moved.z)});
+        const double away = glm::length(glm::dvec3(relaxed.positions[v]) - centre);
+        CHECK(away == doctest::Approx(12.0).epsilon(0.17)); // half a slice
+    }
+    CHECK(farthest <= 0.5001);
+    CHECK(farthest > 0.3);
+    CHECK(roughness(relaxed) < 0.5 * roughness(exact));
+    MESSAGE("off the ball's normals by ", roughness(exact), ", relaxed ", roughness(relaxed), " rad");
+}
