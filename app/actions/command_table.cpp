@@ -22,6 +22,7 @@ std::vector<Command> make_table() {
              state_commands,     //
              glass_commands,     //
              surgery_commands,   //
+             context_commands,   //
              measure_commands,   //
              report_commands,    //
              camera_commands,    //
@@ -90,6 +91,7 @@ Result<void> Host::open(const std::filesystem::path&) {
 }
 Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
 Result<void> Host::ask_for_lesion_mesh() { return fail("lesion-mesh needs a FILE here", {}, ".stl, .ply or .obj"); }
+Result<void> Host::ask_for_context() { return fail("context needs a FILE here", {}, ".nii, .stl, .ply or .obj"); }
 Result<void> Host::ask_for_name() { return fail("save-as needs a window", {}, "save FILE"); }
 Result<void> Host::copy_text(const std::string&) { return fail("there is no clipboard without a window"); }
 Result<std::string> Host::pasted_text() { return fail("there is no clipboard without a window"); }

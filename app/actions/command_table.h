@@ -46,6 +46,10 @@ public:
     virtual Result<void> open(const std::filesystem::path& path);
     virtual Result<void> ask_for_file();
     virtual Result<void> ask_for_lesion_mesh();
+    virtual Result<void> ask_for_context();
+    // Whether this surface (app/session/context_shapes.h) is about to be read by somebody else, who then runs `context`
+    // with these arguments again.
+    virtual bool reads_context(const ContextItem&, std::span<const std::string>) { return false; }
     // Whether a command may take its time: nobody waits for the next picture.
     [[nodiscard]] virtual bool unhurried() const { return true; }
     // Whether this mesh is about to be read by somebody else, who runs the command again once it is.

@@ -13,6 +13,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> relation_commands();
 [[nodiscard]] std::vector<Command> state_commands();
 [[nodiscard]] std::vector<Command> surgery_commands();
+[[nodiscard]] std::vector<Command> context_commands();
 [[nodiscard]] std::vector<Command> measure_commands();
 [[nodiscard]] std::vector<Command> report_commands();
 [[nodiscard]] std::vector<Command> camera_commands();

@@ -3,6 +3,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/progress_bar.h"
+#include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
 
 namespace ramus::app {
@@ -26,6 +27,13 @@ Result<void> PictureStage::make_surface() {
 
 Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
+    Job job;
+    auto read = [&] {
+        const CancelOnInterrupt cancel(job);
+        return read_context(document_.marks().context, job);
+    }();
+    if (job.cancelled()) return fail("cancelled; nothing was written");
+    if (!read) return tl::unexpected(read.error());
     return compose(document_, surface_.mesh, viewing_);
 }
 

@@ -20,6 +20,7 @@
 #include "render/headless_context.h"
 #include "render/renderer.h"
 
+#include <array>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,7 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
+    std::vector<std::string> context; // files
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false;
@@ -169,6 +171,10 @@ Result<int> run_render(const RenderFlags& flags) {
     stage.draw_with(**renderer);
     const auto run = [&](ActionContext& where) { return run_script(where, script, flags.commands); };
     ActionContext here{document, stage};
+    for (const std::string& file : flags.context) {
+        const std::array<std::string, 2> words{"context", file};
+        if (auto added = run_command(here, words); !added) return tl::unexpected(added.error());
+    }
     if (!flags.interface)
         if (auto ran = run(here); !ran) return tl::unexpected(ran.error());
 
@@ -235,6 +241,11 @@ void register_render(CLI::App& app, Action& chosen) {
     command
         ->add_option("--commands", flags->commands, "Run these commands first, one a line (`select 12`, `hide`, ...)")
         ->type_name("FILE");
+    command
+        ->add_option("--context", flags->context,
+                     "Show the surface of this mask or mesh beside the tree (.nii, .stl, .ply, .obj); may be repeated")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
     command->add_option("--camera", flags->camera, "Camera as JSON, or a file with it, named as in a session file")
         ->type_name("JSON|FILE")

@@ -21,7 +21,8 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kMouse{{
     {"Shift+click", "Adds the branch to the selection."},
     {"Ctrl+click", "Adds the branch to the selection, or takes it away."},
     {"Double-click", "Centres the picture on the point."},
-    {"Drop a file", "Opens a tree or a session; a closed mesh becomes a lesion."},
+    {"Drop a file",
+     "Opens a tree or a session; a mesh or a mask is shown beside the tree, or, while planning, a mesh is a lesion."},
     {"Cube", "Shows where the viewer stands: A P L R S I."},
 }};
 

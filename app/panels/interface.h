@@ -77,7 +77,8 @@ struct Interface {
     BranchList list;
     Rename rename;
     Fly fly;
-    std::optional<GlassLook> tried_glass; // while a slider is held
+    std::optional<GlassLook> tried_glass;                  // while a slider is held
+    std::optional<std::vector<ContextItem>> tried_context; // likewise
     Overview overview;
     PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
@@ -114,6 +115,7 @@ void draw_tool_drawing(InterfaceContext& context);
 void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
+void draw_context(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);

@@ -2,6 +2,7 @@
 
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
+#include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
 #include "app/storage/places.h"
 #include "app/storage/recent_files.h"
@@ -89,8 +90,10 @@ void OpenDialog::enter(const fs::path& where) {
 namespace {
 
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    const auto known = dialog.purpose == OpenDialog::Purpose::kLesionMesh ? can_be_lesion_mesh : can_be_opened;
-    if (!entry.folder && !dialog.every_file && !known(entry.name)) return false;
+    const bool known = dialog.purpose == OpenDialog::Purpose::kLesionMesh ? can_be_lesion_mesh(entry.name)
+                       : dialog.purpose == OpenDialog::Purpose::kContext  ? can_be_context(entry.name)
+                                                                          : can_be_opened(entry.name);
+    if (!entry.folder && !dialog.every_file && !known) return false;
     const std::string_view wanted = dialog.filter.data();
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -172,6 +175,9 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     }
     if (!any && dialog.problem.empty())
         widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
+                               : dialog.purpose == OpenDialog::Purpose::kContext
+                                   ? "No masks (NIfTI) and no STL, PLY or OBJ files here. Choose another folder, or "
+                                     "show all files."
                                : dialog.purpose == OpenDialog::Purpose::kLesionMesh
                                    ? "No STL, PLY or OBJ files here. Choose another folder, or show all files."
                                    : "No SWC or JSON files here. Choose another folder, or show all files.");
@@ -225,13 +231,15 @@ void draw_open_dialog(InterfaceContext& context) {
     fs::path chosen;
     const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
     const bool lesion = dialog.purpose == OpenDialog::Purpose::kLesionMesh;
+    const bool beside = dialog.purpose == OpenDialog::Purpose::kContext;
     widgets::heading(saving   ? "Save the session"
                      : lesion ? "Choose the mesh of a lesion"
+                     : beside ? "Choose a mask or a mesh to show beside the tree"
                               : "Open a vessel tree or a session");
     ImGui::Dummy({0.0F, 2.0F * scale});
 
     const float places_width = 190.0F * scale;
-    if (const fs::path place = draw_places(places_width, !saving && !lesion); !place.empty()) chosen = place;
+    if (const fs::path place = draw_places(places_width, !saving && !lesion && !beside); !place.empty()) chosen = place;
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
     const float up_width = 44.0F * scale;
@@ -285,7 +293,7 @@ void draw_open_dialog(InterfaceContext& context) {
         dialog.enter(chosen);
     else if (!chosen.empty() && !saving) {
         dialog.open = false;
-        context.perform(lesion ? "lesion-mesh" : "open", {chosen.string()});
+        context.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {chosen.string()});
     }
     if (!target.empty()) {
         dialog.open = false;

@@ -16,7 +16,7 @@ struct OpenDialog {
         bool folder = false;
         std::uintmax_t bytes = 0;
     };
-    enum class Purpose { kOpen, kSave, kLesionMesh };
+    enum class Purpose { kOpen, kSave, kLesionMesh, kContext };
     Purpose purpose = Purpose::kOpen;
     bool open = false;
     bool every_file = false; // not only those with a known ending

@@ -27,35 +27,6 @@ std::string branch_name(const Document& document, int branch) {
     return name == document.marks().names.end() ? "Branch " + std::to_string(branch) : name->second;
 }
 
-bool small_button(const char* text, const char* help) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7.0F * theme::scale(), 2.0F * theme::scale()});
-    const bool pressed = ImGui::Button(text);
-    ImGui::PopStyleVar();
-    widgets::tooltip(help);
-    return pressed;
-}
-
-// A title with buttons at its right end: pairs of text and help. Returns the one that was pressed, or -1.
-template <std::size_t N> int title_row(const char* title, const std::array<std::array<const char*, 2>, N>& buttons) {
-    widgets::rule();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(title);
-    float width = 0.0F;
-    const float padding = 14.0F * theme::scale();
-    const float gap = 4.0F * theme::scale();
-    for (const auto& button : buttons) width += ImGui::CalcTextSize(button[0]).x + padding + gap;
-    ImGui::SameLine();
-    widgets::align_right(width - gap);
-    int pressed = -1;
-    for (std::size_t i = 0; i < N; ++i) {
-        if (i > 0) ImGui::SameLine(0.0F, gap);
-        ImGui::PushID(static_cast<int>(i));
-        if (small_button(buttons[i][0], buttons[i][1])) pressed = static_cast<int>(i);
-        ImGui::PopID();
-    }
-    return pressed;
-}
-
 // A line that can be clicked, with a cross at its right end. Returns 1 for the line, -1 for the cross, 0 else.
 int removable_row(const std::string& text, const ImVec4& colour, const char* help) {
     const float cross = ImGui::GetFrameHeight();
@@ -116,8 +87,9 @@ void go_to(InterfaceContext& context, int branch) {
 
 void draw_lesions(InterfaceContext& context) {
     const Marks& marks = context.workspace.document.marks();
-    switch (title_row<2>("Lesions", {{{"Place", "Place a lesion in the picture and size it by dragging"},
-                                      {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ"}}})) {
+    switch (
+        widgets::title_row<2>("Lesions", {{{"Place", "Place a lesion in the picture and size it by dragging"},
+                                           {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ"}}})) {
     case 0:
         context.perform("tool", {"lesion"});
         break;
@@ -130,7 +102,7 @@ void draw_lesions(InterfaceContext& context) {
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) {
         widgets::quiet_wrapped(
             "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
-            "picture is a lesion too.");
+            "picture now is a lesion too.");
         return;
     }
     for (std::size_t i = 0; i < marks.lesions.size(); ++i) {
@@ -232,7 +204,7 @@ void draw_margins(InterfaceContext& context) {
 void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     const Marks& marks = document.marks();
-    if (title_row<1>("Cuts", {{{"Cut", "Cut vessels in the picture"}}}) == 0) context.perform("tool", {"cut"});
+    if (widgets::title_row<1>("Cuts", {{{"Cut", "Cut vessels in the picture"}}}) == 0) context.perform("tool", {"cut"});
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Reconstruct above mm");
     ImGui::SameLine();
@@ -269,10 +241,10 @@ void draw_cuts(InterfaceContext& context) {
 
 void draw_measurements(InterfaceContext& context) {
     const Document& document = context.workspace.document;
-    switch (title_row<4>("Measure", {{{"Line", "Distance between two places"},
-                                      {"Way", "Way along the vessels between two branches"},
-                                      {"\xC3\x98", "Diameter at a place"},
-                                      {"Angle", "Angles at a branching"}}})) {
+    switch (widgets::title_row<4>("Measure", {{{"Line", "Distance between two places"},
+                                               {"Way", "Way along the vessels between two branches"},
+                                               {"\xC3\x98", "Diameter at a place"},
+                                               {"Angle", "Angles at a branching"}}})) {
     case 0:
         context.perform("tool", {"measure-distance"});
         break;

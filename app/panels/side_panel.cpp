@@ -220,6 +220,7 @@ void draw_side_panel(InterfaceContext& context) {
         } else {
             draw_surface(context);
             draw_glass(context);
+            draw_context(context);
             draw_selection(context);
             widgets::section("Branches");
             draw_branch_list(context);

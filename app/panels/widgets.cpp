@@ -59,6 +59,34 @@ void section(const char* title) {
     ImGui::Dummy({0.0F, 1.0F * theme::scale()});
 }
 
+bool small_button(const char* text, const char* help) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7.0F * theme::scale(), 2.0F * theme::scale()});
+    const bool pressed = ImGui::Button(text);
+    ImGui::PopStyleVar();
+    tooltip(help);
+    return pressed;
+}
+
+int title_row(const char* title, const std::array<const char*, 2>* buttons, std::size_t count) {
+    rule();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(title);
+    float width = 0.0F;
+    const float padding = 14.0F * theme::scale();
+    const float gap = 4.0F * theme::scale();
+    for (std::size_t i = 0; i < count; ++i) width += ImGui::CalcTextSize(buttons[i][0]).x + padding + gap;
+    ImGui::SameLine();
+    align_right(width - gap);
+    int pressed = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0) ImGui::SameLine(0.0F, gap);
+        ImGui::PushID(static_cast<int>(i));
+        if (small_button(buttons[i][0], buttons[i][1])) pressed = static_cast<int>(i);
+        ImGui::PopID();
+    }
+    return pressed;
+}
+
 void align_right(float width) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x - width));
 }

@@ -1,6 +1,7 @@
 // The few widgets that the panels share, so that they align and look alike.
 #pragma once
 
+#include <array>
 #include <imgui.h>
 #include <string>
 
@@ -15,6 +16,13 @@ void end_dialog();
 void heading(const char* text);
 void rule();                     // a line across a panel, between its parts
 void section(const char* title); // the same, and the title of what follows
+bool small_button(const char* text, const char* help);
+// The same as section(), with buttons at its right end: pairs of text and help. Returns the one that was pressed, or
+// -1.
+int title_row(const char* title, const std::array<const char*, 2>* buttons, std::size_t count);
+template <std::size_t N> int title_row(const char* title, const std::array<std::array<const char*, 2>, N>& buttons) {
+    return title_row(title, buttons.data(), N);
+}
 // A label and its value, values aligned at the right edge.
 void fact(const char* label, const std::string& value);
 void quiet(const char* text);         // one line in the colour of labels

@@ -4,6 +4,7 @@
 #include "app/picture/colouring.h"
 #include "app/picture/distance_grid.h"
 #include "app/picture/marks_drawing.h"
+#include "app/session/context_shapes.h"
 #include "core/field/convolution_field.h"
 
 #include <algorithm>
@@ -22,6 +23,17 @@ void show_plan(render::Frame& frame, const tree::VesselTree& tree, const Marks& 
     for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), tree.branches.size()); ++id)
         if (const measure::LostSpan& span = plan.cuts.spans[id]; span.any())
             frame.lost.push_back({static_cast<int>(id), span.from, span.to});
+}
+
+// What has been read of it.
+void show_context(render::Frame& frame, const std::vector<ContextItem>& context) {
+    for (const ContextItem& item : context) {
+        const auto shape = item.visible ? context_shape_read_before(source_of(item)) : nullptr;
+        if (!shape) continue;
+        const glm::vec3 colour(item.colour[0], item.colour[1], item.colour[2]);
+        frame.context.push_back(
+            {shape->mesh, shape->preview, colour / 255.0F, static_cast<float>(item.opacity), item.wireframe});
+    }
 }
 
 } // namespace
@@ -50,6 +62,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
     // A grey with a cool tint, as bright as it says.
     frame.appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
+    show_context(frame, viewing.context ? *viewing.context : session.marks.context);
     if (!tree) return frame;
     const Marks& marks = session.marks;
     const Plan* plan = viewing.plan.get();

@@ -22,7 +22,8 @@ struct Viewing {
     render::Quality quality = render::Quality::kFull;
     std::shared_ptr<const Plan> plan{}; // of the session; null: lesions and cuts are not shown
     std::shared_ptr<const std::vector<Result<Measured>>> measurements{}; // of the session; null: none are shown
-    std::optional<GlassLook> glass{}; // instead of the session's, while it is being tried
+    std::optional<GlassLook> glass{};                  // instead of the session's, while it is being tried
+    std::optional<std::vector<ContextItem>> context{}; // likewise
 };
 
 // `tree` may be null: no colours; `mesh` may be null: an empty picture.

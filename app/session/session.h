@@ -58,6 +58,17 @@ struct GlassLook {
     bool operator==(const GlassLook&) const = default;
 };
 
+// A surface that is shown beside the tree, in the same coordinates: an organ, a bone, another surface of the vessels.
+struct ContextItem {
+    std::string file;                                  // absolute: a mask (NIfTI) or a mesh (STL, PLY, OBJ)
+    int label = 0;                                     // of a mask: this one alone; 0: everything that is not zero
+    std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
+    double opacity = 0.25;                             // where it faces the eye; 1: solid
+    bool wireframe = false, visible = true;
+    bool exact = false; // of a mask: with the steps of its voxels
+    bool operator==(const ContextItem&) const = default;
+};
+
 // What tells near from far, each by itself.
 enum class DepthCue : std::uint8_t { kOcclusion, kFog, kHalos, kContours, kChromadepth };
 inline constexpr std::array kDepthCues{DepthCue::kOcclusion, DepthCue::kFog, DepthCue::kHalos, DepthCue::kContours,
@@ -84,6 +95,7 @@ struct Marks {
     std::vector<render::BranchState> states;    // by branch id; branches beyond its end are normal
     std::vector<std::array<double, 4>> lesions; // spheres: centre and radius, mm, RAS
     std::vector<std::string> lesion_meshes;     // files of closed meshes, absolute
+    std::vector<ContextItem> context;           // in the order in which they came
     std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;

@@ -1,5 +1,6 @@
 #include "app/session/session_file.h"
 
+#include "app/session/colour_text.h"
 #include "app/session/json_text.h"
 #include "core/io/output_file.h"
 
@@ -8,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -230,6 +232,41 @@ fs::path written_path(const fs::path& tree, const fs::path& folder) {
     return relative.empty() || *relative.begin() == ".." ? fs::absolute(tree).lexically_normal() : relative;
 }
 
+json context_json(const ContextItem& item, const fs::path& folder) {
+    json value{{"path", written_path(item.file, folder).string()},
+               {"colour", colour_text(item.colour)},
+               {"opacity", item.opacity},
+               {"wireframe", item.wireframe},
+               {"visible", item.visible}};
+    if (item.label != 0) value["label"] = item.label;
+    if (item.exact) value["exact"] = true;
+    return value;
+}
+
+bool truth(const json& value, const std::string& name) {
+    if (!value.is_boolean()) throw Refusal{name + " is not true or false"};
+    return value.get<bool>();
+}
+
+ContextItem context_item(const json& value, const fs::path& folder) {
+    expect_only(value, "context", {"path", "label", "colour", "opacity", "wireframe", "visible", "exact"});
+    ContextItem item;
+    if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
+    item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
+    if (value.contains("label"))
+        item.label = integer(value["label"], "label", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    if (value.contains("opacity")) item.opacity = number(value["opacity"], "opacity", 0.0, 1.0);
+    if (value.contains("wireframe")) item.wireframe = truth(value["wireframe"], "wireframe");
+    if (value.contains("exact")) item.exact = truth(value["exact"], "exact");
+    if (value.contains("visible")) item.visible = truth(value["visible"], "visible");
+    if (value.contains("colour")) {
+        const auto colour = colour_in(text(value["colour"], "colour"));
+        if (!colour) throw Refusal{"\"" + value["colour"].get<std::string>() + "\" is not a colour: #RRGGBB"};
+        item.colour = *colour;
+    }
+    return item;
+}
+
 } // namespace
 
 json to_json(const Session& session, const fs::path& folder) {
@@ -240,6 +277,8 @@ json to_json(const Session& session, const fs::path& folder) {
     for (const auto& [id, name] : session.marks.names) names[std::to_string(id)] = name;
     json meshes = json::array();
     for (const std::string& mesh : session.marks.lesion_meshes) meshes.push_back(written_path(mesh, folder).string());
+    json context = json::array();
+    for (const ContextItem& item : session.marks.context) context.push_back(context_json(item, folder));
     json measurements = json::array();
     for (const Measurement& m : session.marks.measurements) measurements.push_back(measurement_json(m));
     return {{"version", kSessionVersion},
@@ -248,6 +287,7 @@ json to_json(const Session& session, const fs::path& folder) {
             {"states", states},
             {"lesions", session.marks.lesions},
             {"lesion_meshes", meshes},
+            {"context", context},
             {"measurements", measurements},
             {"cuts", session.marks.cuts},
             {"names", names},
@@ -258,8 +298,8 @@ json to_json(const Session& session, const fs::path& folder) {
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
         expect_only(value, "the session",
-                    {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "cuts", "measurements",
-                     "names", "camera", "options"});
+                    {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
+                     "measurements", "names", "camera", "options"});
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -276,6 +316,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         for (const json& mesh : list_in(value, "lesion_meshes"))
             session.marks.lesion_meshes.push_back(
                 (folder / text(mesh, "path of a lesion")).lexically_normal().string());
+        for (const json& item : list_in(value, "context")) session.marks.context.push_back(context_item(item, folder));
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("camera")) {
             auto camera = render::camera_from_json(value["camera"], where);

@@ -51,6 +51,7 @@ Viewing Viewer::viewing() const {
     Viewing viewing{.size = layout_.view_size, .pixel_ratio = scale_, .hovered = interface_.hovered};
     if (interface_.listed != tree::kNoBranch) viewing.hovered = interface_.listed;
     viewing.glass = interface_.tried_glass;
+    viewing.context = interface_.tried_context;
     return viewing;
 }
 
@@ -69,6 +70,12 @@ void Viewer::take_news() {
         InterfaceContext context{interface_, workspace_, *this, layout_, now_};
         reread_mesh_ = true;
         context.perform("lesion-mesh", {path->string()});
+        reread_mesh_ = false;
+    }
+    while (const auto arguments = workspace_.context.take_ready()) {
+        InterfaceContext context{interface_, workspace_, *this, layout_, now_};
+        reread_mesh_ = true;
+        context.perform("context", *arguments);
         reread_mesh_ = false;
     }
     while (const auto error = workspace_.take_error()) {
@@ -217,6 +224,8 @@ std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return w
 
 // As `ramus render` draws the session: without what the pointer is doing.
 Result<void> Viewer::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
+    Job job;
+    (void)read_context(workspace_.document.marks().context, job); // waits for what a window leaves to a worker
     render::Frame frame = compose(workspace_.document, picture_mesh(), {.size = size, .pixel_ratio = scale_});
     frame.camera = camera;
     if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());

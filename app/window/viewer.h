@@ -79,6 +79,8 @@ public:
     Result<void> ask_for_lesion_mesh() override;
     [[nodiscard]] bool unhurried() const override { return unattended_ || !keeps_files_; }
     bool reads_lesion_mesh(const std::filesystem::path& path) override;
+    Result<void> ask_for_context() override;
+    bool reads_context(const ContextItem& item, std::span<const std::string> arguments) override;
     Result<void> ask_for_name() override;
     Result<void> toggle(std::string_view part) override;
     Result<void> arrange(std::string_view part, std::string_view setting) override;
@@ -157,7 +159,7 @@ private:
     bool closing_ = false;
     bool unattended_ = false;
     bool asked_about_arrival_ = false;
-    bool reread_mesh_ = false;         // a lesion's mesh has been read: the command goes on
+    bool reread_mesh_ = false;         // a lesion's mesh or context has been read: the command goes on
     bool keeps_files_ = false;         // a person's window, not a picture of one: settings and recent files are kept
     std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
     std::optional<autosave::Slot> recovered_;

@@ -109,6 +109,18 @@ bool Viewer::reads_lesion_mesh(const std::filesystem::path& path) {
     return true;
 }
 
+Result<void> Viewer::ask_for_context() {
+    (void)ask_for_file();
+    interface_.open_dialog.purpose = OpenDialog::Purpose::kContext;
+    return {};
+}
+
+bool Viewer::reads_context(const ContextItem& item, std::span<const std::string> arguments) {
+    if (unhurried() || reread_mesh_) return false;
+    workspace_.context.read(source_of(item), {arguments.begin(), arguments.end()});
+    return true;
+}
+
 Result<void> Viewer::ask_for_name() {
     interface_.help_open = false;
     interface_.open_dialog.show_to_save(suggested_file(workspace_.document, ".ramus.json"));

@@ -171,7 +171,10 @@ void Viewer::character(unsigned codepoint, double now) {
 
 void Viewer::dropped(const std::filesystem::path& path) {
     InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    context.perform(can_be_lesion_mesh(path) ? "lesion-mesh" : "open", {path.string()});
+    // A mesh is a lesion for who is planning.
+    const bool lesion = interface_.planning && can_be_lesion_mesh(path);
+    const bool beside = workspace_.document.tree() && can_be_context(path.string());
+    context.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {path.string()});
 }
 
 } // namespace ramus::app

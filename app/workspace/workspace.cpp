@@ -95,7 +95,7 @@ Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOption
     return loaded;
 }
 
-Workspace::Workspace(std::function<void()> wake) : loader_(wake), mesher_(wake), planner_(wake) {
+Workspace::Workspace(std::function<void()> wake) : context(wake), loader_(wake), mesher_(wake), planner_(wake) {
     document.let_others_plan();
 }
 
@@ -163,6 +163,8 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     planner_.cancel(); // lesions that are on their way belong to the tree before
     meshes_to_read_.clear();
     read_meshes_.clear();
+    context.forget();
+    keep_context_shapes(loaded.session.marks.context);
     wanted_.reset();
     tried_.reset();
     problem_.clear();
@@ -308,6 +310,7 @@ void Workspace::cancel_work() {
         problem_ = "cancelled";
     }
     meshes_to_read_.clear();
+    context.cancel();
     changed_ = true;
 }
 
@@ -328,6 +331,8 @@ bool Workspace::update() {
             if (worker == &mesher_) problem_ = errors_.back().what;
             changed_ = true;
         }
+    if (document.tree() && context.update(document.marks().context)) changed_ = true;
+    while (const auto error = context.take_error()) errors_.push_back(*error);
     start_plan();
     // A picture is drawn before a better one is begun: both want the whole machine.
     if (!std::exchange(just_shown_, false)) start_surface();
@@ -337,11 +342,15 @@ bool Workspace::update() {
 std::string Workspace::activity() const {
     if (loader_.busy() && !first_is_coming_) return loader_.title();
     if (!mesher_.busy() && planner_.busy()) return planner_.title();
+    if (!mesher_.busy() && context.busy()) return context.title();
     return busy() ? kComputing : std::string{};
 }
 
 float Workspace::progress() const {
-    return loader_.busy() ? loader_.progress() : mesher_.busy() ? mesher_.progress() : planner_.progress();
+    return loader_.busy()    ? loader_.progress()
+           : mesher_.busy()  ? mesher_.progress()
+           : planner_.busy() ? planner_.progress()
+                             : context.progress();
 }
 
 std::optional<Error> Workspace::take_error() {

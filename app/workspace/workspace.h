@@ -7,6 +7,7 @@
 #include "app/session/branch_facts.h"
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
+#include "app/workspace/context_reader.h"
 #include "app/workspace/surface_maker.h"
 #include "core/base/error.h"
 #include "core/base/worker.h"
@@ -81,7 +82,7 @@ public:
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
 
     [[nodiscard]] bool busy() const {
-        return loader_.busy() || mesher_.busy() || planner_.busy() || !meshes_to_read_.empty();
+        return loader_.busy() || mesher_.busy() || planner_.busy() || !meshes_to_read_.empty() || context.busy();
     }
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
     [[nodiscard]] float progress() const;       // of that, 0 to 1
@@ -97,6 +98,7 @@ public:
     // Reads it, well or badly, so that app::lesion_mesh() need not wait; then take_read_mesh() names it, once.
     void read_lesion_mesh(const std::filesystem::path& path) { meshes_to_read_.push_back(path); }
     [[nodiscard]] std::optional<std::filesystem::path> take_read_mesh();
+    ContextReader context; // what is shown beside the tree
     // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
     // shown. Empty otherwise.
     [[nodiscard]] const std::string& surface_problem() const { return problem_; }

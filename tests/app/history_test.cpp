@@ -35,7 +35,7 @@ Marks edited(Marks marks, int branches, std::mt19937& random) {
     const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
     const int branch = below(branches);
     const double length = below(1000) / 8.0;
-    switch (below(12)) {
+    switch (below(13)) {
     case 0:
         marks.selection = {branch};
         break;
@@ -78,6 +78,14 @@ Marks edited(Marks marks, int branches, std::mt19937& random) {
         marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(5)) + ".stl");
         marks.planning.bands_mm = {1.0, 2.0 + length};
         break;
+    case 11: {
+        ContextItem item;
+        item.file = std::to_string(below(5));
+        item.label = below(3);
+        marks.context.push_back(std::move(item));
+        if (marks.context.size() > 3) marks.context.erase(marks.context.begin() + below(3));
+        break;
+    }
     default:
         marks.glass.opacity = length / 125.0;
         marks.colour_by = kColourings[static_cast<std::size_t>(below(5))];

@@ -25,6 +25,9 @@ Session lively_session(const fs::path& folder) {
     session.marks.cuts = {{4, 0.25}};
     session.marks.names = {{5, "right \"posterior\" branch"}};
     session.marks.lesion_meshes = {(folder / "tumour.stl").string(), "/elsewhere/second tumour.ply"};
+    session.marks.context = {
+        {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true},
+        {"/elsewhere/rib cage.stl", 0, {200, 190, 180}, 1.0, true, false, false}};
     session.marks.measurements = {
         {Measurement::Kind::kDistance, {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}, {-1, -1}, 0.5},
         {Measurement::Kind::kPath, {}, {2, 7}, 0.5},
@@ -100,6 +103,12 @@ TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
     CHECK(message(R"("lesions": [[1, 2, "3", 4]])") == "lesion is not a number");
     CHECK(message(R"("lesion_meshes": "a.stl")") == "lesion_meshes is not a list");
     CHECK(message(R"("lesion_meshes": [7])") == "path of a lesion is not a text");
+    CHECK(message(R"("context": {})") == "context is not a list");
+    CHECK(message(R"("context": [{"opacity": 1}])") == "a context mesh has no path");
+    CHECK(message(R"("context": [{"path": "a.stl", "opacity": 2}])") == "opacity 2 is out of range");
+    CHECK(message(R"("context": [{"path": "a.stl", "colour": "red"}])") == "\"red\" is not a colour: #RRGGBB");
+    CHECK(message(R"("context": [{"path": "a.stl", "visible": 1}])") == "visible is not true or false");
+    CHECK(message(R"("context": [{"path": "a.stl", "color": "#ffffff"}])") == "unknown name \"color\" in context");
     CHECK(message(R"("cuts": [[3, 1.5]])") == "cut 1.5 is out of range");
     CHECK(message(R"("measurements": {})") == "measurements is not a list");
     CHECK(message(R"("measurements": [5])") == "a measurement is not an object");

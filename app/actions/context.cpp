@@ -1,0 +1,238 @@
+// Surfaces beside the tree, in the same coordinates: organs, bones, other surfaces of the same vessels.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/session/colour_text.h"
+#include "app/session/context_shapes.h"
+#include "app/session/numbers.h"
+#include "render/bounds.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace ramus::app::actions {
+
+namespace {
+
+constexpr const char* kUsage = "context FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]";
+
+// Quiet, and well apart from vessels: an organ's brown, bone, and others that nothing in a body has.
+constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours{
+    {{201, 130, 104}, {222, 211, 178}, {106, 152, 201}, {122, 178, 132}, {176, 134, 196}, {205, 176, 92}}};
+
+std::array<std::uint8_t, 3> next_colour(const std::vector<ContextItem>& context) {
+    for (const auto& colour : kColours)
+        if (std::ranges::find(context, colour, &ContextItem::colour) == context.end()) return colour;
+    return kColours[context.size() % kColours.size()];
+}
+
+std::optional<int> label_in(const std::string& word) {
+    int label = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
+    if (error != std::errc{} || end != word.data() + word.size() || label == 0) return {};
+    return label;
+}
+
+Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>& context) {
+    ContextItem item;
+    item.colour = next_colour(context);
+    std::optional<double> opacity;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& word = arguments[i];
+        if (word == "--wireframe") {
+            item.wireframe = true;
+        } else if (word == "--exact") {
+            item.exact = true;
+        } else if (word == "--label" || word == "--colour" || word == "--opacity") {
+            const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
+            if (word == "--label") {
+                const auto label = label_in(value);
+                if (!label) return fail("--label takes a whole number other than 0", {}, kUsage);
+                item.label = *label;
+            } else if (word == "--colour") {
+                const auto colour = colour_in(value);
+                if (!colour)
+                    return fail("--colour takes a colour: RRGGBB", {}, "c98268, say; with a # only between quotes");
+                item.colour = *colour;
+            } else {
+                opacity = number_in(value, 0.0, 1.0);
+                if (!opacity) return fail("--opacity takes a number from 0 to 1", {}, kUsage);
+            }
+        } else if (word.starts_with("--") || word.empty() || !item.file.empty()) {
+            return fail("context takes a file and how it looks", {}, kUsage);
+        } else {
+            item.file = std::filesystem::absolute(word).lexically_normal().string();
+        }
+    }
+    if (item.file.empty()) return fail("context takes a file", {}, kUsage);
+    item.opacity = opacity.value_or(item.wireframe ? 1.0 : item.opacity);
+    return item;
+}
+
+// Something that lies far from the tree is of another patient, or in other coordinates.
+std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
+    render::Box vessels;
+    for (const tree::Point& point : tree.points) vessels.include(point.position);
+    const render::Box box = render::bounds_of(mesh);
+    if (box.empty() || vessels.empty()) return {};
+    const double away = glm::length(glm::max(glm::max(box.lower - vessels.upper, vessels.lower - box.upper), 0.0));
+    return away > 0.0 ? "; it lies " + length_text(away) + " beside the tree: is it in the same coordinates?"
+                      : std::string();
+}
+
+Result<void> context(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to show it beside");
+    if (arguments.empty()) return context.host.ask_for_context();
+    Marks next = context.document.marks();
+    const auto item = item_in(arguments, next.context);
+    if (!item) return tl::unexpected(item.error());
+    if (!can_be_context(item->file))
+        return fail("this is neither a mask nor a mesh", item->file, "context is .nii, .nii.gz, .stl, .ply or .obj");
+    const auto same = [&](const ContextItem& other) {
+        return source_of(other) == source_of(*item) && other.wireframe == item->wireframe;
+    };
+    if (std::ranges::any_of(next.context, same)) return fail("this is shown already", item->file);
+    if (context.host.reads_context(*item, arguments)) return {};
+    Job job;
+    const auto shape = context_shape(source_of(*item), job);
+    if (!shape) return tl::unexpected(shape.error());
+    context.host.say(std::filesystem::path(item->file).filename().string() + ": " +
+                     counted((*shape)->mesh->triangles.size(), "triangle", "triangles") +
+                     distance_text(*(*shape)->mesh, *context.document.tree()));
+    next.context.push_back(*item);
+    context.document.change(std::move(next));
+    return {};
+}
+
+// The N-th of the list, changed as `change` says; that fails on what is no such value.
+template <class Change>
+Result<void> change_one(ActionContext& context, Arguments arguments, std::size_t values, const char* usage,
+                        const Change& change) {
+    if (arguments.size() != 1 + values) return fail(std::string(usage), {}, "N counts from 1 in the list of context");
+    Marks next = context.document.marks();
+    const auto index = place_in_list(arguments.first(1), next.context.size(), "context mesh");
+    if (!index) return tl::unexpected(index.error());
+    if (auto changed = change(next.context, *index); !changed) return changed;
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> context_remove(ActionContext& context, Arguments arguments) {
+    return change_one(context, arguments, 0, "context-remove takes a number", [](auto& list, std::size_t i) {
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+        return Result<void>{};
+    });
+}
+
+Result<void> context_clear(ActionContext& context, Arguments) {
+    Marks next = context.document.marks();
+    next.context.clear();
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> context_opacity(ActionContext& context, Arguments arguments) {
+    return change_one(context, arguments, 1, "context-opacity takes a number and an opacity",
+                      [&](auto& list, std::size_t i) -> Result<void> {
+                          const auto opacity = number_in(arguments[1], 0.0, 1.0);
+                          if (!opacity) return fail("an opacity goes from 0 to 1");
+                          list[i].opacity = *opacity;
+                          return {};
+                      });
+}
+
+Result<void> context_colour(ActionContext& context, Arguments arguments) {
+    return change_one(context, arguments, 1, "context-colour takes a number and a colour: RRGGBB",
+                      [&](auto& list, std::size_t i) -> Result<void> {
+                          const auto colour = colour_in(arguments[1]);
+                          if (!colour)
+                              return fail("\"" + arguments[1] + "\" is not a colour", {}, "RRGGBB: c98268, say");
+                          list[i].colour = *colour;
+                          return {};
+                      });
+}
+
+Result<void> context_style(ActionContext& context, Arguments arguments) {
+    return change_one(context, arguments, 1, "context-style takes a number, and surface or wireframe",
+                      [&](auto& list, std::size_t i) -> Result<void> {
+                          if (arguments[1] != "surface" && arguments[1] != "wireframe")
+                              return fail("there is no style " + arguments[1], {}, "surface or wireframe");
+                          list[i].wireframe = arguments[1] == "wireframe";
+                          return {};
+                      });
+}
+
+Result<void> set_visible(ActionContext& context, Arguments arguments, bool visible) {
+    return change_one(context, arguments, 0, visible ? "context-show takes a number" : "context-hide takes a number",
+                      [&](auto& list, std::size_t i) {
+                          list[i].visible = visible;
+                          return Result<void>{};
+                      });
+}
+
+Result<void> context_show(ActionContext& context, Arguments arguments) { return set_visible(context, arguments, true); }
+Result<void> context_hide(ActionContext& context, Arguments arguments) {
+    return set_visible(context, arguments, false);
+}
+
+bool has_context(const Document& document) { return !document.marks().context.empty(); }
+
+} // namespace
+
+std::vector<Command> context_commands() {
+    return {
+        {"context",
+         "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]]",
+         "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
+         "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
+         "File",
+         "Add context...",
+         {},
+         context,
+         {},
+         has_tree},
+        {"context-remove", "N", "Takes the N-th context mesh away.", "", "", {}, context_remove, {}, has_context},
+        {"context-clear", "", "Takes all context meshes away.", "", "", {}, context_clear, {}, has_context},
+        {"context-show", "N", "Shows the N-th context mesh again.", "", "", {}, context_show, {}, has_context},
+        {"context-hide",
+         "N",
+         "Keeps the N-th context mesh, and does not show it.",
+         "",
+         "",
+         {},
+         context_hide,
+         {},
+         has_context},
+        {"context-opacity",
+         "N X",
+         "How dense the N-th context mesh is, from 0 to 1, which is solid.",
+         "",
+         "",
+         {},
+         context_opacity,
+         {},
+         has_context},
+        {"context-colour",
+         "N RRGGBB",
+         "The colour of the N-th context mesh.",
+         "",
+         "",
+         {},
+         context_colour,
+         {},
+         has_context},
+        {"context-style",
+         "N surface|wireframe",
+         "Draws the N-th context mesh as a surface, or as the edges of its triangles.",
+         "",
+         "",
+         {},
+         context_style,
+         {},
+         has_context},
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,56 @@
+// ContextReader: reads what is shown beside the tree (app/session/context_shapes.h) on a worker, one file after the
+// other: what a command asks for, so that it need not wait, and what a session names. For one thread, its owner's.
+#pragma once
+
+#include "app/session/context_shapes.h"
+#include "core/base/worker.h"
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+class ContextReader {
+public:
+    explicit ContextReader(std::function<void()> wake) : worker_(std::move(wake)) {}
+
+    // Reads it, well or badly, for a command, whose arguments take_ready() then gives back, once.
+    void read(const ContextSource& source, std::vector<std::string> arguments);
+    [[nodiscard]] std::optional<std::vector<std::string>> take_ready();
+
+    // Takes what has been read, and starts what comes next: what commands wait for, then what is visible of `context`.
+    // True when something came.
+    bool update(const std::vector<ContextItem>& context);
+    // Why something of the session could not be read, once.
+    [[nodiscard]] std::optional<Error> take_error();
+
+    void cancel(); // what the session names is not tried again until retry()
+    void retry() { given_up_.clear(); }
+    [[nodiscard]] bool gave_up(const ContextSource& source) const { return given_up_.contains(source); }
+    void forget(); // all that is on its way or was said: it belongs to the tree before
+
+    [[nodiscard]] bool busy() const { return worker_.busy() || !asked_.empty(); }
+    [[nodiscard]] const std::string& title() const { return worker_.title(); }
+    [[nodiscard]] float progress() const { return worker_.progress(); }
+
+private:
+    struct Asked {
+        ContextSource source;
+        std::vector<std::string> arguments;
+    };
+    void start(const ContextSource& source, std::optional<std::vector<std::string>> arguments);
+
+    std::deque<Asked> asked_;
+    std::deque<std::vector<std::string>> ready_;
+    std::deque<Error> errors_;
+    std::set<ContextSource> given_up_;
+    ContextSource current_;
+    bool came_ = false;
+    Worker worker_; // last: its thread ends first
+};
+
+} // namespace ramus::app
