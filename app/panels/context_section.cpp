@@ -103,16 +103,15 @@ void draw_swatch(InterfaceContext& context, const ContextItem& item, int number,
 void draw_opacity(InterfaceContext& context, const ContextItem& item, int number, Trial& trial) {
     static int held = -1; // the slider that the mouse has
     static float value = 0.0F;
-    if (held != number) value = static_cast<float>(item.opacity);
-    float shown = value;
+    float shown = held == number ? value : static_cast<float>(item.opacity);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() + 2.0F * theme::scale());
     ImGui::SetNextItemWidth(-44.0F * theme::scale());
     ImGui::SliderFloat("##opacity", &shown, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
     widgets::tooltip("Opacity");
     const bool done = ImGui::IsItemDeactivatedAfterEdit();
-    if (ImGui::IsItemActive() || done) value = shown;
     if (ImGui::IsItemActive()) {
         held = number;
+        value = shown;
         trial = {number, item};
         trial.item.opacity = static_cast<double>(value);
     } else if (held == number) {
