@@ -53,6 +53,7 @@ struct Appearance {
     float depth_cue = 1.0F; // how much the far end of the tree sinks into the background, 0 = off
     float halos = 0.0F;     // darkness around vessels that pass before others, the more the farther those are, 0 = off
     float contours = 0.0F;  // darkness where the surface turns away, 0 = off
+    float shadows = 0.0F;   // that vessels throw on others close by, 0 = off
     float chromadepth = 0.0F; // how much near is red and far is blue instead of the branches' colours, 0 = off
     bool operator==(const Appearance&) const = default;
 };

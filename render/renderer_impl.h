@@ -117,6 +117,7 @@ private:
         kChromadepth = 512,
         kLayer = 1024,
         kContext = 2048,
+        kShadows = 4096,
     };
     enum class Extent { kAll, kChanged }; // the picture, or the branches that the last one showed otherwise
     unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);

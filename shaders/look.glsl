@@ -5,7 +5,7 @@ layout(std140, binding = 1) uniform Look {
     vec4 glass_colour;      // linear; w: 1 when there is any glass
     vec4 selection_colour;  // linear; w: outline's radius in pixels, 0 for none
     vec4 lights;            // key, fill, rim, specular
-    vec4 more;              // occlusion strength, glass opacity, pixels of the picture a point
+    vec4 more;              // occlusion strength, glass opacity, pixels of the picture a point, strength of shadows
     vec4 line_colour;       // linear
     vec4 lesion_colour;     // linear
     vec4 lost_colour;       // linear

@@ -111,6 +111,26 @@ float halo(ivec2 pixel, float depth) {
 }
 #endif
 
+#ifdef SHADOWS
+// How much of the key light what the picture shows takes from a place: steps towards the light, shorter ones first, and
+// asks whether something lies before them, but not far before.
+float shadowed(vec3 position, vec3 n) {
+    float reach = 2.2 * depth_range.w * (picture.w > 0.5 ? 1.0 : position.z), least = 0.012 * reach, hidden = 0.0;
+    vec3 start = position + least * vec3(n.xy, -n.z), way = reach * vec3(kKey.xy, -kKey.z);
+    ivec2 last = ivec2(picture.xy) - 1;
+    for (int i = 1; i <= 30; ++i) {
+        float t = float(i) / 30.0;
+        t *= 0.3 + 0.7 * t;
+        vec3 at = start + t * way;
+        vec2 pixel = at.xy / (pixel_to_eye.z * (picture.w > 0.5 ? 1.0 : at.z)) + pixel_to_eye.xy;
+        float before = at.z - texelFetch(opaque_depth, clamp(ivec2(floor(pixel)), ivec2(0), last), 0).x;
+        float inside = clamp((before - least) / (2.0 * least + 0.12 * t * reach), 0.0, 1.0);
+        hidden = max(hidden, inside * clamp(2.0 - 2.0 * before / reach, 0.0, 1.0) * (1.0 - t));
+    }
+    return hidden;
+}
+#endif
+
 vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
 #if defined(SOLIDS) || defined(CONTEXT)
@@ -152,6 +172,11 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     Light key = lit(n, v, kKey, 0.06), fill = lit(n, v, kFill, 0.30);
     vec3 ambient = mix(vec3(0.085, 0.070, 0.074), vec3(0.190, 0.205, 0.240), 0.5 + 0.5 * n.y);
     float shadow = mix(1.0, open, 0.75); // the key is soft: what takes the sky takes some of it as well
+#ifdef SHADOWS
+    float lit_share = 1.0 - 0.85 * more.w * shadowed(position, n);
+    shadow *= lit_share;
+    fill.diffuse *= 0.55 + 0.45 * lit_share;
+#endif
     vec3 radiance = albedo * (1.50 * lights.x * key.diffuse * vec3(1.0, 0.965, 0.915) * shadow +
                               0.34 * lights.y * fill.diffuse * vec3(0.80, 0.90, 1.0) * open + ambient * open * open);
     radiance += lights.w * shadow * (0.25 * to_70(key.specular) * vec3(1.0, 0.98, 0.95) + 0.03 * to_24(fill.specular));

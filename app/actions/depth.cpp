@@ -36,7 +36,7 @@ std::vector<Command> depth_commands() {
     return {
         {"depth-cue",
          "NAME [on|off]",
-         "Switches what tells near from far: occlusion, fog, halos, contours, chromadepth.",
+         "Switches what tells near from far: occlusion, fog, halos, contours, shadows, chromadepth.",
          "",
          "",
          {},
@@ -45,6 +45,7 @@ std::vector<Command> depth_commands() {
         entry<DepthCue::kFog>("Fog", "Lets the far end of the tree sink into the background."),
         entry<DepthCue::kHalos>("Halos", "Draws dark seams around vessels that pass before others."),
         entry<DepthCue::kContours>("Contours", "Draws the outlines of vessels dark."),
+        entry<DepthCue::kShadows>("Shadows", "Lets vessels throw shadows on others close by."),
         entry<DepthCue::kChromadepth>("Near red, far blue", "Colours by the distance from the viewer."),
     };
 }

@@ -57,6 +57,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.appearance.depth_cue = strength(DepthCue::kFog);
     frame.appearance.halos = strength(DepthCue::kHalos);
     frame.appearance.contours = strength(DepthCue::kContours);
+    frame.appearance.shadows = strength(DepthCue::kShadows);
     frame.appearance.chromadepth = strength(DepthCue::kChromadepth);
     const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);

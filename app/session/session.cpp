@@ -40,6 +40,8 @@ std::string_view name_of(DepthCue cue) {
         return "halos";
     case DepthCue::kContours:
         return "contours";
+    case DepthCue::kShadows:
+        return "shadows";
     case DepthCue::kChromadepth:
         return "chromadepth";
     }

@@ -70,9 +70,9 @@ struct ContextItem {
 };
 
 // What tells near from far, each by itself.
-enum class DepthCue : std::uint8_t { kOcclusion, kFog, kHalos, kContours, kChromadepth };
-inline constexpr std::array kDepthCues{DepthCue::kOcclusion, DepthCue::kFog, DepthCue::kHalos, DepthCue::kContours,
-                                       DepthCue::kChromadepth};
+enum class DepthCue : std::uint8_t { kOcclusion, kFog, kHalos, kContours, kShadows, kChromadepth };
+inline constexpr std::array kDepthCues{DepthCue::kOcclusion, DepthCue::kFog,     DepthCue::kHalos,
+                                       DepthCue::kContours,  DepthCue::kShadows, DepthCue::kChromadepth};
 [[nodiscard]] std::string_view name_of(DepthCue cue); // "occlusion", "fog", ...
 
 // A set of cues.

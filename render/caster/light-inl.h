@@ -126,6 +126,33 @@ HWY_INLINE V Halo(const View& view, const Shading& shading, const Place& p, cons
     return clamp01(hn::Mul(sum, set(1.0F / 3.0F)));
 }
 
+// How much of the key light what the picture shows takes from a place; as shadowed() of shade.frag.
+HWY_INLINE V Shadowed(const View& view, const Place& p, const PictureArrays& picture) {
+    const D d;
+    const DI di;
+    const V one = set(1.0F);
+    const V reach = view.flat ? set(2.2F * view.reach_mm) : hn::Mul(set(2.2F * view.reach_mm), p.at.z);
+    const V least = hn::Mul(set(0.012F), reach), inverse_reach = hn::Div(one, reach);
+    const V3 start = p.at + least * V3{p.normal.x, p.normal.y, hn::Neg(p.normal.z)};
+    V hidden = hn::Zero(d);
+    for (int i = 1; i <= 30; ++i) {
+        const float part = static_cast<float>(i) / 30.0F, t = part * (0.3F + 0.7F * part);
+        const V3 at = start + hn::Mul(set(t), reach) * V3{set(kKey[0]), set(kKey[1]), set(-kKey[2])};
+        const V scale = view.flat ? set(1.0F / view.mm_a_pixel) : hn::Div(set(1.0F / view.mm_a_pixel), at.z);
+        const auto tap = [&](V along, float centre, int count) {
+            const VI pixel = hn::ConvertTo(di, hn::Floor(hn::MulAdd(along, scale, set(centre))));
+            return hn::Min(hn::Max(pixel, hn::Zero(di)), hn::Set(di, count - 1));
+        };
+        const VI x = tap(at.x, view.centre_x, view.width), y = tap(at.y, view.centre_y, view.height);
+        const V before = hn::Sub(at.z, gather(picture.depth, index_of(y, hn::Set(di, view.stride), x)));
+        const V inside =
+            clamp01(hn::Div(hn::Sub(before, least), hn::MulAdd(set(2.0F), least, hn::Mul(set(0.12F * t), reach))));
+        const V near = clamp01(hn::NegMulAdd(set(2.0F), hn::Mul(before, inverse_reach), set(2.0F)));
+        hidden = hn::Max(hidden, hn::Mul(hn::Mul(inside, near), set(1.0F - t)));
+    }
+    return hidden;
+}
+
 // As shade() and line() of shade.frag.
 HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p, V value,
                        const PictureArrays& picture) {
@@ -152,9 +179,15 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
     const V fill_shine = positive(dot(p.normal, normalised(fill + p.towards_eye)));
     const V up = hn::MulAdd(set(0.5F), p.normal.y, set(0.5F));
     const V3 ambient = mix(V3{set(0.085F), set(0.070F), set(0.074F)}, V3{set(0.190F), set(0.205F), set(0.240F)}, up);
-    const V shadow = hn::MulAdd(set(0.75F), hn::Sub(open, one), one);
+    V shadow = hn::MulAdd(set(0.75F), hn::Sub(open, one), one);
+    V fill_share = one;
+    if (look.more[3] > 0.0F) {
+        const V lit_share = hn::NegMulAdd(set(0.85F * look.more[3]), Shadowed(view, p, picture), one);
+        shadow = hn::Mul(shadow, lit_share);
+        fill_share = hn::MulAdd(set(0.45F), lit_share, set(0.55F));
+    }
     const V key_amount = hn::Mul(set(1.50F * look.lights[0]), hn::Mul(key_light, shadow));
-    const V fill_amount = hn::Mul(set(0.34F * look.lights[1]), hn::Mul(fill_light, open));
+    const V fill_amount = hn::Mul(set(0.34F * look.lights[1]), hn::Mul(hn::Mul(fill_light, fill_share), open));
     V3 light = hn::Mul(open, open) * ambient;
     light = light + key_amount * V3{one, set(0.965F), set(0.915F)} + fill_amount * V3{set(0.80F), set(0.90F), one};
     V3 radiance = albedo * light;

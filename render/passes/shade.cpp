@@ -123,6 +123,7 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
                                     {kHalos, "HALOS"},
                                     {kContours, "CONTOURS"},
                                     {kChromadepth, "CHROMADEPTH"},
+                                    {kShadows, "SHADOWS"},
                                     {kLayer, "LAYER"},
                                     {kContext, "CONTEXT"}})
         if ((variant & bit) != 0) defines += std::string("#define ") + name + "\n";
@@ -141,7 +142,7 @@ LookBlock Renderer::Impl::look_of(const Frame& frame, bool outlined) const {
             linear(a.glass, has_glass_ ? 1.0F : 0.0F),
             linear(a.selection, outlined ? std::max(1.0F, 1.6F * point) : 0.0F),
             {a.key, a.fill, a.rim, a.specular},
-            {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), 0.0F},
+            {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), a.shadows},
             linear(a.centerline, 1.0F),
             linear(a.lesion, 1.0F),
             linear(a.lost, 1.0F),
@@ -153,7 +154,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     const unsigned variant =
         send_records(frame, mesh, extent) | send_scene(frame) | (has_glass_ ? kGlass : 0U) |
         (extent == Extent::kChanged ? kOnlyChanged : 0U) | (frame.appearance.halos > 0.0F ? kHalos : 0U) |
-        (frame.appearance.contours > 0.0F ? kContours : 0U) | (frame.appearance.chromadepth > 0.0F ? kChromadepth : 0U);
+        (frame.appearance.contours > 0.0F ? kContours : 0U) |
+        (frame.appearance.chromadepth > 0.0F ? kChromadepth : 0U) | (frame.appearance.shadows > 0.0F ? kShadows : 0U);
     const bool outlined = (variant & kOutline) != 0;
 
     const LookBlock look = look_of(frame, outlined);

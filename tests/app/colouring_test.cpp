@@ -225,11 +225,13 @@ TEST_CASE("depth cues are switched by a command, undone, and shown") {
     Stage stage(20);
     CHECK(stage.frame().appearance.occlusion == 1.0F);
     CHECK(stage.frame().appearance.halos == 0.0F);
-    REQUIRE(stage.run("depth-cue halos\ndepth-cue occlusion off\ndepth-cue chromadepth on\ndepth-cue chromadepth on"));
+    REQUIRE(stage.run("depth-cue halos\ndepth-cue occlusion off\ndepth-cue chromadepth on\ndepth-cue chromadepth on\n"
+                      "depth-cue shadows on"));
     const render::Appearance look = stage.frame().appearance;
     CHECK(look.halos == 1.0F);
     CHECK(look.occlusion == 0.0F);
     CHECK(look.chromadepth == 1.0F);
+    CHECK(look.shadows == 1.0F);
     CHECK(look.contours == 0.0F);
     REQUIRE(stage.run("depth-cue halos"));
     CHECK(stage.frame().appearance.halos == 0.0F);

@@ -101,11 +101,12 @@ void project_points(benchmark::State& state) {
     std::vector<glm::vec3> positions(most), normals(most);
     std::vector<float> radii(most);
     std::vector<std::int32_t> branches(most);
+    std::vector<field::Lead> leads(most);
     std::uint64_t kernels = 0;
     for (auto _ : state)
         for (std::size_t n = 0; n < local.size(); ++n)
-            kernels +=
-                field::project(local[n], points[n], {positions.data(), normals.data(), radii.data(), branches.data()});
+            kernels += field::project(local[n], points[n],
+                                      {positions.data(), normals.data(), radii.data(), branches.data(), leads.data()});
     per_kernel(state, kernels);
 }
 BENCHMARK(project_points);

@@ -164,6 +164,7 @@ TEST_CASE("every look is the same while the view moves") {
              f.scale.low = 1.0F, f.scale.high = 11.0F;
              f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}};
          }},
+        {"shadows", [](Frame& f) { f.appearance.shadows = 1.0F; }},
         {"contours and near red", [](Frame& f) { f.appearance.contours = 1.0F, f.appearance.chromadepth = 1.0F; }},
         {"halos, no fog", [](Frame& f) { f.appearance.halos = 1.0F, f.appearance.depth_cue = 0.0F; }},
         {"no occlusion", [](Frame& f) { f.appearance.occlusion = 0.0F; }},

@@ -27,10 +27,10 @@ struct Scene {
     Frame frame;
 
     // `first` and `last`: radii of the tube at x = -20 and x = 20.
-    explicit Scene(float first = 5.0F, float last = 5.0F, bool crossed = false) {
+    explicit Scene(float first = 5.0F, float last = 5.0F, bool crossed = false, float crossing_y = 12.0F) {
         TriangleMesh mesh;
         add_capsule(mesh, {-20, 0, 0}, {20, 0, 0}, first, last, 0, 96);
-        if (crossed) add_capsule(mesh, {8, 12, -15}, {8, 12, 15}, 3.0F, 3.0F, 1, 96);
+        if (crossed) add_capsule(mesh, {8, crossing_y, -15}, {8, crossing_y, 15}, 3.0F, 3.0F, 1, 96);
         frame.mesh = std::make_shared<const PagedMesh>(mesh);
         frame.size = {600, 300};
         frame.camera = looking(Camera{}, View::kAnterior);
@@ -48,7 +48,7 @@ struct Scene {
             lines->details.push_back({2.0F * (first + t * (last - first)), 0});
         }
         for (const float z : {-15.0F, 15.0F})
-            lines->points.emplace_back(8.0F, 12.0F, z, z), lines->details.push_back({6.0F, 1});
+            lines->points.emplace_back(8.0F, crossing_y, z, z), lines->details.push_back({6.0F, 1});
         frame.centerlines = lines;
     }
     ~Scene() { renderer.reset(); }
@@ -347,4 +347,24 @@ TEST_CASE("halos darken what lies behind, near the vessel before it; near is red
     const std::uint8_t* behind = scene.colour(chromatic, -10.0, 0.0);
     CHECK(before[0] > before[2] + 40);
     CHECK(int(behind[2]) - int(behind[0]) > int(before[2]) - int(before[0]) + 60);
+}
+
+TEST_CASE("a vessel throws a shadow where it stands between another and the light, and nowhere else") {
+    Scene scene(5.0F, 5.0F, true, 9.0F); // 1 mm before the tube
+    scene.frame.size = {600, 600};
+    scene.frame.camera.scale = 0.5 * kPixelMm * scene.frame.size.y;
+    const Image plain = scene.draw();
+    scene.frame.appearance.shadows = 1.0F;
+    const Image shadows = scene.draw();
+    const auto share = [&](double x) {
+        return double(brightness(scene.colour(shadows, x, 0.0))) / brightness(scene.colour(plain, x, 0.0));
+    };
+    // The light comes from the upper left, where the patient's right is, and from the front. In the plane across the
+    // crossing vessel the tangent that touches it at its left meets the tube at x = 2.0.
+    CHECK(share(4.0) < 0.9);
+    CHECK(share(4.8) < 0.85);
+    CHECK(share(1.0) == doctest::Approx(1.0).epsilon(0.02));
+    CHECK(share(-10.0) == doctest::Approx(1.0).epsilon(0.005));
+    CHECK(share(8.0) == doctest::Approx(1.0).epsilon(0.005));  // in front
+    CHECK(share(12.5) == doctest::Approx(1.0).epsilon(0.005)); // on the side that the light is on
 }
