@@ -64,6 +64,7 @@ struct Overlays {
     bool scale_bar = true;
     bool orientation_letters = false; // R L A P S I at the edges, as in radiology
     std::string caption;              // Latin-1, at the top left; empty: none
+    std::string heading;              // Latin-1, in the middle at the top; empty: none
     Legend legend;
     int inset_left = 0, inset_top = 0, inset_right = 0, inset_bottom = 0;
     bool operator==(const Overlays&) const = default;
@@ -83,8 +84,10 @@ struct Frame {
     std::vector<BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<glm::vec3> colours; // sRGB by branch id, for colour-by; branches beyond its end have Appearance::vessel
     std::shared_ptr<const Centerlines> centerlines; // of the surface's branches; null: none
-    float beyond_ends = 0.7075F;                    // how far the surface goes on beyond a free end, in radii there
-    ColourScale scale;                              // instead of colours
+    // Drawn over the vessels, as lines with rings of the radius; null: none. Hidden branches have none.
+    std::shared_ptr<const Centerlines> skeleton;
+    float beyond_ends = 0.7075F; // how far the surface goes on beyond a free end, in radii there
+    ColourScale scale;           // instead of colours
     Lesions lesions;
     std::vector<ContextMesh> context;
     Margins margins;            // instead of colours, scale

@@ -119,6 +119,15 @@ Image difference(const Image& actual, const Image& reference, int threshold) {
     return result;
 }
 
+void straighten(Image& image) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const int alpha = image.rgba[i + 3];
+        if (alpha == 0 || alpha == 255) continue;
+        for (std::size_t k = i; k < i + 3; ++k)
+            image.rgba[k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[k] * 255 + alpha / 2) / alpha));
+    }
+}
+
 Image reduced(const Image& image, int factor) {
     if (factor <= 1) return image;
     std::array<float, 256> light{};

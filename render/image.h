@@ -32,6 +32,9 @@ struct Image {
 // must be multiples of `factor`.
 [[nodiscard]] Image reduced(const Image& image, int factor);
 
+// From premultiplied alpha.
+void straighten(Image& image);
+
 // Any PNG (grey, palette, 16 bit, ...) as 8-bit RGBA.
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> encode_png(const Image& image);

@@ -227,6 +227,13 @@ std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& fo
         below_caption += margin + caption.height;
         sprites.push_back({std::move(caption), {o.inset_left + margin, o.inset_top + margin}});
     }
+    if (!o.heading.empty()) {
+        Image heading = paint_caption(o.heading, 0.9 * ratio, free.x - 2 * margin, font);
+        const int top = o.caption.empty() ? o.inset_top + margin / 2 : below_caption + margin / 2;
+        below_caption = top + heading.height;
+        const int left = o.inset_left + (free.x - heading.width) / 2;
+        sprites.push_back({std::move(heading), {left, top}});
+    }
     if (o.orientation_letters) {
         const CameraAxes axes = axes_of(frame.camera);
         const auto letters = [&](const glm::dvec3& direction, double x, double y) {

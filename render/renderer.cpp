@@ -30,6 +30,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes) {
 Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget) {
     return impl_->draw(frame, upload_budget);
 }
+unsigned Renderer::texture() const { return impl_->texture(); }
 Image Renderer::read_image() { return impl_->read_image(); }
 void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }
 BranchPicture Renderer::read_branches() { return impl_->read_branches(); }

@@ -77,6 +77,8 @@ public:
 
     // The current picture. Straight alpha when the background is transparent.
     [[nodiscard]] Image read_image();
+    // The same as a texture: sRGB, premultiplied, rows from below. It is another one after a draw() of another size.
+    [[nodiscard]] unsigned texture() const;
     // What every pixel of the current picture shows, as pick() sees it; waits for the GPU.
     [[nodiscard]] BranchPicture read_branches();
     // Copies the current picture into `framebuffer` (0 = the window's), its lower left corner at (x, y) in GL's sense.

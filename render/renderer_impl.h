@@ -8,6 +8,7 @@
 #include "render/gpu_context.h"
 #include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
+#include "render/gpu_skeleton.h"
 #include "render/gpu_solids.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
@@ -49,6 +50,7 @@ public:
     Result<void> initialise();
     Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget);
     Image read_image() const;
+    [[nodiscard]] unsigned texture() const { return picture_; }
     void present(unsigned framebuffer, int x, int y) const;
     BranchPicture read_branches() const;
     Pick pick(double x, double y);
@@ -126,7 +128,9 @@ private:
     // The part of the picture that branches marked in `changed` can be seen in, or more.
     void find_region(const Frame& frame, const PagedMesh& mesh, const std::vector<std::uint8_t>& changed);
     Result<void> shade(const Frame& frame, const GpuMesh* mesh, Extent extent);
-    void draw_overlays(const Frame& frame);
+    void draw_overlays(const Frame& frame, const std::vector<Layer>& layers);
+    void draw_skeleton(const Frame& frame, const std::vector<Layer>& layers);
+    void send_cast_depths() const;
     void draw_marks(const Frame& frame);
 
     enum class Pixels { kAll, kCovered };
@@ -136,7 +140,7 @@ private:
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
     Program geometry_, border_, cone_, pane_, border_pane_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
-        background_, enlarge_, overlay_, mark_, context_, context_pane_, context_lines_;
+        background_, enlarge_, overlay_, mark_, context_, context_pane_, context_lines_, skeleton_line_, skeleton_ring_;
     std::map<unsigned, Program> shade_;                 // by variant, made when needed
     std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
     glm::ivec2 region_at_{0}, region_size_{0};          // that is shaded, of `inner_`, in GL's sense of y
@@ -180,6 +184,7 @@ private:
     GpuMesh mesh_, preview_;
     const GpuMesh no_mesh_;
     GpuLines lines_;
+    GpuSkeleton skeleton_;
     GpuSolids solids_;
     GpuContext context_meshes_;
     const GpuMesh* drawn_ = nullptr; // the one of the last picture; null: nothing

@@ -6,11 +6,12 @@
 
 namespace ramus::render {
 
-void Renderer::Impl::draw_overlays(const Frame& frame) {
+void Renderer::Impl::draw_overlays(const Frame& frame, const std::vector<Layer>& layers) {
     glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
     glViewport(0, 0, size_.x, size_.y);
     if (cast_) {
         glTextureSubImage2D(picture_, 0, 0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, caster_.rgba());
+        if (frame.skeleton) send_cast_depths();
     } else if (inner_ == size_) {
         // Only what was shaded: the rest has its overlays already.
         const glm::ivec2 end = region_at_ + region_size_;
@@ -23,6 +24,7 @@ void Renderer::Impl::draw_overlays(const Frame& frame) {
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    draw_skeleton(frame, layers);
     draw_marks(frame);
     glEnable(GL_SCISSOR_TEST);
     // Painting takes longer than shading: pointing at things paints nothing anew.

@@ -139,6 +139,7 @@ void Renderer::Impl::let_go() {
     mesh_ = {};
     preview_ = {};
     lines_ = {};
+    skeleton_ = {};
     solids_ = {};
     context_meshes_ = {};
     pane_heads_ = {};
@@ -220,7 +221,7 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
         return tl::unexpected(shaded.error());
     }
     note_gl_errors("shading");
-    draw_overlays(frame);
+    draw_overlays(frame, layers);
     note_gl_errors("the overlays");
     done.shaded = true;
     restore_state();
@@ -239,12 +240,7 @@ Image Renderer::Impl::read_image() const {
                       upside_down.rgba.data());
     const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
     for (int y = 0; y < size_.y; ++y) std::copy_n(upside_down.pixel(0, size_.y - 1 - y), row, image.pixel(0, y));
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        const int alpha = image.rgba[i + 3];
-        if (alpha == 0 || alpha == 255) continue;
-        for (std::size_t k = i; k < i + 3; ++k)
-            image.rgba[k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[k] * 255 + alpha / 2) / alpha));
-    }
+    straighten(image);
     return image;
 }
 

@@ -85,7 +85,7 @@ unsigned Renderer::Impl::send_records(const Frame& frame, const GpuMesh* mesh, E
 // By the bounds of the pages that have triangles of them: there are some hundred, each in one place. Lines reach beyond
 // pages, and a picture that is enlarged has no pixels of its own: they are drawn as a whole.
 void Renderer::Impl::find_region(const Frame& frame, const PagedMesh& mesh, const std::vector<std::uint8_t>& changed) {
-    if (has_glass_ || !frame.lines.empty() || inner_ != size_) return;
+    if (has_glass_ || !frame.lines.empty() || frame.skeleton || inner_ != size_) return;
     const Projector project(frame.camera, frame.size);
     glm::dvec2 lower(frame.size), upper(0.0);
     for (const auto& page : mesh.triangle_pages()) {

@@ -1,0 +1,86 @@
+#include "render/blend.h"
+
+#include "render/captions.h"
+
+#include <algorithm>
+
+namespace ramus::render {
+
+Result<Blend> Blend::create() {
+    Blend blend;
+    for (auto [program, fragment] : {std::pair{&blend.mix_, "blend.frag"}, {&blend.overlay_, "overlay.frag"}}) {
+        auto made = make_program("fullscreen.vert", fragment);
+        if (!made) return tl::unexpected(made.error());
+        *program = std::move(*made);
+    }
+    blend.no_vertices_ = make_vertex_array();
+    return blend;
+}
+
+void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size, const std::string& heading, int top,
+                 double pixel_ratio) {
+    if (size != size_) {
+        size_ = glm::ivec2(0);
+        picture_ = make_texture(GL_RGBA8, size.x, size.y);
+        target_ = make_framebuffer({picture_});
+        size_ = size;
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_);
+    glViewport(0, 0, size.x, size.y);
+    glBindVertexArray(no_vertices_);
+    glUseProgram(mix_);
+    glUniform2f(0, static_cast<float>(share), 0.0F);
+    glBindTextureUnit(0, first);
+    glBindTextureUnit(1, second);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (!heading.empty()) {
+        const Image image = paint_caption(heading, pixel_ratio, size.x, default_font());
+        const glm::ivec2 at((size.x - image.width) / 2, size.y - top - image.height);
+        const Texture sprite = make_texture(GL_RGBA8, image.width, image.height);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glTextureSubImage2D(sprite, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+        glEnable(GL_BLEND);
+        glBlendEquation(GL_FUNC_ADD);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(at.x, at.y, image.width, image.height);
+        glBindTextureUnit(0, sprite);
+        glProgramUniform2i(overlay_, 0, at.x, at.y);
+        glUseProgram(overlay_);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glDisable(GL_SCISSOR_TEST);
+        glDisable(GL_BLEND);
+    }
+    glBindTextureUnit(0, 0);
+    glBindTextureUnit(1, 0);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Image Blend::read_image() const {
+    Image image(size_.x, size_.y), upside_down(size_.x, size_.y);
+    if (size_.x == 0) return image;
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTextureImage(picture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
+                      upside_down.rgba.data());
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
+    for (int y = 0; y < size_.y; ++y) std::copy_n(upside_down.pixel(0, size_.y - 1 - y), row, image.pixel(0, y));
+    straighten(image);
+    return image;
+}
+
+void Blend::present(unsigned framebuffer, int x, int y) const {
+    if (size_.x == 0) return;
+    glDisable(GL_SCISSOR_TEST);
+    glBlitNamedFramebuffer(target_, framebuffer, 0, 0, size_.x, size_.y, x, y, x + size_.x, y + size_.y,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+}
+
+} // namespace ramus::render

@@ -1,0 +1,57 @@
+// GpuSkeleton: centerlines with rings of the local radius on the graphics card, sent once for each that comes. Rings
+// stand across the vessel, evenly along every branch, far enough apart not to crowd; which of them are large enough in
+// a picture to be seen is found anew for each.
+#pragma once
+
+#include "render/camera.h"
+#include "render/centerlines.h"
+#include "render/gl_objects.h"
+#include "render/layer.h"
+
+#include <memory>
+#include <vector>
+
+namespace ramus::render {
+
+// A circle around a vessel.
+struct SkeletonRing {
+    glm::vec3 centre{0.0F}; // mm, relative to the lines' origin
+    float radius_mm = 0.0F;
+    glm::vec3 axis{0.0F, 0.0F, 1.0F}; // of unit length
+    std::int32_t branch = -1;
+};
+
+// Evenly along each branch, at a distance of kRingSpacing of its mean radii or more; one in the middle of a branch that
+// is shorter than that, none on one that is shorter than a radius. By branch, ascending.
+inline constexpr double kRingSpacing = 2.0;
+[[nodiscard]] std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines);
+
+class GpuSkeleton {
+public:
+    void follow(const std::shared_ptr<const Centerlines>& lines);
+    [[nodiscard]] const Centerlines* shown() const { return shown_.get(); } // null: nothing
+
+    [[nodiscard]] GLuint points() const { return point_texture_; }    // RGBA32F: position, radius in mm
+    [[nodiscard]] GLuint branches() const { return branch_texture_; } // R32UI, of the same points
+    [[nodiscard]] GLuint rings() const { return ring_texture_; }      // RGBA32F: centre, radius; axis
+
+    // Draws six corners a segment, without attributes, of branches that are not in Layer::kNone.
+    void draw_lines(const std::vector<Layer>& layers) const;
+    // The rings that can be seen, by how many corners they need: indices into rings().
+    struct Seen {
+        std::vector<std::uint32_t> small, large;
+    };
+    [[nodiscard]] Seen seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const;
+
+private:
+    std::shared_ptr<const Centerlines> shown_;
+    std::vector<SkeletonRing> all_;
+    Buffer point_buffer_, branch_buffer_, ring_buffer_;
+    Texture point_texture_, branch_texture_, ring_texture_;
+};
+
+// Of a ring in a picture: below the least its radius in pixels is too small to be told from the line.
+inline constexpr double kLeastRingPixels = 3.5, kLargeRingPixels = 16.0;
+inline constexpr int kSmallRingSteps = 20, kLargeRingSteps = 72;
+
+} // namespace ramus::render
