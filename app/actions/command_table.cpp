@@ -28,6 +28,7 @@ std::vector<Command> make_table() {
              camera_commands,    //
              travel_commands,    //
              depth_commands,     //
+             compare_commands,   //
              overview_commands,  //
              colour_commands,    //
              surface_commands,   //
@@ -92,6 +93,7 @@ Result<void> Host::open(const std::filesystem::path&) {
 Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
 Result<void> Host::ask_for_lesion_mesh() { return fail("lesion-mesh needs a FILE here", {}, ".stl, .ply or .obj"); }
 Result<void> Host::ask_for_context() { return fail("context needs a FILE here", {}, ".nii, .stl, .ply or .obj"); }
+Result<void> Host::ask_for_mask() { return fail("compare-mask needs a FILE here", {}, ".nii or .nii.gz"); }
 Result<void> Host::ask_for_name() { return fail("save-as needs a window", {}, "save FILE"); }
 Result<void> Host::copy_text(const std::string&) { return fail("there is no clipboard without a window"); }
 Result<std::string> Host::pasted_text() { return fail("there is no clipboard without a window"); }

@@ -30,7 +30,8 @@ public:
     Host& operator=(const Host&) = delete;
     virtual ~Host() = default;
 
-    [[nodiscard]] virtual glm::ivec2 picture_size() const = 0; // pixels
+    // Pixels; of pictures with several panes, of one of them.
+    [[nodiscard]] virtual glm::ivec2 picture_size() const = 0;
     // What the picture shows; null: nothing.
     [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;
     // What the picture of the document as it is now shows in each pixel.
@@ -50,6 +51,7 @@ public:
     // Whether this surface (app/session/context_shapes.h) is about to be read by somebody else, who then runs `context`
     // with these arguments again.
     virtual bool reads_context(const ContextItem&, std::span<const std::string>) { return false; }
+    virtual Result<void> ask_for_mask();
     // Whether a command may take its time: nobody waits for the next picture.
     [[nodiscard]] virtual bool unhurried() const { return true; }
     // Whether this mesh is about to be read by somebody else, who runs the command again once it is.

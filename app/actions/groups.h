@@ -19,6 +19,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> camera_commands();
 [[nodiscard]] std::vector<Command> colour_commands();
 [[nodiscard]] std::vector<Command> depth_commands();
+[[nodiscard]] std::vector<Command> compare_commands();
 [[nodiscard]] std::vector<Command> glass_commands();
 [[nodiscard]] std::vector<Command> surface_commands();
 [[nodiscard]] std::vector<Command> tool_commands();

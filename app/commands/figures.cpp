@@ -98,13 +98,51 @@ void dress(render::Frame& frame, const FigureFlags& flags) {
     if (!wanted("legend")) frame.overlays.legend = {};
 }
 
-Result<render::Image> draw_figure(render::Renderer& renderer, render::Frame frame, const FigureFlags& flags) {
+void dress(render::Sheet& sheet, const FigureFlags& flags) {
+    for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
+        render::Overlays& overlays = sheet.panes[i].frame.overlays;
+        const render::Overlays shared = overlays; // what panes beside each other have once, they have once
+        dress(sheet.panes[i].frame, flags);
+        if (sheet.panes.size() == 1 || sheet.blend) continue;
+        overlays.orientation_cube &= i + 1 == sheet.panes.size();
+        overlays.scale_bar &= i == 0;
+        if (i > 0) overlays.caption = shared.caption;
+    }
+}
+
+namespace {
+
+Result<void> check_enlarged(glm::ivec2 size, const FigureFlags& flags) {
+    auto fits = render::check_size(size.x, size.y);
+    if (!fits && flags.supersample > 1) fits.error().hint += "; or a smaller --supersample";
+    return fits;
+}
+
+void enlarge(render::Frame& frame, const FigureFlags& flags) {
     frame.size *= flags.supersample;
     frame.pixel_ratio *= static_cast<float>(flags.supersample);
-    if (auto fits = render::check_size(frame.size.x, frame.size.y); !fits) {
-        if (flags.supersample > 1) fits.error().hint += "; or a smaller --supersample";
-        return tl::unexpected(fits.error());
+    for (int* inset : {&frame.overlays.inset_left, &frame.overlays.inset_top, &frame.overlays.inset_right,
+                       &frame.overlays.inset_bottom})
+        *inset *= flags.supersample;
+}
+
+} // namespace
+
+Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureFlags& flags) {
+    sheet.size *= flags.supersample;
+    sheet.heading_top *= flags.supersample;
+    for (render::Sheet::Pane& pane : sheet.panes) {
+        pane.at *= flags.supersample;
+        enlarge(pane.frame, flags);
     }
+    if (auto fits = check_enlarged(sheet.size, flags); !fits) return tl::unexpected(fits.error());
+    if (const auto drawn = renderer.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    return render::reduced(renderer.read_image(), flags.supersample);
+}
+
+Result<render::Image> draw_figure(render::Renderer& renderer, render::Frame frame, const FigureFlags& flags) {
+    enlarge(frame, flags);
+    if (auto fits = check_enlarged(frame.size, flags); !fits) return tl::unexpected(fits.error());
     if (const auto drawn = renderer.draw(frame); !drawn) return tl::unexpected(drawn.error());
     return render::reduced(renderer.read_image(), flags.supersample);
 }

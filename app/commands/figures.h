@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "render/renderer.h"
+#include "render/sheet.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -28,6 +28,11 @@ void dress(render::Frame& frame, const FigureFlags& flags);
 
 // The picture, drawn `supersample` times as large and reduced. Fails where that is too large.
 [[nodiscard]] Result<render::Image> draw_figure(render::Renderer& renderer, render::Frame frame,
+                                                const FigureFlags& flags);
+
+// The same of a sheet.
+void dress(render::Sheet& sheet, const FigureFlags& flags);
+[[nodiscard]] Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
                                                 const FigureFlags& flags);
 
 // Four views in the size of the frame: anterior, left, posterior, superior; all at one scale.

@@ -3,45 +3,28 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_volume.h"
 #include "app/commands/progress_bar.h"
+#include "app/session/comparison.h"
 #include "core/base/stopwatch.h"
 #include "core/io/mesh_writer.h"
 #include "core/measure/mesh_components.h"
 #include "core/volume/isosurface.h"
 
-#include <charconv>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace ramus::app {
 
-namespace {
-
-std::optional<std::vector<std::int32_t>> labels_in(const std::string& list) {
-    std::vector<std::int32_t> labels;
-    for (const std::string& word : CLI::detail::split(list, ',')) {
-        std::int32_t label = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
-        if (error != std::errc() || end != word.data() + word.size() || label == 0) return std::nullopt;
-        labels.push_back(label);
-    }
-    if (labels.empty()) return std::nullopt;
-    return labels;
-}
-
-} // namespace
-
 void add_mask_flags(CLI::App& command, MaskFlags& flags) {
     CLI::Option* label =
         command
             .add_option_function<std::string>(
-                "--label", [&flags](const std::string& list) { flags.selection.labels = *labels_in(list); },
+                "--label", [&flags](const std::string& list) { flags.selection.labels = *label_list(list); },
                 "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
             ->type_name("N[,N...]")
             ->check(CLI::Validator(
                 [](std::string& list) -> std::string {
-                    return labels_in(list) ? "" : list + " is not a list of whole numbers other than 0";
+                    return label_list(list) ? "" : list + " is not a list of whole numbers other than 0";
                 },
                 ""));
     command

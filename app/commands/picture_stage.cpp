@@ -27,14 +27,52 @@ Result<void> PictureStage::make_surface() {
 
 Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
+    if (auto read = read_context_meshes(); !read) return tl::unexpected(read.error());
+    Viewing viewing = viewing_;
+    viewing.size = picture_size();
+    return compose(document_, surface_.mesh, viewing);
+}
+
+Result<void> PictureStage::read_context_meshes() {
     Job job;
     auto read = [&] {
         const CancelOnInterrupt cancel(job);
         return read_context(document_.marks().context, job);
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!read) return tl::unexpected(read.error());
-    return compose(document_, surface_.mesh, viewing_);
+    return read;
+}
+
+Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
+    request.surface.options.threads = flags_.surface.threads;
+    for (const ComparedSurface& one : compared_)
+        if (one.request == request) return {};
+    Job job;
+    auto made = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar(request.kind == SurfaceKind::kIso ? "isosurface" : "surface", job);
+        return make_compared(*document_.tree(), request, job);
+    }();
+    if (job.cancelled()) return fail("cancelled; nothing was written");
+    if (!made) return tl::unexpected(made.error());
+    for (const std::string& note : made->notes) say(request.mask + ": " + note);
+    say(title_of(request.kind, document_.marks().comparison) + ": " +
+        counted(made->lines ? made->lines->triangles.size() : made->mesh->triangle_count(), "triangle", "triangles"));
+    std::erase_if(compared_, [&](const ComparedSurface& one) { return one.request.same_place(request); });
+    compared_.push_back(std::move(*made));
+    return {};
+}
+
+Result<render::Sheet> PictureStage::sheet() {
+    if (auto made = make_surface(); !made) return tl::unexpected(made.error());
+    if (auto read = read_context_meshes(); !read) return tl::unexpected(read.error());
+    const Marks& marks = document_.marks();
+    ShownSurfaces surfaces;
+    for (const ComparedRequest& request : compared_requests(marks))
+        if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
+    for (const ComparedSurface& one : compared_) surfaces.take(one);
+    surfaces.of(kind_of(marks.options.method)) = surface_.mesh;
+    return compose_sheet(document_, surfaces, viewing_);
 }
 
 Result<render::BranchPicture> PictureStage::branch_picture() {
@@ -45,10 +83,10 @@ Result<render::BranchPicture> PictureStage::branch_picture() {
 }
 
 Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
-    const auto wanted = frame();
+    const auto wanted = sheet();
     if (!wanted) return tl::unexpected(wanted.error());
-    if (const auto drawn = renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
-    return render::write_png(renderer_->read_image(), path);
+    if (const auto drawn = sheet_renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    return render::write_png(sheet_renderer_->read_image(), path);
 }
 
 Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size) {

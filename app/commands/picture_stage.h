@@ -4,9 +4,12 @@
 
 #include "app/actions/command_table.h"
 #include "app/commands/surface_flags.h"
-#include "app/picture/compose.h"
+#include "app/picture/compose_sheet.h"
 #include "app/workspace/surface_maker.h"
-#include "render/renderer.h"
+#include "render/sheet.h"
+
+#include <memory>
+#include <vector>
 
 namespace ramus::app {
 
@@ -17,12 +20,20 @@ public:
 
     // Computes the surface of the session's options, without its hidden branches, unless it is there already.
     Result<void> make_surface();
-    void draw_with(render::Renderer& renderer) { renderer_ = &renderer; }
-    [[nodiscard]] Result<render::Frame> frame();
+    void draw_with(render::Renderer& renderer) {
+        renderer_ = &renderer;
+        sheet_renderer_ = std::make_unique<render::SheetRenderer>(renderer);
+    }
+    [[nodiscard]] Result<render::Frame> frame(); // of the session's own surface
+    // With all that it is compared with, computed when it is not there already.
+    [[nodiscard]] Result<render::Sheet> sheet();
+    [[nodiscard]] render::SheetRenderer& sheet_renderer() { return *sheet_renderer_; }
     [[nodiscard]] const ReadySurface& surface() const { return surface_; }
 
     // Host
-    [[nodiscard]] glm::ivec2 picture_size() const override { return viewing_.size; }
+    [[nodiscard]] glm::ivec2 picture_size() const override {
+        return panes_of(document_.marks(), viewing_.size, viewing_.pixel_ratio).front().size;
+    }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
@@ -34,7 +45,11 @@ private:
     const SurfaceFlags& flags_;
     Viewing viewing_;
     render::Renderer* renderer_ = nullptr;
+    std::unique_ptr<render::SheetRenderer> sheet_renderer_;
     ReadySurface surface_;
+    std::vector<ComparedSurface> compared_; // one a kind
+    Result<void> read_context_meshes();
+    Result<void> make_compared_surface(ComparedRequest request);
 };
 
 } // namespace ramus::app

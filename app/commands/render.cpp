@@ -1,6 +1,7 @@
 #include "app/commands/render.h"
 
 #include "app/actions/script.h"
+#include "app/commands/comparison_flags.h"
 #include "app/commands/figures.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
@@ -44,6 +45,7 @@ struct RenderFlags {
     render::Backend backend = render::Backend::kOsMesa;
     int device = -1; // of EGL's; -1: the best
     FigureFlags figure;
+    ComparisonFlags comparison;
 };
 
 Result<render::Camera> read_camera(const std::string& text) {
@@ -86,6 +88,7 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
     auto opened = open_session(flags.file.string(), flags.session, flags.common);
     if (!opened) return tl::unexpected(opened.error());
+    apply(flags.comparison, opened->session.marks);
     document.open(std::move(opened->tree), std::move(opened->session));
     return opened->has_camera;
 }
@@ -160,7 +163,8 @@ Result<int> run_render(const RenderFlags& flags) {
     PictureStage stage(document, flags.common, viewing);
     if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
     if (!camera && (!*has_camera || flags.view_given))
-        camera = render::camera_for(stage.surface().mesh->positions(), flags.view, viewing.size, flags.orthographic);
+        camera =
+            render::camera_for(stage.surface().mesh->positions(), flags.view, stage.picture_size(), flags.orthographic);
     if (camera) document.set_camera(*camera);
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 
@@ -178,6 +182,11 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!flags.interface)
         if (auto ran = run(here); !ran) return tl::unexpected(ran.error());
 
+    const FigureFlags& figure = flags.figure;
+    if (document.marks().comparison.mode != Comparison::Mode::kOff &&
+        (figure.turntable > 0 || figure.sheet || flags.benchmark > 0))
+        return fail("a comparison is one picture", {},
+                    "leave out --turntable, --sheet and --benchmark, or `compare off`");
     auto frame = stage.frame();
     if (!frame) return tl::unexpected(frame.error());
     dress(*frame, flags.figure);
@@ -191,15 +200,19 @@ Result<int> run_render(const RenderFlags& flags) {
         if (flags.json) std::cout << report.dump(2) << '\n';
         return kDone;
     }
+    auto sheet = stage.sheet();
+    if (!sheet) return tl::unexpected(sheet.error());
+    dress(*sheet, flags.figure);
     const Stopwatch watch;
-    const auto done = (*renderer)->draw(*frame);
+    render::SheetRenderer& sheets = stage.sheet_renderer();
+    const auto done = sheets.draw(*sheet);
     if (!done) return tl::unexpected(done.error());
-    (void)(*renderer)->pick(0.0, 0.0); // waits until it is there
+    (void)sheets.pick({0.0, 0.0}); // waits until it is there
     const double draw_seconds = watch.seconds();
     // A plain picture is the one that is there: drawing an equal frame again draws nothing.
     auto image = flags.interface      ? draw_interface(flags, document, stage, **renderer, run)
                  : flags.figure.sheet ? draw_sheet(**renderer, *frame, flags.figure)
-                                      : draw_figure(**renderer, *frame, flags.figure);
+                                      : draw_figure(sheets, *sheet, flags.figure);
     if (!image) return tl::unexpected(image.error());
 
     nlohmann::json report{
@@ -287,9 +300,10 @@ void register_render(CLI::App& app, Action& chosen) {
                               ->type_name("N")
                               ->check(CLI::Range(0, 63).description(""));
     add_figure_flags(*command, flags->figure);
+    add_comparison_flags(*command, flags->comparison);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
-    command->callback([flags, view, device, &chosen] {
+    command->callback([flags, command, view, device, &chosen] {
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
         flags->view_given = view->count() > 0;
         if (device->count() > 0 && flags->backend != render::Backend::kEgl)
@@ -297,6 +311,9 @@ void register_render(CLI::App& app, Action& chosen) {
         if (flags->figure.turntable > 0 && flags->output.empty()) throw CLI::RequiredError("-o");
         if (flags->figure.turntable > 0 && (flags->interface || !flags->reference.empty() || flags->benchmark > 0))
             throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
+        check_comparison_flags(*command, flags->comparison);
+        if (flags->comparison.mode && (flags->figure.turntable > 0 || flags->figure.sheet || flags->benchmark > 0))
+            throw CLI::ValidationError("--compare", "cannot be combined with --turntable, --sheet or --benchmark");
         if (flags->figure.sheet && flags->interface)
             throw CLI::ValidationError("--sheet", "cannot be combined with --ui");
         const bool other_result = flags->benchmark > 0 || !flags->commands.empty();

@@ -2,15 +2,12 @@
 
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
-#include "app/commands/load_volume.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/progress_bar.h"
 #include "app/commands/surface_flags.h"
 #include "app/session/numbers.h"
-#include "app/workspace/surface_maker.h"
+#include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
-#include "core/volume/isosurface.h"
-#include "core/volume/voxelise.h"
 #include "render/headless_context.h"
 #include "render/renderer.h"
 
@@ -56,50 +53,27 @@ struct Surfaces {
     double voxel_mm = 0.0; // of a mask that was made; 0: it was given
 };
 
-Result<mesh::TriangleMesh> isosurface_of(const StudyFlags& flags, const tree::VesselTree& tree, double& voxel_mm) {
-    const volume::IsosurfaceOptions options{static_cast<double>(flags.common.surface.memory_bytes),
-                                            flags.common.surface.threads};
-    Job job;
-    const CancelOnInterrupt cancel(job);
-    const ProgressBar bar("isosurface", job);
-    if (!flags.mask.empty()) {
-        auto read = load_volume(flags.mask, flags.common);
-        if (!read) return tl::unexpected(read.error());
-        auto made = volume::isosurface(std::move(*read), {}, options, job);
-        if (!made && made.error().where.empty()) made.error().where = flags.mask;
-        return made;
-    }
-    voxel_mm = flags.voxel_mm > 0.0 ? flags.voxel_mm : volume::sensible_voxel_mm(tree);
-    const auto voxels = volume::voxelised(tree, voxel_mm, options.memory_bytes);
-    if (!voxels) return tl::unexpected(voxels.error());
-    return volume::mask_surface(voxels->mask, voxels->to_patient, options, job);
-}
-
 Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& tree) {
     Surfaces made;
-    auto iso = isosurface_of(flags, tree, made.voxel_mm);
-    if (!iso) return tl::unexpected(iso.error());
-    iso->branches.resize(iso->positions.size());
-    iso->radii.resize(iso->positions.size());
-    std::ranges::fill(iso->branches, 0); // a mask knows none: all are the first
-    std::ranges::fill(iso->radii, 0.0F);
-    made.all[0] = {"isosurface", "Isosurface of the mask", paged(*iso, tree)};
-    const auto with = [&](mesh::Method method) -> Result<Paged> {
-        SurfaceRequest request;
-        request.options = flags.common.surface;
-        request.options.method = method;
+    std::size_t place = 0;
+    for (const auto& [kind, name] : {std::pair{SurfaceKind::kIso, "isosurface"},
+                                     {SurfaceKind::kCones, "cones"},
+                                     {SurfaceKind::kConvolution, "convolution"}}) {
+        Marks marks;
+        marks.options = flags.common.surface;
+        marks.comparison.mask = flags.mask;
+        ComparedRequest request = compared_request(marks, kind);
+        request.voxel_mm = flags.voxel_mm;
         Job job;
         const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        const auto ready = make_ready(tree, request, job);
-        if (!ready) return tl::unexpected(ready.error());
-        return ready->mesh;
-    };
-    auto cones = with(mesh::Method::kTruncatedCones), smooth = with(mesh::Method::kConvolutionSurface);
-    if (!cones) return tl::unexpected(cones.error());
-    if (!smooth) return tl::unexpected(smooth.error());
-    made.all[1] = {"cones", "Truncated cones", *cones};
-    made.all[2] = {"convolution", "Convolution surface", *smooth};
+        const ProgressBar bar(kind == SurfaceKind::kIso ? "isosurface" : "surface", job);
+        const auto surface = make_compared(tree, request, job);
+        if (!surface) return tl::unexpected(surface.error());
+        for (const std::string& note : surface->notes) say(flags.common, flags.mask + ": " + note);
+        if (kind == SurfaceKind::kIso) made.voxel_mm = surface->voxel_mm;
+        const std::string title = kind == SurfaceKind::kIso ? "Isosurface of the mask" : title_of(kind, {});
+        made.all[place++] = {name, title, surface->mesh};
+    }
     return made;
 }
 

@@ -16,6 +16,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ramus::app {
 
@@ -27,6 +28,9 @@ struct Layout {
     int panel_width = 0;                 // 0 when it is closed
     int overview_height = 0;             // likewise; it lies under the picture
     glm::ivec2 view_at{0}, view_size{1}; // the picture
+    // Its panes: their corners in the picture, and the size of each. One, nearly always.
+    std::vector<glm::ivec2> panes_at{glm::ivec2(0)};
+    glm::ivec2 pane_size{1};
 };
 // How high and wide these want to be; `overview_points` 0: closed.
 [[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F,
@@ -79,6 +83,7 @@ struct Interface {
     Fly fly;
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
+    std::optional<double> tried_blend;                     // likewise
     Overview overview;
     PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
@@ -116,6 +121,7 @@ void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
 void draw_context(InterfaceContext& context);
+void draw_compare(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);

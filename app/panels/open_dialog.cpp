@@ -7,6 +7,7 @@
 #include "app/storage/places.h"
 #include "app/storage/recent_files.h"
 #include "app/window/theme.h"
+#include "core/volume/read_volume.h"
 
 #include <algorithm>
 #include <cctype>
@@ -31,6 +32,7 @@ bool ends_in(const fs::path& path, std::initializer_list<std::string_view> endin
 } // namespace
 
 bool can_be_opened(const fs::path& path) { return ends_in(path, {".swc", ".json"}); }
+bool can_be_mask(const fs::path& path) { return volume::names_volume(path); }
 bool can_be_lesion_mesh(const fs::path& path) { return ends_in(path, {".stl", ".ply", ".obj"}); }
 
 void OpenDialog::show(const fs::path& start) {
@@ -92,6 +94,7 @@ namespace {
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
     const bool known = dialog.purpose == OpenDialog::Purpose::kLesionMesh ? can_be_lesion_mesh(entry.name)
                        : dialog.purpose == OpenDialog::Purpose::kContext  ? can_be_context(entry.name)
+                       : dialog.purpose == OpenDialog::Purpose::kMask     ? can_be_mask(entry.name)
                                                                           : can_be_opened(entry.name);
     if (!entry.folder && !dialog.every_file && !known) return false;
     const std::string_view wanted = dialog.filter.data();
@@ -180,6 +183,8 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
                                      "show all files."
                                : dialog.purpose == OpenDialog::Purpose::kLesionMesh
                                    ? "No STL, PLY or OBJ files here. Choose another folder, or show all files."
+                               : dialog.purpose == OpenDialog::Purpose::kMask
+                                   ? "No NIfTI files here. Choose another folder, or show all files."
                                    : "No SWC or JSON files here. Choose another folder, or show all files.");
     ImGui::EndChild();
     return chosen;
@@ -232,14 +237,17 @@ void draw_open_dialog(InterfaceContext& context) {
     const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
     const bool lesion = dialog.purpose == OpenDialog::Purpose::kLesionMesh;
     const bool beside = dialog.purpose == OpenDialog::Purpose::kContext;
+    const bool mask = dialog.purpose == OpenDialog::Purpose::kMask;
     widgets::heading(saving   ? "Save the session"
                      : lesion ? "Choose the mesh of a lesion"
                      : beside ? "Choose a mask or a mesh to show beside the tree"
+                     : mask   ? "Choose a mask of the same vessels"
                               : "Open a vessel tree or a session");
     ImGui::Dummy({0.0F, 2.0F * scale});
 
     const float places_width = 190.0F * scale;
-    if (const fs::path place = draw_places(places_width, !saving && !lesion && !beside); !place.empty()) chosen = place;
+    const bool trees = !saving && !lesion && !beside && !mask;
+    if (const fs::path place = draw_places(places_width, trees); !place.empty()) chosen = place;
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
     const float up_width = 44.0F * scale;
@@ -293,7 +301,11 @@ void draw_open_dialog(InterfaceContext& context) {
         dialog.enter(chosen);
     else if (!chosen.empty() && !saving) {
         dialog.open = false;
-        context.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {chosen.string()});
+        context.perform(lesion   ? "lesion-mesh"
+                        : beside ? "context"
+                        : mask   ? "compare-mask"
+                                 : "open",
+                        {chosen.string()});
     }
     if (!target.empty()) {
         dialog.open = false;

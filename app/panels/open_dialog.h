@@ -16,7 +16,7 @@ struct OpenDialog {
         bool folder = false;
         std::uintmax_t bytes = 0;
     };
-    enum class Purpose { kOpen, kSave, kLesionMesh, kContext };
+    enum class Purpose { kOpen, kSave, kLesionMesh, kContext, kMask };
     Purpose purpose = Purpose::kOpen;
     bool open = false;
     bool every_file = false; // not only those with a known ending
@@ -39,5 +39,6 @@ struct OpenDialog {
 // By the ending of its name, in capitals or not.
 [[nodiscard]] bool can_be_opened(const std::filesystem::path& path); // a tree or a session
 [[nodiscard]] bool can_be_lesion_mesh(const std::filesystem::path& path);
+[[nodiscard]] bool can_be_mask(const std::filesystem::path& path);
 
 } // namespace ramus::app

@@ -221,6 +221,7 @@ void draw_side_panel(InterfaceContext& context) {
             draw_surface(context);
             draw_glass(context);
             draw_context(context);
+            draw_compare(context);
             draw_selection(context);
             widgets::section("Branches");
             draw_branch_list(context);

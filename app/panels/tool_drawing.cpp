@@ -17,15 +17,15 @@ ImU32 shadow(const glm::vec4& colour) { return IM_COL32(0, 0, 0, static_cast<int
 
 class Painter {
 public:
-    Painter(ImDrawList& list, const Layout& layout) : list_(list), layout_(layout) {}
+    Painter(ImDrawList& list, glm::ivec2 at, glm::ivec2 size) : list_(list), at_(at), size_(size) {}
 
     // Row by row: ImGui fills convex polygons only, and this is what the even-odd rule takes.
     void area(const ToolDrawing::Area& area) const {
         const PixelPolygon polygon(area.outline);
         const int first = std::max(0, static_cast<int>(std::floor(polygon.top())));
-        const int last = std::min(layout_.view_size.y, static_cast<int>(std::ceil(polygon.bottom())));
+        const int last = std::min(size_.y, static_cast<int>(std::ceil(polygon.bottom())));
         for (int row = first; row < last; ++row) {
-            const float y = static_cast<float>(layout_.view_at.y + row);
+            const float y = static_cast<float>(at_.y + row);
             for (const auto& [left, right] : polygon.spans(row + 0.5))
                 list_.AddRectFilled({place({left, 0.0}).x, y}, {place({right, 0.0}).x, y + 1.0F}, packed(area.colour));
         }
@@ -65,10 +65,10 @@ public:
 
 private:
     [[nodiscard]] ImVec2 place(glm::dvec2 pixel) const {
-        return {static_cast<float>(layout_.view_at.x + pixel.x), static_cast<float>(layout_.view_at.y + pixel.y)};
+        return {static_cast<float>(at_.x + pixel.x), static_cast<float>(at_.y + pixel.y)};
     }
     ImDrawList& list_;
-    const Layout& layout_;
+    glm::ivec2 at_, size_; // of the picture
 };
 
 } // namespace
@@ -77,15 +77,18 @@ void draw_tool_drawing(InterfaceContext& context) {
     const ToolDrawing& drawing = context.interface.tool_drawing;
     const Layout& layout = context.layout;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 from(static_cast<float>(layout.view_at.x), static_cast<float>(layout.view_at.y));
-    list.PushClipRect(
-        from, {from.x + static_cast<float>(layout.view_size.x), from.y + static_cast<float>(layout.view_size.y)});
-    const Painter painter(list, layout);
-    for (const auto& area : drawing.areas) painter.area(area);
-    for (const auto& line : drawing.lines) painter.line(line);
-    for (const auto& circle : drawing.circles) painter.circle(circle);
-    for (const auto& text : drawing.texts) painter.text(text);
-    list.PopClipRect();
+    // Panes are the same view of the same place: what is drawn in one shows in all.
+    for (const glm::ivec2& corner : layout.panes_at) {
+        const glm::ivec2 at = layout.view_at + corner, to = at + layout.pane_size;
+        list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
+                          {static_cast<float>(to.x), static_cast<float>(to.y)});
+        const Painter painter(list, at, layout.pane_size);
+        for (const auto& area : drawing.areas) painter.area(area);
+        for (const auto& line : drawing.lines) painter.line(line);
+        for (const auto& circle : drawing.circles) painter.circle(circle);
+        for (const auto& text : drawing.texts) painter.text(text);
+        list.PopClipRect();
+    }
 }
 
 } // namespace ramus::app

@@ -74,6 +74,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
     if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
     frame.centerlines = centerlines_of(tree, marks.options);
+    if (marks.skeleton) frame.skeleton = frame.centerlines;
     frame.beyond_ends = static_cast<float>(field::reach_beyond_end(marks.options.width));
     draw_cuts(frame, marks, plan);
     if (viewing.measurements) draw_measurements(frame, *viewing.measurements);

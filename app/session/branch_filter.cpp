@@ -36,16 +36,16 @@ constexpr std::pair<std::string_view, BranchProperty> kProperties[] = {
     {"named", BranchProperty::kNamed},
 };
 
-constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
-    {"<=", Comparison::kLessOrEqual},
-    {"<", Comparison::kLess},
-    {">=", Comparison::kGreaterOrEqual},
-    {">", Comparison::kGreater},
-    {"==", Comparison::kEqual},
-    {"!=", Comparison::kNotEqual},
-    {"\xE2\x89\xA4", Comparison::kLessOrEqual},
-    {"\xE2\x89\xA5", Comparison::kGreaterOrEqual},
-    {"=", Comparison::kEqual},
+constexpr std::pair<std::string_view, Relation> kComparisons[] = {
+    {"<=", Relation::kLessOrEqual},
+    {"<", Relation::kLess},
+    {">=", Relation::kGreaterOrEqual},
+    {">", Relation::kGreater},
+    {"==", Relation::kEqual},
+    {"!=", Relation::kNotEqual},
+    {"\xE2\x89\xA4", Relation::kLessOrEqual},
+    {"\xE2\x89\xA5", Relation::kGreaterOrEqual},
+    {"=", Relation::kEqual},
 };
 
 // ASCII; labels in other letters are found as they are written.
@@ -86,7 +86,7 @@ private:
     void skip_blanks() {
         while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == ',')) ++at_;
     }
-    std::optional<Comparison> take_comparison() {
+    std::optional<Relation> take_comparison() {
         for (const auto& [spelling, comparison] : kComparisons)
             if (text_.substr(at_).starts_with(spelling)) {
                 at_ += spelling.size();
@@ -127,7 +127,7 @@ private:
         return BranchCondition{.text = word};
     }
 
-    Result<BranchCondition> quantity_condition(const std::string& word, Comparison comparison) {
+    Result<BranchCondition> quantity_condition(const std::string& word, Relation comparison) {
         if (word.empty()) return fail("what shall be compared?", {}, "d, len, gen, strahler, deps, vol, dist or id");
         const auto quantity = named(kQuantities, word);
         if (!quantity) return fail("\"" + word + "\" is not known", {}, "d, len, gen, strahler, deps, vol, dist or id");
@@ -159,20 +159,20 @@ private:
 // Numbers are shown with three digits: what looks equal is.
 constexpr double kShownPrecision = 5e-4;
 
-bool holds(double value, Comparison comparison, double wanted, double precision) {
+bool holds(double value, Relation comparison, double wanted, double precision) {
     const bool equal = std::abs(value - wanted) <= precision * std::abs(wanted);
     switch (comparison) {
-    case Comparison::kLess:
+    case Relation::kLess:
         return value < wanted;
-    case Comparison::kLessOrEqual:
+    case Relation::kLessOrEqual:
         return value <= wanted || equal;
-    case Comparison::kGreater:
+    case Relation::kGreater:
         return value > wanted;
-    case Comparison::kGreaterOrEqual:
+    case Relation::kGreaterOrEqual:
         return value >= wanted || equal;
-    case Comparison::kEqual:
+    case Relation::kEqual:
         return equal;
-    case Comparison::kNotEqual:
+    case Relation::kNotEqual:
         return !equal;
     }
     return false;

@@ -21,14 +21,14 @@
 namespace ramus::app {
 
 enum class BranchQuantity { kId, kGeneration, kStrahler, kDiameter, kLength, kDependents, kVolume, kRootDistance };
-enum class Comparison { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
+enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
 enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
 
 struct BranchCondition {
     enum class Kind { kQuantity, kProperty, kText };
     Kind kind = Kind::kText;
     BranchQuantity quantity = BranchQuantity::kId;
-    Comparison comparison = Comparison::kEqual;
+    Relation comparison = Relation::kEqual;
     double value = 0.0;
     BranchProperty property = BranchProperty::kNormal;
     std::string text{}; // lower case

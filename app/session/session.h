@@ -8,6 +8,7 @@
 #pragma once
 
 #include "app/session/colour_maps.h"
+#include "app/session/comparison.h"
 #include "core/mesh/surface.h"
 #include "render/frame.h"
 
@@ -104,6 +105,8 @@ struct Marks {
     Planning planning;
     GlassLook glass;
     DepthCues depth_cues;
+    Comparison comparison;
+    bool skeleton = false; // centerlines and rings of the radius are drawn over the vessels
     mesh::SurfaceOptions options;
     bool operator==(const Marks&) const = default;
 };

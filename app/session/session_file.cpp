@@ -83,6 +83,7 @@ json options_json(const Marks& marks) {
     value["reconstruct"] = marks.planning.reconstruct_mm;
     value["glass_opacity"] = marks.glass.opacity;
     value["glass_grey"] = marks.glass.grey;
+    if (marks.skeleton) value["skeleton"] = true;
     value["depth_cues"] = json::array();
     for (const DepthCue cue : kDepthCues)
         if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(name_of(cue)));
@@ -92,7 +93,7 @@ json options_json(const Marks& marks) {
 void read_options(const json& value, Marks& marks) {
     expect_only(value, "options",
                 {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "colour_map", "bands",
-                 "reconstruct", "glass_opacity", "glass_grey", "depth_cues"});
+                 "reconstruct", "glass_opacity", "glass_grey", "skeleton", "depth_cues"});
     mesh::SurfaceOptions& options = marks.options;
     if (value.contains("method")) {
         const std::string method = text(value["method"], "method");
@@ -115,6 +116,10 @@ void read_options(const json& value, Marks& marks) {
     if (value.contains("glass_opacity"))
         marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
     if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
+    if (value.contains("skeleton")) {
+        if (!value["skeleton"].is_boolean()) throw Refusal{"skeleton is not true or false"};
+        marks.skeleton = value["skeleton"].get<bool>();
+    }
     if (value.contains("depth_cues")) {
         if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};
         for (const DepthCue cue : kDepthCues) marks.depth_cues.set(cue, false);
@@ -139,6 +144,52 @@ void read_options(const json& value, Marks& marks) {
         if (found == kColourMaps.end()) throw Refusal{"unknown colour_map \"" + wanted + "\""};
         marks.colour_map = *found;
     }
+}
+
+fs::path written_path(const fs::path& tree, const fs::path& folder) {
+    if (tree.empty()) return {};
+    const fs::path relative =
+        fs::absolute(tree).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+    return relative.empty() || *relative.begin() == ".." ? fs::absolute(tree).lexically_normal() : relative;
+}
+
+json comparison_json(const Comparison& comparison, const fs::path& folder) {
+    json surfaces = json::array();
+    for (const SurfaceKind kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
+    json value{{"mode", std::string(name_of(comparison.mode))}, {"surfaces", surfaces}, {"blend", comparison.blend}};
+    if (!comparison.mask.empty()) value["mask"] = written_path(comparison.mask, folder).string();
+    if (!comparison.labels.empty()) value["labels"] = comparison.labels;
+    return value;
+}
+
+Comparison comparison_in(const json& value, const fs::path& folder) {
+    expect_only(value, "comparison", {"mode", "surfaces", "mask", "labels", "blend"});
+    Comparison comparison;
+    if (value.contains("mode")) {
+        const std::string wanted = text(value["mode"], "mode of the comparison");
+        const auto mode = comparison_mode_named(wanted);
+        if (!mode) throw Refusal{"unknown comparison \"" + wanted + "\""};
+        comparison.mode = *mode;
+    }
+    if (value.contains("surfaces")) {
+        std::string list;
+        for (const json& name : list_in(value, "surfaces"))
+            list += (list.empty() ? "" : ",") + text(name, "surface of the comparison");
+        const auto surfaces = surface_list(list);
+        if (!surfaces) throw Refusal{"surfaces is not a list of two or three of cs, cones, iso"};
+        comparison.surfaces = *surfaces;
+    }
+    if (value.contains("mask"))
+        comparison.mask = (folder / text(value["mask"], "path of the mask")).lexically_normal().string();
+    std::string labels;
+    for (const json& label : list_in(value, "labels")) labels += (labels.empty() ? "" : ",") + label.dump();
+    if (!labels.empty()) {
+        const auto found = label_list(labels);
+        if (!found) throw Refusal{"labels is not a list of whole numbers other than 0"};
+        comparison.labels = *found;
+    }
+    if (value.contains("blend")) comparison.blend = number(value["blend"], "blend", 0.0, 1.0);
+    return comparison;
 }
 
 void read_states(const json& value, Marks& marks) {
@@ -225,13 +276,6 @@ void read_plans(const json& value, Marks& marks) {
     }
 }
 
-fs::path written_path(const fs::path& tree, const fs::path& folder) {
-    if (tree.empty()) return {};
-    const fs::path relative =
-        fs::absolute(tree).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
-    return relative.empty() || *relative.begin() == ".." ? fs::absolute(tree).lexically_normal() : relative;
-}
-
 json context_json(const ContextItem& item, const fs::path& folder) {
     json value{{"path", written_path(item.file, folder).string()},
                {"colour", colour_text(item.colour)},
@@ -281,25 +325,29 @@ json to_json(const Session& session, const fs::path& folder) {
     for (const ContextItem& item : session.marks.context) context.push_back(context_json(item, folder));
     json measurements = json::array();
     for (const Measurement& m : session.marks.measurements) measurements.push_back(measurement_json(m));
-    return {{"version", kSessionVersion},
-            {"tree", {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}}},
-            {"selection", session.marks.selection},
-            {"states", states},
-            {"lesions", session.marks.lesions},
-            {"lesion_meshes", meshes},
-            {"context", context},
-            {"measurements", measurements},
-            {"cuts", session.marks.cuts},
-            {"names", names},
-            {"camera", render::to_json(session.camera)},
-            {"options", options_json(session.marks)}};
+    json value{
+        {"version", kSessionVersion},
+        {"tree", {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}}},
+        {"selection", session.marks.selection},
+        {"states", states},
+        {"lesions", session.marks.lesions},
+        {"lesion_meshes", meshes},
+        {"context", context},
+        {"measurements", measurements},
+        {"cuts", session.marks.cuts},
+        {"names", names},
+        {"camera", render::to_json(session.camera)},
+        {"options", options_json(session.marks)}};
+    if (session.marks.comparison != Comparison{})
+        value["comparison"] = comparison_json(session.marks.comparison, folder);
+    return value;
 }
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
         expect_only(value, "the session",
                     {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
-                     "measurements", "names", "camera", "options"});
+                     "measurements", "names", "comparison", "camera", "options"});
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -317,6 +365,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
             session.marks.lesion_meshes.push_back(
                 (folder / text(mesh, "path of a lesion")).lexically_normal().string());
         for (const json& item : list_in(value, "context")) session.marks.context.push_back(context_item(item, folder));
+        if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("camera")) {
             auto camera = render::camera_from_json(value["camera"], where);

@@ -1,6 +1,6 @@
 // Session files: JSON with `version`, `tree` (path, checksum), `selection`, `states`, `lesions`, `lesion_meshes`,
-// `cuts`, `measurements`, `names`, `camera` and `options`. Writing and reading again gives an equal Session, but for
-// what is the machine's business: threads and memory.
+// `cuts`, `measurements`, `names`, `camera` and `options`, and `comparison` where surfaces are compared. Writing and
+// reading again gives an equal Session, but for what is the machine's business: threads and memory.
 //
 // The tree's path is written relative to the session file when the tree lies in the same folder or below, so that the
 // two can move together; absolute otherwise. Reading refuses unknown names, wrong types and other versions with the

@@ -3,8 +3,10 @@
 #include "app/window/viewer.h"
 #include "render/gl_objects.h"
 
+#include <chrono>
 #include <imgui.h>
 #include <optional>
+#include <thread>
 
 namespace ramus::app {
 
@@ -28,7 +30,9 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     double now = 0.0;
     const auto settle = [&] {
         (void)workspace.document.plan(); // waits for what a window would leave to a worker
-        constexpr int kMostFrames = 20;  // five are enough; a waiting worker must not keep a picture from being made
+        for (workspace.update(); workspace.comparing(); workspace.update())
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
             (*viewer)->draw(now, target->framebuffer());
             now += kFrameSeconds;

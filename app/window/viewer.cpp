@@ -12,7 +12,7 @@
 namespace ramus::app {
 
 Viewer::Viewer(Workspace& workspace, render::Renderer& renderer)
-    : workspace_(workspace), renderer_(renderer), pace_(render::is_software_rasteriser()) {}
+    : workspace_(workspace), renderer_(renderer), sheets_(renderer), pace_(render::is_software_rasteriser()) {}
 
 Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Renderer& renderer, float scale) {
     std::unique_ptr<Viewer> viewer(new Viewer(workspace, renderer));
@@ -55,6 +55,27 @@ Viewing Viewer::viewing() const {
     return viewing;
 }
 
+std::vector<ComparedPane> Viewer::panes() const {
+    return panes_of(workspace_.document.marks(), layout_.view_size, scale_);
+}
+
+glm::dvec2 Viewer::from_pane(glm::dvec2 at) const {
+    const std::vector<ComparedPane> all = panes();
+    return at + glm::dvec2(all[std::min(pane_, all.size() - 1)].at);
+}
+
+glm::dvec2 Viewer::in_pane(glm::dvec2 at) const { return in_picture(at) - from_pane(glm::dvec2(0.0)); }
+
+void Viewer::enter_pane() {
+    const glm::dvec2 at = in_picture(pointer_);
+    const std::vector<ComparedPane> all = panes();
+    pane_ = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (at.x >= all[i].at.x && at.y >= all[i].at.y && at.x < all[i].at.x + all[i].size.x &&
+            at.y < all[i].at.y + all[i].size.y)
+            pane_ = i;
+}
+
 void Viewer::take_news() {
     if (workspace_.update()) shake();
     if (workspace_.arrival_waits() && !interface_.unsaved.next) {
@@ -87,7 +108,7 @@ void Viewer::take_news() {
 
 void Viewer::take_pick() {
     if (!pick_pending_) return;
-    const auto pick = renderer_.poll_pick();
+    const auto pick = sheets_.poll_pick();
     if (!pick) return;
     pick_pending_ = false;
     const int hovered =
@@ -106,8 +127,7 @@ void Viewer::ask_pick() {
         interface_.hovered = tree::kNoBranch;
         return;
     }
-    const glm::dvec2 at = in_picture(pointer_);
-    renderer_.request_pick(at.x, at.y);
+    sheets_.request_pick(in_picture(pointer_));
     pick_pending_ = true;
 }
 
@@ -132,6 +152,9 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     layout_ = layout_of(layout_.window, scale_, interface_.panel_open, interface_.overview.wanted_height(),
                         interface_.panel_points);
     take_news();
+    layout_.panes_at.clear();
+    for (const ComparedPane& pane : panes()) layout_.panes_at.push_back(pane.at);
+    layout_.pane_size = picture_size();
     // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
     ask_pick();
     take_pick();
@@ -154,30 +177,48 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         pick_wanted_ = true; // what is under a dialog is not under the pointer
     }
 
-    render::Frame frame = compose(workspace_.document, picture_mesh(), viewing());
-    frame.camera = shown_camera_ = camera_on_its_way();
-    if (pace_.slow(frame)) {
+    const std::vector<ComparedPane> all_panes = panes();
+    const bool compares = !all_panes.front().title.empty();
+    SheetViewing sheet_viewing{.blend = interface_.tried_blend};
+    if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * scale_));
+    render::Sheet sheet = compose_sheet(workspace_.document, workspace_.surfaces(), viewing(), sheet_viewing);
+    const SurfaceKind own_kind = kind_of(workspace_.document.marks().options.method);
+    shown_camera_ = camera_on_its_way();
+    render::Frame& frame = sheet.panes.front().frame; // the others are seen as quickly as it is
+    frame.camera = shown_camera_;
+    if (all_panes.front().surface == own_kind && pace_.slow(frame)) {
         workspace_.await_preview();
         frame.mesh = workspace_.shown().mesh;
     }
+    const bool provisional = workspace_.shown().provisional;
+    const render::Quality quality = pace_.quality(frame, mouse_.dragging() || glide_, provisional, now);
+    for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
+        render::Frame& one = sheet.panes[i].frame;
+        one.camera = shown_camera_;
+        one.quality = quality;
+        if (all_panes[i].surface != own_kind) continue;
+        one.mesh = workspace_.shown().mesh;
+        one.preview = workspace_.shown().preview;
+        // Rough cones are there for a blink.
+        if (quality == render::Quality::kInteractive && workspace_.shown_cones()) one.appearance.occlusion = 0.0F;
+    }
     if (interface_.overview.open || layout_.panel_width > 0) {
-        PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents, frame.lost};
+        const auto own = std::ranges::find(all_panes, own_kind, &ComparedPane::surface);
+        const render::Frame& looks =
+            own == all_panes.end() ? frame : sheet.panes[static_cast<std::size_t>(own - all_panes.begin())].frame;
+        PictureLook look{looks.colours, looks.hovered, looks.hovered_dependents, looks.lost};
         if (look != interface_.picture) shake();
         interface_.picture = std::move(look);
     }
-    frame.preview = workspace_.shown().preview;
-    frame.quality = pace_.quality(frame, mouse_.dragging() || glide_, workspace_.shown().provisional, now);
-    // Rough cones are there for a blink.
-    if (frame.quality == render::Quality::kInteractive && workspace_.shown_cones()) frame.appearance.occlusion = 0.0F;
     const auto start = std::chrono::steady_clock::now();
-    const auto drawn = renderer_.draw(frame, kUploadBudget);
+    const auto drawn = sheets_.draw(sheet, kUploadBudget);
     const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
     // Said once; the interface goes on without a picture.
     const std::string problem = drawn ? std::string() : drawn.error().message();
     if (std::exchange(drawing_problem_, problem) != problem && !problem.empty()) say(problem);
-    if (done.geometry && done.quality == frame.quality)
+    if (done.geometry && done.quality == quality)
         pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    quality_ = drawn ? frame.quality : render::Quality::kFull;
+    quality_ = drawn ? quality : render::Quality::kFull;
     upload_pending_ = done.pending;
     if (done.shaded) pick_wanted_ = true;
     ask_pick();
@@ -189,7 +230,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     glDisable(GL_SCISSOR_TEST);
     glClearColor(theme::kPanel.x, theme::kPanel.y, theme::kPanel.z, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
-    renderer_.present(framebuffer, layout_.view_at.x, layout_.window.y - layout_.view_at.y - layout_.view_size.y);
+    sheets_.present(framebuffer, layout_.view_at.x, layout_.window.y - layout_.view_at.y - layout_.view_size.y);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     imgui_->draw(*ImGui::GetDrawData());
     return true;
@@ -235,8 +276,14 @@ Result<void> Viewer::draw_for_keeping(const render::Camera& camera, glm::ivec2 s
 }
 
 Result<void> Viewer::write_picture(const std::filesystem::path& path) {
-    const auto image = draw_picture(workspace_.document.session().camera, layout_.view_size);
-    return image ? render::write_png(*image, path) : tl::unexpected(image.error());
+    Job job;
+    (void)read_context(workspace_.document.marks().context, job); // as above
+    const render::Sheet sheet =
+        compose_sheet(workspace_.document, workspace_.surfaces(), {.size = layout_.view_size, .pixel_ratio = scale_});
+    if (const auto drawn = sheets_.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    shake();
+    drawn_ = 0;
+    return render::write_png(sheets_.read_image(), path);
 }
 
 Result<render::Image> Viewer::draw_picture(const render::Camera& camera, glm::ivec2 size) {
@@ -245,7 +292,7 @@ Result<render::Image> Viewer::draw_picture(const render::Camera& camera, glm::iv
 }
 
 Result<render::BranchPicture> Viewer::branch_picture() {
-    if (auto drawn = draw_for_keeping(workspace_.document.session().camera, layout_.view_size); !drawn)
+    if (auto drawn = draw_for_keeping(workspace_.document.session().camera, picture_size()); !drawn)
         return tl::unexpected(drawn.error());
     return renderer_.read_branches();
 }

@@ -8,14 +8,14 @@
 
 #include "app/actions/keys.h"
 #include "app/panels/interface.h"
-#include "app/picture/compose.h"
+#include "app/picture/compose_sheet.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
 #include "app/window/imgui_input.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/pace.h"
 #include "app/workspace/workspace.h"
-#include "render/renderer.h"
+#include "render/sheet.h"
 
 #include <functional>
 #include <memory>
@@ -68,7 +68,7 @@ public:
     void set_unattended(bool unattended) { unattended_ = unattended; }
 
     // Host
-    [[nodiscard]] glm::ivec2 picture_size() const override { return layout_.view_size; }
+    [[nodiscard]] glm::ivec2 picture_size() const override { return panes().front().size; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
@@ -77,6 +77,7 @@ public:
     Result<void> open(const std::filesystem::path& path) override;
     Result<void> ask_for_file() override;
     Result<void> ask_for_lesion_mesh() override;
+    Result<void> ask_for_mask() override;
     [[nodiscard]] bool unhurried() const override { return unattended_ || !keeps_files_; }
     bool reads_lesion_mesh(const std::filesystem::path& path) override;
     Result<void> ask_for_context() override;
@@ -105,12 +106,18 @@ private:
     static constexpr int kDialogFrames = 14; // what lies behind a dialog fades
     static constexpr double kPollSeconds = 0.004;
     static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
+    static constexpr float kToolBarHeight = 48.0F;   // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
     Viewer(Workspace& workspace, render::Renderer& renderer);
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(layout_.view_at); }
+    [[nodiscard]] std::vector<ComparedPane> panes() const;
+    // From the corner of the pane that the pointer is in, or was in when a button was pressed.
+    [[nodiscard]] glm::dvec2 in_pane(glm::dvec2 at) const;
+    [[nodiscard]] glm::dvec2 from_pane(glm::dvec2 at) const; // to the picture's corner
+    void enter_pane();
     [[nodiscard]] bool points_at_branches() const { return !interface_.tool || interface_.tool->points_at_branches(); }
     [[nodiscard]] Viewing viewing() const;
     void take_news();
@@ -130,6 +137,8 @@ private:
 
     Workspace& workspace_;
     render::Renderer& renderer_;
+    render::SheetRenderer sheets_; // draws with it
+    std::size_t pane_ = 0;         // see in_pane()
     std::unique_ptr<ImguiRenderer> imgui_;
     ImguiInput input_;
     Interface interface_;

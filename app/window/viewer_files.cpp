@@ -14,7 +14,7 @@ namespace ramus::app {
 void Viewer::take_opened(const Workspace::Opened& opened) {
     if (!opened.has_camera && picture_mesh())
         workspace_.document.set_camera(
-            render::camera_for(picture_mesh()->positions(), render::View::kAnterior, layout_.view_size));
+            render::camera_for(picture_mesh()->positions(), render::View::kAnterior, picture_size()));
     glide_.reset();
     interface_.hovered = tree::kNoBranch;
     interface_.list.of = nullptr;
@@ -100,6 +100,12 @@ Result<void> Viewer::ask_for_file() {
 Result<void> Viewer::ask_for_lesion_mesh() {
     (void)ask_for_file();
     interface_.open_dialog.purpose = OpenDialog::Purpose::kLesionMesh;
+    return {};
+}
+
+Result<void> Viewer::ask_for_mask() {
+    (void)ask_for_file();
+    interface_.open_dialog.purpose = OpenDialog::Purpose::kMask;
     return {};
 }
 

@@ -9,8 +9,9 @@ namespace ramus::app {
 void Viewer::mouse_moved(glm::dvec2 at) {
     pointer_ = at;
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
+    if (!mouse_.held() && !tool_mouse_.held()) enter_pane();
     if (mouse_.held()) {
-        const auto camera = mouse_.move(workspace_.document.session().camera, layout_.view_size, in_picture(at));
+        const auto camera = mouse_.move(workspace_.document.session().camera, picture_size(), in_pane(at));
         if (camera) move_camera(*camera);
         if (mouse_.dragging()) {
             interface_.hovered = tree::kNoBranch;
@@ -46,9 +47,9 @@ void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, do
         tool_mouse_.press(*interface_.tool, pointing(modifiers), now);
         perform_tool();
     } else if (down && over_picture(pointer_))
-        mouse_.press(button, modifiers, in_picture(pointer_));
+        mouse_.press(button, modifiers, in_pane(pointer_));
     else if (!down && mouse_.held()) {
-        if (const auto click = mouse_.release(button, in_picture(pointer_), now)) clicked(*click);
+        if (const auto click = mouse_.release(button, in_pane(pointer_), now)) clicked(*click);
         pick_wanted_ = true;
     }
     // A press on the picture is also ImGui's: an open menu closes.
@@ -59,8 +60,8 @@ void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, do
 
 void Viewer::mouse_wheel(glm::dvec2 notches) {
     if (over_picture(pointer_) && notches.y != 0.0)
-        move_camera(ViewportMouse::wheel(workspace_.document.session().camera, layout_.view_size, in_picture(pointer_),
-                                         notches.y));
+        move_camera(
+            ViewportMouse::wheel(workspace_.document.session().camera, picture_size(), in_pane(pointer_), notches.y));
     else
         input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
     pick_wanted_ = true;
@@ -73,14 +74,14 @@ void Viewer::move_camera(const render::Camera& camera) {
 }
 
 Pointing Viewer::pointing(Modifiers modifiers) {
-    return {.at = in_picture(pointer_),
+    return {.at = in_pane(pointer_),
             .modifiers = modifiers,
             .held = tool_mouse_.held(),
-            .size = layout_.view_size,
+            .size = picture_size(),
             .pixel_ratio = scale_,
             .document = workspace_.document,
             .settings = interface_.tool_settings,
-            .pick_at = [this](glm::dvec2 at) { return renderer_.pick(at.x, at.y); }};
+            .pick_at = [this](glm::dvec2 at) { return sheets_.pick(from_pane(at)); }};
 }
 
 void Viewer::perform_tool() {
@@ -101,7 +102,7 @@ void Viewer::clicked(const Click& click) {
         perform_tool();
         return;
     }
-    const render::Pick pick = renderer_.pick(click.at.x, click.at.y);
+    const render::Pick pick = sheets_.pick(from_pane(click.at));
     InterfaceContext context{interface_, workspace_, *this, layout_, now_};
     const bool hit = pick.branch >= 0 && pick.branch < workspace_.document.branch_count();
     const std::vector<std::string> id{std::to_string(pick.branch)};

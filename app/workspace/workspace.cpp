@@ -95,7 +95,8 @@ Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOption
     return loaded;
 }
 
-Workspace::Workspace(std::function<void()> wake) : context(wake), loader_(wake), mesher_(wake), planner_(wake) {
+Workspace::Workspace(std::function<void()> wake)
+    : context(wake), loader_(wake), mesher_(wake), planner_(wake), comparer_(wake) {
     document.let_others_plan();
 }
 
@@ -160,6 +161,11 @@ void Workspace::let_in() {
 
 void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     mesher_.cancel();
+    comparer_.cancel();
+    compared_.clear();
+    comparing_.reset();
+    failed_.reset();
+    comparison_problem_.clear();
     planner_.cancel(); // lesions that are on their way belong to the tree before
     meshes_to_read_.clear();
     read_meshes_.clear();
@@ -291,6 +297,61 @@ void Workspace::start_plan() {
     }
 }
 
+ShownSurfaces Workspace::surfaces() const {
+    ShownSurfaces surfaces;
+    for (const ComparedSurface& one : compared_) surfaces.take(one);
+    surfaces.of(kind_of(document.marks().options.method)) = shown_.mesh;
+    return surfaces;
+}
+
+// The first that is in the picture and not as it shall be.
+std::optional<ComparedRequest> Workspace::missing_surface() const {
+    if (!document.tree()) return {};
+    for (ComparedRequest& wanted : compared_requests(document.marks())) {
+        const bool there = std::ranges::any_of(compared_, [&](const auto& one) { return one.request == wanted; });
+        if (!there && failed_ != wanted) return std::move(wanted);
+    }
+    return {};
+}
+
+bool Workspace::comparing() const { return comparer_.busy() || missing_surface(); }
+
+void Workspace::start_comparison() {
+    const auto wanted = missing_surface();
+    if (!wanted) {
+        if (comparer_.busy()) comparer_.cancel(); // nobody wants it any more
+        comparing_.reset();
+        if (compared_surfaces(document.marks().comparison).empty()) compared_.clear();
+        const auto wanted_now = compared_requests(document.marks());
+        if (!failed_ || std::ranges::find(wanted_now, *failed_) == wanted_now.end())
+            failed_.reset(), comparison_problem_.clear();
+        return;
+    }
+    // The session's own surface comes first: both want the whole machine.
+    if (mesher_.busy() || loader_.busy() || (comparer_.busy() && comparing_ == wanted)) return;
+    comparing_ = wanted;
+    changed_ = true;
+    comparer_.start("Computing the " + std::string(wanted->kind == SurfaceKind::kIso     ? "isosurface"
+                                                   : wanted->kind == SurfaceKind::kCones ? "cones"
+                                                                                         : "convolution surface"),
+                    [this, request = *wanted, tree = document.tree()](Job& job, const Worker::Post& post) {
+                        const auto made = make_compared(*tree, request, job);
+                        if (job.cancelled()) return;
+                        post([this, made, request] {
+                            changed_ = true;
+                            comparing_.reset();
+                            if (!made) {
+                                failed_ = request;
+                                comparison_problem_ = made.error().message();
+                                return;
+                            }
+                            if (failed_ && failed_->same_place(request)) failed_.reset(), comparison_problem_.clear();
+                            std::erase_if(compared_, [&](const auto& one) { return one.request.same_place(request); });
+                            compared_.push_back(*made);
+                        });
+                    });
+}
+
 std::optional<std::filesystem::path> Workspace::take_read_mesh() {
     if (read_meshes_.empty()) return {};
     std::filesystem::path path = std::move(read_meshes_.front());
@@ -308,6 +369,10 @@ void Workspace::cancel_work() {
     } else if (mesher_.busy()) {
         mesher_.cancel();
         problem_ = "cancelled";
+    } else if (comparer_.busy()) {
+        comparer_.cancel();
+        failed_ = std::exchange(comparing_, std::nullopt);
+        comparison_problem_ = "cancelled";
     }
     meshes_to_read_.clear();
     context.cancel();
@@ -324,11 +389,16 @@ bool Workspace::update() {
     loader_.drain();
     mesher_.drain();
     planner_.drain();
-    for (Worker* worker : {&loader_, &mesher_, &planner_})
+    comparer_.drain();
+    for (Worker* worker : {&loader_, &mesher_, &planner_, &comparer_})
         if (const std::string failure = worker->take_failure(); !failure.empty()) {
             errors_.push_back({"the work was given up: " + failure, worker->title(),
                                failure == "std::bad_alloc" ? "there is not enough memory for it" : ""});
             if (worker == &mesher_) problem_ = errors_.back().what;
+            if (worker == &comparer_) {
+                failed_ = std::exchange(comparing_, std::nullopt);
+                comparison_problem_ = errors_.back().what;
+            }
             changed_ = true;
         }
     if (document.tree() && context.update(document.marks().context)) changed_ = true;
@@ -336,6 +406,7 @@ bool Workspace::update() {
     start_plan();
     // A picture is drawn before a better one is begun: both want the whole machine.
     if (!std::exchange(just_shown_, false)) start_surface();
+    start_comparison();
     return std::exchange(changed_, false) || was_busy != busy();
 }
 
@@ -343,14 +414,14 @@ std::string Workspace::activity() const {
     if (loader_.busy() && !first_is_coming_) return loader_.title();
     if (!mesher_.busy() && planner_.busy()) return planner_.title();
     if (!mesher_.busy() && context.busy()) return context.title();
+    if (!mesher_.busy() && !loader_.busy() && comparer_.busy()) return comparer_.title();
     return busy() ? kComputing : std::string{};
 }
 
 float Workspace::progress() const {
-    return loader_.busy()    ? loader_.progress()
-           : mesher_.busy()  ? mesher_.progress()
-           : planner_.busy() ? planner_.progress()
-                             : context.progress();
+    for (const Worker* worker : {&loader_, &mesher_, &planner_, &comparer_})
+        if (worker->busy()) return worker->progress();
+    return context.progress();
 }
 
 std::optional<Error> Workspace::take_error() {

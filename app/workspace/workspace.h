@@ -7,6 +7,7 @@
 #include "app/session/branch_facts.h"
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
+#include "app/workspace/compared_surfaces.h"
 #include "app/workspace/context_reader.h"
 #include "app/workspace/surface_maker.h"
 #include "core/base/error.h"
@@ -75,6 +76,13 @@ public:
     [[nodiscard]] bool shown_cones() const {
         return shown_.provisional && shown_.request.options.method == mesh::Method::kTruncatedCones;
     }
+    // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
+    // as they were before.
+    [[nodiscard]] ShownSurfaces surfaces() const;
+    // Whether a surface to compare with is being made, or about to be.
+    [[nodiscard]] bool comparing() const;
+    // Why one cannot be had; empty: all can.
+    [[nodiscard]] const std::string& comparison_problem() const { return comparison_problem_; }
     // Waits a moment for the preview of the surface that is shown, when it is about to come. For who draws so slowly
     // that the surface itself would take longer.
     void await_preview();
@@ -82,7 +90,8 @@ public:
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
 
     [[nodiscard]] bool busy() const {
-        return loader_.busy() || mesher_.busy() || planner_.busy() || !meshes_to_read_.empty() || context.busy();
+        return loader_.busy() || mesher_.busy() || planner_.busy() || comparer_.busy() || !meshes_to_read_.empty() ||
+               context.busy();
     }
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
     [[nodiscard]] float progress() const;       // of that, 0 to 1
@@ -118,6 +127,8 @@ private:
     [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;
     void start_surface();
     void start_plan();
+    void start_comparison();
+    [[nodiscard]] std::optional<ComparedRequest> missing_surface() const;
 
     ReadySurface shown_;
     std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
@@ -132,11 +143,14 @@ private:
     std::shared_ptr<LoadedTree> arrival_;
     std::filesystem::path arrival_path_;
     std::deque<std::filesystem::path> meshes_to_read_, read_meshes_;
+    std::vector<ComparedSurface> compared_;             // one a kind
+    std::optional<ComparedRequest> comparing_, failed_; // what is being made; what could not be
+    std::string comparison_problem_;                    // why
     bool changed_ = false;
-    bool awaited_ = false;             // the preview of what is shown
-    bool first_is_coming_ = false;     // the loader, which read the tree, is at its first surface
-    bool just_shown_ = false;          // a picture that something better shall follow
-    Worker loader_, mesher_, planner_; // last: their threads end first
+    bool awaited_ = false;                        // the preview of what is shown
+    bool first_is_coming_ = false;                // the loader, which read the tree, is at its first surface
+    bool just_shown_ = false;                     // a picture that something better shall follow
+    Worker loader_, mesher_, planner_, comparer_; // last: their threads end first
 };
 
 } // namespace ramus::app

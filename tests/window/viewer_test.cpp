@@ -1,4 +1,4 @@
-// The window without a window: what it does where graphics memory runs out.
+// The window without a window: what it does where graphics memory runs out, and with several panes.
 #include "app/window/viewer.h"
 #include "render/renderer.h"
 #include "tests/support/gl_test.h"
@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <imgui.h>
 #include <thread>
 
@@ -79,4 +80,80 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
         (*viewer)->resize(size, 1.0F);
         CHECK(settle() == before);
     }
+}
+
+TEST_CASE("panes beside each other turn together, and each is pointed at by itself") {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "tree.swc";
+    std::ofstream(file) << "1 1 0 0 -20 6 -1\n2 1 0 0 20 6 1\n";
+    const WatchedContext context;
+    const ImguiContext imgui;
+    app::Workspace workspace({});
+    workspace.document.open(nullptr, {});
+    workspace.open(file);
+    auto renderer = render::Renderer::create();
+    REQUIRE(renderer);
+    const glm::ivec2 size(1100, 600);
+    const render::Target target(size.x, size.y);
+    auto viewer = app::Viewer::create(workspace, **renderer, 1.0F);
+    REQUIRE(viewer);
+    (*viewer)->resize(size, 1.0F);
+    double now = 0.0;
+    const auto settle = [&] {
+        for (int i = 0;
+             i < 2000 && (i < 5 || !(*viewer)->resting() || !workspace.surface_ready() || workspace.comparing()); ++i) {
+            (*viewer)->draw(now += 0.05, target.framebuffer());
+            if (workspace.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    };
+    settle();
+    app::ActionContext action{workspace.document, **viewer};
+    const auto run = [&](std::vector<std::string> words) { REQUIRE(app::run_command(action, words)); };
+    run({"compare", "side-by-side", "iso,cones,cs"});
+    settle();
+    const app::Layout& layout = (*viewer)->layout();
+    REQUIRE(layout.panes_at.size() == 3);
+    CHECK((*viewer)->picture_size() == layout.pane_size);
+    CHECK(3 * layout.pane_size.x < layout.view_size.x);
+    const auto middle = [&](std::size_t pane) {
+        return glm::dvec2(layout.view_at + layout.panes_at[pane]) + 0.5 * glm::dvec2(layout.pane_size);
+    };
+    // The tree was fitted to the pane: its middle is in the middle of each.
+    const render::Image beside = target.read_image();
+    for (std::size_t pane = 0; pane < 3; ++pane) {
+        CAPTURE(pane);
+        const glm::ivec2 at(middle(pane));
+        CHECK(beside.pixel(at.x, at.y)[0] > beside.pixel(at.x, at.y)[2] + 40); // vessels are red
+        (*viewer)->mouse_moved(middle(pane));
+        settle();
+        CHECK((*viewer)->interface().hovered == (pane == 0 ? tree::kNoBranch : 0)); // a mask has no branches
+    }
+    // A click on the mask selects nothing, one on the cones the branch.
+    for (const std::size_t pane : {0U, 1U}) {
+        (*viewer)->mouse_moved(middle(pane));
+        (*viewer)->mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
+        (*viewer)->mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
+        settle();
+        CHECK(workspace.document.marks().selection.size() == pane);
+    }
+    // Dragging in any of them turns the one camera, as far in each.
+    const render::Camera start = workspace.document.session().camera;
+    std::vector<render::Camera> turned;
+    for (std::size_t pane = 0; pane < 3; ++pane) {
+        workspace.document.set_camera(start);
+        (*viewer)->mouse_moved(middle(pane));
+        (*viewer)->mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
+        (*viewer)->mouse_moved(middle(pane) + glm::dvec2(30.0, 0.0));
+        (*viewer)->draw(now += 0.05, target.framebuffer());
+        (*viewer)->mouse_moved(middle(pane) + glm::dvec2(5.0, 500.0)); // out of it
+        (*viewer)->mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
+        turned.push_back(workspace.document.session().camera);
+        CHECK(turned.back() != start);
+        CHECK(glm::distance(turned.back().position, turned.front().position) < 1e-6);
+        settle();
+    }
+    run({"compare", "off"});
+    settle();
+    CHECK(layout.panes_at.size() == 1);
+    CHECK((*viewer)->picture_size() == layout.view_size);
 }

@@ -1,0 +1,146 @@
+// Surfaces of the same vessels looked at together, and the skeleton that they are made of.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+
+#include <algorithm>
+
+namespace ramus::app::actions {
+
+namespace {
+
+using Mode = Comparison::Mode;
+
+bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
+    const auto& tree = context.document.tree();
+    if (!tree) return false;
+    const render::Projector project(context.document.session().camera, size);
+    return std::ranges::all_of(tree->points, [&](const tree::Point& point) {
+        const auto at = project(point.position);
+        return at && at->x >= 0.0 && at->y >= 0.0 && at->x <= size.x && at->y <= size.y;
+    });
+}
+
+// Panes are narrower than the picture: a tree that was whole in it is whole in them.
+void change(ActionContext& context, Marks next) {
+    const glm::ivec2 before = context.host.picture_size();
+    const bool whole = whole_in_picture(context, before);
+    context.document.change(std::move(next));
+    if (whole && context.host.picture_size() != before)
+        if (const Command* fit = find_command("fit")) (void)fit->action(context, {});
+}
+
+Result<void> compare(ActionContext& context, Arguments arguments) {
+    const auto mode = arguments.empty() ? std::nullopt : comparison_mode_named(arguments[0]);
+    if (!mode || arguments.size() > 2)
+        return fail("compare takes a mode, and which surfaces", {},
+                    "off, side-by-side, blend or superimposed, then cs,cones,iso in the order wanted");
+    Marks next = context.document.marks();
+    next.comparison.mode = *mode;
+    if (arguments.size() == 2) {
+        const auto surfaces = surface_list(arguments[1]);
+        if (!surfaces)
+            return fail("\"" + arguments[1] + "\" is not a list of surfaces", {},
+                        "two or three of cs, cones, iso with commas between");
+        next.comparison.surfaces = *surfaces;
+    }
+    change(context, std::move(next));
+    return {};
+}
+
+Result<void> compare_blend(ActionContext& context, Arguments arguments) {
+    const auto share = arguments.size() == 1 ? number_in(arguments[0], 0.0, 1.0) : std::nullopt;
+    if (!share) return fail("compare-blend takes a number from 0, the first surface, to 1, the second");
+    Marks next = context.document.marks();
+    next.comparison.blend = *share;
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> compare_mask(ActionContext& context, Arguments arguments) {
+    if (arguments.empty()) return context.host.ask_for_mask();
+    if (arguments.size() > 2)
+        return fail("compare-mask takes a file, and labels in it", {}, "put quotes around a name with blanks");
+    Marks next = context.document.marks();
+    next.comparison.labels.clear();
+    if (arguments[0] == "none" && arguments.size() == 1) {
+        next.comparison.mask.clear();
+        context.document.change(std::move(next));
+        return {};
+    }
+    const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+        return fail("the mask cannot be read", path.string(), "check the name and its permissions");
+    next.comparison.mask = path.string();
+    if (arguments.size() == 2) {
+        const auto labels = label_list(arguments[1]);
+        if (!labels)
+            return fail("\"" + arguments[1] + "\" is not a list of labels", {},
+                        "whole numbers other than 0 with commas between");
+        next.comparison.labels = *labels;
+    }
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<void> skeleton(ActionContext& context, Arguments arguments) {
+    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
+        return fail("skeleton is on or off");
+    Marks next = context.document.marks();
+    next.skeleton = arguments.empty() ? !next.skeleton : arguments[0] == "on";
+    context.document.change(std::move(next));
+    return {};
+}
+
+template <Mode mode> bool compares(const Document& document) { return document.marks().comparison.mode == mode; }
+bool shows_skeleton(const Document& document) { return document.marks().skeleton; }
+
+template <Mode mode> Command entry(const char* label, const char* help) {
+    return {"compare", "MODE [SURFACES]", help, "View", label, {}, compare, {std::string(name_of(mode))},
+            has_tree,  compares<mode>};
+}
+
+} // namespace
+
+std::vector<Command> compare_commands() {
+    return {
+        {"compare",
+         "MODE [SURFACES]",
+         "Shows surfaces of the same vessels off, side-by-side, blend or superimposed: two or three of cs,cones,iso.",
+         "",
+         "",
+         {},
+         compare},
+        entry<Mode::kOff>("One surface", "Compares nothing: one surface fills the picture."),
+        entry<Mode::kSideBySide>("Surfaces side by side", "Compares surfaces in panes that one camera looks into."),
+        entry<Mode::kBlend>("Surfaces blended", "Compares two surfaces: one fades into the other."),
+        entry<Mode::kSuperimposed>("Surfaces superimposed",
+                                   "Compares two surfaces: the second as lines over the first."),
+        {"compare-blend",
+         "SHARE",
+         "How much there is of the second surface where two are blended, from 0 to 1.",
+         "",
+         "",
+         {},
+         compare_blend},
+        {"compare-mask",
+         "[FILE [LABELS]|none]",
+         "The segmentation mask that the isosurface is of; none: the tree's own voxels. Without FILE, asks for one.",
+         "",
+         "",
+         {},
+         compare_mask},
+        {"skeleton",
+         "[on|off]",
+         "Draws centerlines, with rings of the radius, over the vessels.",
+         "View",
+         "Skeleton with radii",
+         {},
+         skeleton,
+         {},
+         has_tree,
+         shows_skeleton},
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,138 @@
+// Which surfaces are looked at together, and the skeleton over them.
+#include "app/panels/interface.h"
+#include "app/panels/slider_row.h"
+#include "app/panels/widgets.h"
+#include "app/session/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <imgui.h>
+#include <optional>
+#include <string>
+
+namespace ramus::app {
+
+namespace {
+
+using Mode = Comparison::Mode;
+
+constexpr std::array kModes{std::pair{Mode::kOff, "Off"}, std::pair{Mode::kSideBySide, "Side by side"},
+                            std::pair{Mode::kBlend, "Blend"}, std::pair{Mode::kSuperimposed, "Superimposed"}};
+
+const char* short_name(SurfaceKind kind) {
+    return kind == SurfaceKind::kConvolution ? "Convolution surface"
+           : kind == SurfaceKind::kCones     ? "Truncated cones"
+                                             : "Isosurface";
+}
+
+void begin_row(const char* label, const char* help) {
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet(label);
+    widgets::tooltip(help);
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::PushID(label);
+}
+
+std::string spelled(const std::vector<SurfaceKind>& surfaces) {
+    std::string list;
+    for (const SurfaceKind kind : surfaces) list += (list.empty() ? "" : ",") + std::string(name_of(kind));
+    return list;
+}
+
+// One of the surfaces; whoever was that already changes places with it. The last of three may be none.
+void draw_surface_row(InterfaceContext& context, const Comparison& comparison, std::size_t place, const char* label,
+                      const char* help, bool may_be_none) {
+    const std::vector<SurfaceKind>& now = comparison.surfaces;
+    const bool there = place < now.size();
+    std::optional<std::vector<SurfaceKind>> wanted;
+    begin_row(label, help);
+    if (ImGui::BeginCombo("##surface", there ? short_name(now[place]) : "None")) {
+        for (const SurfaceKind kind : kSurfaceKinds) {
+            if (!ImGui::Selectable(short_name(kind), there && now[place] == kind)) continue;
+            std::vector<SurfaceKind> next = now;
+            const auto other = std::ranges::find(next, kind);
+            if (!there && other == next.end())
+                next.push_back(kind);
+            else if (there && other != next.end())
+                std::swap(*other, next[place]);
+            else if (there)
+                next[place] = kind;
+            if (next != now) wanted = next;
+        }
+        if (may_be_none && ImGui::Selectable("None", !there) && there)
+            wanted = std::vector<SurfaceKind>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(place));
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    if (wanted) context.perform("compare", {std::string(name_of(comparison.mode)), spelled(*wanted)});
+}
+
+void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
+    begin_row("Mask", "The segmentation that the isosurface is of");
+    const bool there = !comparison.mask.empty();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float clear = ImGui::GetFrameHeight();
+    const float width = there ? room - clear - ImGui::GetStyle().ItemSpacing.x : room;
+    const std::string name = there ? std::filesystem::path(comparison.mask).filename().string() : "Choose...";
+    const std::string shown = widgets::fitted(name, width - 2.0F * ImGui::GetStyle().FramePadding.x);
+    if (ImGui::Button((shown + "##mask").c_str(), {width, 0.0F})) context.perform("compare-mask", {});
+    widgets::tooltip(there ? comparison.mask.c_str() : "Until a mask is chosen, it is one of the tree's own voxels");
+    if (there) {
+        ImGui::SameLine();
+        if (ImGui::Button("\xC3\x97", {clear, 0.0F})) context.perform("compare-mask", {"none"});
+        widgets::tooltip("The tree's own voxels instead");
+    }
+    ImGui::PopID();
+}
+
+} // namespace
+
+void draw_compare(InterfaceContext& context) {
+    const Comparison comparison = context.workspace.document.marks().comparison;
+    context.interface.tried_blend.reset();
+    widgets::section("Compare");
+    begin_row("Surfaces", "Surfaces of the same vessels, seen together");
+    const auto mode = std::ranges::find(kModes, comparison.mode, [](const auto& each) { return each.first; });
+    if (ImGui::BeginCombo("##mode", mode == kModes.end() ? "" : mode->second)) {
+        for (const auto& [each, label] : kModes)
+            if (ImGui::Selectable(label, each == comparison.mode) && each != comparison.mode)
+                context.perform("compare", {std::string(name_of(each))});
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    if (comparison.mode != Mode::kOff) {
+        const bool beside = comparison.mode == Mode::kSideBySide;
+        draw_surface_row(context, comparison, 0, "First", "The first surface", false);
+        draw_surface_row(context, comparison, 1, "Second",
+                         comparison.mode == Mode::kSuperimposed ? "The surface that is drawn as lines over it"
+                                                                : "The surface that it is compared with",
+                         false);
+        if (beside) draw_surface_row(context, comparison, 2, "Third", "A third surface", true);
+        const auto shown = compared_surfaces(comparison);
+        if (std::ranges::find(shown, SurfaceKind::kIso) != shown.end()) draw_mask_row(context, comparison);
+        if (comparison.mode == Mode::kBlend) {
+            static widgets::Slider<float> blend;
+            const bool changed = widgets::slider_row(
+                "Blend", "How much there is of the second surface", blend, static_cast<float>(comparison.blend),
+                [&](float& value) {
+                    ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
+                },
+                [](float value) { return std::to_string(std::lround(100.0F * value)) + " %"; });
+            if (blend.held) context.interface.tried_blend = blend.value;
+            if (changed) context.perform("compare-blend", {digits(blend.value, 4)});
+        }
+        if (const std::string& problem = context.workspace.comparison_problem(); !problem.empty()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
+            ImGui::TextWrapped("%s", problem.c_str());
+            ImGui::PopStyleColor();
+        }
+    }
+    bool skeleton = context.workspace.document.marks().skeleton;
+    if (ImGui::Checkbox("Skeleton with radii", &skeleton)) context.perform("skeleton", {skeleton ? "on" : "off"});
+    widgets::tooltip("Centerlines, and rings of the radius, over the vessels");
+}
+
+} // namespace ramus::app

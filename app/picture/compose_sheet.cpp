@@ -1,0 +1,114 @@
+#include "app/picture/compose_sheet.h"
+
+#include "app/picture/colouring.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr glm::vec3 kLineColour{0.62F, 0.90F, 1.00F}; // of what is superimposed: far from the vessels' own
+
+// What is left of a frame on a surface that knows no branches.
+void take_branches_away(render::Frame& frame) {
+    frame.states.clear();
+    frame.colours.clear();
+    frame.scale = {};
+    frame.margins = {};
+    frame.lost.clear();
+    frame.hovered = render::kNoBranch;
+    frame.hovered_dependents.clear();
+    frame.selected.clear();
+    frame.centerlines = nullptr; // what moves would be drawn as cones along them
+    frame.overlays.legend = {};
+}
+
+std::string lowered(std::string title) {
+    title.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(title.front())));
+    return title;
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+// "Truncated cones 30 %, isosurface of liver.nii.gz 70 %"; at either end the one that is seen.
+std::string blend_heading(const std::string& first, const std::string& second, double blend) {
+    if (blend <= 0.0) return first;
+    if (blend >= 1.0) return second;
+    return first + " " + percent(1.0 - blend) + ", " + lowered(second) + " " + percent(blend);
+}
+
+} // namespace
+
+std::vector<ComparedPane> panes_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
+    const Comparison& comparison = marks.comparison;
+    const std::vector<SurfaceKind> kinds = compared_surfaces(comparison);
+    if (kinds.empty()) return {{glm::ivec2(0), size, kind_of(marks.options.method), {}, true}};
+    std::vector<ComparedPane> panes;
+    for (const SurfaceKind kind : kinds)
+        panes.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != SurfaceKind::kIso});
+    if (comparison.mode == Comparison::Mode::kSuperimposed) {
+        panes[0].title += ", lines: " + lowered(panes[1].title);
+        panes.resize(1);
+    }
+    if (comparison.mode != Comparison::Mode::kSideBySide) return panes;
+    const int axis = size.x >= size.y ? 0 : 1;
+    const int count = static_cast<int>(panes.size());
+    const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    const int side = std::max(1, (size[axis] - (count - 1) * line) / count);
+    for (int i = 0; i < count; ++i) {
+        ComparedPane& pane = panes[static_cast<std::size_t>(i)];
+        // What does not divide goes into the lines: all panes have one size.
+        pane.at[axis] = std::max(0, (size[axis] - side) * i / (count - 1));
+        pane.size[axis] = side;
+    }
+    return panes;
+}
+
+render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfaces, const Viewing& viewing,
+                            const SheetViewing& sheet_viewing) {
+    const Marks& marks = document.marks();
+    const Comparison& comparison = marks.comparison;
+    const std::vector<ComparedPane> panes = panes_of(marks, viewing.size, viewing.pixel_ratio);
+    const bool beside = comparison.mode == Comparison::Mode::kSideBySide;
+    render::Sheet sheet;
+    sheet.size = viewing.size;
+    sheet.divider = kDividerColour;
+    std::size_t with_legend = 0; // one pane has it: the last that has colours of branches
+    for (std::size_t i = 0; i < panes.size(); ++i)
+        if (panes[i].has_branches) with_legend = i;
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+        Viewing own = viewing;
+        own.size = panes[i].size;
+        render::Frame frame = compose(document, surfaces.of(panes[i].surface), own);
+        if (!panes[i].has_branches) take_branches_away(frame);
+        if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)
+            frame.context.push_back({.mesh = surfaces.lines,
+                                     .preview = nullptr,
+                                     .colour = kLineColour,
+                                     .opacity = 0.9F,
+                                     .wireframe = true});
+        // They are the same in all: panes beside each other share one each.
+        const bool there = document.tree() != nullptr;
+        frame.overlays.orientation_cube = there && (!beside || i + 1 == panes.size());
+        frame.overlays.scale_bar = there && (!beside || i == 0);
+        if (i != with_legend) frame.overlays.legend = {};
+        if (comparison.mode != Comparison::Mode::kBlend) frame.overlays.heading = latin1(panes[i].title);
+        if (!panes[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
+        sheet.panes.push_back({panes[i].at, std::move(frame), panes[i].has_branches});
+    }
+    if (comparison.mode == Comparison::Mode::kBlend && document.tree()) {
+        sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
+        sheet.heading = latin1(blend_heading(panes[0].title, panes[1].title, *sheet.blend));
+        sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));
+        // What lies over both is that of both.
+        render::Overlays& first = sheet.panes[0].frame.overlays;
+        render::Overlays& second = sheet.panes[1].frame.overlays;
+        (with_legend == 0 ? second : first).legend = sheet.panes[with_legend].frame.overlays.legend;
+    }
+    return sheet;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,107 @@
+#include "app/workspace/compared_surfaces.h"
+
+#include "core/volume/isosurface.h"
+#include "core/volume/read_volume.h"
+#include "core/volume/voxelise.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr int kWireDetail = 10; // triangles around a vessel; more are a wall of lines (by eye)
+
+bool apart(const render::Box& a, const render::Box& b) {
+    return glm::any(glm::lessThan(a.upper, b.lower)) || glm::any(glm::lessThan(b.upper, a.lower));
+}
+
+Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const ComparedRequest& request,
+                                         ComparedSurface& made, Job& job) {
+    const volume::IsosurfaceOptions options{static_cast<double>(request.surface.options.memory_bytes),
+                                            request.surface.options.threads};
+    if (request.mask.empty()) {
+        made.voxel_mm = request.voxel_mm > 0.0 ? request.voxel_mm : volume::sensible_voxel_mm(tree);
+        const auto voxels = volume::voxelised(tree, made.voxel_mm, options.memory_bytes);
+        if (!voxels) return tl::unexpected(voxels.error());
+        return volume::mask_surface(voxels->mask, voxels->to_patient, options, job);
+    }
+    auto read = volume::read_volume(request.mask, {options.memory_bytes}, job);
+    if (!read) return tl::unexpected(read.error());
+    made.notes = read->notes;
+    auto surface = volume::isosurface(std::move(*read), {request.labels, std::nullopt}, options, job);
+    if (!surface && surface.error().where.empty()) surface.error().where = request.mask;
+    return surface;
+}
+
+} // namespace
+
+std::vector<ComparedRequest> compared_requests(const Marks& marks) {
+    std::vector<ComparedRequest> requests;
+    const std::vector<SurfaceKind> kinds = compared_surfaces(marks.comparison);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const bool wire = i > 0 && marks.comparison.mode == Comparison::Mode::kSuperimposed;
+        if (!wire && kinds[i] == kind_of(marks.options.method)) continue;
+        requests.push_back(compared_request(marks, kinds[i]));
+        requests.back().wire = wire;
+        if (wire) requests.back().surface.options.detail = std::min(marks.options.detail, kWireDetail);
+    }
+    return requests;
+}
+
+ComparedRequest compared_request(const Marks& marks, SurfaceKind kind) {
+    ComparedRequest request;
+    request.kind = kind;
+    if (kind == SurfaceKind::kIso) {
+        request.surface.options.threads = marks.options.threads;
+        request.surface.options.memory_bytes = marks.options.memory_bytes;
+        request.mask = marks.comparison.mask;
+        if (!request.mask.empty()) request.labels = marks.comparison.labels;
+    } else {
+        request.surface = surface_request(marks);
+        request.surface.options.method =
+            kind == SurfaceKind::kCones ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
+    }
+    return request;
+}
+
+Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request, Job& job) {
+    ComparedSurface made;
+    made.request = request;
+    if (request.kind != SurfaceKind::kIso && request.wire) {
+        const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
+        mesh::TriangleMesh lines; // of nothing where all is hidden
+        if (hidden.empty() || std::ranges::find(hidden, 0) != hidden.end()) {
+            auto surface = mesh::make_surface(tree, request.surface.options, job, hidden);
+            if (!surface) return tl::unexpected(surface.error());
+            lines = std::move(surface->mesh);
+        }
+        made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(lines));
+        return made;
+    }
+    if (request.kind != SurfaceKind::kIso) {
+        auto ready = make_ready(tree, request.surface, job);
+        if (!ready) return tl::unexpected(ready.error());
+        made.mesh = std::move(ready->mesh);
+        return made;
+    }
+    auto surface = isosurface_of(tree, request, made, job);
+    if (!surface) return tl::unexpected(surface.error());
+    render::Box box, own;
+    for (const tree::Point& point : tree.points) box.include(point.position);
+    for (const auto& position : surface->positions) own.include(glm::dvec3(position));
+    if (!own.empty() && apart(own, box))
+        return fail("this mask lies elsewhere than the tree", request.mask,
+                    "give the mask that the tree was made from");
+    if (request.wire) {
+        made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(*surface));
+        return made;
+    }
+    surface->branches.assign(surface->positions.size(), 0);
+    surface->radii.assign(surface->positions.size(), 0.0F);
+    made.mesh = paged(*surface, tree);
+    return made;
+}
+
+} // namespace ramus::app

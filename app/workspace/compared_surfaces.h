@@ -1,0 +1,63 @@
+// The surfaces that are compared with each other: how one is asked for and made, for the window, pictures without one
+// and studies alike. A mask's surface has no branches: its mesh calls all of it branch 0.
+#pragma once
+
+#include "app/session/comparison.h"
+#include "app/workspace/surface_maker.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+// Everything that it depends on beside its tree.
+struct ComparedRequest {
+    SurfaceKind kind = SurfaceKind::kConvolution;
+    SurfaceRequest surface;           // of an isosurface threads and memory alone
+    std::string mask;                 // of an isosurface; empty: a mask of the tree's own voxels
+    std::vector<std::int32_t> labels; // in it; empty: all
+    double voxel_mm = 0.0;            // without a mask; 0: a sensible size
+    bool wire = false;                // for lines: triangles large enough to be told apart
+    bool operator==(const ComparedRequest&) const = default;
+    // Whether a surface of the one takes the place of one of the other.
+    [[nodiscard]] bool same_place(const ComparedRequest& other) const {
+        return kind == other.kind && wire == other.wire;
+    }
+};
+
+struct ComparedSurface {
+    ComparedRequest request;
+    std::shared_ptr<const render::PagedMesh> mesh;   // null for lines
+    std::shared_ptr<const mesh::TriangleMesh> lines; // null for surfaces
+    double voxel_mm = 0.0;                           // of a mask that was made; 0: none was
+    std::vector<std::string> notes;                  // what was assumed where the mask does not say
+};
+
+[[nodiscard]] ComparedRequest compared_request(const Marks& marks, SurfaceKind kind);
+// All that the picture needs beside the session's own surface, in the order of its panes.
+[[nodiscard]] std::vector<ComparedRequest> compared_requests(const Marks& marks);
+
+// Fails as surfaces, volumes and isosurfaces do, with the mask's name, and when the mask lies elsewhere than the tree.
+[[nodiscard]] Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request,
+                                                    Job& job);
+
+// The meshes of a picture, by kind; null: not there yet.
+struct ShownSurfaces {
+    std::array<std::shared_ptr<const render::PagedMesh>, kSurfaceKinds.size()> meshes;
+    std::shared_ptr<const mesh::TriangleMesh> lines; // of the one that is superimposed
+    void take(const ComparedSurface& surface) {
+        if (surface.request.wire)
+            lines = surface.lines;
+        else
+            of(surface.request.kind) = surface.mesh;
+    }
+    [[nodiscard]] const std::shared_ptr<const render::PagedMesh>& of(SurfaceKind kind) const {
+        return meshes[static_cast<std::size_t>(kind)];
+    }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh>& of(SurfaceKind kind) {
+        return meshes[static_cast<std::size_t>(kind)];
+    }
+};
+
+} // namespace ramus::app

@@ -1,0 +1,349 @@
+// Surfaces of the same vessels looked at together: what is said, kept and undone, where panes lie, what they show, and
+// how the surfaces come to be.
+#include "app/picture/compose_sheet.h"
+#include "app/session/session_file.h"
+#include "app/workspace/workspace.h"
+#include "core/tree/build_tree.h"
+#include "tests/support/command_stage.h"
+#include "tests/support/nifti_file.h"
+#include "tests/support/temporary_folder.h"
+
+#include <chrono>
+#include <doctest/doctest.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+using namespace ramus;
+using namespace ramus::app;
+using Mode = Comparison::Mode;
+
+namespace {
+
+// A stem of 20 mm along z that forks in two.
+tree::VesselTree forked() {
+    tree::Graph graph;
+    graph.points = {{{0, 0, 0}, 2.0}, {{0, 0, 20}, 2.0}, {{10, 0, 30}, 1.0}, {{-10, 0, 30}, 1.5}};
+    graph.edges = {{0, 1}, {1, 2}, {1, 3}};
+    graph.roots = {0};
+    auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
+    REQUIRE(tree);
+    return std::move(*tree);
+}
+
+// A box of 4 x 4 x 20 mm around its stem, of label 3, at `x` mm.
+std::filesystem::path write_mask(const std::filesystem::path& path, double x = 0.0) {
+    test::NiftiFile file;
+    file.dim = {3, 8, 8, 24, 1, 1, 1, 1};
+    file.rows = {1, 0, 0, x - 3.5, 0, 1, 0, -3.5, 0, 0, 1, -1.5};
+    std::vector<std::uint8_t> voxels;
+    for (int k = 0; k < 24; ++k)
+        for (int j = 0; j < 8; ++j)
+            for (int i = 0; i < 8; ++i)
+                voxels.push_back(i >= 2 && i < 6 && j >= 2 && j < 6 && k >= 2 && k < 22 ? 3 : 0);
+    file.put(voxels);
+    std::ofstream(path, std::ios::binary) << file.bytes();
+    return path;
+}
+
+template <class Condition> bool settle(Workspace& workspace, const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (std::chrono::steady_clock::now() < end) {
+        workspace.update();
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("a comparison and the skeleton survive the session's file, and are not in one without them") {
+    const TemporaryFolder folder;
+    Session session;
+    session.tree.path = folder.path() / "tree.swc";
+    CHECK_FALSE(to_json(session, folder.path()).contains("comparison"));
+    session.marks.skeleton = true;
+    session.marks.comparison = {Mode::kBlend,
+                                {SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution},
+                                (folder.path() / "masks" / "liver.nii.gz").string(),
+                                {-1, 2},
+                                1.0 / 3.0};
+    const auto file = folder.path() / "session.ramus.json";
+    REQUIRE(write_session(session, file));
+    const auto read = read_session(file);
+    REQUIRE_MESSAGE(read, read.error().message());
+    CHECK(read->session == session);
+    CHECK(to_json(session, folder.path())["comparison"]["mask"] == "masks/liver.nii.gz");
+
+    const auto refused = [&](const nlohmann::json& comparison) {
+        auto value = to_json(session, folder.path());
+        value["comparison"] = comparison;
+        return !session_from_json(value, folder.path(), "s.json");
+    };
+    CHECK_FALSE(refused({{"mode", "off"}}));
+    CHECK(refused({{"mode", "upside-down"}}));
+    CHECK(refused({{"surfaces", {"cs"}}}));
+    CHECK(refused({{"surfaces", {"cs", "cs"}}}));
+    CHECK(refused({{"surfaces", {"cs", "magic"}}}));
+    CHECK(refused({{"labels", {0}}}));
+    CHECK(refused({{"labels", {1.5}}}));
+    CHECK(refused({{"blend", 1.1}}));
+    CHECK(refused({{"colour", "red"}}));
+    CHECK(refused(3));
+}
+
+TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
+    const TemporaryFolder folder;
+    const auto mask = write_mask(folder.path() / "mask of it.nii");
+    test::CommandStage stage(forked());
+    const Marks start = stage.marks();
+    stage.good("compare side-by-side iso,cones,cs");
+    CHECK(stage.marks().comparison.mode == Mode::kSideBySide);
+    CHECK(stage.marks().comparison.surfaces ==
+          std::vector{SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution});
+    stage.good("compare blend");
+    CHECK(stage.marks().comparison.surfaces.size() == 3);
+    CHECK(compared_surfaces(stage.marks().comparison) == std::vector{SurfaceKind::kIso, SurfaceKind::kCones});
+    stage.good("compare-blend 0.25");
+    CHECK(stage.marks().comparison.blend == 0.25);
+    stage.good("compare-mask \"" + mask.string() + "\" 3,1,3");
+    CHECK(stage.marks().comparison.mask == mask.string());
+    CHECK(stage.marks().comparison.labels == std::vector<std::int32_t>{1, 3});
+    CHECK(title_of(SurfaceKind::kIso, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
+    stage.good("skeleton");
+    CHECK(stage.marks().skeleton);
+    stage.good("skeleton off");
+    CHECK_FALSE(stage.marks().skeleton);
+    stage.good("compare-mask none");
+    CHECK(stage.marks().comparison.mask.empty());
+    CHECK(stage.marks().comparison.labels.empty());
+    for (const char* wrong :
+         {"compare", "compare beside", "compare blend cs", "compare blend cs,cs", "compare blend cs, iso",
+          "compare side-by-side cs,cones,iso,cs", "compare-blend", "compare-blend 1.01", "compare-blend nan",
+          "compare-mask absent.nii", "compare-mask a b c", "skeleton perhaps"})
+        stage.bad(wrong);
+    stage.bad("compare-mask \"" + mask.string() + "\" 0");
+    while (stage.document.undo()) {
+    }
+    CHECK(stage.marks() == start);
+    while (stage.document.redo()) {
+    }
+    CHECK(stage.marks().comparison.blend == 0.25);
+}
+
+TEST_CASE("panes have one size, lie inside the picture in their order, and do not touch") {
+    Marks marks;
+    CHECK(panes_of(marks, {800, 600}, 1.0F) ==
+          std::vector<ComparedPane>{{{0, 0}, {800, 600}, SurfaceKind::kConvolution, "", true}});
+    marks.options.method = mesh::Method::kTruncatedCones;
+    CHECK(panes_of(marks, {800, 600}, 1.0F)[0].surface == SurfaceKind::kCones);
+    marks.comparison.mode = Mode::kSideBySide;
+    for (const std::size_t count : {2U, 3U}) {
+        marks.comparison.surfaces = {SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution};
+        marks.comparison.surfaces.resize(count);
+        for (const glm::ivec2 size : {glm::ivec2{800, 600}, {801, 600}, {802, 600}, {333, 1000}, {100, 100}, {7, 2}})
+            for (const float ratio : {1.0F, 1.5F, 2.0F}) {
+                CAPTURE(count);
+                CAPTURE(size.x);
+                CAPTURE(ratio);
+                const auto panes = panes_of(marks, size, ratio);
+                REQUIRE(panes.size() == count);
+                const int along = size.x >= size.y ? 0 : 1, line = ratio > 1.4F ? 2 : 1;
+                CHECK(panes.front().at == glm::ivec2(0));
+                CHECK(panes.back().at[along] + panes.back().size[along] == size[along]);
+                for (std::size_t i = 0; i < count; ++i) {
+                    CHECK(panes[i].size == panes[0].size);
+                    CHECK(panes[i].size[1 - along] == size[1 - along]);
+                    CHECK(panes[i].surface == marks.comparison.surfaces[i]);
+                    CHECK(panes[i].has_branches == (panes[i].surface != SurfaceKind::kIso));
+                    CHECK_FALSE(panes[i].title.empty());
+                    if (i == 0 || size.x < 10) continue;
+                    const int gap = panes[i].at[along] - panes[i - 1].at[along] - panes[i - 1].size[along];
+                    CHECK(gap >= line);
+                    CHECK(gap <= line + 2); // and what does not divide
+                }
+            }
+    }
+    for (const Mode mode : {Mode::kBlend, Mode::kSuperimposed}) {
+        marks.comparison.mode = mode;
+        const auto panes = panes_of(marks, {800, 600}, 1.0F);
+        CHECK(panes.size() == (mode == Mode::kBlend ? 2U : 1U));
+        for (const ComparedPane& pane : panes) {
+            CHECK(pane.at == glm::ivec2(0));
+            CHECK(pane.size == glm::ivec2(800, 600));
+        }
+    }
+}
+
+TEST_CASE("all panes have one camera; one without branches shows nothing of them") {
+    test::CommandStage stage(forked());
+    ShownSurfaces surfaces;
+    for (auto& mesh : surfaces.meshes) mesh = std::make_shared<const render::PagedMesh>();
+    surfaces.lines = std::make_shared<const mesh::TriangleMesh>();
+    stage.good("select 1\nhide\nselect 2\ncolour-by diameter\ncut 2\nskeleton on\ncompare side-by-side iso,cones,cs");
+    const Viewing viewing{.size = {900, 300}, .hovered = 2};
+    const render::Sheet sheet = compose_sheet(stage.document, surfaces, viewing);
+    REQUIRE(sheet.panes.size() == 3);
+    CHECK_FALSE(sheet.blend);
+    int bars = 0, cubes = 0, legends = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const render::Frame& frame = sheet.panes[i].frame;
+        const bool iso = i == 0;
+        CHECK(frame.camera == stage.document.session().camera);
+        CHECK(frame.size == sheet.panes[0].frame.size);
+        CHECK(frame.mesh == surfaces.of(stage.marks().comparison.surfaces[i]));
+        CHECK(sheet.panes[i].has_branches == !iso);
+        CHECK(frame.states.empty() == iso);
+        CHECK(frame.selected.empty() == iso);
+        CHECK(frame.lost.empty() == iso);
+        CHECK(frame.hovered == (iso ? render::kNoBranch : 2));
+        CHECK((frame.centerlines == nullptr) == iso); // else it would be cones while it moves
+        CHECK(frame.skeleton != nullptr);
+        CHECK_FALSE(frame.overlays.heading.empty());
+        bars += frame.overlays.scale_bar ? 1 : 0;
+        cubes += frame.overlays.orientation_cube ? 1 : 0;
+        legends += frame.overlays.legend.title.empty() ? 0 : 1;
+    }
+    CHECK(bars == 1);
+    CHECK(cubes == 1);
+    CHECK(legends == 1);
+
+    stage.good("compare blend cs,iso\ncompare-blend 0.25");
+    const render::Sheet blend = compose_sheet(stage.document, surfaces, viewing);
+    CHECK(blend.blend == 0.25);
+    CHECK(blend.heading == "Convolution surface 75 %, isosurface of the tree's voxels 25 %");
+    CHECK(blend.panes[0].frame.overlays == blend.panes[1].frame.overlays); // what lies over both is not faded
+    // Fading changes no frame.
+    const render::Sheet tried = compose_sheet(stage.document, surfaces, viewing, {.blend = 0.75});
+    CHECK(tried.panes == blend.panes);
+    CHECK(tried.blend == 0.75);
+
+    stage.good("compare superimposed");
+    const render::Sheet over = compose_sheet(stage.document, surfaces, viewing);
+    REQUIRE(over.panes.size() == 1);
+    REQUIRE(over.panes[0].frame.context.size() == 1);
+    CHECK(over.panes[0].frame.context[0].wireframe);
+    CHECK(over.panes[0].frame.context[0].mesh == surfaces.lines);
+
+    stage.good("compare off");
+    const render::Sheet plain = compose_sheet(stage.document, surfaces, viewing);
+    REQUIRE(plain.panes.size() == 1);
+    CHECK(plain.panes[0].frame == compose(stage.document, surfaces.of(SurfaceKind::kConvolution), viewing));
+}
+
+TEST_CASE("the surfaces that a comparison needs") {
+    Marks marks;
+    CHECK(compared_requests(marks).empty());
+    marks.comparison = {Mode::kSideBySide, {SurfaceKind::kConvolution, SurfaceKind::kIso}, "mask.nii", {3}, 0.5};
+    auto requests = compared_requests(marks);
+    REQUIRE(requests.size() == 1); // its own is there
+    CHECK(requests[0].kind == SurfaceKind::kIso);
+    CHECK(requests[0].mask == "mask.nii");
+    CHECK(requests[0].labels == std::vector<std::int32_t>{3});
+    // Hiding and smoothing are nothing to a mask.
+    set_state(marks, std::vector<int>{1}, render::BranchState::kHidden);
+    marks.options.smooth_passes = 4;
+    CHECK(compared_requests(marks) == requests);
+    marks.options.method = mesh::Method::kTruncatedCones;
+    requests = compared_requests(marks);
+    REQUIRE(requests.size() == 2);
+    CHECK(requests[0].kind == SurfaceKind::kConvolution);
+    CHECK(requests[0].surface.hidden == std::vector<int>{1});
+    marks.comparison.mode = Mode::kSuperimposed;
+    marks.comparison.surfaces = {SurfaceKind::kConvolution, SurfaceKind::kCones};
+    requests = compared_requests(marks);
+    REQUIRE(requests.size() == 2); // its own, as lines
+    CHECK_FALSE(requests[0].wire);
+    CHECK(requests[1].wire);
+}
+
+TEST_CASE("surfaces to compare with are made, of masks and without one") {
+    const TemporaryFolder folder;
+    const tree::VesselTree tree = forked();
+    Marks marks;
+    marks.comparison.mask = write_mask(folder.path() / "mask.nii").string();
+    Job job;
+    const auto iso = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    REQUIRE_MESSAGE(iso, iso.error().message());
+    // A box of voxels whose centres span 3 x 3 x 19 mm, the surface half a voxel farther.
+    const render::Box& box = iso->mesh->bounds();
+    CHECK(glm::distance(box.lower, glm::dvec3(-2.0, -2.0, 0.0)) < 1e-5);
+    CHECK(glm::distance(box.upper, glm::dvec3(2.0, 2.0, 20.0)) < 1e-5);
+    CHECK(iso->mesh->branch_count() == 1);
+    CHECK(iso->voxel_mm == 0.0);
+
+    marks.comparison.labels = {1};
+    const auto absent = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    REQUIRE_FALSE(absent);
+    CHECK(absent.error().message().find("mask.nii") != std::string::npos);
+    marks.comparison.labels = {3};
+    marks.comparison.mask = write_mask(folder.path() / "elsewhere.nii", 500.0).string();
+    const auto elsewhere = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    REQUIRE_FALSE(elsewhere);
+    CHECK(elsewhere.error().message().find("elsewhere") != std::string::npos);
+
+    marks.comparison.mask.clear();
+    const auto own = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    REQUIRE_MESSAGE(own, own.error().message());
+    CHECK(own->voxel_mm > 0.0);
+    CHECK(own->mesh->triangle_count() > 100);
+    ComparedRequest wire = compared_request(marks, SurfaceKind::kCones);
+    wire.wire = true;
+    const auto lines = make_compared(tree, wire, job);
+    REQUIRE(lines);
+    CHECK_FALSE(lines->mesh);
+    CHECK(lines->lines->triangles.size() > 100);
+    wire.surface.hidden = {0, 1, 2};
+    const auto nothing = make_compared(tree, wire, job);
+    REQUIRE(nothing);
+    CHECK(nothing->lines->triangles.empty());
+}
+
+TEST_CASE("a workspace makes them behind the document, and says why it cannot") {
+    const TemporaryFolder folder;
+    Workspace workspace({});
+    const auto file = folder.path() / "fork.swc";
+    std::ofstream(file) << "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
+    workspace.open(file);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    CHECK_FALSE(workspace.comparing());
+    const auto change = [&](const auto& how) {
+        Marks next = workspace.document.marks();
+        how(next);
+        workspace.document.change(next);
+    };
+    change([](Marks& m) {
+        m.comparison.mode = Mode::kSideBySide;
+        m.comparison.surfaces = {SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution};
+    });
+    CHECK(workspace.comparing());
+    REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
+    CHECK(workspace.comparison_problem().empty());
+    CHECK(workspace.surfaces().of(SurfaceKind::kConvolution) == workspace.shown().mesh);
+    const auto iso = workspace.surfaces().of(SurfaceKind::kIso);
+    const auto cones = workspace.surfaces().of(SurfaceKind::kCones);
+    REQUIRE(iso);
+    REQUIRE(cones);
+
+    // The cones follow what is hidden; the isosurface stays.
+    change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kHidden); });
+    CHECK(workspace.surfaces().of(SurfaceKind::kCones) == cones); // until the others are there
+    REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
+    CHECK(workspace.surfaces().of(SurfaceKind::kCones) != cones);
+    CHECK(workspace.surfaces().of(SurfaceKind::kIso) == iso);
+
+    std::ofstream(folder.path() / "bad.nii") << "this is no mask";
+    change([&](Marks& m) { m.comparison.mask = (folder.path() / "bad.nii").string(); });
+    REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
+    CHECK(workspace.comparison_problem().find("bad.nii") != std::string::npos);
+    CHECK(workspace.surfaces().of(SurfaceKind::kIso) == iso); // what was there before
+    change([&](Marks& m) { m.comparison.mask = write_mask(folder.path() / "mask.nii").string(); });
+    REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
+    CHECK(workspace.comparison_problem().empty());
+    CHECK(workspace.surfaces().of(SurfaceKind::kIso) != iso);
+
+    change([](Marks& m) { m.comparison.mode = Mode::kOff; });
+    workspace.update();
+    CHECK_FALSE(workspace.surfaces().of(SurfaceKind::kIso)); // nobody looks at it
+}
