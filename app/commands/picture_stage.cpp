@@ -71,7 +71,7 @@ Result<render::Sheet> PictureStage::sheet() {
     for (const ComparedRequest& request : compared_requests(marks))
         if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
     for (const ComparedSurface& one : compared_) surfaces.take(one);
-    surfaces.of(kind_of(marks.options.method)) = surface_.mesh;
+    surfaces.set(kind_of(marks.options.method), surface_.mesh, nullptr);
     return compose_sheet(document_, surfaces, viewing_);
 }
 

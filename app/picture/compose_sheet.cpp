@@ -86,7 +86,7 @@ render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfa
         if (!panes[i].has_branches) take_branches_away(frame);
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)
             frame.context.push_back({.mesh = surfaces.lines,
-                                     .preview = nullptr,
+                                     .preview = surfaces.lines_preview,
                                      .colour = kLineColour,
                                      .opacity = 0.9F,
                                      .wireframe = true});

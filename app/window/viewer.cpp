@@ -181,7 +181,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     const bool compares = !all_panes.front().title.empty();
     SheetViewing sheet_viewing{.blend = interface_.tried_blend};
     if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * scale_));
-    render::Sheet sheet = compose_sheet(workspace_.document, workspace_.surfaces(), viewing(), sheet_viewing);
+    const ShownSurfaces surfaces = workspace_.surfaces();
+    render::Sheet sheet = compose_sheet(workspace_.document, surfaces, viewing(), sheet_viewing);
     const SurfaceKind own_kind = kind_of(workspace_.document.marks().options.method);
     shown_camera_ = camera_on_its_way();
     render::Frame& frame = sheet.panes.front().frame; // the others are seen as quickly as it is
@@ -196,6 +197,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         render::Frame& one = sheet.panes[i].frame;
         one.camera = shown_camera_;
         one.quality = quality;
+        one.preview = surfaces.preview_of(all_panes[i].surface);
         if (all_panes[i].surface != own_kind) continue;
         one.mesh = workspace_.shown().mesh;
         one.preview = workspace_.shown().preview;

@@ -1,5 +1,6 @@
 #include "app/workspace/compared_surfaces.h"
 
+#include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/read_volume.h"
 #include "core/volume/voxelise.h"
@@ -12,6 +13,22 @@ namespace ramus::app {
 namespace {
 
 constexpr int kWireDetail = 10; // triangles around a vessel; more are a wall of lines (by eye)
+
+// What a software rasteriser draws fluently, and from how many triangles on it does not.
+constexpr std::size_t kFluent = 60'000, kManyTriangles = 150'000;
+
+// Branch 0, as meshes that are drawn have one.
+std::shared_ptr<const render::PagedMesh> in_one_branch(mesh::TriangleMesh mesh, const tree::VesselTree& tree) {
+    mesh.branches.assign(mesh.positions.size(), 0);
+    mesh.radii.assign(mesh.positions.size(), 0.0F);
+    return paged(mesh, tree);
+}
+
+void take_lines(mesh::TriangleMesh mesh, ComparedSurface& made) {
+    if (mesh.triangles.size() > kManyTriangles)
+        made.lines_preview = std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(mesh, kFluent));
+    made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(mesh));
+}
 
 bool apart(const render::Box& a, const render::Box& b) {
     return glm::any(glm::lessThan(a.upper, b.lower)) || glm::any(glm::lessThan(b.upper, a.lower));
@@ -77,7 +94,7 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
             if (!surface) return tl::unexpected(surface.error());
             lines = std::move(surface->mesh);
         }
-        made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(lines));
+        take_lines(std::move(lines), made);
         return made;
     }
     if (request.kind != SurfaceKind::kIso) {
@@ -95,12 +112,12 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
         return fail("this mask lies elsewhere than the tree", request.mask,
                     "give the mask that the tree was made from");
     if (request.wire) {
-        made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(*surface));
+        take_lines(std::move(*surface), made);
         return made;
     }
-    surface->branches.assign(surface->positions.size(), 0);
-    surface->radii.assign(surface->positions.size(), 0.0F);
-    made.mesh = paged(*surface, tree);
+    if (surface->triangles.size() > kManyTriangles)
+        made.preview = in_one_branch(mesh::coarse_mesh(*surface, kFluent), tree);
+    made.mesh = in_one_branch(std::move(*surface), tree);
     return made;
 }
 

@@ -28,10 +28,12 @@ struct ComparedRequest {
 
 struct ComparedSurface {
     ComparedRequest request;
-    std::shared_ptr<const render::PagedMesh> mesh;   // null for lines
-    std::shared_ptr<const mesh::TriangleMesh> lines; // null for surfaces
-    double voxel_mm = 0.0;                           // of a mask that was made; 0: none was
-    std::vector<std::string> notes;                  // what was assumed where the mask does not say
+    std::shared_ptr<const render::PagedMesh> mesh;           // null for lines
+    std::shared_ptr<const render::PagedMesh> preview;        // of an isosurface that is large: for while the view moves
+    std::shared_ptr<const mesh::TriangleMesh> lines;         // null for surfaces
+    std::shared_ptr<const mesh::TriangleMesh> lines_preview; // likewise
+    double voxel_mm = 0.0;                                   // of a mask that was made; 0: none was
+    std::vector<std::string> notes;                          // what was assumed where the mask does not say
 };
 
 [[nodiscard]] ComparedRequest compared_request(const Marks& marks, SurfaceKind kind);
@@ -44,19 +46,20 @@ struct ComparedSurface {
 
 // The meshes of a picture, by kind; null: not there yet.
 struct ShownSurfaces {
-    std::array<std::shared_ptr<const render::PagedMesh>, kSurfaceKinds.size()> meshes;
-    std::shared_ptr<const mesh::TriangleMesh> lines; // of the one that is superimposed
+    using Paged = std::shared_ptr<const render::PagedMesh>;
+    std::array<Paged, kSurfaceKinds.size()> meshes, previews;
+    std::shared_ptr<const mesh::TriangleMesh> lines, lines_preview; // of the one that is superimposed
+    [[nodiscard]] const Paged& of(SurfaceKind kind) const { return meshes[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] const Paged& preview_of(SurfaceKind kind) const { return previews[static_cast<std::size_t>(kind)]; }
+    void set(SurfaceKind kind, Paged mesh, Paged preview) {
+        meshes[static_cast<std::size_t>(kind)] = std::move(mesh);
+        previews[static_cast<std::size_t>(kind)] = std::move(preview);
+    }
     void take(const ComparedSurface& surface) {
         if (surface.request.wire)
-            lines = surface.lines;
+            lines = surface.lines, lines_preview = surface.lines_preview;
         else
-            of(surface.request.kind) = surface.mesh;
-    }
-    [[nodiscard]] const std::shared_ptr<const render::PagedMesh>& of(SurfaceKind kind) const {
-        return meshes[static_cast<std::size_t>(kind)];
-    }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh>& of(SurfaceKind kind) {
-        return meshes[static_cast<std::size_t>(kind)];
+            set(surface.request.kind, surface.mesh, surface.preview);
     }
 };
 

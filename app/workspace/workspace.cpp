@@ -300,7 +300,7 @@ void Workspace::start_plan() {
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
     for (const ComparedSurface& one : compared_) surfaces.take(one);
-    surfaces.of(kind_of(document.marks().options.method)) = shown_.mesh;
+    surfaces.set(kind_of(document.marks().options.method), shown_.mesh, shown_.preview);
     return surfaces;
 }
 
