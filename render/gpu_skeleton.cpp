@@ -8,6 +8,8 @@ namespace ramus::render {
 
 namespace {
 
+constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixel where it fills the window
+
 Layer layer_of(const std::vector<Layer>& layers, std::int32_t branch) {
     const auto index = static_cast<std::size_t>(branch);
     return index < layers.size() ? layers[index] : Layer::kOpaque;
@@ -54,39 +56,42 @@ std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
     return rings;
 }
 
+void GpuSkeleton::Lines::send(const Centerlines& lines) {
+    std::vector<glm::vec4> places;
+    std::vector<std::uint32_t> owners;
+    for (std::size_t i = 0; i < lines.points.size(); ++i) {
+        places.emplace_back(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
+        owners.push_back(static_cast<std::uint32_t>(lines.details[i].branch));
+    }
+    runs = lines.runs;
+    make_buffer_texture(point_buffer, points, GL_RGBA32F, places.data(), places.size() * sizeof places[0]);
+    make_buffer_texture(branch_buffer, branches, GL_R32UI, owners.data(), owners.size() * sizeof owners[0]);
+}
+
 void GpuSkeleton::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (lines == shown_) return;
     shown_ = lines && !lines->points.empty() ? lines : nullptr;
     all_.clear();
     if (!shown_) return;
-    std::vector<glm::vec4> points;
-    std::vector<std::uint32_t> branches;
-    for (std::size_t i = 0; i < shown_->points.size(); ++i) {
-        points.emplace_back(glm::vec3(shown_->points[i]), 0.5F * shown_->details[i].diameter_mm);
-        branches.push_back(static_cast<std::uint32_t>(shown_->details[i].branch));
-    }
+    whole_.send(*shown_);
+    thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
     all_ = skeleton_rings(*shown_);
     std::vector<glm::vec4> rings;
     for (const SkeletonRing& ring : all_) {
         rings.emplace_back(ring.centre, ring.radius_mm);
         rings.emplace_back(ring.axis, 0.0F);
     }
-    const auto send = [](Buffer& buffer, Texture& texture, GLenum format, const auto& values) {
-        make_buffer_texture(buffer, texture, format, values.data(), values.size() * sizeof values[0]);
-    };
-    send(point_buffer_, point_texture_, GL_RGBA32F, points);
-    send(branch_buffer_, branch_texture_, GL_R32UI, branches);
-    if (!rings.empty()) send(ring_buffer_, ring_texture_, GL_RGBA32F, rings);
+    if (!rings.empty())
+        make_buffer_texture(ring_buffer_, ring_texture_, GL_RGBA32F, rings.data(), rings.size() * sizeof rings[0]);
 }
 
-void GpuSkeleton::draw_lines(const std::vector<Layer>& layers) const {
-    if (!shown_) return;
+void GpuSkeleton::Lines::draw(const std::vector<Layer>& layers) const {
     // Neighbouring runs are drawn as one: the step from a branch to the next is no segment, which the shader sees.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
     std::uint32_t end = 0;
-    for (std::size_t branch = 0; branch < shown_->runs.size(); ++branch) {
-        const Centerlines::Run run = shown_->runs[branch];
+    for (std::size_t branch = 0; branch < runs.size(); ++branch) {
+        const Centerlines::Run run = runs[branch];
         if (layer_of(layers, static_cast<std::int32_t>(branch)) == Layer::kNone || run.count < 2) continue;
         if (!counts.empty() && end == run.first)
             counts.back() += static_cast<GLsizei>(6 * run.count);

@@ -31,12 +31,19 @@ public:
     void follow(const std::shared_ptr<const Centerlines>& lines);
     [[nodiscard]] const Centerlines* shown() const { return shown_.get(); } // null: nothing
 
-    [[nodiscard]] GLuint points() const { return point_texture_; }    // RGBA32F: position, radius in mm
-    [[nodiscard]] GLuint branches() const { return branch_texture_; } // R32UI, of the same points
-    [[nodiscard]] GLuint rings() const { return ring_texture_; }      // RGBA32F: centre, radius; axis
+    // The lines as buffer textures; with fewer points while the view moves.
+    struct Lines {
+        std::vector<Centerlines::Run> runs; // by branch
+        Buffer point_buffer, branch_buffer;
+        Texture points;   // RGBA32F: position, radius in mm
+        Texture branches; // R32UI, of the same points
+        void send(const Centerlines& lines);
+        // Draws six corners a segment, without attributes, of branches that are not in Layer::kNone.
+        void draw(const std::vector<Layer>& layers) const;
+    };
+    [[nodiscard]] const Lines& lines(bool moving) const { return moving ? thinned_ : whole_; }
+    [[nodiscard]] GLuint rings() const { return ring_texture_; } // RGBA32F: centre, radius; axis
 
-    // Draws six corners a segment, without attributes, of branches that are not in Layer::kNone.
-    void draw_lines(const std::vector<Layer>& layers) const;
     // The rings that can be seen, by how many corners they need: indices into rings().
     struct Seen {
         std::vector<std::uint32_t> small, large;
@@ -46,12 +53,13 @@ public:
 private:
     std::shared_ptr<const Centerlines> shown_;
     std::vector<SkeletonRing> all_;
-    Buffer point_buffer_, branch_buffer_, ring_buffer_;
-    Texture point_texture_, branch_texture_, ring_texture_;
+    Lines whole_, thinned_;
+    Buffer ring_buffer_;
+    Texture ring_texture_;
 };
 
 // Of a ring in a picture: below the least its radius in pixels is too small to be told from the line.
 inline constexpr double kLeastRingPixels = 3.5, kLargeRingPixels = 16.0;
-inline constexpr int kSmallRingSteps = 20, kLargeRingSteps = 72;
+inline constexpr int kSmallRingSteps = 20, kLargeRingSteps = 72, kMovingRingSteps = 12;
 
 } // namespace ramus::render

@@ -45,15 +45,17 @@ void main() {
     vec4 circle = texelFetch(rings, 2 * ring);
     vec3 axis = texelFetch(rings, 2 * ring + 1).xyz;
     vec3 u = normalize(cross(axis, abs(axis.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0))), v = cross(axis, u);
-    vec3 corners[3];
-    for (int i = 0; i < 3; ++i) {
-        float angle = 6.28318531 * float((turn + i + steps - 1) % steps) / float(steps);
-        corners[i] = circle.xyz + circle.w * (cos(angle) * u + sin(angle) * v);
-    }
-    vec3 place = corners[1];
-    before = to_clip * vec4(corners[0], 1.0);
-    own = to_clip * vec4(place, 1.0);
-    after = to_clip * vec4(corners[2], 1.0);
+    // A turn of this corner, and of a step: its neighbours follow from both.
+    float angle = 6.28318531 * float(turn % steps) / float(steps), step_angle = 6.28318531 / float(steps);
+    vec2 here = vec2(cos(angle), sin(angle)), one = vec2(cos(step_angle), sin(step_angle));
+    vec2 back = vec2(here.x * one.x + here.y * one.y, here.y * one.x - here.x * one.y);
+    vec2 on = vec2(here.x * one.x - here.y * one.y, here.y * one.x + here.x * one.y);
+    vec4 centre = to_clip * vec4(circle.xyz, 1.0);
+    vec4 right = to_clip * vec4(circle.w * u, 0.0), up = to_clip * vec4(circle.w * v, 0.0);
+    vec3 place = circle.xyz + circle.w * (here.x * u + here.y * v);
+    before = centre + back.x * right + back.y * up;
+    own = centre + here.x * right + here.y * up;
+    after = centre + on.x * right + on.y * up;
     float pixels = circle.w * length(vec3(to_clip[0].y, to_clip[1].y, to_clip[2].y)) / own.w * half_picture.y;
     ink = smoothstep(ring_steps.y, 2.2 * ring_steps.y, pixels);
     behind = circle.w * vec2(0.25, 2.5);

@@ -11,7 +11,8 @@ namespace ramus::render {
 
 namespace {
 
-constexpr float kRingWidth = 1.0F;   // points
+constexpr std::size_t kMostMovingRings = 400; // of one size: more hold up a software rasteriser, and wait for the rest
+constexpr float kRingWidth = 1.0F;            // points
 constexpr float kHiddenLine = 0.55F; // how much is left of a line behind a surface: most of them lie in vessels
 constexpr float kHiddenRing = 0.25F; // of the far half of a ring
 constexpr glm::vec3 kLineColour{0.95F, 0.96F, 0.98F}, kRingColour{0.98F, 0.93F, 0.78F};
@@ -55,9 +56,10 @@ void Renderer::Impl::draw_skeleton(const Frame& frame, const std::vector<Layer>&
     use(skeleton_ring_, kRingWidth, kRingColour, kHiddenRing);
     glBindTextureUnit(0, skeleton_.rings());
     const GpuSkeleton::Seen seen = skeleton_.seen(frame.camera, frame.size, layers);
-    for (const auto& [rings, steps] :
-         {std::pair{&seen.small, kSmallRingSteps}, std::pair{&seen.large, kLargeRingSteps}}) {
-        if (rings->empty()) continue;
+    const bool moving = frame.quality == Quality::kInteractive;
+    for (const auto& [rings, steps] : {std::pair{&seen.small, moving ? kMovingRingSteps : kSmallRingSteps},
+                                       std::pair{&seen.large, kLargeRingSteps}}) {
+        if (rings->empty() || (moving && rings->size() > kMostMovingRings)) continue;
         Buffer buffer;
         Texture texture;
         make_buffer_texture(buffer, texture, GL_R32UI, rings->data(), rings->size() * sizeof(std::uint32_t));
@@ -66,9 +68,10 @@ void Renderer::Impl::draw_skeleton(const Frame& frame, const std::vector<Layer>&
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * rings->size() * static_cast<std::size_t>(steps)));
     }
     use(skeleton_line_, kCenterlineWidth, kLineColour, kHiddenLine);
-    glBindTextureUnit(0, skeleton_.points());
-    glBindTextureUnit(1, skeleton_.branches());
-    skeleton_.draw_lines(layers);
+    const GpuSkeleton::Lines& drawn = skeleton_.lines(moving);
+    glBindTextureUnit(0, drawn.points);
+    glBindTextureUnit(1, drawn.branches);
+    drawn.draw(layers);
 }
 
 } // namespace ramus::render
