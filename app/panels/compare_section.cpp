@@ -38,7 +38,7 @@ void begin_row(const char* label, const char* help) {
 
 std::string spelled(const std::vector<SurfaceKind>& surfaces) {
     std::string list;
-    for (const SurfaceKind kind : surfaces) list += (list.empty() ? "" : ",") + std::string(name_of(kind));
+    for (const SurfaceKind kind : surfaces) list.append(list.empty() ? "" : ",").append(name_of(kind));
     return list;
 }
 

@@ -174,7 +174,7 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     if (value.contains("surfaces")) {
         std::string list;
         for (const json& name : list_in(value, "surfaces"))
-            list += (list.empty() ? "" : ",") + text(name, "surface of the comparison");
+            list.append(list.empty() ? "" : ",").append(text(name, "surface of the comparison"));
         const auto surfaces = surface_list(list);
         if (!surfaces) throw Refusal{"surfaces is not a list of two or three of cs, cones, iso"};
         comparison.surfaces = *surfaces;
@@ -182,7 +182,7 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     if (value.contains("mask"))
         comparison.mask = (folder / text(value["mask"], "path of the mask")).lexically_normal().string();
     std::string labels;
-    for (const json& label : list_in(value, "labels")) labels += (labels.empty() ? "" : ",") + label.dump();
+    for (const json& label : list_in(value, "labels")) labels.append(labels.empty() ? "" : ",").append(label.dump());
     if (!labels.empty()) {
         const auto found = label_list(labels);
         if (!found) throw Refusal{"labels is not a list of whole numbers other than 0"};

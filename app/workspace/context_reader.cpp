@@ -58,6 +58,7 @@ bool ContextReader::update(const std::vector<ContextItem>& context) {
             !context_trouble(source))
             start(source, std::nullopt);
     }
+    working_ = worker_.busy();
     return std::exchange(came_, false);
 }
 

@@ -33,7 +33,8 @@ public:
     [[nodiscard]] bool gave_up(const ContextSource& source) const { return given_up_.contains(source); }
     void forget(); // all that is on its way or was said: it belongs to the tree before
 
-    [[nodiscard]] bool busy() const { return worker_.busy() || !asked_.empty(); }
+    // Until an update() has found nothing more to do: between one file and the next the worker is idle.
+    [[nodiscard]] bool busy() const { return working_ || !asked_.empty(); }
     [[nodiscard]] const std::string& title() const { return worker_.title(); }
     [[nodiscard]] float progress() const { return worker_.progress(); }
 
@@ -49,7 +50,7 @@ private:
     std::deque<Error> errors_;
     std::set<ContextSource> given_up_;
     ContextSource current_;
-    bool came_ = false;
+    bool came_ = false, working_ = false;
     Worker worker_; // last: its thread ends first
 };
 
