@@ -3,10 +3,6 @@
 #include "app/picture/centerlines.h"
 #include "app/picture/distance_grid.h"
 #include "app/session/lesion_meshes.h"
-#include "app/session/session_file.h"
-#include "app/storage/tree_source.h"
-#include "core/base/stopwatch.h"
-#include "core/tree/thin.h"
 
 #include <chrono>
 #include <oneapi/tbb/task_arena.h>
@@ -25,75 +21,7 @@ Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& re
     return one.execute([&] { return maker.next(request, job); });
 }
 
-// A session's tree, and its cones. `where` names the session in messages; empty: it is a fresh one.
-Result<LoadedTree> load_tree_of(Session wanted, const std::string& where, const io::ReadOptions& reading, Job& job) {
-    const Stopwatch watch;
-    LoadedTree loaded;
-    loaded.session = std::move(wanted);
-    Session& session = loaded.session;
-    auto tree = io::read_tree(session.tree.path, reading);
-    if (!tree) return tl::unexpected(tree.error());
-    auto checksum = checksum_of(session.tree.path);
-    if (!checksum) return tl::unexpected(checksum.error());
-    if (!where.empty())
-        if (auto fits = check_against(session, *tree, *checksum, where); !fits) return tl::unexpected(fits.error());
-    session.tree.checksum = *checksum;
-    loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
-    loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
-    loaded.maker = std::make_shared<SurfaceMaker>(loaded.tree);
-    loaded.seconds = watch.seconds();
-
-    SurfaceRequest request = surface_request(session.marks);
-    mesh::SurfaceOptions& options = request.options;
-    options.method = mesh::Method::kTruncatedCones;
-    // The first picture stands for a moment: of a large tree it is a rough one, or the surface would be there before
-    // it.
-    constexpr std::size_t kRoughFrom = 2000; // segments
-    constexpr int kRough = 6;
-    constexpr double kRoughSpacing = 4.0; // radii
-    const bool rough = loaded.tree->segment_count() > kRoughFrom;
-    if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
-    auto cones = make_ready(rough ? tree::thinned(*loaded.tree, kRoughSpacing) : *loaded.tree, request, job);
-    if (!cones) return tl::unexpected(cones.error());
-    loaded.cones = std::move(*cones);
-    loaded.cones.provisional = true;
-    return loaded;
-}
-
 } // namespace
-
-Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
-                        Job& job) {
-    if (is_session_file(path)) {
-        auto saved = read_session(path);
-        if (!saved) return tl::unexpected(saved.error());
-        auto loaded = load_tree_of(std::move(saved->session), path.string(), reading, job);
-        if (!loaded) return loaded;
-        loaded->has_camera = saved->has_camera;
-        loaded->session.marks.options.threads = like.options.threads; // the machine's business, not the session's
-        loaded->session.marks.options.memory_bytes = like.options.memory_bytes;
-        loaded->file = std::filesystem::absolute(path).lexically_normal();
-        return loaded;
-    }
-    Session fresh;
-    fresh.tree.path = std::filesystem::absolute(path).lexically_normal();
-    fresh.marks.options = like.options;
-    fresh.marks.colour_by = like.colour_by;
-    fresh.marks.colour_map = like.colour_map;
-    return load_tree_of(std::move(fresh), {}, reading, job);
-}
-
-Result<LoadedTree> load(const autosave::Snapshot& snapshot, const io::ReadOptions& reading, Job& job) {
-    auto loaded = load_tree_of(snapshot.session, snapshot.session.tree.path.string(), reading, job);
-    if (!loaded) {
-        loaded.error().hint = "its recovery file is kept until you discard it";
-        return loaded;
-    }
-    loaded->has_camera = true;
-    loaded->file = snapshot.file;
-    loaded->unsaved_changes = snapshot.changes;
-    return loaded;
-}
 
 Workspace::Workspace(std::function<void()> wake)
     : context(wake), loader_(wake), mesher_(wake), planner_(wake), comparer_(wake) {

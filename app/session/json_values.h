@@ -1,0 +1,67 @@
+// Values of a session file, read with what is asked of them. One place throws and one place catches: nesting Results
+// through every member would hide the format. Internal to the files that read and write sessions.
+#pragma once
+
+#include "app/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ramus::app::session_json {
+
+using nlohmann::json;
+
+// What is wrong with a file.
+struct Refusal {
+    std::string what;
+};
+
+inline void expect_only(const json& object, const std::string& name, std::initializer_list<std::string_view> known) {
+    if (!object.is_object()) throw Refusal{name + " is not an object"};
+    for (const auto& [key, value] : object.items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw Refusal{"unknown name \"" + key + "\" in " + name};
+}
+
+inline double number(const json& value, const std::string& name, double least, double most) {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) throw Refusal{name + " is not a number"};
+    const auto found = value.get<double>();
+    if (found < least || found > most) throw Refusal{name + " " + value.dump() + " is out of range"};
+    return found;
+}
+
+inline int integer(const json& value, const std::string& name, int least, int most) {
+    if (!value.is_number_integer()) throw Refusal{name + " is not a whole number"};
+    return static_cast<int>(number(value, name, least, most));
+}
+
+inline std::string text(const json& value, const std::string& name) {
+    if (!value.is_string()) throw Refusal{name + " is not a text"};
+    return value.get<std::string>();
+}
+
+// The list of this name; an empty one when there is none.
+inline json list_in(const json& object, const std::string& name) {
+    if (!object.contains(name)) return json::array();
+    if (!object[name].is_array()) throw Refusal{name + " is not a list"};
+    return object[name];
+}
+
+inline bool truth(const json& value, const std::string& name) {
+    if (!value.is_boolean()) throw Refusal{name + " is not true or false"};
+    return value.get<bool>();
+}
+
+inline constexpr int kMostBranches = 100'000'000;
+
+inline std::vector<int> ids(const json& value, const std::string& name) {
+    if (!value.is_array()) throw Refusal{name + " is not a list"};
+    std::vector<int> found;
+    for (const json& id : value) found.push_back(integer(id, "branch id in " + name, 0, kMostBranches));
+    return canonical(std::move(found));
+}
+
+} // namespace ramus::app::session_json

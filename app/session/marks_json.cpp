@@ -1,0 +1,176 @@
+#include "app/session/marks_json.h"
+
+#include "app/session/json_values.h"
+
+#include <charconv>
+
+namespace ramus::app::session_json {
+
+using render::BranchState;
+
+json options_json(const Marks& marks) {
+    const mesh::SurfaceOptions& options = marks.options;
+    json value{{"method", options.method == mesh::Method::kTruncatedCones ? "cones" : "cs"},
+               {"smooth", options.smooth_passes},
+               {"prune", options.prune_ratio},
+               {"width", options.width},
+               {"detail", options.detail},
+               {"colour_by", std::string(name_of(marks.colour_by))},
+               {"colour_map", std::string(name_of(marks.colour_map))}};
+    if (options.cell_mm > 0.0) value["cell"] = options.cell_mm;
+    value["bands"] = marks.planning.bands_mm;
+    value["reconstruct"] = marks.planning.reconstruct_mm;
+    value["glass_opacity"] = marks.glass.opacity;
+    value["glass_grey"] = marks.glass.grey;
+    if (marks.skeleton) value["skeleton"] = true;
+    value["depth_cues"] = json::array();
+    for (const DepthCue cue : kDepthCues)
+        if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(name_of(cue)));
+    return value;
+}
+
+void read_options(const json& value, Marks& marks) {
+    expect_only(value, "options",
+                {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "colour_map", "bands",
+                 "reconstruct", "glass_opacity", "glass_grey", "skeleton", "depth_cues"});
+    mesh::SurfaceOptions& options = marks.options;
+    if (value.contains("method")) {
+        const std::string method = text(value["method"], "method");
+        if (method != "cs" && method != "cones") throw Refusal{"unknown method \"" + method + "\""};
+        options.method = method == "cones" ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
+    }
+    if (value.contains("smooth")) options.smooth_passes = integer(value["smooth"], "smooth", 0, 100);
+    if (value.contains("prune")) options.prune_ratio = number(value["prune"], "prune", 0.0, 1e300);
+    if (value.contains("width")) options.width = number(value["width"], "width", 0.1, 100.0);
+    if (value.contains("detail")) options.detail = integer(value["detail"], "detail", 4, 512);
+    if (value.contains("cell")) options.cell_mm = number(value["cell"], "cell", 0.0, 1e300);
+    if (value.contains("bands")) {
+        if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
+        marks.planning.bands_mm.clear();
+        for (const json& band : value["bands"]) marks.planning.bands_mm.push_back(number(band, "band", 1e-6, 1e6));
+        if (!std::ranges::is_sorted(marks.planning.bands_mm)) throw Refusal{"bands do not ascend"};
+    }
+    if (value.contains("reconstruct"))
+        marks.planning.reconstruct_mm = number(value["reconstruct"], "reconstruct", 0.0, 1e6);
+    if (value.contains("glass_opacity"))
+        marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
+    if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
+    if (value.contains("skeleton")) {
+        if (!value["skeleton"].is_boolean()) throw Refusal{"skeleton is not true or false"};
+        marks.skeleton = value["skeleton"].get<bool>();
+    }
+    if (value.contains("depth_cues")) {
+        if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};
+        for (const DepthCue cue : kDepthCues) marks.depth_cues.set(cue, false);
+        for (const json& one : value["depth_cues"]) {
+            const std::string wanted = text(one, "depth cue");
+            const auto found = std::ranges::find_if(kDepthCues, [&](DepthCue cue) { return name_of(cue) == wanted; });
+            if (found == kDepthCues.end()) throw Refusal{"unknown depth cue \"" + wanted + "\""};
+            marks.depth_cues.set(*found, true);
+        }
+    }
+    if (value.contains("colour_by")) {
+        const std::string wanted = text(value["colour_by"], "colour_by");
+        const auto found =
+            std::find_if(kColourings.begin(), kColourings.end(), [&](ColourBy c) { return name_of(c) == wanted; });
+        if (found == kColourings.end()) throw Refusal{"unknown colour_by \"" + wanted + "\""};
+        marks.colour_by = *found;
+    }
+    if (value.contains("colour_map")) {
+        const std::string wanted = text(value["colour_map"], "colour_map");
+        const auto found =
+            std::find_if(kColourMaps.begin(), kColourMaps.end(), [&](ColourMap m) { return name_of(m) == wanted; });
+        if (found == kColourMaps.end()) throw Refusal{"unknown colour_map \"" + wanted + "\""};
+        marks.colour_map = *found;
+    }
+}
+
+void read_states(const json& value, Marks& marks) {
+    expect_only(value, "states", {"highlighted", "defocused", "hidden"});
+    for (const BranchState state : kListedStates) {
+        const std::string name(name_of(state));
+        if (!value.contains(name)) continue;
+        const std::vector<int> found = ids(value[name], name);
+        for (const int id : found)
+            if (state_of(marks, id) != BranchState::kNormal)
+                throw Refusal{"branch " + std::to_string(id) + " has two states"};
+        set_state(marks, found, state);
+    }
+}
+
+namespace {
+
+constexpr std::array<std::pair<Measurement::Kind, const char*>, 4> kMeasurementNames{
+    {{Measurement::Kind::kDistance, "distance"},
+     {Measurement::Kind::kPath, "path"},
+     {Measurement::Kind::kDiameter, "diameter"},
+     {Measurement::Kind::kAngle, "angle"}}};
+
+} // namespace
+
+json measurement_json(const Measurement& m) {
+    json value;
+    for (const auto& [kind, name] : kMeasurementNames)
+        if (kind == m.kind) value["kind"] = name;
+    if (m.kind == Measurement::Kind::kDistance)
+        for (const glm::dvec3& p : m.points) value["points"].push_back({p.x, p.y, p.z});
+    else if (m.kind == Measurement::Kind::kPath)
+        value["branches"] = m.branches;
+    else
+        value["branches"] = {m.branches[0]};
+    if (m.kind == Measurement::Kind::kDiameter) value["fraction"] = m.fraction;
+    return value;
+}
+
+static Measurement measurement(const json& value) {
+    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction"});
+    Measurement found;
+    const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
+    const auto known =
+        std::ranges::find(kMeasurementNames, wanted, [](const auto& k) { return std::string(k.second); });
+    if (known == kMeasurementNames.end()) throw Refusal{"unknown measurement \"" + wanted + "\""};
+    found.kind = known->first;
+    const json points = value.value("points", json::array());
+    const json branches = value.value("branches", json::array());
+    const std::size_t wants_points = found.kind == Measurement::Kind::kDistance ? 2 : 0;
+    const std::size_t wants_branches = found.kind == Measurement::Kind::kPath ? 2 : wants_points == 0 ? 1 : 0;
+    if (!points.is_array() || points.size() != wants_points || !branches.is_array() ||
+        branches.size() != wants_branches)
+        throw Refusal{"a measurement of kind " + wanted + " has " + std::to_string(wants_points) + " points and " +
+                      std::to_string(wants_branches) + " branches"};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!points[i].is_array() || points[i].size() != 3) throw Refusal{"a point is not [x, y, z]"};
+        for (int k = 0; k < 3; ++k)
+            found.points[i][k] = number(points[i][static_cast<std::size_t>(k)], "coordinate of a point", -1e9, 1e9);
+    }
+    for (std::size_t i = 0; i < branches.size(); ++i)
+        found.branches[i] = integer(branches[i], "branch id of a measurement", 0, kMostBranches);
+    if (value.contains("fraction")) found.fraction = number(value["fraction"], "fraction", 0.0, 1.0);
+    return found;
+}
+
+void read_plans(const json& value, Marks& marks) {
+    for (const json& lesion : list_in(value, "lesions")) {
+        if (!lesion.is_array() || lesion.size() != 4) throw Refusal{"a lesion is not [x, y, z, radius]"};
+        std::array<double, 4> sphere{};
+        for (std::size_t i = 0; i < 4; ++i) sphere[i] = number(lesion[i], "lesion", i == 3 ? 0.0 : -1e9, 1e9);
+        marks.lesions.push_back(sphere);
+    }
+    for (const json& found : list_in(value, "measurements")) marks.measurements.push_back(measurement(found));
+    for (const json& cut : list_in(value, "cuts")) {
+        if (!cut.is_array() || cut.size() != 2) throw Refusal{"a cut is not [branch id, fraction]"};
+        marks.cuts.emplace_back(integer(cut[0], "branch id of a cut", 0, kMostBranches),
+                                number(cut[1], "cut", 0.0, 1.0));
+    }
+    if (!value.contains("names")) return;
+    if (!value["names"].is_object()) throw Refusal{"names is not an object"};
+    for (const auto& [key, name] : value["names"].items()) {
+        int id = -1;
+        const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), id);
+        if (error != std::errc{} || end != key.data() + key.size() || id < 0)
+            throw Refusal{"\"" + key + "\" in names is not a branch id"};
+        marks.names[id] = text(name, "name of branch " + key);
+    }
+}
+
+} // namespace ramus::app::session_json
