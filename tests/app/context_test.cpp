@@ -231,7 +231,7 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     CHECK(error->message().find("gone.stl") != std::string::npos);
     CHECK(context_trouble({gone.file, 0, false}).has_value());
     workspace.update();
-    CHECK_FALSE(workspace.busy());
+    CHECK_FALSE(workspace.context.busy());
     CHECK_FALSE(workspace.take_error().has_value());
     // Shown again, it is read.
     Marks marks = workspace.document.marks();
