@@ -1,8 +1,7 @@
 #include "render/blend.h"
 
 #include "render/captions.h"
-
-#include <algorithm>
+#include "render/finished_picture.h"
 
 namespace ramus::render {
 
@@ -63,24 +62,8 @@ void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size,
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Image Blend::read_image() const {
-    Image image(size_.x, size_.y), upside_down(size_.x, size_.y);
-    if (size_.x == 0) return image;
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(picture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
-                      upside_down.rgba.data());
-    const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
-    for (int y = 0; y < size_.y; ++y) std::copy_n(upside_down.pixel(0, size_.y - 1 - y), row, image.pixel(0, y));
-    straighten(image);
-    return image;
-}
+Image Blend::read_image() const { return read_picture(picture_, size_); }
 
-void Blend::present(unsigned framebuffer, int x, int y) const {
-    if (size_.x == 0) return;
-    glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(target_, framebuffer, 0, 0, size_.x, size_.y, x, y, x + size_.x, y + size_.y,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-}
+void Blend::present(unsigned framebuffer, int x, int y) const { present_picture(target_, size_, framebuffer, x, y); }
 
 } // namespace ramus::render

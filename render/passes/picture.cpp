@@ -1,3 +1,4 @@
+#include "render/finished_picture.h"
 #include "render/renderer_impl.h"
 
 #include <algorithm>
@@ -231,25 +232,10 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     return done;
 }
 
-Image Renderer::Impl::read_image() const {
-    Image image(size_.x, size_.y);
-    if (size_.x == 0) return image;
-    Image upside_down(size_.x, size_.y);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(picture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
-                      upside_down.rgba.data());
-    const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
-    for (int y = 0; y < size_.y; ++y) std::copy_n(upside_down.pixel(0, size_.y - 1 - y), row, image.pixel(0, y));
-    straighten(image);
-    return image;
-}
+Image Renderer::Impl::read_image() const { return read_picture(picture_, size_); }
 
 void Renderer::Impl::present(unsigned framebuffer, int x, int y) const {
-    if (size_.x == 0) return;
-    glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(picture_target_, framebuffer, 0, 0, size_.x, size_.y, x, y, x + size_.x, y + size_.y,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    present_picture(picture_target_, size_, framebuffer, x, y);
 }
 
 } // namespace ramus::render
