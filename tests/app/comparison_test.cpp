@@ -6,6 +6,7 @@
 #include "core/tree/build_tree.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/nifti_file.h"
+#include "tests/support/settle.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
@@ -16,6 +17,7 @@
 
 using namespace ramus;
 using namespace ramus::app;
+using ramus::test::settle;
 using Mode = Comparison::Mode;
 
 namespace {
@@ -44,16 +46,6 @@ std::filesystem::path write_mask(const std::filesystem::path& path, double x = 0
     file.put(voxels);
     std::ofstream(path, std::ios::binary) << file.bytes();
     return path;
-}
-
-template <class Condition> bool settle(Workspace& workspace, const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (std::chrono::steady_clock::now() < end) {
-        workspace.update();
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
 }
 
 } // namespace

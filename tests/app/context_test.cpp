@@ -10,6 +10,7 @@
 #include "tests/support/command_stage.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/nifti_file.h"
+#include "tests/support/settle.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
@@ -19,6 +20,7 @@
 
 using namespace ramus;
 using namespace ramus::app;
+using ramus::test::settle;
 namespace fs = std::filesystem;
 
 namespace {
@@ -58,16 +60,6 @@ struct Stage {
         return compose(commands.document, nullptr, {}).context;
     }
 };
-
-template <class Condition> bool settle(Workspace& workspace, const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (std::chrono::steady_clock::now() < end) {
-        workspace.update();
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-}
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "core/base/worker.h"
 #include "core/io/mesh_writer.h"
 #include "tests/support/icosphere.h"
+#include "tests/support/settle.h"
 
 #include <atomic>
 #include <chrono>
@@ -18,6 +19,7 @@
 
 using namespace ramus;
 using namespace ramus::app;
+using ramus::test::settle;
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,17 +35,6 @@ struct Folder {
 };
 
 constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
-
-// Waits as the window does, without its waiting.
-template <class Condition> bool settle(Workspace& workspace, const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (std::chrono::steady_clock::now() < end) {
-        workspace.update();
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-}
 
 } // namespace
 
