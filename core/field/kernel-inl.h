@@ -23,20 +23,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-// exp(-q) for q in [0, 80].
+// exp(-q) for q in [0, 80], as a power of two; the polynomial is 2^f, interpolated at the Chebyshev nodes of
+// [-1/2, 1/2], and 1 at 0.
 template <class Tag, class Vec> HWY_INLINE Vec exp_negative(Tag d, Vec q) {
     // Adding this rounds to a whole number and leaves it in the lowest bits.
     const Vec shift = set(d, 12582912.0F); // 1.5 2^23
-    const Vec shifted = mul_add(q, set(d, -1.44269504F), shift);
-    const Vec whole = sub(shifted, shift);
-    // ln 2 in two parts keeps the reduced argument exact.
-    Vec f = neg_mul_add(whole, set(d, 0.693359375F), sub(set(d, 0.0F), q));
-    f = neg_mul_add(whole, set(d, -2.12194440e-4F), f);
-    Vec p = mul_add(f, set(d, 1.0F / 720.0F), set(d, 1.0F / 120.0F));
-    p = mul_add(p, f, set(d, 1.0F / 24.0F));
-    p = mul_add(p, f, set(d, 1.0F / 6.0F));
-    p = mul_add(p, f, set(d, 0.5F));
-    p = mul_add(p, f, set(d, 1.0F));
+    const Vec power = mul(q, set(d, -1.44269504F));
+    const Vec shifted = add(power, shift);
+    const Vec f = sub(power, sub(shifted, shift));
+    Vec p = mul_add(f, set(d, 0.00133908634F), set(d, 0.00967603192F));
+    p = mul_add(p, f, set(d, 0.0555035711F));
+    p = mul_add(p, f, set(d, 0.240221075F));
+    p = mul_add(p, f, set(d, 0.693147188F));
     p = mul_add(p, f, set(d, 1.0F));
     return times_power(p, shifted);
 }

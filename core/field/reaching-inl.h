@@ -91,7 +91,11 @@ HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, con
         const auto code = hn::ShiftLeft<1>(hn::Add(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(m))));
         // A mask is -1 where it is set.
         const auto marked = hn::Sub(code, hn::VecFromMask(di, hn::RebindMask(di, ends)));
-        found += hn::CompressStore(marked, hn::RebindMask(di, reaches), di, out + found);
+        // A whole vector, of which the next one overwrites what does not count: storing only what counts is microcode
+        // on some processors, and slower than a kernel.
+        const auto which = hn::RebindMask(di, reaches);
+        hn::StoreU(hn::Compress(marked, which), di, out + found);
+        found += hn::CountTrue(di, which);
     }
     while (found % kPack != 0) out[found++] = static_cast<std::int32_t>(local.count) << 1; // that is nowhere
     return found;
