@@ -166,13 +166,16 @@ HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block
         hn::Add(hn::Load(du, kLanePlace + lane), hn::Set(du, static_cast<std::uint32_t>(low * kTile + left)));
     const auto append = [&](M which, VU places, VU ids_of, VU normals_of, V depths_of, V values_of) {
         if (hn::AllFalse(d, which)) return;
+        // Whole vectors, of which the next ones overwrite what does not count: storing only what counts is microcode
+        // on some processors.
         const auto which_u = hn::RebindMask(du, which);
         const std::size_t n = records.count;
-        (void)hn::CompressStore(places, which_u, du, records.place + n);
-        (void)hn::CompressStore(ids_of, which_u, du, records.id + n);
-        (void)hn::CompressStore(normals_of, which_u, du, records.normal + n);
-        if (with_values) (void)hn::CompressStore(values_of, which, d, records.value + n);
-        records.count += hn::CompressStore(depths_of, which, d, records.depth + n);
+        hn::StoreU(hn::Compress(places, which_u), du, records.place + n);
+        hn::StoreU(hn::Compress(ids_of, which_u), du, records.id + n);
+        hn::StoreU(hn::Compress(normals_of, which_u), du, records.normal + n);
+        hn::StoreU(hn::Compress(depths_of, which), d, records.depth + n);
+        if (with_values) hn::StoreU(hn::Compress(values_of, which), d, records.value + n);
+        records.count += hn::CountTrue(d, which);
     };
     const auto value = [&](int s) { return with_values ? hn::Load(d, samples.value[block][s] + lane) : hn::Zero(d); };
     append(whole, hn::Or(place, hn::Set(du, kWhole)), id[0], packed_normal(mean), hn::Mul(mean_depth, set(0.25F)),
