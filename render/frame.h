@@ -86,6 +86,7 @@ struct Frame {
     std::shared_ptr<const Centerlines> centerlines; // of the surface's branches; null: none
     // Drawn over the vessels, as lines with rings of the radius; null: none. Hidden branches have none.
     std::shared_ptr<const Centerlines> skeleton;
+    float width = 0.0F;          // of the kernel of the convolution surface, 1 or more; 0: it is no such surface
     float beyond_ends = 0.7075F; // how far the surface goes on beyond a free end, in radii there
     ColourScale scale;           // instead of colours
     Lesions lesions;

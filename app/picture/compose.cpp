@@ -75,7 +75,9 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
     frame.centerlines = centerlines_of(tree, marks.options);
     if (marks.skeleton) frame.skeleton = frame.centerlines;
-    frame.beyond_ends = static_cast<float>(field::reach_beyond_end(marks.options.width));
+    const bool cones = marks.options.method == mesh::Method::kTruncatedCones;
+    frame.width = cones ? 0.0F : static_cast<float>(marks.options.width);
+    frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(marks.options.width));
     draw_cuts(frame, marks, plan);
     if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
     return frame;

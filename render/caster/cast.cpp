@@ -3,6 +3,7 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
+#include "render/caster/blended-inl.h"
 #include "render/caster/cast.h"
 #include "render/caster/meeting-inl.h"
 #include "render/record_flags.h"
@@ -34,8 +35,8 @@ alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
 
 // Two samples at a time.
 template <bool Flat>
-HWY_INLINE void CastBlock(const View& view, const Cone& cone, bool with_values, float x, float y, int block,
-                          Samples& samples) {
+HWY_INLINE void CastBlock(const View& view, const Cone& cone, std::uint32_t number, bool with_values, float x, float y,
+                          int block, Samples& samples) {
     const D d;
     const DU du;
     if (!samples.touched[block]) {
@@ -68,6 +69,7 @@ HWY_INLINE void CastBlock(const View& view, const Cone& cone, bool with_values, 
                     hn::Store(hn::IfThenElse(which_u, value, hn::Load(du, to + lane)), du, to + lane);
                 };
                 put(samples.id[block][s], hn::Set(du, cone.id));
+                if (s == 0) put(samples.cone[block], hn::Set(du, number));
                 put(samples.normal[block][s], packed_normal(direction));
                 if (!with_values) return;
                 float* values = samples.value[block][s] + lane;
@@ -108,18 +110,18 @@ void CastTile(const View& view, const Cone* cones, const std::uint32_t* order, s
                 const auto left = static_cast<float>(x + kBlock * bx), low = static_cast<float>(y + kBlock * by);
                 if (!reaches(cone, left + kHalf, low + kHalf, samples.farthest[block])) continue;
                 if (view.flat)
-                    CastBlock<true>(view, cone, with_values, left, low, block, samples);
+                    CastBlock<true>(view, cone, order[i], with_values, left, low, block, samples);
                 else
-                    CastBlock<false>(view, cone, with_values, left, low, block, samples);
+                    CastBlock<false>(view, cone, order[i], with_values, left, low, block, samples);
             }
         }
     }
 }
 
 // One block of 16 pixels, lane by lane.
-HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block, int lane, int left, int low,
-                             float* depths, float* picked, std::uint32_t* ids, std::uint32_t* normals,
-                             Records& records) {
+HWY_INLINE void ResolveLanes(const View& view, const Field& field, const Samples& samples, bool with_values, int block,
+                             int lane, int x, int y, int left, int low, float* depths, float* picked,
+                             std::uint32_t* ids, std::uint32_t* normals, Records& records) {
     const D d;
     const DU du;
     VU id[kSamples], normal[kSamples];
@@ -131,12 +133,15 @@ HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block
     }
     V nearest = depth[0], solid = set(kNothing), mean_depth = depth[0];
     VU seen = id[0], seen_normal = normal[0], lines = id[0];
-    M whole = mask(hn::Ne(id[0], hn::Zero(du)));
+    M all = mask(hn::Ne(id[0], hn::Zero(du))), whole = all;
+    V farthest = depth[0];
     for (int s = 1; s < kSamples; ++s) {
         const M nearer = hn::Lt(depth[s], nearest);
         seen = hn::IfThenElse(hn::RebindMask(du, nearer), id[s], seen);
         seen_normal = hn::IfThenElse(hn::RebindMask(du, nearer), normal[s], seen_normal);
         nearest = hn::Min(nearest, depth[s]);
+        farthest = hn::Max(farthest, depth[s]);
+        all = hn::And(all, mask(hn::Ne(id[s], hn::Zero(du))));
         lines = hn::Or(lines, id[s]);
         whole = hn::And(whole, mask(hn::Eq(id[s], id[0])));
         mean_depth = hn::Add(mean_depth, depth[s]);
@@ -148,7 +153,8 @@ HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block
             solid = hn::IfThenElse(any_of(id[s], kLine), solid, hn::Min(solid, depth[s]));
     }
     V3 mean{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    if (!hn::AllFalse(d, whole)) {
+    const M one_vessel = whole;
+    if (!hn::AllFalse(d, all)) {
         const V3 first = unpacked_normal(normal[0]);
         mean = first;
         for (int s = 1; s < kSamples; ++s) {
@@ -156,6 +162,21 @@ HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block
             whole = hn::And(whole, hn::Gt(dot(direction, first), set(0.7F)));
             mean = mean + direction;
         }
+    }
+    // Where the surface goes on through the pixel it is smooth, across creases of cones and from vessel to vessel.
+    const M surface = hn::AndNot(any_of(lines, kLine), all);
+    const V pixel_mm = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), nearest);
+    const M goes_on = hn::And(surface, hn::Or(whole, hn::Lt(hn::Sub(farthest, nearest), hn::Mul(set(3.0F), pixel_mm))));
+    if (field.pieces != nullptr && !hn::AllFalse(d, goes_on)) {
+        const V px = hn::Add(hn::Load(d, kColumn + lane), set(static_cast<float>(x + left) + 0.5F));
+        const V py = hn::Add(hn::Load(d, kRow + lane), set(static_cast<float>(y + low) + 0.5F));
+        const V3 at = eye_position(view, px, py, hn::Mul(mean_depth, set(0.25F)));
+        mean = Blended(field, goes_on, hn::Load(du, samples.cone[block] + lane), at, mean);
+        whole = hn::Or(whole, hn::And(goes_on, one_vessel));
+        const auto smooth = hn::RebindMask(du, goes_on);
+        const VU packed = packed_normal(mean);
+        for (VU& direction : normal) direction = hn::IfThenElse(smooth, packed, direction);
+        seen_normal = hn::IfThenElse(smooth, packed, seen_normal);
     }
     hn::Store(solid, d, depths + lane);
     hn::Store(nearest, d, picked + lane);
@@ -186,8 +207,8 @@ HWY_INLINE void ResolveLanes(const Samples& samples, bool with_values, int block
                value(s));
 }
 
-void ResolveTile(const View& view, const Samples& samples, bool with_values, int x, int y, const PictureArrays& picture,
-                 Records& records) {
+void ResolveTile(const View& view, const Field& field, const Samples& samples, bool with_values, int x, int y,
+                 const PictureArrays& picture, Records& records) {
     alignas(64) float depths[16], picked[16];
     alignas(64) std::uint32_t ids[16], normals[16];
     records.count = 0;
@@ -203,7 +224,8 @@ void ResolveTile(const View& view, const Samples& samples, bool with_values, int
             continue;
         }
         for (int lane = 0; lane < 16; lane += kN)
-            ResolveLanes(samples, with_values, block, lane, left, low, depths, picked, ids, normals, records);
+            ResolveLanes(view, field, samples, with_values, block, lane, x, y, left, low, depths, picked, ids, normals,
+                         records);
         for (int row = 0; row < kBlock; ++row) {
             const std::size_t to = corner + std::size_t(row) * std::size_t(view.stride);
             __builtin_memcpy(picture.depth + to, depths + kBlock * row, sizeof(float) * kBlock);
@@ -227,9 +249,9 @@ void cast_tile(const View& view, const Cone* cones, const std::uint32_t* order, 
                int x, int y, Samples& samples) {
     HWY_DYNAMIC_DISPATCH(CastTile)(view, cones, order, count, with_values, x, y, samples);
 }
-void resolve_tile(const View& view, const Samples& samples, bool with_values, int x, int y,
+void resolve_tile(const View& view, const Field& field, const Samples& samples, bool with_values, int x, int y,
                   const PictureArrays& picture, Records& records) {
-    HWY_DYNAMIC_DISPATCH(ResolveTile)(view, samples, with_values, x, y, picture, records);
+    HWY_DYNAMIC_DISPATCH(ResolveTile)(view, field, samples, with_values, x, y, picture, records);
 }
 
 } // namespace ramus::render::caster

@@ -13,7 +13,7 @@ void cast_tile(const View& view, const Cone* cones, const std::uint32_t* order, 
                int x, int y, Samples& samples);
 
 // Fills the tile of `picture`, and `records` with what there is to shade.
-void resolve_tile(const View& view, const Samples& samples, bool with_values, int x, int y,
+void resolve_tile(const View& view, const Field& field, const Samples& samples, bool with_values, int x, int y,
                   const PictureArrays& picture, Records& records);
 
 } // namespace ramus::render::caster

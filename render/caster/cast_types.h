@@ -46,14 +46,29 @@ struct Cone {
     std::uint32_t id; // as in ids.glsl
 };
 
+// A segment of the convolution surface's field, in eye space, mm.
+struct Piece {
+    float from[3], way[3]; // way: of unit length
+    float length, radius, slope;
+};
+
+// What the surface of each cone is made of: the pieces near[first[c]] to near[first[c + 1] - 1], an even number.
+struct Field {
+    const Piece* pieces; // null: the surface is the cones
+    const std::uint32_t* first;
+    const std::uint32_t* near;
+    float sqrt_w; // of the kernel
+};
+
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].
 struct alignas(64) Samples {
     float depth[kBlocks * kBlocks][kSamples][16];
     std::uint32_t id[kBlocks * kBlocks][kSamples][16];
     std::uint32_t normal[kBlocks * kBlocks][kSamples][16]; // octahedral, y up and z towards the eye
     float value[kBlocks * kBlocks][kSamples][16];
-    float farthest[kBlocks * kBlocks]; // of the block's depths
-    bool touched[kBlocks * kBlocks];   // else it holds nothing, and what is above means nothing
+    std::uint32_t cone[kBlocks * kBlocks][16]; // that the first sample hit
+    float farthest[kBlocks * kBlocks];         // of the block's depths
+    bool touched[kBlocks * kBlocks];           // else it holds nothing, and what is above means nothing
 };
 
 // What is shaded at once: one record for the pixels of one surface, one a sample on edges.

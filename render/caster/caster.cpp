@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -129,7 +130,7 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
     float* floats = scratch.floats.data();
     Records records{words,  words + kMostPanesOfTile,  words + 2 * kMostPanesOfTile,
                     floats, floats + kMostPanesOfTile, 0};
-    resolve_tile(view_, scratch.samples, with_values, x, y, picture_, records);
+    resolve_tile(view_, field_, scratch.samples, with_values, x, y, picture_, records);
     tile.count = records.count;
     if (records.count > 0) {
         keep(tile.place, records.place, records.count, 0U);
@@ -162,13 +163,20 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
     cones_.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
     std::vector<Kind> kinds(cones_.size(), Kind::kNone);
+    find_near(frame.width);
+    constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
+    pieces_.assign(near_width_ > 0.0F ? segments + 1 : 0, kNowhere);
+    field_ = {pieces_.empty() ? nullptr : pieces_.data(), near_.first.data(), near_.segments.data(),
+              std::sqrt(frame.width * std::numbers::ln2_v<float>)};
     std::atomic<std::size_t> drawn{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
         std::size_t there = 0;
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const auto branch = std::size_t(segments_[i].branch);
             const Layer layer = branch < layers.size() ? layers[branch] : Layer::kOpaque;
-            if (layer == Layer::kNone || !prepare(segments_[i], lines_to_eye, frame, cones_[i])) continue;
+            if (layer == Layer::kNone) continue;
+            if (!pieces_.empty()) pieces_[i] = piece_of(segments_[i], lines_to_eye);
+            if (!prepare(segments_[i], lines_to_eye, frame, cones_[i])) continue;
             ++there;
             kinds[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
             if (layer != Layer::kGlass) continue;

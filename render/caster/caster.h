@@ -1,13 +1,15 @@
 // Caster: pictures of vessels while the view moves, made on the processor's own cores where OpenGL is software. Rays
 // are cast at round cones along the centerlines, as cone.frag does it, with the samples, the occlusion and the light of
-// the picture at rest; a vector of pixels goes through each step at once (run-time choice of instruction set), tiles in
-// parallel. In the time that a software rasteriser takes for a picture of half the size this makes one of full size
-// and quality. Pictures are the same whatever the number of threads.
+// the picture at rest; where they meet a cone, the field of the convolution surface says which way that faces, so that
+// forks and bends look as smooth as they are. A vector of pixels goes through each step at once (run-time choice of
+// instruction set), tiles in parallel. In the time that a software rasteriser takes for a picture of half the size this
+// makes one of full size and quality. Pictures are the same whatever the number of threads.
 //
 // What it cannot draw stays with OpenGL: see Caster::draws().
 #pragma once
 
 #include "render/caster/cast_types.h"
+#include "render/caster/near_segments.h"
 #include "render/centerlines.h"
 #include "render/frame.h"
 #include "render/layer.h"
@@ -48,6 +50,8 @@ private:
         std::uint32_t before, behind;
     };
     void find_joints();
+    void find_near(float width);
+    [[nodiscard]] Piece piece_of(const Segment& segment, const glm::mat4& to_eye) const;
     enum class Kind : std::uint8_t { kNone, kOpaque, kGlass };
     // What a tile keeps from casting to shading.
     struct Tile {
@@ -66,7 +70,11 @@ private:
     std::shared_ptr<const Centerlines> lines_;
     Centerlines thinned_;
     std::vector<Segment> segments_;
+    NearSegments near_;
+    float near_width_ = 0.0F; // of the kernel that those are for; 0: of none
     std::vector<Cone> cones_;
+    std::vector<Piece> pieces_; // of the segments, and one behind them that is nowhere; none: the surface is cones
+    Field field_{};
     View view_;
     int across_ = 0, up_ = 0; // tiles
     std::vector<Tile> tiles_;

@@ -12,15 +12,15 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 // Through a block's pixels. A place on a ray is (x, y, 1) times its depth when perspective, (x, y, depth) when flat:
-// ways along rays are depths.
-// Through a block's pixels. A place on a ray is (x, y, 1) times its depth when perspective, (x, y, depth) when flat:
 // ways along rays are depths. `Vec`: V or Pair.
 template <class Vec> struct Rays { Vec x, y; };
 
+// Places of a block's pixels in it.
+alignas(64) constexpr float kColumn[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr float kRow[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
 // Of one sample of the pixels from `lane` on, in the block whose lower left pixel is (x, y).
 HWY_INLINE Rays<V> rays_of(const View& view, float x, float y, int lane, int sample) {
-    alignas(64) static constexpr float kColumn[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-    alignas(64) static constexpr float kRow[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
     const V scale = set(view.mm_a_pixel);
     const V px = hn::Add(hn::Load(D(), kColumn + lane), set(x + kSampleX[sample] - view.centre_x));
     const V py = hn::Add(hn::Load(D(), kRow + lane), set(y + kSampleY[sample] - view.centre_y));

@@ -1,5 +1,6 @@
 // From centerlines to cones: which vessels go on into which, once for all; then, for every picture, where each cone
 // lies before the eye.
+#include "core/field/convolution_field.h"
 #include "render/caster/caster.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace ramus::render::caster {
 
 namespace {
 
-constexpr double kThinnedShare = 2e-4; // of the tree's extent: a fifth of a pixel where it fills the window
+constexpr double kThinnedShare = 5e-5; // of the tree's extent: a twentieth of a pixel where it fills the window
 
 // As outline() of cone.vert: half the width of a ball's outline at depth 1.
 float outline(const glm::vec3& centre, float radius) {
@@ -33,6 +34,7 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (lines == lines_) return;
     lines_ = lines;
     segments_.clear();
+    near_width_ = 0.0F;
     thinned_ = {};
     if (!lines || lines->points.empty()) return;
     thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
@@ -45,6 +47,33 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
         }
     }
     find_joints();
+}
+
+void Caster::find_near(float width) {
+    // The vessels of larger trees are narrower than pixels, and nobody waits for what they look like in between.
+    constexpr std::size_t kMostSegments = 250'000;
+    if (segments_.size() > kMostSegments) width = 0.0F;
+    if (width == near_width_) return;
+    near_width_ = width;
+    if (width <= 0.0F) return;
+    std::vector<std::uint32_t> points(segments_.size());
+    std::ranges::transform(segments_, points.begin(), &Segment::point);
+    near_ = find_near_segments(thinned_, points, static_cast<float>(field::Kernel(width).support_radii));
+}
+
+Piece Caster::piece_of(const Segment& segment, const glm::mat4& to_eye) const {
+    const std::size_t i = segment.point;
+    const glm::vec3 from = to_eye * glm::vec4(glm::vec3(thinned_.points[i]), 1.0F);
+    const glm::vec3 axis = glm::mat3(to_eye) * (glm::vec3(thinned_.points[i + 1]) - glm::vec3(thinned_.points[i]));
+    const float length = std::max(glm::length(axis), 1e-6F);
+    const float first = 0.5F * thinned_.details[i].diameter_mm, last = 0.5F * thinned_.details[i + 1].diameter_mm;
+    Piece piece{};
+    put(piece.from, from);
+    put(piece.way, axis / length);
+    piece.length = length;
+    piece.radius = std::max(first, 1e-6F);
+    piece.slope = (std::max(last, 1e-6F) - piece.radius) / length;
+    return piece;
 }
 
 // Branches that meet have an end at the very same place. There the two widest are one vessel that goes on, if they do

@@ -8,7 +8,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr int kTaps = 12; // of the occlusion; fewer than at rest, and nobody sees it
+constexpr int kTaps = 20; // of the occlusion, as at rest
 
 } // namespace
 

@@ -1,0 +1,24 @@
+// Which segments of a tree add to the field on each other's surface: found along the tree, once for all pictures.
+#pragma once
+
+#include "render/centerlines.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ramus::render::caster {
+
+// Of segment s: segments[first[s]] to segments[first[s + 1] - 1], itself first; an even number, made so by one that
+// there is not (their count).
+struct NearSegments {
+    std::vector<std::uint32_t> first, segments;
+};
+
+// `points`: the first point of each segment, which ends at the next one. Segments meet where they have a point in
+// common and where their points are the same place. `support_radii`: how far a segment's kernel reaches, in radii.
+// Vessels that pass close by without being joined there are not found.
+[[nodiscard]] NearSegments find_near_segments(const Centerlines& lines, std::span<const std::uint32_t> points,
+                                              float support_radii);
+
+} // namespace ramus::render::caster
