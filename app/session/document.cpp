@@ -94,7 +94,7 @@ void Document::change(Marks next) {
         lost_changes_ += saved_position_ - position_;
         saved_position_ = position_;
     }
-    steps_.push_back({"change", {}});
+    steps_.push_back({"change", {}, nullptr});
     steps_.back().changes.push_back(std::move(made));
     ++position_;
     joining_ = depth_ > 0;
@@ -106,9 +106,18 @@ void Document::set_camera(const render::Camera& camera) {
     ++revision_;
 }
 
+void Document::begin_step() {
+    if (depth_++ == 0) step_camera_ = session_.camera;
+}
+
 void Document::end_step(const std::string& name) {
     if (--depth_ > 0) return;
-    if (joining_) steps_.back().name = name;
+    if (joining_) {
+        steps_.back().name = name;
+        if (session_.camera != step_camera_)
+            steps_.back().cameras =
+                std::make_shared<const std::pair<render::Camera, render::Camera>>(step_camera_, session_.camera);
+    }
     joining_ = false;
 }
 
@@ -120,6 +129,7 @@ bool Document::undo() {
     const Step& step = steps_[--position_];
     for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
         change->apply(session_.marks, Direction::kBack);
+    if (step.cameras && session_.camera == step.cameras->second) session_.camera = step.cameras->first;
     ++revision_;
     return true;
 }
@@ -127,7 +137,9 @@ bool Document::undo() {
 bool Document::redo() {
     if (!can_redo()) return false;
     joining_ = false;
-    for (const MarksChange& change : steps_[position_++].changes) change.apply(session_.marks, Direction::kForward);
+    const Step& step = steps_[position_++];
+    for (const MarksChange& change : step.changes) change.apply(session_.marks, Direction::kForward);
+    if (step.cameras && session_.camera == step.cameras->first) session_.camera = step.cameras->second;
     ++revision_;
     return true;
 }

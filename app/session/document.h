@@ -1,6 +1,7 @@
 // Document: the session that is open, the tree it is about, and the way back. Every change of what undo covers goes
-// through change(), which remembers what it changed; the camera and files are not covered. There is no limit to the
-// steps: they are kept small (app/session/marks_change.h). No GL, no window.
+// through change(), which remembers what it changed; files are not covered, and of the camera only what a step that
+// changes other things too does with it. There is no limit to the steps: they are kept small
+// (app/session/marks_change.h). No GL, no window.
 #pragma once
 
 #include "app/session/branch_facts.h"
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ramus::app {
@@ -51,8 +53,9 @@ public:
     void set_camera(const render::Camera& camera);
 
     // What one command changes is one step, with a name: changes between begin_step() and the end_step() that belongs
-    // to it. Steps inside a step are part of it.
-    void begin_step() { ++depth_; }
+    // to it. Steps inside a step are part of it. Where such a step has moved the camera, undo and redo move it too,
+    // unless somebody has moved it since: what a person looks at stays.
+    void begin_step();
     void end_step(const std::string& name);
     // The step that is being made; null: nothing changed since begin_step().
     [[nodiscard]] const MarksChange* last_change() const;
@@ -83,7 +86,8 @@ public:
 private:
     struct Step {
         std::string name;
-        std::vector<MarksChange> changes; // one, nearly always
+        std::vector<MarksChange> changes;                                         // one, nearly always
+        std::shared_ptr<const std::pair<render::Camera, render::Camera>> cameras; // before and after; null: the same
     };
     std::shared_ptr<const tree::VesselTree> tree_;
     std::shared_ptr<const TreeFacts> facts_;
@@ -102,6 +106,7 @@ private:
     std::size_t saved_position_ = 0;
     std::size_t lost_changes_ = 0; // between what was saved and where the history left the way there
     int depth_ = 0;                // of begin_step()
+    render::Camera step_camera_;   // as it was at the outermost of them
     bool joining_ = false;         // the last step is the one that is being made
     std::uint64_t revision_ = 0;
 };

@@ -1,0 +1,130 @@
+// Panes are narrower than the picture: what comparing does to the camera, and how undo takes that back.
+#include "app/actions/script.h"
+#include "app/picture/compose_sheet.h"
+#include "app/workspace/surface_maker.h"
+#include "core/tree/build_tree.h"
+
+#include <doctest/doctest.h>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+// A picture of 800 x 400 with panes, as windows and files have them.
+class PaneHost final : public Host {
+public:
+    PaneHost(const Document& document, std::shared_ptr<const render::PagedMesh> mesh)
+        : document_(document), mesh_(std::move(mesh)) {}
+    [[nodiscard]] glm::ivec2 picture_size() const override {
+        return panes_of(document_.marks(), {800, 400}, 1.0F).front().size;
+    }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh_; }
+    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
+    void camera_leapt() override { ++leaps; }
+    int leaps = 0;
+
+private:
+    const Document& document_;
+    std::shared_ptr<const render::PagedMesh> mesh_;
+};
+
+// A vessel of 60 mm from right to left: wide pictures show it larger than narrow ones.
+struct Stage {
+    Stage() {
+        tree::Graph graph;
+        graph.points = {{{-30, 0, 0}, 2.0}, {{0, 0, 0}, 2.0}, {{30, 0, 5}, 1.0}, {{30, 0, -5}, 1.0}};
+        graph.edges = {{0, 1}, {1, 2}, {1, 3}};
+        graph.roots = {0};
+        auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
+        REQUIRE(tree);
+        document.open(std::make_shared<const tree::VesselTree>(std::move(*tree)), {});
+        Job job;
+        const auto surface = make_ready(*document.tree(), surface_request(document.marks()), job);
+        REQUIRE(surface);
+        host = std::make_unique<PaneHost>(document, surface->mesh);
+        run("view anterior");
+        host->leaps = 0;
+    }
+    void run(std::string_view text) {
+        const auto lines = parse_script(text, "c.txt");
+        REQUIRE(lines);
+        ActionContext context{document, *host};
+        const auto done = run_script(context, *lines, "c.txt");
+        REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
+    }
+    [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
+    Document document;
+    std::unique_ptr<PaneHost> host;
+};
+
+double distance(const render::Camera& camera) { return glm::distance(camera.position, camera.focal_point); }
+
+} // namespace
+
+TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it again") {
+    Stage stage;
+    const render::Camera whole = stage.camera();
+    stage.run("compare side-by-side");
+    const render::Camera halves = stage.camera();
+    // It was as wide as the picture, and is as wide as a pane of half of it.
+    CHECK(distance(halves) > 1.8 * distance(whole));
+    CHECK(stage.document.step_count() == 1);
+    CHECK(stage.host->leaps == 1);
+    stage.run("undo");
+    CHECK(stage.camera() == whole);
+    CHECK(stage.host->leaps == 2); // the eye is led there
+    stage.run("redo");
+    CHECK(stage.camera() == halves);
+    CHECK(stage.host->leaps == 3);
+
+    stage.run("select 1\ncompare side-by-side cs,cones,iso");
+    const render::Camera thirds = stage.camera();
+    CHECK(distance(thirds) > 1.3 * distance(halves));
+    stage.run("compare off");
+    CHECK(distance(stage.camera()) < 1.01 * distance(whole));
+    stage.run("undo 4");
+    CHECK(stage.camera() == whole);
+    CHECK(stage.document.marks() == Marks{});
+    stage.run("redo 3");
+    CHECK(stage.camera() == thirds);
+}
+
+TEST_CASE("undo leaves a camera alone that compare has not moved, or a person has moved since") {
+    Stage stage;
+    const render::Camera whole = stage.camera();
+    SUBCASE("blended surfaces have the whole picture") {
+        stage.run("compare blend\ncompare superimposed");
+        CHECK(stage.camera() == whole);
+        stage.run("view left\nundo");
+        const render::Camera left = stage.camera();
+        stage.run("undo\nredo 2");
+        CHECK(stage.camera() == left);
+    }
+    SUBCASE("somebody looks at a part of it") {
+        stage.document.set_camera(render::zoomed(whole, 8.0));
+        const render::Camera close = stage.camera();
+        REQUIRE(distance(close) < distance(whole));
+        stage.run("compare side-by-side");
+        CHECK(stage.camera() == close);
+        stage.run("undo");
+        CHECK(stage.camera() == close);
+    }
+    SUBCASE("somebody has turned it") {
+        stage.run("compare side-by-side");
+        stage.document.set_camera(render::turned(stage.camera(), 30.0, 0.0));
+        const render::Camera turned = stage.camera();
+        stage.run("undo");
+        CHECK(stage.camera() == turned);
+        stage.run("redo");
+        CHECK(stage.camera() == turned);
+    }
+    SUBCASE("other commands do not move it") {
+        stage.run("select 1\nview left\nhide\nview superior");
+        const render::Camera superior = stage.camera();
+        stage.run("undo 2");
+        CHECK(stage.camera() == superior);
+        stage.run("redo 2");
+        CHECK(stage.camera() == superior);
+    }
+}
