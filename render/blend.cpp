@@ -1,6 +1,5 @@
 #include "render/blend.h"
 
-#include "render/captions.h"
 #include "render/finished_picture.h"
 
 namespace ramus::render {
@@ -16,8 +15,7 @@ Result<Blend> Blend::create() {
     return blend;
 }
 
-void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size, const std::string& heading, int top,
-                 double pixel_ratio) {
+void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top) {
     if (size != size_) {
         size_ = glm::ivec2(0);
         picture_ = make_texture(GL_RGBA8, size.x, size.y);
@@ -37,17 +35,17 @@ void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size,
     glBindTextureUnit(0, first);
     glBindTextureUnit(1, second);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (!heading.empty()) {
-        const Image image = paint_caption(heading, pixel_ratio, size.x, default_font());
-        const glm::ivec2 at((size.x - image.width) / 2, size.y - top - image.height);
-        const Texture sprite = make_texture(GL_RGBA8, image.width, image.height);
+    if (heading.width > 0) {
+        const glm::ivec2 at((size.x - heading.width) / 2, size.y - top - heading.height);
+        const Texture sprite = make_texture(GL_RGBA8, heading.width, heading.height);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-        glTextureSubImage2D(sprite, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+        glTextureSubImage2D(sprite, 0, 0, 0, heading.width, heading.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                            heading.rgba.data());
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         glEnable(GL_SCISSOR_TEST);
-        glScissor(at.x, at.y, image.width, image.height);
+        glScissor(at.x, at.y, heading.width, heading.height);
         glBindTextureUnit(0, sprite);
         glProgramUniform2i(overlay_, 0, at.x, at.y);
         glUseProgram(overlay_);

@@ -8,17 +8,14 @@
 #include "render/gl_objects.h"
 #include "render/image.h"
 
-#include <string>
-
 namespace ramus::render {
 
 class Blend {
 public:
     [[nodiscard]] static Result<Blend> create();
 
-    // `heading` (Latin-1) stands in the middle, `top` pixels from the edge; empty: none. Throws OutOfGraphicsMemory.
-    void draw(unsigned first, unsigned second, double share, glm::ivec2 size, const std::string& heading, int top,
-              double pixel_ratio);
+    // `heading` lies in the middle, `top` pixels from the edge; of no size: none. Throws OutOfGraphicsMemory.
+    void draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top);
 
     [[nodiscard]] Image read_image() const;
     void present(unsigned framebuffer, int x, int y) const; // as Renderer::present()

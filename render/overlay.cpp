@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <optional>
 
 namespace ramus::render {
 
@@ -198,14 +199,51 @@ Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio
     return haloed(ink, halo);
 }
 
+namespace {
+
+// What sprites have to keep to: smaller pictures have smaller ones, nearer to the edge.
+struct Room {
+    glm::ivec2 free; // what nothing else takes
+    bool readable;
+    double ratio;
+    int margin;
+    explicit Room(const SpriteSource& frame)
+        : free(frame.size - glm::ivec2(frame.overlays.inset_left + frame.overlays.inset_right,
+                                       frame.overlays.inset_top + frame.overlays.inset_bottom)) {
+        const int least = std::min(free.x, free.y);
+        readable = least >= 120;
+        ratio = std::clamp<double>(frame.pixel_ratio, 0.5, 8.0) * (least < 400 ? 0.8 : 1.0);
+        margin = static_cast<int>(std::lround(std::min(16.0 * ratio, 0.03 * least)));
+    }
+};
+
+std::optional<Sprite> caption_of(const SpriteSource& frame, const Room& room, const std::string& font) {
+    const Overlays& o = frame.overlays;
+    if (!room.readable || o.caption.empty()) return {};
+    return Sprite{paint_caption(o.caption, room.ratio, room.free.x - 2 * room.margin, font),
+                  {o.inset_left + room.margin, o.inset_top + room.margin}};
+}
+
+} // namespace
+
+int caption_bottom(const SpriteSource& frame, const std::string& font) {
+    const auto caption = caption_of(frame, Room(frame), font);
+    return caption ? caption->corner.y + caption->image.height : 0;
+}
+
+Image paint_heading(const std::string& text, const SpriteSource& frame, const std::string& font) {
+    const Room room(frame);
+    return paint_caption(text, 0.9 * room.ratio, room.free.x - 2 * room.margin, font);
+}
+
 std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font) {
     std::vector<Sprite> sprites;
     const Overlays& o = frame.overlays;
-    const glm::ivec2 free(frame.size.x - o.inset_left - o.inset_right, frame.size.y - o.inset_top - o.inset_bottom);
-    const int least = std::min(free.x, free.y);
-    if (least < 120) return sprites;
-    const double ratio = std::clamp<double>(frame.pixel_ratio, 0.5, 8.0) * (least < 400 ? 0.8 : 1.0);
-    const int margin = static_cast<int>(std::lround(std::min(16.0 * ratio, 0.03 * least)));
+    const Room all(frame);
+    if (!all.readable) return sprites;
+    const glm::ivec2 free = all.free;
+    const double ratio = all.ratio;
+    const int least = std::min(free.x, free.y), margin = all.margin;
     const int bottom = frame.size.y - o.inset_bottom - margin;
     if (o.orientation_cube) {
         const int side = static_cast<int>(std::lround(std::min(96.0 * ratio, 0.22 * least)));
@@ -222,13 +260,12 @@ std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& fo
         sprites.push_back({std::move(bar), corner});
     }
     int below_caption = o.inset_top;
-    if (!o.caption.empty()) {
-        Image caption = paint_caption(o.caption, ratio, free.x - 2 * margin, font);
-        below_caption += margin + caption.height;
-        sprites.push_back({std::move(caption), {o.inset_left + margin, o.inset_top + margin}});
+    if (auto caption = caption_of(frame, all, font)) {
+        below_caption = caption->corner.y + caption->image.height;
+        sprites.push_back(std::move(*caption));
     }
     if (!o.heading.empty()) {
-        Image heading = paint_caption(o.heading, 0.9 * ratio, free.x - 2 * margin, font);
+        Image heading = paint_heading(o.heading, frame, font);
         const int top = o.caption.empty() ? o.inset_top + margin / 2 : below_caption + margin / 2;
         below_caption = top + heading.height;
         const int left = o.inset_left + (free.x - heading.width) / 2;

@@ -40,10 +40,19 @@ struct SpriteSource {
     bool operator==(const SpriteSource&) const = default;
 };
 
+// Where the caption ends, pixels from the top; 0 where there is none.
+[[nodiscard]] int caption_bottom(const SpriteSource& frame, const std::string& font);
+
+// Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
+[[nodiscard]] Image paint_heading(const std::string& text, const SpriteSource& frame, const std::string& font);
+
 // What `frame` shows over the tree; nothing where the picture is too small to read it.
 [[nodiscard]] std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font);
 [[nodiscard]] inline std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
     return overlays_of(SpriteSource(frame), font);
+}
+[[nodiscard]] inline int caption_bottom(const Frame& frame, const std::string& font) {
+    return caption_bottom(SpriteSource(frame), font);
 }
 
 } // namespace ramus::render

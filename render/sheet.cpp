@@ -1,5 +1,8 @@
 #include "render/sheet.h"
 
+#include "render/overlay.h"
+#include "render/text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -55,8 +58,11 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
                 if (!made) return tl::unexpected(made.error());
                 blend_ = std::move(*made);
             }
-            blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, sheet.heading,
-                         sheet.heading_top, sheet.panes[0].frame.pixel_ratio);
+            const Image heading =
+                sheet.heading.empty()
+                    ? Image()
+                    : paint_heading(sheet.heading, SpriteSource(sheet.panes[0].frame), default_font());
+            blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, heading, sheet.heading_top);
         } catch (const OutOfGraphicsMemory& error) {
             blend_.reset();
             return fail(error.what(), {}, "give a smaller size");
@@ -66,6 +72,8 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     sum.shaded |= arranged;
     return sum;
 }
+
+void SheetRenderer::finish() { glFinish(); }
 
 Image SheetRenderer::read_image() {
     if (blend_) return blend_->read_image();
@@ -85,6 +93,20 @@ Image SheetRenderer::read_image() {
             std::memcpy(sheet.pixel(at.x, at.y + y), image.pixel(0, y), 4 * static_cast<std::size_t>(image.width));
     }
     return sheet;
+}
+
+std::vector<bool> SheetRenderer::read_covered() {
+    const auto width = static_cast<std::size_t>(shown_.size.x);
+    std::vector<bool> covered(width * static_cast<std::size_t>(shown_.size.y));
+    for (std::size_t i = 0; i < shown_.panes.size(); ++i) {
+        const BranchPicture picture = renderer(i).read_branches();
+        const auto left = static_cast<std::size_t>(shown_.panes[i].at.x);
+        const auto top = static_cast<std::size_t>(shown_.panes[i].at.y);
+        const auto across = static_cast<std::size_t>(picture.width);
+        for (std::size_t k = 0; k < picture.branches.size(); ++k)
+            if (picture.branches[k] != kNoBranch) covered[(top + k / across) * width + left + k % across] = true;
+    }
+    return covered;
 }
 
 void SheetRenderer::present(unsigned framebuffer, int x, int y) {

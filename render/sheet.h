@@ -38,8 +38,12 @@ public:
 
     // Statistics are sums over the panes.
     [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll);
+    static void finish(); // waits until all that was drawn is there
     [[nodiscard]] Image read_image();
     void present(unsigned framebuffer, int x = 0, int y = 0); // as Renderer::present()
+
+    // Of every pixel of the sheet whether a surface is there, in either picture of a blend.
+    [[nodiscard]] std::vector<bool> read_covered();
 
     // As of Renderer. Of a blend what there is more of that has branches.
     [[nodiscard]] Pick pick(glm::dvec2 at);

@@ -120,4 +120,24 @@ TEST_CASE("letters say which way of the patient a direction goes, the most first
     CHECK(more[0].corner.x + more[0].image.width <= frame.size.x);
     CHECK(more[3].corner.y >= more[0].corner.y + more[0].image.height);
     CHECK(letter_top < one[3].corner.y);
+    // Who draws something below the caption knows where it ends.
+    CHECK(caption_bottom(frame, default_font()) == more[0].corner.y + more[0].image.height);
+    frame.overlays.caption.clear();
+    CHECK(caption_bottom(frame, default_font()) == 0);
+}
+
+TEST_CASE("a heading is as large as a picture has room for") {
+    const std::string words = "Isosurface of the tree's voxels 50 %, truncated cones 50 %";
+    Frame frame;
+    frame.size = {800, 600};
+    const Image large = paint_heading(words, SpriteSource(frame), default_font());
+    CHECK(large.width < 800);
+    frame.size = {300, 200};
+    const Image small = paint_heading(words, SpriteSource(frame), default_font());
+    CHECK(small.width <= 300 - 2 * 6);      // margins of 3 % of the height
+    CHECK(small.height < 2 * large.height); // two lines, of smaller letters
+    frame.overlays.heading = words;
+    const auto sprites = overlays_of(frame, default_font());
+    REQUIRE(sprites.size() == 3);
+    CHECK(sprites[2].image == small);
 }

@@ -95,6 +95,22 @@ TEST_CASE("a sheet of one pane is that frame's picture, of several each in its p
         CHECK(SheetRenderer::pane_at(sheet, {299.0, 10.0}) == 0);
         CHECK(SheetRenderer::pane_at(sheet, {304.0, 10.0}) == 1);
     }
+    SUBCASE("it tells which pixels show a surface") {
+        const std::vector<bool> covered = sheets.read_covered();
+        REQUIRE(covered.size() == 603U * 200U);
+        const auto at = [&](int x, int y) { return covered[static_cast<std::size_t>(603 * y + x)]; };
+        CHECK(at(150, 100 + 35)); // on the thick one, branches or not
+        CHECK_FALSE(at(150, 100 + 60));
+        CHECK(at(453, 100));
+        CHECK_FALSE(at(453, 100 + 35));
+        CHECK_FALSE(at(301, 100)); // between them
+        sheet.size = thick.size;
+        sheet.panes[1].at = {0, 0};
+        sheet.panes[1].frame = tube(8.0F);
+        sheet.blend = 0.5;
+        REQUIRE(sheets.draw(sheet));
+        CHECK(sheets.read_covered()[300 * (100 + 70) + 150]); // in either picture
+    }
     SUBCASE("what did not change is not drawn") {
         const auto again = sheets.draw(sheet);
         REQUIRE(again);
