@@ -14,7 +14,8 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
                 if (!flags.mode)
                     throw CLI::ValidationError("--compare", name + " is not side-by-side, blend, superimposed or off");
             },
-            "Show surfaces of the same vessels together: side-by-side, blend or superimposed")
+            "Show surfaces of the same vessels together: side-by-side, blend or superimposed, in every picture of a "
+            "--turntable or --sheet too")
         ->type_name("MODE");
     command
         .add_option_function<std::string>(

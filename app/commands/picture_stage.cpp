@@ -63,7 +63,7 @@ Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
     return {};
 }
 
-Result<render::Sheet> PictureStage::sheet() {
+Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
     if (auto read = read_context_meshes(); !read) return tl::unexpected(read.error());
     const Marks& marks = document_.marks();
@@ -72,7 +72,12 @@ Result<render::Sheet> PictureStage::sheet() {
         if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
     for (const ComparedSurface& one : compared_) surfaces.take(one);
     surfaces.set(kind_of(marks.options.method), surface_.mesh, nullptr);
-    return compose_sheet(document_, surfaces, viewing_);
+    Viewing viewing = viewing_;
+    viewing.size = size;
+    render::Sheet sheet = compose_sheet(document_, surfaces, viewing);
+    const std::vector<ComparedPane> panes = panes_of(marks, size, viewing.pixel_ratio);
+    for (std::size_t i = 0; i < panes.size(); ++i) sheet.panes[i].frame.preview = surfaces.preview_of(panes[i].surface);
+    return sheet;
 }
 
 Result<render::BranchPicture> PictureStage::branch_picture() {

@@ -26,7 +26,8 @@ public:
     }
     [[nodiscard]] Result<render::Frame> frame(); // of the session's own surface
     // With all that it is compared with, computed when it is not there already.
-    [[nodiscard]] Result<render::Sheet> sheet();
+    [[nodiscard]] Result<render::Sheet> sheet() { return sheet(viewing_.size); }
+    [[nodiscard]] Result<render::Sheet> sheet(glm::ivec2 size);
     [[nodiscard]] render::SheetRenderer& sheet_renderer() { return *sheet_renderer_; }
     [[nodiscard]] const ReadySurface& surface() const { return surface_; }
 

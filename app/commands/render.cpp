@@ -2,11 +2,11 @@
 
 #include "app/actions/script.h"
 #include "app/commands/comparison_flags.h"
-#include "app/commands/figures.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/picture_stage.h"
+#include "app/commands/several_views.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
 #include "app/panels/interface.h"
@@ -182,17 +182,13 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!flags.interface)
         if (auto ran = run(here); !ran) return tl::unexpected(ran.error());
 
-    const FigureFlags& figure = flags.figure;
-    if (document.marks().comparison.mode != Comparison::Mode::kOff &&
-        (figure.turntable > 0 || figure.sheet || flags.benchmark > 0))
-        return fail("a comparison is one picture", {},
-                    "leave out --turntable, --sheet and --benchmark, or `compare off`");
-    auto frame = stage.frame();
-    if (!frame) return tl::unexpected(frame.error());
-    dress(*frame, flags.figure);
+    auto sheet = stage.sheet();
+    if (!sheet) return tl::unexpected(sheet.error());
+    dress(*sheet, flags.figure);
+    render::SheetRenderer& sheets = stage.sheet_renderer();
     if (flags.figure.turntable > 0) {
         const bool keep_camera = !flags.camera.empty() || (*has_camera && !flags.view_given);
-        const auto files = write_turntable(**renderer, *frame, flags.figure, keep_camera, flags.output);
+        const auto files = write_turntable(sheets, *sheet, flags.figure, keep_camera, flags.output);
         if (!files) return tl::unexpected(files.error());
         say("wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());
         nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
@@ -200,18 +196,15 @@ Result<int> run_render(const RenderFlags& flags) {
         if (flags.json) std::cout << report.dump(2) << '\n';
         return kDone;
     }
-    auto sheet = stage.sheet();
-    if (!sheet) return tl::unexpected(sheet.error());
-    dress(*sheet, flags.figure);
     const Stopwatch watch;
-    render::SheetRenderer& sheets = stage.sheet_renderer();
     const auto done = sheets.draw(*sheet);
     if (!done) return tl::unexpected(done.error());
-    (void)sheets.pick({0.0, 0.0}); // waits until it is there
+    render::SheetRenderer::finish();
     const double draw_seconds = watch.seconds();
     // A plain picture is the one that is there: drawing an equal frame again draws nothing.
+    const auto compose_sized = [&](glm::ivec2 size) { return stage.sheet(size); };
     auto image = flags.interface      ? draw_interface(flags, document, stage, **renderer, run)
-                 : flags.figure.sheet ? draw_sheet(**renderer, *frame, flags.figure)
+                 : flags.figure.sheet ? draw_four_views(sheets, compose_sized, flags.size, flags.figure)
                                       : draw_figure(sheets, *sheet, flags.figure);
     if (!image) return tl::unexpected(image.error());
 
@@ -232,7 +225,7 @@ Result<int> run_render(const RenderFlags& flags) {
     }
     if (flags.benchmark > 0) {
         const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;
-        if (auto ran = run_turn_benchmark(**renderer, *frame, flags.benchmark, hurry, report); !ran)
+        if (auto ran = run_turn_benchmark(sheets, *sheet, flags.benchmark, hurry, report); !ran)
             return tl::unexpected(ran.error());
         if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
     }
@@ -312,8 +305,6 @@ void register_render(CLI::App& app, Action& chosen) {
         if (flags->figure.turntable > 0 && (flags->interface || !flags->reference.empty() || flags->benchmark > 0))
             throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
         check_comparison_flags(*command, flags->comparison);
-        if (flags->comparison.mode && (flags->figure.turntable > 0 || flags->figure.sheet || flags->benchmark > 0))
-            throw CLI::ValidationError("--compare", "cannot be combined with --turntable, --sheet or --benchmark");
         if (flags->figure.sheet && flags->interface)
             throw CLI::ValidationError("--sheet", "cannot be combined with --ui");
         const bool other_result = flags->benchmark > 0 || !flags->commands.empty();

@@ -11,23 +11,30 @@ namespace ramus::app {
 
 namespace {
 
+void look_from(render::Sheet& sheet, const render::Camera& camera, render::Quality quality) {
+    for (render::Sheet::Pane& pane : sheet.panes) {
+        pane.frame.camera = camera;
+        pane.frame.quality = quality;
+    }
+}
+
 // How far the picture that moves is from the one that rests: the mean over the vessels' pixels of both, of 255.
-Result<double> difference_at_rest(render::Renderer& renderer, render::Frame frame) {
+Result<double> difference_at_rest(render::SheetRenderer& renderer, render::Sheet sheet, const render::Camera& camera) {
     const auto drawn = [&](render::Quality quality) -> Result<render::Image> {
-        frame.quality = quality;
-        if (auto done = renderer.draw(frame); !done) return tl::unexpected(done.error());
+        look_from(sheet, camera, quality);
+        if (auto done = renderer.draw(sheet); !done) return tl::unexpected(done.error());
         return renderer.read_image();
     };
     const auto moving = drawn(render::Quality::kInteractive);
     if (!moving) return tl::unexpected(moving.error());
-    const render::BranchPicture there = renderer.read_branches();
+    const std::vector<bool> there = renderer.read_covered();
     const auto resting = drawn(render::Quality::kFull);
     if (!resting) return tl::unexpected(resting.error());
-    const render::BranchPicture here = renderer.read_branches();
+    const std::vector<bool> here = renderer.read_covered();
     double sum = 0.0;
     std::size_t pixels = 0;
-    for (std::size_t i = 0; i < here.branches.size(); ++i) {
-        if (here.branches[i] == render::kNoBranch && there.branches[i] == render::kNoBranch) continue;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        if (!here[i] && !there[i]) continue;
         ++pixels;
         for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(moving->rgba[k] - resting->rgba[k]) / 3.0;
     }
@@ -36,22 +43,23 @@ Result<double> difference_at_rest(render::Renderer& renderer, render::Frame fram
 
 } // namespace
 
-Result<void> run_turn_benchmark(render::Renderer& renderer, render::Frame frame, int frames, bool hurry,
+Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet sheet, int frames, bool hurry,
                                 nlohmann::json& report) {
-    const render::Camera start_camera = frame.camera;
-    const auto turn_to = [&](double turn) { frame.camera = render::turned(start_camera, 360.0 * turn, 0.0); };
-    frame.quality = hurry ? render::Quality::kInteractive : render::Quality::kFull;
-    turn_to(-1.0 / frames); // what is made once is made
-    if (auto ready = renderer.draw(frame); !ready) return tl::unexpected(ready.error());
+    const render::Camera start_camera = sheet.panes.front().frame.camera;
+    const auto camera_at = [&](double turn) { return render::turned(start_camera, 360.0 * turn, 0.0); };
+    const render::Quality quality = hurry ? render::Quality::kInteractive : render::Quality::kFull;
+    look_from(sheet, camera_at(-1.0 / frames), quality); // what is made once is made
+    if (auto ready = renderer.draw(sheet); !ready) return tl::unexpected(ready.error());
+    render::SheetRenderer::finish();
     std::uint64_t triangles = 0, cones = 0;
     const Stopwatch watch;
     for (int i = 0; i < frames; ++i) {
-        turn_to(static_cast<double>(i + 1) / frames);
-        const auto done = renderer.draw(frame);
+        look_from(sheet, camera_at(static_cast<double>(i + 1) / frames), quality);
+        const auto done = renderer.draw(sheet);
         if (!done) return tl::unexpected(done.error());
         triangles += done->triangles;
         cones += done->cones;
-        (void)renderer.pick(0.0, 0.0); // waits until the frame is there
+        render::SheetRenderer::finish();
     }
     const double seconds = watch.seconds(), fps = frames / std::max(seconds, 1e-9);
     report["frames"] = frames;
@@ -59,12 +67,12 @@ Result<void> run_turn_benchmark(render::Renderer& renderer, render::Frame frame,
     report["fps"] = fps;
     report["triangles"] = static_cast<double>(triangles) / frames;
     report["cones"] = static_cast<double>(cones) / frames;
+    report["panes"] = sheet.panes.size();
     report["quality"] = hurry ? "interactive" : "full";
     double difference = 0.0;
     constexpr int kCompared = 4;
     for (int i = 0; i < kCompared && hurry; ++i) {
-        turn_to((i + 0.3) / kCompared);
-        const auto found = difference_at_rest(renderer, frame);
+        const auto found = difference_at_rest(renderer, sheet, camera_at((i + 0.3) / kCompared));
         if (!found) return tl::unexpected(found.error());
         difference += *found / kCompared;
     }

@@ -2,18 +2,19 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "render/renderer.h"
+#include "render/sheet.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace ramus::app {
 
-// Once around in so many frames. In a hurry it is drawn as the window draws while somebody drags, where full pictures
-// would be slow. Adds to `report`: frames, seconds, fps, triangles (a frame, mean), quality ("full" or "interactive"),
-// difference (from the picture at rest: mean over the vessels' pixels, of 255).
-[[nodiscard]] Result<void> run_turn_benchmark(render::Renderer& renderer, render::Frame frame, int frames, bool hurry,
-                                              nlohmann::json& report);
+// Once around in so many frames, of all panes where surfaces are compared. In a hurry it is drawn as the window draws
+// while somebody drags, where full pictures would be slow. Adds to `report`: frames, seconds, fps, triangles and cones
+// (a frame, mean, of all panes together), panes, quality ("full" or "interactive"), difference (from the picture at
+// rest: mean over the vessels' pixels, of 255).
+[[nodiscard]] Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet sheet, int frames,
+                                              bool hurry, nlohmann::json& report);
 
 // What it found, for a person.
 [[nodiscard]] std::string benchmark_sentence(const nlohmann::json& report);
