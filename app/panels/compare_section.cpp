@@ -33,7 +33,16 @@ void begin_row(const char* label, const char* help) {
     widgets::tooltip(help);
     ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
     ImGui::SetNextItemWidth(-1.0F);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    widgets::note(help, at, {at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetFrameHeight()});
     ImGui::PushID(label);
+}
+
+// An entry of an open list.
+bool selectable(const char* text, bool chosen) {
+    const bool pressed = ImGui::Selectable(text, chosen);
+    widgets::note_item(text);
+    return pressed;
 }
 
 std::string spelled(const std::vector<SurfaceKind>& surfaces) {
@@ -51,7 +60,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
     begin_row(label, help);
     if (ImGui::BeginCombo("##surface", there ? short_name(now[place]) : "None")) {
         for (const SurfaceKind kind : kSurfaceKinds) {
-            if (!ImGui::Selectable(short_name(kind), there && now[place] == kind)) continue;
+            if (!selectable(short_name(kind), there && now[place] == kind)) continue;
             std::vector<SurfaceKind> next = now;
             const auto other = std::ranges::find(next, kind);
             if (!there && other == next.end())
@@ -62,7 +71,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
                 next[place] = kind;
             if (next != now) wanted = next;
         }
-        if (may_be_none && ImGui::Selectable("None", !there) && there)
+        if (may_be_none && selectable("None", !there) && there)
             wanted = std::vector<SurfaceKind>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(place));
         ImGui::EndCombo();
     }
@@ -98,7 +107,7 @@ void draw_compare(InterfaceContext& context) {
     const auto mode = std::ranges::find(kModes, comparison.mode, [](const auto& each) { return each.first; });
     if (ImGui::BeginCombo("##mode", mode == kModes.end() ? "" : mode->second)) {
         for (const auto& [each, label] : kModes)
-            if (ImGui::Selectable(label, each == comparison.mode) && each != comparison.mode)
+            if (selectable(label, each == comparison.mode) && each != comparison.mode)
                 context.perform("compare", {std::string(name_of(each))});
         ImGui::EndCombo();
     }

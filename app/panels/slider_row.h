@@ -27,6 +27,7 @@ bool slider_row(const char* label, const char* help, Slider<T>& slider, T curren
     ImGui::SetNextItemWidth(-40.0F * theme::scale());
     ImGui::PushID(label);
     draw(slider.value);
+    note_item(help);
     slider.held = ImGui::IsItemActive();
     const bool changed = ImGui::IsItemDeactivatedAfterEdit();
     ImGui::SameLine();

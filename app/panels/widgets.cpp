@@ -7,6 +7,22 @@
 
 namespace ramus::app::widgets {
 
+namespace {
+
+Controls* noted = nullptr;
+
+} // namespace
+
+void note_controls(Controls* controls) { noted = controls; }
+
+void note(const char* words, const ImVec2& from, const ImVec2& to) {
+    if (noted == nullptr) return;
+    const auto pixels = [](float length) { return static_cast<int>(std::lround(length)); };
+    (*noted)[words] = {pixels(from.x), pixels(from.y), pixels(to.x - from.x), pixels(to.y - from.y)};
+}
+
+void note_item(const char* words) { note(words, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+
 void begin_fixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags) {
     ImGui::SetNextWindowPos({x, y});
     ImGui::SetNextWindowSize({width, height});
@@ -113,6 +129,7 @@ void quiet_wrapped(const char* text) {
 }
 
 void tooltip(const char* text, const char* key) {
+    note_item(text);
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F * theme::scale(), 7.0F * theme::scale()});
     ImGui::BeginTooltip();

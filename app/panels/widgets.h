@@ -3,6 +3,7 @@
 
 #include <array>
 #include <imgui.h>
+#include <map>
 #include <string>
 
 namespace ramus::app::widgets {
@@ -30,6 +31,16 @@ void quiet_wrapped(const char* text); // several
 // Puts the cursor so that `width` ends at the right edge.
 void align_right(float width);
 void tooltip(const char* text, const char* key = nullptr);
+
+// Where the controls of a frame are, in pixels of the window, by the words that explain them: x, y, width, height. For
+// scripts that drive the window from outside.
+using Controls = std::map<std::string, std::array<int, 4>>;
+// From now on they are noted there; null: nowhere.
+void note_controls(Controls* controls);
+// What has a tooltip is noted by itself, the last of several with the same words.
+void note(const char* words, const ImVec2& from, const ImVec2& to);
+void note_item(const char* words); // the last one drawn
+
 // `text` shortened in the middle to fit `width`.
 [[nodiscard]] std::string fitted(const std::string& text, float width);
 

@@ -104,6 +104,7 @@ private:
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
                   const WindowOptions& options, std::optional<std::vector<ScriptLine>> script) {
     StatusFile status(options.status);
+    if (!options.status.empty()) viewer.want_controls();
     while (!viewer.closing()) {
         if (window.close_wanted()) {
             window.refuse_close();

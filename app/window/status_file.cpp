@@ -41,6 +41,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["recoveries"] = interface.recovery.entries.size();
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
+    if (viewer.controls()) status["controls"] = *viewer.controls();
     std::string text = status.dump() + "\n";
     if (text == written_) return;
     written_ = std::move(text);

@@ -168,7 +168,10 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     interface_.tool_drawing =
         interface_.tool ? interface_.tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
     InterfaceContext context{interface_, workspace_, *this, layout_, now};
+    if (controls_) controls_->clear();
+    widgets::note_controls(controls_ ? &*controls_ : nullptr);
     draw_interface(context);
+    widgets::note_controls(nullptr);
     ImGui::Render();
     if (listed != interface_.listed) shake();
     if (frames_left_ > 0) --frames_left_;

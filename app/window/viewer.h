@@ -8,6 +8,7 @@
 
 #include "app/actions/keys.h"
 #include "app/panels/interface.h"
+#include "app/panels/widgets.h"
 #include "app/picture/compose_sheet.h"
 #include "app/tools/tool_mouse.h"
 #include "app/tools/viewport_mouse.h"
@@ -57,6 +58,9 @@ public:
     [[nodiscard]] std::string title() const;
     [[nodiscard]] Cursor cursor() const;
     void tell(const Error& error) { interface_.errors.push_back(error); }
+    // For scripts that drive the window: nothing until they are wanted.
+    void want_controls() { controls_.emplace(); }
+    [[nodiscard]] const std::optional<widgets::Controls>& controls() const { return controls_; }
 
     // What lives longer than the window: see run_window.cpp.
     void use_settings(const Settings& settings);
@@ -142,6 +146,7 @@ private:
     std::unique_ptr<ImguiRenderer> imgui_;
     ImguiInput input_;
     Interface interface_;
+    std::optional<widgets::Controls> controls_; // of the last frame
     Layout layout_;
     ViewportMouse mouse_;
     ToolMouse tool_mouse_;

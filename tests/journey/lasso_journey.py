@@ -9,7 +9,7 @@ import math
 import subprocess
 import sys
 
-from screen import Window, below_tools, check, differing, info_of, picture_pixels, run_journeys
+from screen import Window, below_tools, check, differing, drag, info_of, picture_pixels, run_journeys
 
 LEAST = 12  # branches that are lassoed
 
@@ -17,15 +17,6 @@ LEAST = 12  # branches that are lassoed
 def around(centre, radius, steps=40):
     return [(round(centre[0] + radius * math.cos(2 * math.pi * i / steps)),
              round(centre[1] + radius * math.sin(2 * math.pi * i / steps))) for i in range(steps + 1)]
-
-
-def drag(window, way, end=True):
-    window.xdotool("mousemove", *way[0])
-    window.xdotool("mousedown", 1)
-    for at in way[1:]:
-        window.xdotool("mousemove", *at)
-    if end:
-        window.xdotool("mouseup", 1)
 
 
 def with_dependents(branches, ids):

@@ -119,6 +119,38 @@ class Window:
         self.process.wait()
 
 
+def middle_of(status, words):
+    """Of the control that these words explain."""
+    x, y, width, height = status["controls"][words]
+    return x + width // 2, y + height // 2
+
+
+def click(window, words):
+    status = window.wait(f"the control: {words}", lambda s: words in s["controls"])
+    window.xdotool("mousemove", *middle_of(status, words), "click", 1)
+
+
+def choose(window, words, entry):
+    """An entry of the list that opens there."""
+    click(window, words)
+    click(window, entry)
+
+
+def slide(window, words, share):
+    """A slider to this share of its length."""
+    left, top, width, height = window.status()["controls"][words]
+    window.xdotool("mousemove", left + round(share * width), top + height // 2, "click", 1)
+
+
+def drag(window, way, end=True):
+    window.xdotool("mousemove", *way[0])
+    window.xdotool("mousedown", 1)
+    for at in way[1:]:
+        window.xdotool("mousemove", *at)
+    if end:
+        window.xdotool("mouseup", 1)
+
+
 def picture_pixels(path):
     return subprocess.run(["convert", str(path), "-alpha", "off", "-depth", "8", "rgb:-"], check=True,
                           stdout=subprocess.PIPE).stdout
