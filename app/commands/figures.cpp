@@ -53,12 +53,6 @@ void dress(render::Frame& frame, const FigureFlags& flags) {
 
 } // namespace
 
-void make_room_for_caption(render::Sheet& sheet) {
-    const render::Frame& first = sheet.panes.front().frame;
-    if (sheet.blend && !first.overlays.caption.empty())
-        sheet.heading_top = std::max(sheet.heading_top, render::caption_bottom(first, render::default_font()));
-}
-
 void dress(render::Sheet& sheet, const FigureFlags& flags) {
     for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
         render::Overlays& overlays = sheet.panes[i].frame.overlays;
@@ -69,7 +63,6 @@ void dress(render::Sheet& sheet, const FigureFlags& flags) {
         overlays.scale_bar &= i == 0;
         if (i > 0) overlays.caption = shared.caption;
     }
-    make_room_for_caption(sheet);
 }
 
 namespace {
@@ -78,6 +71,19 @@ Result<void> check_enlarged(glm::ivec2 size, const FigureFlags& flags) {
     auto fits = render::check_size(size.x, size.y);
     if (!fits && flags.supersample > 1) fits.error().hint += "; or a smaller --supersample";
     return fits;
+}
+
+// Headings go below the caption of their own pane by themselves; those beside them, and that of a blend, with them.
+void make_room_for_caption(render::Sheet& sheet) {
+    const render::Sheet::Pane& first = sheet.panes.front();
+    const int bottom = render::caption_bottom(first.frame, render::default_font());
+    if (bottom == 0) return;
+    if (sheet.blend) sheet.heading_top = std::max(sheet.heading_top, bottom);
+    for (std::size_t i = 1; i < sheet.panes.size() && !sheet.blend; ++i) {
+        render::Overlays& overlays = sheet.panes[i].frame.overlays;
+        if (sheet.panes[i].at.y == first.at.y && overlays.caption.empty() && !overlays.heading.empty())
+            overlays.inset_top = std::max(overlays.inset_top, bottom);
+    }
 }
 
 void enlarge(render::Frame& frame, const FigureFlags& flags) {
@@ -97,6 +103,7 @@ Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet
         pane.at *= flags.supersample;
         enlarge(pane.frame, flags);
     }
+    make_room_for_caption(sheet);
     if (auto fits = check_enlarged(sheet.size, flags); !fits) return tl::unexpected(fits.error());
     if (const auto drawn = renderer.draw(sheet); !drawn) return tl::unexpected(drawn.error());
     return render::reduced(renderer.read_image(), flags.supersample);

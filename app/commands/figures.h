@@ -24,10 +24,9 @@ void add_figure_flags(CLI::App& command, FigureFlags& flags);
 
 // What the flags say about what lies over the tree.
 void dress(render::Sheet& sheet, const FigureFlags& flags);
-// The words over a blend go below the first pane's caption, if it has one.
-void make_room_for_caption(render::Sheet& sheet);
 
-// The picture, drawn `supersample` times as large and reduced. Fails where that is too large.
+// The picture, drawn `supersample` times as large and reduced; all headings that stand beside each other stand below
+// the caption. Fails where that is too large.
 [[nodiscard]] Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
                                                 const FigureFlags& flags);
 

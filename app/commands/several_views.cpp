@@ -106,7 +106,6 @@ void label(render::Sheet& sheet, std::size_t view, bool table) {
         if (view > 0) overlays.legend = {};
     }
     if (view > 0) sheet.heading.clear();
-    make_room_for_caption(sheet);
 }
 
 void fill(render::Image& picture, const glm::vec3& colour) {

@@ -132,6 +132,22 @@ class Compare(CommandLineTest):
                 pictures.append([(self.folder / name).read_bytes() for name in names])
             self.assertEqual(*pictures)
 
+    def test_headings_stand_in_one_line_below_a_caption(self):
+        def first_line(picture, left, width, below=0):
+            """Of pixels that are as bright as letters are."""
+            return next(y for y in range(below, picture.height)
+                        if any(min(picture.pixel(x, y)) > 150 for x in range(left, left + width)))
+
+        common = ("--overlays", "none", "--supersample", "2", "--caption", "E", "--transparent")
+        for mode, lefts in (("side-by-side", (100, 401)), ("blend", (150,))):
+            self.expect_done("render", "tree.swc", "--compare", mode, "--size", "601x300", "-o", "c.png", *common)
+            picture = Picture((self.folder / "c.png").read_bytes())
+            caption = first_line(picture, 0, 40)
+            # Titles begin with the same capital height, C or T; a rounding of half a pixel apart.
+            lines = [first_line(picture, left, 150) for left in lefts]
+            self.assertLessEqual(max(lines) - min(lines), 1)
+            self.assertGreater(min(lines), caption + 8)  # capitals are ten points high, less in small pictures
+
     def test_a_benchmark_turns_all_panes(self):
         def benchmark(*more):
             return self.json("render", "tree.swc", "--size", "200x100", "--benchmark", "2", "--benchmark-full", "--json",
