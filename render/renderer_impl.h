@@ -44,6 +44,9 @@ inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cas
 // From mm to eye space with depth as +z, as the full-screen passes reckon.
 glm::dmat4 eye_matrix(const Camera& camera);
 
+// Where parts of branches that are lost begin and end, as behind_cut() of scene.glsl reads it: five texels a part.
+std::vector<glm::vec4> cut_places(const std::vector<LostPart>& lost, const Centerlines& lines, const glm::dmat4& eye);
+
 class Renderer::Impl {
 public:
     explicit Impl(std::size_t glass_bytes) : glass_bytes_(glass_bytes) {}

@@ -107,6 +107,8 @@ struct Shading {
     int ramp_steps;
     float scale_low, scale_slope;
     bool scale_logarithmic;
+    const float* cuts; // twenty numbers a part of a branch that is lost, see cut_places()
+    int cut_count;     // when not 0, records' values are mm from the root
 };
 
 } // namespace ramus::render::caster

@@ -39,8 +39,10 @@ struct Caster::Bins {
 };
 
 bool Caster::draws(const Frame& frame) {
-    return frame.margins.bands.empty() && frame.lost.empty() && frame.lesions.spheres.empty() &&
-           frame.lesions.meshes.empty() && frame.context.empty() && frame.lines.empty();
+    // A place on a vessel has one value: its diameter cannot go with where it is cut.
+    const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
+    return frame.margins.bands.empty() && (whole || frame.scale.value != ColourScale::Value::kDiameter) &&
+           frame.lesions.spheres.empty() && frame.lesions.meshes.empty() && frame.context.empty();
 }
 
 void Caster::make_room(const View& view) {
@@ -155,7 +157,7 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
 
 std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look,
                          bool outlined, const std::vector<Layer>& layers,
-                         const std::vector<std::array<std::uint16_t, 4>>& records) {
+                         const std::vector<std::array<std::uint16_t, 4>>& records, const std::vector<glm::vec4>& cuts) {
     make_room(view);
     view_ = view;
     const glm::mat4 lines_to_eye(glm::translate(to_eye, thinned_.origin));
@@ -197,7 +199,8 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     bin(kinds, Kind::kOpaque, opaque);
     if (any_glass) bin(kinds, Kind::kGlass, glass);
 
-    const bool with_values = frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();
+    const bool on_scale = frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();
+    const bool with_values = on_scale || !cuts.empty();
     const int tiles = across_ * up_;
     const auto for_tiles = [&](const auto& call) {
         tbb::parallel_for(tbb::blocked_range<int>(0, tiles, 4), [&](const auto& range) {
@@ -231,7 +234,9 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
         put_step(shading.halo_ring[i], look.cues[3] * ((i & 1) == 0 ? 1.0F : 0.55F));
     }
     const ColourScale& scale = frame.scale;
-    if (with_values) {
+    if (!cuts.empty()) shading.cuts = &cuts.front().x;
+    shading.cut_count = static_cast<int>(cuts.size() / 5);
+    if (on_scale) {
         const bool log = scale.logarithmic;
         const float low = log ? std::log(scale.low) : scale.low, high = log ? std::log(scale.high) : scale.high;
         shading.ramp = &scale.ramp.front().x;

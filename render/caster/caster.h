@@ -31,9 +31,11 @@ public:
     [[nodiscard]] static bool draws(const Frame& frame);
 
     // The picture as sRGB, premultiplied, rows from below; it lasts until the next. `to_eye`: from mm to eye space,
-    // depth as +z. `records`: a branch's linear colour and flags, as shade.frag reads them. Returns how many cones.
+    // depth as +z. `records`: a branch's linear colour and flags, as shade.frag reads them. `cuts`: see
+    // cut_places(). Returns how many cones.
     std::size_t draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look, bool outlined,
-                     const std::vector<Layer>& layers, const std::vector<std::array<std::uint16_t, 4>>& records);
+                     const std::vector<Layer>& layers, const std::vector<std::array<std::uint16_t, 4>>& records,
+                     const std::vector<glm::vec4>& cuts);
     [[nodiscard]] const std::uint32_t* rgba() const { return rgba_.data(); }
 
     // Of the last picture: ids as in ids.glsl and depths in mm, `stride` a row from below.

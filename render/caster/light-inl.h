@@ -49,7 +49,7 @@ HWY_INLINE V3 to_linear(V3 c) { return {to_linear(c.x), to_linear(c.y), to_linea
 struct Place {
     VU id, flags;
     V3 albedo, normal, at, towards_eye;
-    V far;
+    V far, diagonal; // diagonal: x + y in the picture, pixels
     VI in_picture;
 };
 
@@ -64,6 +64,7 @@ HWY_INLINE Place PlaceOf(const View& view, const Shading& shading, const std::ui
     const VI row = hn::Add(hn::BitCast(di, hn::ShiftRight<5>(place)), hn::Set(di, y));
     static_assert(kTile == 32);
     p.in_picture = index_of(row, hn::Set(di, view.stride), column);
+    p.diagonal = hn::Add(hn::ConvertTo(d, hn::Add(column, row)), set(1.0F));
     p.id = hn::LoadU(du, ids);
     const VU branch = hn::Sub(hn::AndNot(hn::Set(du, kLine), p.id), hn::Set(du, 1U));
     const VI word = hn::BitCast(di, hn::ShiftLeft<1>(branch));
@@ -99,6 +100,44 @@ HWY_INLINE V3 OnScale(const Shading& shading, V value, V3 otherwise) {
         return mix(gather(shading.ramp + c, index), gather(shading.ramp + c + next, index), t);
     };
     return choose(known, to_linear({channel(0), channel(1), channel(2)}), otherwise);
+}
+
+// How far inside the lost part of its branch, in mm; negative outside. As behind_cut() of scene.glsl.
+HWY_INLINE V BehindCut(const Shading& shading, V branch, V from_root, V3 at) {
+    V inside = set(-1e30F);
+    for (int i = 0; i < shading.cut_count; ++i) {
+        const float* part = shading.cuts + std::ptrdiff_t{20} * i;
+        const M own = hn::Eq(branch, set(part[0]));
+        if (hn::AllFalse(D(), own)) continue;
+        const auto outward_of = [&](const float* end) {
+            const V way = hn::Sub(from_root, set(end[7]));
+            const V3 away = at - set(end);
+            return hn::IfThenElse(hn::Lt(hn::Abs(way), set(2.5F * end[3])), dot(away, set(end + 4)), way);
+        };
+        const V from = part[1] > 0.5F ? outward_of(part + 4) : set(1e30F);
+        const V to = part[2] > 0.5F ? hn::Neg(outward_of(part + 12)) : set(1e30F);
+        inside = hn::IfThenElse(own, hn::Max(inside, hn::Min(from, to)), inside);
+    }
+    return inside;
+}
+
+// What is lost is dark and hatched; a clean ring ends it at the cut. As lost() of shade.frag.
+HWY_INLINE V3 Lost(const View& view, const Shading& shading, const Place& p, V from_root, V3 albedo) {
+    const V pixel_mm = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), p.at.z);
+    const M whole = any_of(p.flags, kLost), cut = any_of(p.flags, kCut);
+    const V branch = hn::ConvertTo(D(), hn::BitCast(DI(), hn::Sub(p.id, hn::Set(DU(), 1U))));
+    V behind = hn::IfThenElse(whole, set(1e30F), set(-1e30F));
+    if (!hn::AllFalse(D(), cut))
+        behind = hn::IfThenElse(cut, hn::Max(behind, BehindCut(shading, branch, from_root, p.at)), behind);
+    const float thick = shading.look.more[2];
+    const V across = fract(hn::Mul(p.diagonal, set(1.0F / (9.0F * thick))));
+    const V stripe = hn::Mul(smooth_step(0.0F, 0.16F, across), hn::Sub(set(1.0F), smooth_step(0.34F, 0.5F, across)));
+    const V3 hatched = mix(set(0.50F), set(1.35F), stripe) * set(shading.look.lost);
+    const V per_pixel = inverse_of(pixel_mm);
+    const V3 found = mix(albedo, hatched, clamp01(hn::MulAdd(behind, per_pixel, set(0.5F))));
+    const V3 ring{set(0.92F), set(0.92F), set(0.92F)};
+    const V beside = hn::Mul(hn::Abs(behind), hn::Mul(per_pixel, set(1.0F / thick)));
+    return choose(any_of(p.flags, kLost | kCut), mix(ring, found, smooth_step(0.8F, 1.6F, beside)), albedo);
 }
 
 HWY_INLINE V3 Chromatic(V far) {
@@ -163,6 +202,7 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
             calm = any_of(p.flags, kCalm);
     V3 albedo = p.albedo;
     if (shading.ramp != nullptr) albedo = choose(highlighted, albedo, OnScale(shading, value, albedo));
+    if (!hn::AllFalse(d, any_of(p.flags, kLost | kCut))) albedo = Lost(view, shading, p, value, albedo);
     const V facing = clamp01(dot(p.normal, p.towards_eye)), aside = hn::Sub(one, facing);
     if (look.cues[2] > 0.0F) albedo = choose(highlighted, albedo, mix(albedo, Chromatic(p.far), set(look.cues[2])));
     if (!hn::AllFalse(d, selected)) albedo = choose(selected, mix(albedo, set(look.selection), set(0.62F)), albedo);
@@ -221,6 +261,7 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
         V3 plain = set(look.line);
         plain = choose(selected, mix(plain, set(look.selection), set(0.8F)), plain);
         plain = choose(any_of(p.flags, kHovered), mix(plain, V3{one, set(0.85F), set(0.55F)}, set(0.6F)), plain);
+        plain = choose(any_of(p.flags, kLost), mix(plain, set(look.lost), set(0.6F)), plain);
         plain = mix(plain, set(look.far_colour), hn::Mul(set(0.62F * look.background_bottom[3]), p.far));
         radiance = choose(line, plain, radiance);
     }
@@ -248,6 +289,8 @@ HWY_INLINE Veil Glass(const Shading& shading, const Place& p) {
     tint = choose(selected, mix(tint, set(look.selection), set(0.7F)), tint);
     tint = choose(hovered, set(1.6F) * tint, tint);
     tint = choose(glowing, set(1.3F) * tint, tint);
+    const M lost = any_of(p.flags, kLost);
+    if (!hn::AllFalse(D(), lost)) tint = choose(lost, mix(tint, set(1.4F) * set(look.lost), set(0.7F)), tint);
     const auto more = [&](M where, float by) { veil = hn::Add(veil, hn::IfThenElseZero(where, set(by))); };
     more(selected, 0.12F);
     more(hovered, 0.12F);

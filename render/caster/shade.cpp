@@ -37,7 +37,8 @@ void ShadeRecords(const View& view, const Shading& shading, const Records& recor
     const D d;
     alignas(64) float found[64];
     for (std::size_t first = 0; first < records.count; first += kN) {
-        const V value = shading.ramp != nullptr ? hn::LoadU(d, records.value + first) : hn::Zero(d);
+        const V value =
+            shading.ramp != nullptr || shading.cut_count > 0 ? hn::LoadU(d, records.value + first) : hn::Zero(d);
         Spread(Radiance(view, shading,
                         PlaceOf(view, shading, records.place + first, records.id + first, records.normal + first,
                                 records.depth + first, x, y),

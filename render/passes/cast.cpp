@@ -34,7 +34,9 @@ std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>&
     const LookBlock block = look_of(frame, outlined);
     caster::Look look;
     std::memcpy(&look, &block, sizeof look);
-    return caster_.draw(frame, view, eye_matrix(frame.camera), look, outlined, layers, records_);
+    const glm::dmat4 eye = eye_matrix(frame.camera);
+    return caster_.draw(frame, view, eye, look, outlined, layers, records_,
+                        cut_places(frame.lost, *frame.centerlines, eye));
 }
 
 } // namespace ramus::render

@@ -11,7 +11,7 @@ void Renderer::Impl::draw_overlays(const Frame& frame, const std::vector<Layer>&
     glViewport(0, 0, size_.x, size_.y);
     if (cast_) {
         glTextureSubImage2D(picture_, 0, 0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, caster_.rgba());
-        if (frame.skeleton) send_cast_depths();
+        if (frame.skeleton || !frame.lines.empty()) send_cast_depths();
     } else if (inner_ == size_) {
         // Only what was shaded: the rest has its overlays already.
         const glm::ivec2 end = region_at_ + region_size_;

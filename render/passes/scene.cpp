@@ -63,6 +63,21 @@ glm::dmat4 eye_matrix(const Camera& camera) {
     return glm::scale(glm::dmat4(1.0), {1.0, 1.0, -1.0}) * view_matrix(camera);
 }
 
+// Five a part: the branch and which ends it has, then for each end the place and its direction.
+std::vector<glm::vec4> cut_places(const std::vector<LostPart>& lost, const Centerlines& lines, const glm::dmat4& eye) {
+    std::vector<glm::vec4> cuts;
+    for (const LostPart& part : lost) {
+        if (part.whole() || !lines.at(part.branch, 0.0)) continue;
+        cuts.emplace_back(part.branch, part.from > 0.0 ? 1.0F : 0.0F, part.to < 1.0 ? 1.0F : 0.0F, 0.0F);
+        for (const double fraction : {part.from, part.to}) {
+            const Centerlines::Place place = *lines.at(part.branch, fraction);
+            cuts.emplace_back(glm::dvec3(eye * glm::dvec4(place.position, 1.0)), place.radius_mm);
+            cuts.emplace_back(glm::dvec3(eye * glm::dvec4(place.along, 0.0)), place.from_root_mm);
+        }
+    }
+    return cuts;
+}
+
 // Returns the variants that the scene needs. What a plain tree does not need costs it nothing.
 unsigned Renderer::Impl::send_scene(const Frame& frame) {
     unsigned variant = 0;
@@ -113,17 +128,7 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
             ramp_texture_ = ramp_texture(scale.ramp);
             glBindTextureUnit(12, ramp_texture_);
         }
-        // Five texels a part: the branch and which ends it has, then for each end the place and its direction.
-        std::vector<glm::vec4> cuts;
-        for (const LostPart& part : frame.lost) {
-            if (part.whole() || !lines->at(part.branch, 0.0)) continue;
-            cuts.emplace_back(part.branch, part.from > 0.0 ? 1.0F : 0.0F, part.to < 1.0 ? 1.0F : 0.0F, 0.0F);
-            for (const double fraction : {part.from, part.to}) {
-                const Centerlines::Place place = *lines->at(part.branch, fraction);
-                cuts.emplace_back(glm::dvec3(eye * glm::dvec4(place.position, 1.0)), place.radius_mm);
-                cuts.emplace_back(glm::dvec3(eye * glm::dvec4(place.along, 0.0)), place.from_root_mm);
-            }
-        }
+        const std::vector<glm::vec4> cuts = cut_places(frame.lost, *lines, eye);
         send_texels(cut_buffer_, cut_texture_, cut_capacity_, cuts);
         scene.counts.y = static_cast<float>(cuts.size() / 5);
         if (!cuts.empty()) glBindTextureUnit(11, cut_texture_);

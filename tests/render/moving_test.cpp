@@ -43,7 +43,7 @@ struct Scene {
             add_capsule(mesh, v.from, v.to, v.first, v.last, static_cast<int>(i), 160);
             lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
             for (const auto& [place, radius] : {std::pair{v.from, v.first}, {v.to, v.last}}) {
-                lines->points.emplace_back(place, 0.0F);
+                lines->points.emplace_back(place, glm::distance(place, v.from));
                 lines->details.push_back({2.0F * radius, static_cast<std::int32_t>(i)});
             }
         }
@@ -163,6 +163,23 @@ TEST_CASE("every look is the same while the view moves") {
              f.scale.logarithmic = true;
              f.scale.low = 1.0F, f.scale.high = 11.0F;
              f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"lost branches",
+         [](Frame& f) {
+             f.states[3] = BranchState::kDefocused;
+             f.lost = {{1, 0.0, 1.0}, {3, 0.0, 1.0}};
+         }},
+        {"cut, with the way to the root",
+         [](Frame& f) {
+             f.lost = {{0, 0.55, 1.0}, {1, 0.0, 1.0}, {3, 0.2, 0.7}};
+             f.scale.value = ColourScale::Value::kRootDistance;
+             f.scale.low = 0.0F, f.scale.high = 60.0F;
+             f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"cut, with a line",
+         [](Frame& f) {
+             f.lost = {{2, 0.4, 1.0}};
+             f.lines = {{{{-20, -20, -20}, {20, 18, 25}}, {0.2F, 0.9F, 0.4F}, 2.0F}};
          }},
         {"shadows", [](Frame& f) { f.appearance.shadows = 1.0F; }},
         {"contours and near red", [](Frame& f) { f.appearance.contours = 1.0F, f.appearance.chromadepth = 1.0F; }},
