@@ -19,6 +19,7 @@
 #include "render/egl_context.h"
 #include "render/gl_context.h"
 #include "render/headless_context.h"
+#include "render/perceived.h"
 #include "render/renderer.h"
 
 #include <array>
@@ -39,8 +40,9 @@ struct RenderFlags {
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
     bool view_given = false, orthographic = false, transparent = false, interface = false, json = false;
-    double tolerance = 0.001; // of the pixels
-    int benchmark = 0;        // frames
+    double tolerance = 0.001;         // of the pixels
+    std::optional<double> noticeable; // instead of that: of the pixels, as eyes see them
+    int benchmark = 0;                // frames
     bool benchmark_full = false;
     render::Backend backend = render::Backend::kOsMesa;
     int device = -1; // of EGL's; -1: the best
@@ -67,9 +69,19 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
                                 {"fraction", comparison->fraction()},
                                 {"largest", comparison->largest},
                                 {"tolerance", flags.tolerance}};
-        if (comparison->fraction() <= flags.tolerance) return kDone;
-        finding = std::to_string(comparison->differing) + " of " + std::to_string(comparison->pixels) +
-                  " pixels differ by more than 8/255, " + std::to_string(flags.tolerance) + " of them may";
+        const auto perceived = render::perceived_difference(image, *reference);
+        report["comparison"]["perceived"] = {{"noticeable", perceived->noticeable},
+                                             {"fraction", perceived->fraction()},
+                                             {"mean", perceived->mean},
+                                             {"largest", perceived->largest}};
+        const double found = flags.noticeable ? perceived->fraction() : comparison->fraction();
+        const double most = flags.noticeable.value_or(flags.tolerance);
+        report["comparison"]["tolerance"] = most;
+        if (found <= most) return kDone;
+        const auto differing = flags.noticeable ? perceived->noticeable : comparison->differing;
+        finding = std::to_string(differing) + " of " + std::to_string(comparison->pixels) + " pixels differ " +
+                  (flags.noticeable ? "so that it can be seen" : "by more than 8/255") + ", " + std::to_string(most) +
+                  " of them may";
     } else {
         finding = comparison.error().message();
         report["comparison"] = {{"error", finding}};
@@ -270,6 +282,12 @@ void register_render(CLI::App& app, Action& chosen) {
     command
         ->add_option("--tolerance", flags->tolerance,
                      "Share of the pixels that may differ from the reference by more than 8/255 (default 0.001)")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 1.0).description(""))
+        ->needs(reference);
+    command
+        ->add_option("--noticeable", flags->noticeable,
+                     "Instead: share of the pixels that may differ so that an eye before a screen sees it")
         ->type_name("T")
         ->check(CLI::Range(0.0, 1.0).description(""))
         ->needs(reference);
