@@ -5,11 +5,10 @@
 #include "render/caster/caster.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
-#include "render/gpu_context.h"
 #include "render/gpu_lines.h"
 #include "render/gpu_mesh.h"
+#include "render/gpu_shapes.h"
 #include "render/gpu_skeleton.h"
-#include "render/gpu_solids.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
 
@@ -40,6 +39,9 @@ static_assert(sizeof(LookBlock) == sizeof(caster::Look));
 
 // Of the uniform block of scene.glsl, in bytes.
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
+
+// Ids less 1, as in ids.glsl: those of lesions are beyond every branch, those of context beyond every lesion.
+inline constexpr int kFirstSolid = 0x40000000, kFirstContext = 0x60000000;
 
 // From mm to eye space with depth as +z, as the full-screen passes reckon.
 glm::dmat4 eye_matrix(const Camera& camera);
@@ -79,7 +81,7 @@ private:
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
-    void draw_solids(const Frame& frame, const glm::dmat4& to_clip);
+    void draw_solids(const Frame& frame, const glm::dmat4& to_clip) const;
     // Context meshes: passes/context.cpp. Each returns the number of triangles drawn.
     std::uint64_t draw_solid_context(const Frame& frame) const;
     std::uint64_t list_context_panes(const Frame& frame, Band band) const;
@@ -188,8 +190,7 @@ private:
     const GpuMesh no_mesh_;
     GpuLines lines_;
     GpuSkeleton skeleton_;
-    GpuSolids solids_;
-    GpuContext context_meshes_;
+    GpuShapes shapes_;
     const GpuMesh* drawn_ = nullptr; // the one of the last picture; null: nothing
 
     std::vector<Sprite> sprites_;

@@ -14,12 +14,12 @@ namespace {
 constexpr float kLineWidth = 1.15F; // points
 constexpr double kNearer = 1.5;     // pixels that lines come towards the eye, off the surface that they lie on
 
-void place(const GpuContext::Shape& shape, std::size_t index, const glm::dmat4& to_clip, const Camera& camera) {
-    const glm::dmat4 placed = glm::translate(to_clip, shape.bounds.centre());
+void place(const Shape& shape, std::size_t index, const glm::dmat4& to_clip, const Camera& camera) {
+    const glm::dmat4 placed = glm::translate(to_clip, shape.bounds().centre());
     glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(placed)));
     glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(camera))));
     glUniform1ui(7, static_cast<GLuint>(index + 1));
-    if (shape.closed)
+    if (shape.closed())
         glEnable(GL_CULL_FACE);
     else
         glDisable(GL_CULL_FACE);
@@ -31,12 +31,11 @@ std::uint64_t Renderer::Impl::draw_solid_context(const Frame& frame) const {
     std::uint64_t triangles = 0;
     const bool quick = frame.quality == Quality::kInteractive;
     for (std::size_t i = 0; i < frame.context.size(); ++i) {
-        const GpuContext::Shape* shape = context_meshes_.shape(frame.context[i], quick);
+        const Shape* shape = shapes_.of(frame.context[i], quick);
         if (shape == nullptr || !frame.context[i].solid()) continue;
         glUseProgram(context_);
         place(*shape, i, projection_ * view_matrix(frame.camera), frame.camera);
-        shape->draw();
-        triangles += static_cast<std::uint64_t>(shape->corners) / 3;
+        triangles += shape->draw();
     }
     glEnable(GL_CULL_FACE);
     return triangles;
@@ -53,15 +52,14 @@ std::uint64_t Renderer::Impl::draw_clear_context(const Frame& frame,
                                 : glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 - nearer));
     const float point = frame.pixel_ratio * float(inner_.y) / float(size_.y);
     for (std::size_t i = 0; i < frame.context.size(); ++i) {
-        const GpuContext::Shape* shape = context_meshes_.shape(frame.context[i], quick);
+        const Shape* shape = shapes_.of(frame.context[i], quick);
         if (shape == nullptr || !frame.context[i].clear()) continue;
-        const Program& program = shape->lines ? context_lines_ : context_pane_;
+        const Program& program = shape->lines() ? context_lines_ : context_pane_;
         glUseProgram(program);
         prepare(program);
-        if (shape->lines) glUniform1f(12, 0.5F * kLineWidth * point);
-        place(*shape, i, projection_ * (shape->lines ? off : glm::dmat4(1.0)) * view, frame.camera);
-        shape->draw();
-        triangles += static_cast<std::uint64_t>(shape->corners) / 3;
+        if (shape->lines()) glUniform1f(12, 0.5F * kLineWidth * point);
+        place(*shape, i, projection_ * (shape->lines() ? off : glm::dmat4(1.0)) * view, frame.camera);
+        triangles += shape->draw();
     }
     glEnable(GL_CULL_FACE);
     return triangles;

@@ -32,9 +32,9 @@ glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     };
     for (const glm::dvec4& sphere : frame.lesions.spheres) include(glm::dvec3(sphere), sphere.w);
     for (const auto& lesion : frame.lesions.meshes)
-        if (const Box around = solids_.bounds(*lesion); !around.empty()) include(around.centre(), around.radius());
-    if (const Box around = context_meshes_.bounds(frame.context); !around.empty())
-        include(around.centre(), around.radius());
+        if (const Shape* shape = shapes_.of(lesion); shape != nullptr && !shape->bounds().empty())
+            include(shape->bounds().centre(), shape->bounds().radius());
+    if (const Box around = shapes_.bounds(frame.context); !around.empty()) include(around.centre(), around.radius());
     if (!camera.orthographic) {
         far = std::max(far, 1e-3 * radius);
         near = std::max(near, 1e-4 * far);
@@ -95,7 +95,7 @@ void Renderer::Impl::clear_samples() const {
 Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh,
                                                     const std::vector<Layer>& layers) {
     const glm::dmat4 to_clip =
-        look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : context_meshes_.bounds(frame.context));
+        look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : shapes_.bounds(frame.context));
     const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
 
     const bool glass_vessels = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
@@ -193,7 +193,7 @@ std::uint64_t Renderer::Impl::draw_cones(const Frame& frame, const std::vector<L
 }
 
 // Three samples in four are the lesion's, the fourth is that of what lies behind: opaque-ish, in any order.
-void Renderer::Impl::draw_solids(const Frame& frame, const glm::dmat4& to_clip) {
+void Renderer::Impl::draw_solids(const Frame& frame, const glm::dmat4& to_clip) const {
     if (frame.lesions.spheres.empty() && frame.lesions.meshes.empty()) return;
     glUseProgram(geometry_);
     glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
@@ -202,15 +202,17 @@ void Renderer::Impl::draw_solids(const Frame& frame, const glm::dmat4& to_clip) 
         glSampleMaski(0, ~GLbitfield{4});
     }
     int id = kFirstSolid;
-    for (const glm::dvec4& sphere : frame.lesions.spheres) {
-        const glm::dmat4 placed = glm::scale(glm::translate(to_clip, glm::dvec3(sphere)), glm::dvec3(sphere.w));
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(placed)));
-        solids_.draw_sphere(id++);
-    }
+    const auto draw = [&](const Shape* shape, const glm::dmat4& placed) {
+        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip * placed)));
+        glVertexAttribI1i(2, id++); // the branch of every vertex
+        if (shape != nullptr) (void)shape->draw();
+    };
+    for (const glm::dvec4& sphere : frame.lesions.spheres)
+        draw(shapes_.ball(), glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(sphere)), glm::dvec3(sphere.w)));
     for (const auto& lesion : frame.lesions.meshes) {
-        glUniformMatrix4fv(0, 1, GL_FALSE,
-                           glm::value_ptr(glm::mat4(glm::translate(to_clip, solids_.bounds(*lesion).centre()))));
-        solids_.draw(*lesion, id++);
+        const Shape* shape = shapes_.of(lesion);
+        const glm::dvec3 centre = shape != nullptr ? shape->bounds().centre() : glm::dvec3(0.0);
+        draw(shape, glm::translate(glm::dmat4(1.0), centre));
     }
     glDisable(GL_SAMPLE_MASK);
 }

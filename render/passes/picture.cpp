@@ -70,8 +70,7 @@ Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, Dr
     frame.mesh = mesh.shown();
     frame.preview = nullptr;
     lines_.follow(wanted.centerlines);
-    solids_.follow(wanted.lesions.meshes);
-    context_meshes_.follow(wanted.context);
+    shapes_.follow(wanted.context, wanted.lesions);
     done.quality = frame.quality;
     return frame;
 }
@@ -141,8 +140,7 @@ void Renderer::Impl::let_go() {
     preview_ = {};
     lines_ = {};
     skeleton_ = {};
-    solids_ = {};
-    context_meshes_ = {};
+    shapes_ = {};
     pane_heads_ = {};
     panes_ = {};
     head_room_ = pane_room_ = 0;

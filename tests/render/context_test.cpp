@@ -277,13 +277,21 @@ TEST_CASE("an open context mesh is seen from behind as well, one that is inside 
         }
     scene.frame.camera = looking(scene.frame.camera, View::kAnterior);
     for (const float opacity : {0.5F, 1.0F}) {
-        TriangleMesh ball = icosphere(4, {0, 0, 0}, 10.0);
-        ball.normals.clear();
-        scene.frame.context = {{std::make_shared<const TriangleMesh>(ball), nullptr, kColour, opacity, false}};
-        const Image right = scene.picture();
-        for (glm::uvec3& t : ball.triangles) std::swap(t.y, t.z);
-        scene.frame.context = {{std::make_shared<const TriangleMesh>(ball), nullptr, kColour, opacity, false}};
-        CHECK(largest_difference(right, scene.picture()) <= 1);
+        const auto picture_of = [&](const TriangleMesh& ball) {
+            scene.frame.context = {{std::make_shared<const TriangleMesh>(ball), nullptr, kColour, opacity, false}};
+            return scene.picture();
+        };
+        const TriangleMesh ball = icosphere(4, {0, 0, 0}, 10.0);
+        TriangleMesh bare = ball;
+        bare.normals.clear();
+        const Image right = picture_of(ball), right_bare = picture_of(bare);
+        TriangleMesh turned = ball; // with normals that face outward all the same
+        for (glm::uvec3& t : turned.triangles) std::swap(t.y, t.z);
+        bare.triangles = turned.triangles;
+        CHECK(largest_difference(right, picture_of(turned)) <= 1);
+        CHECK(largest_difference(right_bare, picture_of(bare)) <= 1);
+        for (glm::vec3& normal : turned.normals) normal = -normal;
+        CHECK(largest_difference(right, picture_of(turned)) <= 1);
     }
 }
 
