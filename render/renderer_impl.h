@@ -81,13 +81,17 @@ private:
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
-    void draw_solids(const Frame& frame, const glm::dmat4& to_clip) const;
-    // Context meshes: passes/context.cpp. Each returns the number of triangles drawn.
+    // Context meshes and lesions: passes/context.cpp. Each returns the number of triangles drawn.
+    enum class Clear { kAll, kLesions };
+    static bool has_lesions(const Frame& f) { return !f.lesions.spheres.empty() || !f.lesions.meshes.empty(); }
     std::uint64_t draw_solid_context(const Frame& frame) const;
-    std::uint64_t list_context_panes(const Frame& frame, Band band) const;
-    std::uint64_t draw_context_layer(const Frame& frame, int layer) const;
-    std::uint64_t draw_context_cover(const Frame& frame) const;
-    std::uint64_t draw_clear_context(const Frame& frame, const std::function<void(const Program&)>& prepare) const;
+    std::uint64_t list_clear_panes(const Frame& frame, Band band) const;
+    std::uint64_t draw_clear_layer(const Frame& frame, Clear what, int layer) const;
+    std::uint64_t draw_first_clear_layer(const Frame& frame, Clear what, std::size_t target) const;
+    using Prepare = std::function<void(const Program&)>;
+    std::uint64_t draw_clear(const Frame& frame, Clear what, const Prepare& prepare) const;
+    std::uint64_t draw_clear_context(const Frame& frame, const Prepare& prepare) const;
+    std::uint64_t draw_lesions(const Frame& frame, const Prepare& prepare) const;
     Result<std::uint64_t> draw_glass(const Frame& frame, const GpuMesh& mesh);
     std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
     // Where there are no lists: passes/peeling.cpp.
@@ -109,12 +113,13 @@ private:
     void send_layers(const PagedMesh& mesh, const std::vector<Layer>& layers);
     std::uint64_t draw_surface(const Frame& frame, const GpuMesh& mesh, const std::vector<Layer>& layers) const;
     void resolve(Band band);
+    void resolve_by(const Program& program, Band band);
     void draw_occlusion(const Frame& frame);
     // What shade.frag is told, and which of its variants: bits of Variant.
     enum Variant : unsigned {
         kGlass = 1,
         kOutline = 2,
-        kSolids = 4,
+        kShadows = 4,
         kMargins = 8,
         kScale = 16,
         kCuts = 32,
@@ -124,7 +129,6 @@ private:
         kChromadepth = 512,
         kLayer = 1024,
         kContext = 2048,
-        kShadows = 4096,
     };
     enum class Extent { kAll, kChanged }; // the picture, or the branches that the last one showed otherwise
     unsigned send_records(const Frame& frame, const GpuMesh* mesh, Extent extent);
@@ -144,8 +148,9 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, border_, cone_, pane_, border_pane_, centerline_, resolve_, resolve_glass_, occlude_, blur_,
-        background_, enlarge_, overlay_, mark_, context_, context_pane_, context_lines_, skeleton_line_, skeleton_ring_;
+    Program geometry_, border_, cone_, pane_, border_pane_, centerline_, resolve_, resolve_glass_, resolve_lesions_,
+        occlude_, blur_, background_, enlarge_, overlay_, mark_, context_, context_pane_, context_lines_,
+        skeleton_line_, skeleton_ring_;
     std::map<unsigned, Program> shade_;                 // by variant, made when needed
     std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
     glm::ivec2 region_at_{0}, region_size_{0};          // that is shaded, of `inner_`, in GL's sense of y
@@ -166,7 +171,7 @@ private:
     Texture occlusion_, half_blurred_, blurred_, lit_, picture_;
     Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
         lit_target_, picture_target_;
-    bool has_glass_ = false;     // or context that is clear
+    bool has_glass_ = false;     // or context that is clear, or lesions
     glm::dmat4 projection_{1.0}; // of the last look_at()
     caster::Caster caster_;
     bool cast_ = false;                            // the last picture is the caster's, not the passes'

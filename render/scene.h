@@ -44,6 +44,7 @@ struct Margins {
     bool operator==(const Margins&) const = default;
 };
 
+// Seen through like clear context, and picked as if they were opaque.
 struct Lesions {
     std::vector<glm::dvec4> spheres; // centre and radius
     std::vector<std::shared_ptr<const mesh::TriangleMesh>> meshes;

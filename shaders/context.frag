@@ -1,4 +1,4 @@
-// A context mesh at a pixel: opaque ones as vessels are (geometry.frag), clear ones as panes in the lists of glass
+// A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as panes in the lists of glass
 // (pane.frag) or, where there are none, as a layer of it (pane_layer.frag).
 #version 450 core
 // Variants: PANE for what is seen through; LINES for the edges of its triangles.
@@ -7,7 +7,7 @@
 #include "octahedral.glsl"
 
 in vec3 normal_eye;
-layout(location = 7) uniform uint number; // of the mesh, from 1
+layout(location = 7) uniform uint number; // of the mesh, from 1; with kLesionPane of the lesion
 
 #ifdef PANE
 noperspective centroid in float depth_value;

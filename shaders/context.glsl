@@ -1,4 +1,4 @@
-// What context meshes look like.
+// What context meshes and lesions look like.
 layout(binding = 3) uniform samplerBuffer context_meshes; // linear colour, opacity; negative: lines
 
 // By an id (ids.glsl) or a pane's (panes.glsl).
@@ -8,7 +8,7 @@ vec4 context_mesh(uint id) { return texelFetch(context_meshes, int(id & 0x003fff
 // A shell of even thickness takes the more light the more aslant it is looked through: clear where it faces the eye,
 // dense at its outline. Premultiplied.
 vec4 context_veil(uint id, uint normal, vec3 position) {
-    vec4 mesh = context_mesh(id);
+    vec4 mesh = (id & kLesionPane) != 0u ? lesion_colour : context_mesh(id);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     if (mesh.w < 0.0) {
         float share = -mesh.w * uintBitsToFloat(normal);

@@ -7,7 +7,7 @@ layout(std140, binding = 1) uniform Look {
     vec4 lights;            // key, fill, rim, specular
     vec4 more;              // occlusion strength, glass opacity, pixels of the picture a point, strength of shadows
     vec4 line_colour;       // linear
-    vec4 lesion_colour;     // linear
+    vec4 lesion_colour;     // linear; w: opacity where it faces the eye
     vec4 lost_colour;       // linear
     vec4 far_colour;        // linear: what the far end of the tree sinks into
     vec4 cues;              // strength of halos, contours, chromadepth; radius of halos in pixels

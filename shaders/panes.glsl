@@ -22,5 +22,6 @@ const uint kIdBits = 0x00ffffffu, kContextPane = 0x00800000u;
 const int kSampleShift = 28, kAllSamples = 15;
 const uint kIdBits = 0x0fffffffu, kContextPane = 0x08000000u;
 #endif
-// kContextPane: not of a branch but of a context mesh, by its number + 1 in the bits below. Of one that is lines, the
-// normal is the bits of the share that the line has of the pixel.
+// kContextPane: not of a branch but of a context mesh or, with kLesionPane, of a lesion, by its number + 1. Of a mesh
+// that is lines, the normal is the bits of the share that the line has of the pixel.
+const uint kLesionPane = 0x00400000u, kNumberBits = 0x003fffffu;

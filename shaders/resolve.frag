@@ -1,8 +1,10 @@
 // One value a pixel from the samples: the nearest opaque surface, else the nearest glass. Picking, outlines and the
 // occlusion read this. The lists of glass are put in order on the way. Clear context is seen through, and glass in
-// front of opaque context is pointed at: that has no branch.
+// front of opaque context is pointed at: that has no branch. Lesions are pointed at as if they were opaque, also through
+// glass.
 #version 450 core
-// Variant: GLASS when anything is defocused or context is clear.
+// Variants: GLASS when anything is defocused or context is clear or there are lesions; with LESIONS the layers below are
+// those of lesions, which go over what was there (FLOOR).
 #include "view.glsl"
 #include "ids.glsl"
 #ifdef GLASS
@@ -10,7 +12,7 @@
 #ifdef FLOOR
 layout(binding = 2) uniform usampler2DMS first_panes; // as pane_layer.frag leaves them
 layout(binding = 3) uniform sampler2DMS first_depths;
-layout(binding = 4) uniform sampler2DMS context_depths; // of the nearest clear context
+layout(binding = 4) uniform sampler2DMS context_depths; // of the nearest that is clear and no vessel
 #else
 layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
 #endif
@@ -86,18 +88,30 @@ void main() {
         first = max(first, depth);
         context = max(context, texelFetch(context_depths, pixel, s).x);
     }
+#ifdef LESIONS
+    if (first <= nearest) discard;
+    id_normal.x = kSolid | (texelFetch(first_panes, pixel, seen).x & kNumberBits);
+    picked_depth = eye_depth(first);
+#else
     if (first > 0.0 && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
         id_normal.x = texelFetch(first_panes, pixel, seen).x & kIdBits;
         picked_depth = eye_depth(first);
     }
+#endif
     if (max(first, context) > 0.0) nearest = max(nearest, 1e-30);
 #else
     int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
     uint first = sorted(heads[place]);
     heads[place] = first;
-    uint vessel = first;
+    uint vessel = first, lesion = first;
     while (vessel != 0u && (panes[vessel].id_and_samples & kContextPane) != 0u) vessel = panes[vessel].next;
-    if (vessel != 0u && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
+    const uint kLesion = kContextPane | kLesionPane;
+    while (lesion != 0u && (panes[lesion].id_and_samples & kLesion) != kLesion) lesion = panes[lesion].next;
+    float lesion_depth = lesion == 0u ? 0.0 : uintBitsToFloat(panes[lesion].depth);
+    if (lesion_depth > nearest) {
+        id_normal.x = kSolid | (panes[lesion].id_and_samples & kNumberBits);
+        picked_depth = eye_depth(lesion_depth);
+    } else if (vessel != 0u && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
         id_normal.x = panes[vessel].id_and_samples & kIdBits;
         picked_depth = eye_depth(uintBitsToFloat(panes[vessel].depth));
     }

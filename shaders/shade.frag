@@ -1,10 +1,11 @@
 // Light, states and background: samples to the picture's colours. All light is reckoned in linear light; the result is
 // sRGB with premultiplied alpha.
 #version 450 core
-// Variants: GLASS when anything is defocused, OUTLINE when anything is selected, SOLIDS when there are lesions, MARGINS
-// to colour by how far they are, SCALE to colour by a value along the branches, CUTS when any branch is cut or lost,
-// CHANGED to shade what is marked so and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what
-// tells near from far, CONTEXT when there are context meshes. LAYER lays one layer of glass onto those before it, where there are no lists (FLOOR).
+// Variants: GLASS when anything is defocused, OUTLINE when anything is selected, MARGINS to colour by how far lesions are,
+// SCALE to colour by a value along the branches, CUTS when any branch is cut or lost, CHANGED to shade what is marked so
+// and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what tells near from far, CONTEXT when
+// there are context meshes or lesions. LAYER lays one layer of glass onto those before it, where there are no lists
+// (FLOOR).
 #include "view.glsl"
 #include "ids.glsl"
 #include "look.glsl"
@@ -133,10 +134,10 @@ float shadowed(vec3 position, vec3 n) {
 
 vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     vec3 v = picture.w > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-position.xy, position.z));
-#if defined(SOLIDS) || defined(CONTEXT)
+#ifdef CONTEXT
     uint own = id;
-    bool solid = (id & kSolid) != 0u;
-    id = solid ? 1u : id;
+    bool is_context = (own & kContext) != 0u;
+    id = is_context ? 1u : id;
 #endif
     uvec4 branch = texelFetch(branches, int(id) - 1);
     vec3 albedo = vec3(branch.rgb) / 65535.0;
@@ -149,11 +150,7 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
 #ifdef CUTS
     if ((branch.a & (kLost | kCut)) != 0u) albedo = lost(albedo, branch.a, int(id) - 1, position);
 #endif
-#ifdef SOLIDS
-    if (solid) branch.a = 0u, albedo = lesion_colour.rgb;
-#endif
 #ifdef CONTEXT
-    bool is_context = (own & kContext) != 0u;
     if (is_context) branch.a = 0u, albedo = context_mesh(own).rgb;
 #endif
     float facing = clamp(dot(n, v), 0.0, 1.0);
@@ -183,10 +180,6 @@ vec3 shade(uint id, vec3 n, vec3 position, float occluded) {
     float aside = 1.0 - facing;
     radiance += lights.z * aside * aside * aside * open * (0.14 * albedo + 0.020 * vec3(0.75, 0.87, 1.0)) * (0.6 + 0.4 * n.y);
     if ((branch.a & kHighlighted) != 0u) radiance = radiance * 1.10 + 0.05 * albedo;
-#ifdef SOLIDS
-    if (solid && (own & kContext) == 0u)
-        radiance = 0.92 * radiance + 0.55 * pow(1.0 - facing, 2.5) * mix(albedo, vec3(0.9), 0.4);
-#endif
 
 #ifdef CONTOURS
     radiance *= 1.0 - cues.y * 0.85 * (1.0 - smoothstep(0.12, 0.42, facing));

@@ -99,7 +99,7 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
     const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
 
     const bool glass_vessels = mesh != nullptr && std::ranges::find(layers, Layer::kGlass) != layers.end();
-    has_glass_ = glass_vessels || std::ranges::any_of(frame.context, &ContextMesh::clear);
+    has_glass_ = glass_vessels || has_lesions(frame) || std::ranges::any_of(frame.context, &ContextMesh::clear);
     if (mesh != nullptr) mesh_to_clip_ = relative_to(mesh->shown()->origin());
     if (mesh != nullptr) send_layers(*mesh->shown(), layers);
     take_front_faces(true);
@@ -112,7 +112,6 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
         triangles += as_cones ? draw_cones(frame, layers) : draw_surface(frame, *mesh, layers);
     }
     triangles += draw_solid_context(frame);
-    draw_solids(frame, to_clip);
     glDisable(GL_CULL_FACE);
     // Seen through the glass, and hidden by what is opaque.
     if (has_glass_ && lines_.shown() != nullptr) {
@@ -192,38 +191,14 @@ std::uint64_t Renderer::Impl::draw_cones(const Frame& frame, const std::vector<L
     return 2 * segments;
 }
 
-// Three samples in four are the lesion's, the fourth is that of what lies behind: opaque-ish, in any order.
-void Renderer::Impl::draw_solids(const Frame& frame, const glm::dmat4& to_clip) const {
-    if (frame.lesions.spheres.empty() && frame.lesions.meshes.empty()) return;
-    glUseProgram(geometry_);
-    glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
-    if (view_.picture.z >= 4.0F) {
-        glEnable(GL_SAMPLE_MASK);
-        glSampleMaski(0, ~GLbitfield{4});
-    }
-    int id = kFirstSolid;
-    const auto draw = [&](const Shape* shape, const glm::dmat4& placed) {
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip * placed)));
-        glVertexAttribI1i(2, id++); // the branch of every vertex
-        if (shape != nullptr) (void)shape->draw();
-    };
-    for (const glm::dvec4& sphere : frame.lesions.spheres)
-        draw(shapes_.ball(), glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(sphere)), glm::dvec3(sphere.w)));
-    for (const auto& lesion : frame.lesions.meshes) {
-        const Shape* shape = shapes_.of(lesion);
-        const glm::dvec3 centre = shape != nullptr ? shape->bounds().centre() : glm::dvec3(0.0);
-        draw(shape, glm::translate(glm::dmat4(1.0), centre));
-    }
-    glDisable(GL_SAMPLE_MASK);
-}
+void Renderer::Impl::resolve(Band band) { resolve_by(has_glass_ ? resolve_glass_ : resolve_, band); }
 
-void Renderer::Impl::resolve(Band band) {
+void Renderer::Impl::resolve_by(const Program& program, Band band) {
     glBindFramebuffer(GL_FRAMEBUFFER, resolve_target_);
     glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
     glEnable(GL_DEPTH_TEST);
     glBindTextureUnit(0, surface_);
     glBindTextureUnit(1, depth_);
-    const Program& program = has_glass_ ? resolve_glass_ : resolve_;
     if (has_glass_ && gl_has_lists()) bind_panes(program, band);
     if (has_glass_ && !gl_has_lists()) {
         glBindTextureUnit(2, layer_panes_);

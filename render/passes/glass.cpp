@@ -76,7 +76,7 @@ std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, 
     glBindTextureUnit(7, layer_texture_);
     triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
     end_borders();
-    triangles += list_context_panes(frame, band);
+    triangles += list_clear_panes(frame, band);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

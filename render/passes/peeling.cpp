@@ -90,7 +90,7 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     glBindTextureUnit(7, layer_texture_);
     triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
     end_borders();
-    if (what == LayerOf::kEverything) triangles += draw_context_layer(frame, layer);
+    if (what == LayerOf::kEverything) triangles += draw_clear_layer(frame, Clear::kAll, layer);
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -99,13 +99,18 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     return any != GL_FALSE;
 }
 
-// The vessels' nearest layer alone, for what is picked and outlined, and where context is; shading peels the others.
+// The vessels' nearest layer alone, for what is picked and outlined, where context and lesions are, and the lesions'
+// nearest layer alone, which is picked through no glass; shading peels the others.
 std::uint64_t Renderer::Impl::draw_first_layer(const Frame& frame, const GpuMesh& mesh) {
     make_layers();
-    std::uint64_t triangles = draw_context_cover(frame);
+    std::uint64_t triangles = draw_first_clear_layer(frame, Clear::kAll, 1);
     (void)draw_layer(frame, mesh, 0, LayerOf::kVessels, triangles);
     bands_ = {{0, inner_.y}};
     resolve(bands_.front());
+    if (has_lesions(frame)) {
+        triangles += draw_first_clear_layer(frame, Clear::kLesions, 0);
+        resolve_by(resolve_lesions_, bands_.front());
+    }
     return triangles;
 }
 

@@ -45,6 +45,9 @@ Result<void> Renderer::Impl::initialise() {
           {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n", ""},
           {&centerline_, "centerline.vert", "geometry.frag", "#define LINE\n", ""}})
         if (auto made = make(*program, vertex, fragment, defines, geometry); !made) return made;
+    constexpr const char* kOfLesions = "#define GLASS\n#define LESIONS\n";
+    if (!gl_has_lists())
+        if (auto made = make(resolve_lesions_, "fullscreen.vert", "resolve.frag", kOfLesions); !made) return made;
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     look_block_ = make_buffer(sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);

@@ -84,7 +84,6 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
     SceneBlock scene;
     const glm::dmat4 eye = eye_matrix(frame.camera), from_eye = glm::inverse(eye);
     const Lesions& lesions = frame.lesions;
-    if (!lesions.spheres.empty() || !lesions.meshes.empty()) variant |= kSolids;
 
     if (!frame.margins.bands.empty()) {
         variant |= kMargins;
@@ -136,6 +135,7 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
     std::vector<glm::vec4> context; // a negative opacity: lines
     for (const ContextMesh& one : frame.context)
         context.push_back(linear(one.colour, (one.wireframe ? -1.0F : 1.0F) * std::clamp(one.opacity, 0.0F, 1.0F)));
+    if (context.empty() && has_lesions(frame)) context.emplace_back(0.0F); // what the variant reads is there
     send_texels(context_buffer_, context_texture_, context_capacity_, context);
     if (!context.empty()) variant |= kContext;
     glNamedBufferSubData(scene_block_, 0, sizeof scene, &scene);

@@ -15,6 +15,8 @@ using namespace record;
 
 namespace {
 
+constexpr float kLesionOpacity = 0.6F; // where they face the eye (tuned by eye: solid, and vessels inside show)
+
 // Linear, of 65535.
 std::uint16_t linear_word(float srgb) {
     return static_cast<std::uint16_t>(std::lround(65535.0F * linear(std::clamp(srgb, 0.0F, 1.0F))));
@@ -115,7 +117,6 @@ Result<const Program*> Renderer::Impl::shading(unsigned variant) {
     std::string defines;
     for (const auto& [bit, name] : {std::pair{kGlass, "GLASS"},
                                     {kOutline, "OUTLINE"},
-                                    {kSolids, "SOLIDS"},
                                     {kMargins, "MARGINS"},
                                     {kScale, "SCALE"},
                                     {kCuts, "CUTS"},
@@ -144,7 +145,7 @@ LookBlock Renderer::Impl::look_of(const Frame& frame, bool outlined) const {
             {a.key, a.fill, a.rim, a.specular},
             {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), a.shadows},
             linear(a.centerline, 1.0F),
-            linear(a.lesion, 1.0F),
+            linear(a.lesion, kLesionOpacity),
             linear(a.lost, 1.0F),
             linear(0.5F * (b.top + b.bottom), 1.0F),
             {a.halos, a.contours, a.chromadepth, std::max(1.0F, 2.6F * point)}};

@@ -71,7 +71,7 @@ std::shared_ptr<const TriangleMesh> ball(glm::dvec3 centre, double radius) {
     return std::make_shared<const TriangleMesh>(ramus::test::icosphere(3, centre, radius));
 }
 
-const std::array<Case, 11> kCases{{
+const std::array<Case, 12> kCases{{
     {"plain", [](Frame&) {}},
     {"glass", [](Frame& f) { f.states.assign(kVessels, BranchState::kDefocused); }},
     {"glass before and behind opaque vessels, and where it meets them",
@@ -116,6 +116,16 @@ const std::array<Case, 11> kCases{{
          for (int i = 0; i < kVessels; i += 2) f.states[std::size_t(i)] = BranchState::kDefocused;
          f.context = {{ball({0, 0, 0}, 20.0), nullptr, {0.8F, 0.5F, 0.4F}, 0.25F, false},
                       {ball({4, 0, -3}, 15.0), nullptr, {0.3F, 0.5F, 0.9F}, 0.5F, false}};
+         f.selected = {1};
+         f.hovered = 2;
+     }},
+    {"lesions among glass and context",
+     [](Frame& f) {
+         for (int i = 0; i < kVessels; i += 2) f.states[std::size_t(i)] = BranchState::kDefocused;
+         f.context = {{ball({0, 0, 0}, 20.0), nullptr, {0.8F, 0.5F, 0.4F}, 0.25F, false},
+                      {ball({-12, 5, 10}, 9.0), nullptr, {0.2F, 0.9F, 0.9F}, 0.9F, true}};
+         f.lesions.spheres = {{5.0, 0.0, 5.0, 6.0}, {8.0, 3.0, 2.0, 7.0}};
+         f.lesions.meshes = {ball({-10, 5, -10}, 8.0), ball({-6, 0, -8}, 6.0)};
          f.selected = {1};
          f.hovered = 2;
      }},
