@@ -1,3 +1,4 @@
+#include "render/record_flags.h"
 #include "render/renderer_impl.h"
 
 #include <algorithm>
@@ -77,7 +78,8 @@ BranchPicture Renderer::Impl::read_branches() const {
         picture.height = size_.y;
         for (int y = size_.y - 1; y >= 0; --y) {
             const std::uint32_t* row = caster_.ids() + std::ptrdiff_t{y} * caster_.stride();
-            for (int x = 0; x < size_.x; ++x) picture.branches.push_back(static_cast<int>(row[x]) - 1);
+            for (int x = 0; x < size_.x; ++x)
+                picture.branches.push_back((row[x] & record::kSolid) != 0 ? kNoBranch : static_cast<int>(row[x]) - 1);
         }
         return picture;
     }

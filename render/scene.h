@@ -4,6 +4,7 @@
 
 #include "core/mesh/triangle_mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -29,6 +30,11 @@ struct DistanceGrid {
     glm::dvec3 corner{0.0}; // mm, of the first sample
     double step_mm = 1.0;
     std::vector<float> values; // x fastest
+
+    [[nodiscard]] bool whole() const { // has the samples that it says
+        return size.x > 0 && size.y > 0 && size.z > 0 &&
+               values.size() == std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+    }
 };
 
 // The colour of a place on the surface by how far it is from the lesions.

@@ -98,6 +98,19 @@ struct Look {
         lost[4], far_colour[4], cues[4];
 };
 
+// Colours by how far a place is from lesions.
+inline constexpr int kMostBands = 16;
+struct MarginLook {
+    const float* spheres; // four numbers each: centre in eye space, radius
+    int sphere_count;
+    const float* grid; // distances to lesions that are meshes, mm, x fastest; null: none
+    int size[3];
+    float to_grid[3][4];        // eye space to samples of the grid: rows of a matrix
+    float bands[kMostBands][4]; // linear colour, and up to where in mm, ascending
+    int band_count;
+    float beyond[3]; // linear colour
+};
+
 struct Shading {
     Look look;
     const std::uint32_t* branches; // two words each: red, green; blue, flags
@@ -107,8 +120,9 @@ struct Shading {
     int ramp_steps;
     float scale_low, scale_slope;
     bool scale_logarithmic;
-    const float* cuts; // twenty numbers a part of a branch that is lost, see cut_places()
-    int cut_count;     // when not 0, records' values are mm from the root
+    const MarginLook* margins; // null: none
+    const float* cuts;         // twenty numbers a part of a branch that is lost, see cut_places()
+    int cut_count;             // when not 0, records' values are mm from the root
 };
 
 } // namespace ramus::render::caster

@@ -24,7 +24,7 @@ namespace {
 struct Scratch {
     Samples samples;
     Colours colours;
-    std::vector<std::uint32_t> order, words;
+    std::vector<std::uint32_t> order, near, words;
     std::vector<float> floats;
 };
 
@@ -41,8 +41,8 @@ struct Caster::Bins {
 bool Caster::draws(const Frame& frame) {
     // A place on a vessel has one value: its diameter cannot go with where it is cut.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
-    return frame.margins.bands.empty() && (whole || frame.scale.value != ColourScale::Value::kDiameter) &&
-           frame.lesions.spheres.empty() && frame.lesions.meshes.empty() && frame.context.empty();
+    return (whole || frame.scale.value != ColourScale::Value::kDiameter) && frame.lesions.meshes.empty() &&
+           frame.context.empty();
 }
 
 void Caster::make_room(const View& view) {
@@ -145,8 +145,9 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
     if (glass.count(index) == 0) return;
     sorted(glass);
     Panes panes{words, words + kMostPanesOfTile, words + 2 * kMostPanesOfTile, floats, 0};
+    scratch.near.resize(scratch.order.size());
     list_panes(view_, cones_.data(), scratch.order.data(), scratch.order.size(), x, y, scratch.samples, picture_,
-               panes);
+               scratch.near.data(), panes);
     tile.panes = panes.count;
     if (panes.count == 0) return;
     keep(tile.pane_place, panes.place, panes.count, 0U);
@@ -157,7 +158,7 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
 
 std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look,
                          bool outlined, const std::vector<Layer>& layers,
-                         const std::vector<std::array<std::uint16_t, 4>>& records, const std::vector<glm::vec4>& cuts) {
+                         const std::vector<std::array<std::uint16_t, 4>>& records, const Meaning& meaning) {
     make_room(view);
     view_ = view;
     const glm::mat4 lines_to_eye(glm::translate(to_eye, thinned_.origin));
@@ -195,12 +196,20 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
         }
         drawn += there;
     });
+    const std::size_t vessels = cones_.size();
+    cones_.resize(vessels + meaning.lesions.size());
+    kinds.resize(cones_.size(), Kind::kNone);
+    for (std::size_t i = 0; i < meaning.lesions.size(); ++i)
+        if (place_ball(meaning.lesions[i], kSolid | static_cast<std::uint32_t>(i + 1), cones_[vessels + i]))
+            kinds[vessels + i] = Kind::kGlass;
+    const bool any_panes = any_glass || !meaning.lesions.empty();
     Bins opaque, glass;
     bin(kinds, Kind::kOpaque, opaque);
-    if (any_glass) bin(kinds, Kind::kGlass, glass);
+    if (any_panes) bin(kinds, Kind::kGlass, glass);
 
-    const bool on_scale = frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();
-    const bool with_values = on_scale || !cuts.empty();
+    const bool on_scale =
+        !meaning.margins && frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();
+    const bool with_values = on_scale || !meaning.cuts.empty();
     const int tiles = across_ * up_;
     const auto for_tiles = [&](const auto& call) {
         tbb::parallel_for(tbb::blocked_range<int>(0, tiles, 4), [&](const auto& range) {
@@ -234,8 +243,9 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
         put_step(shading.halo_ring[i], look.cues[3] * ((i & 1) == 0 ? 1.0F : 0.55F));
     }
     const ColourScale& scale = frame.scale;
-    if (!cuts.empty()) shading.cuts = &cuts.front().x;
-    shading.cut_count = static_cast<int>(cuts.size() / 5);
+    if (!meaning.cuts.empty()) shading.cuts = &meaning.cuts.front().x;
+    shading.cut_count = static_cast<int>(meaning.cuts.size() / 5);
+    shading.margins = meaning.margins ? &*meaning.margins : nullptr;
     if (on_scale) {
         const bool log = scale.logarithmic;
         const float low = log ? std::log(scale.low) : scale.low, high = log ? std::log(scale.high) : scale.high;

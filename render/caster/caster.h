@@ -18,9 +18,17 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ramus::render::caster {
+
+// What places mean beside whose they are, in eye space.
+struct Meaning {
+    std::vector<glm::vec4> cuts;    // see cut_places()
+    std::vector<glm::vec4> lesions; // spheres: centre, radius
+    std::optional<MarginLook> margins;
+};
 
 class Caster {
 public:
@@ -31,11 +39,11 @@ public:
     [[nodiscard]] static bool draws(const Frame& frame);
 
     // The picture as sRGB, premultiplied, rows from below; it lasts until the next. `to_eye`: from mm to eye space,
-    // depth as +z. `records`: a branch's linear colour and flags, as shade.frag reads them. `cuts`: see
-    // cut_places(). Returns how many cones.
+    // depth as +z. `records`: a branch's linear colour and flags, as shade.frag reads them. Returns how
+    // many cones.
     std::size_t draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look, bool outlined,
                      const std::vector<Layer>& layers, const std::vector<std::array<std::uint16_t, 4>>& records,
-                     const std::vector<glm::vec4>& cuts);
+                     const Meaning& meaning);
     [[nodiscard]] const std::uint32_t* rgba() const { return rgba_.data(); }
 
     // Of the last picture: ids as in ids.glsl and depths in mm, `stride` a row from below.
@@ -65,6 +73,7 @@ private:
 
     void make_room(const View& view);
     [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const;
+    [[nodiscard]] bool place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const;
     static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
     void bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const;
     void cast(int tile, const Bins& opaque, const Bins& glass, bool with_values);

@@ -7,13 +7,10 @@
 #define RAMUS_CASTER_LIGHT_INL_H
 #endif
 
-#include "render/caster/lanes-inl.h"
-#include "render/record_flags.h"
+#include "render/caster/meaning-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
-
-using namespace record;
 
 constexpr float kKey[3] = {-0.429F, 0.572F, 0.699F}, kFill[3] = {0.772F, -0.051F, 0.634F};
 
@@ -33,113 +30,6 @@ HWY_INLINE V to_70(V x) {
     const V x2 = hn::Mul(x, x), x8 = to_8(x), x32 = hn::Mul(hn::Mul(x8, x8), hn::Mul(x8, x8));
     return hn::Mul(hn::Mul(x32, x32), hn::Mul(x2, hn::Mul(x2, x2)));
 }
-HWY_INLINE V positive(V x) { return hn::Max(x, hn::Zero(D())); }
-HWY_INLINE V power(V x, float exponent) { return power_of_two(hn::Mul(set(exponent), binary_logarithm(x))); }
-HWY_INLINE V to_linear(V c) {
-    return hn::IfThenElse(hn::Le(c, set(0.04045F)), hn::Mul(c, set(1.0F / 12.92F)),
-                          power(hn::Mul(hn::Add(c, set(0.055F)), set(1.0F / 1.055F)), 2.4F));
-}
-HWY_INLINE V to_srgb(V c) {
-    return hn::IfThenElse(hn::Le(c, set(0.0031308F)), hn::Mul(c, set(12.92F)),
-                          hn::MulSub(set(1.055F), power(c, 1.0F / 2.4F), set(0.055F)));
-}
-HWY_INLINE V3 to_linear(V3 c) { return {to_linear(c.x), to_linear(c.y), to_linear(c.z)}; }
-
-// Of `count` records from `first` on, what all shading needs.
-struct Place {
-    VU id, flags;
-    V3 albedo, normal, at, towards_eye;
-    V far, diagonal; // diagonal: x + y in the picture, pixels
-    VI in_picture;
-};
-
-HWY_INLINE Place PlaceOf(const View& view, const Shading& shading, const std::uint32_t* places,
-                         const std::uint32_t* ids, const std::uint32_t* normals, const float* depths, int x, int y) {
-    const D d;
-    const DU du;
-    const DI di;
-    Place p;
-    const VU place = hn::And(hn::LoadU(du, places), hn::Set(du, kPixelMask));
-    const VI column = hn::Add(hn::BitCast(di, hn::And(place, hn::Set(du, std::uint32_t{kTile - 1}))), hn::Set(di, x));
-    const VI row = hn::Add(hn::BitCast(di, hn::ShiftRight<5>(place)), hn::Set(di, y));
-    static_assert(kTile == 32);
-    p.in_picture = index_of(row, hn::Set(di, view.stride), column);
-    p.diagonal = hn::Add(hn::ConvertTo(d, hn::Add(column, row)), set(1.0F));
-    p.id = hn::LoadU(du, ids);
-    const VU branch = hn::Sub(hn::AndNot(hn::Set(du, kLine), p.id), hn::Set(du, 1U));
-    const VI word = hn::BitCast(di, hn::ShiftLeft<1>(branch));
-    const VU red_green = gather(shading.branches, word), blue_flags = gather(shading.branches + 1, word);
-    p.flags = hn::ShiftRight<16>(blue_flags);
-    const VU low = hn::Set(du, 0xffffU);
-    const V unit = set(1.0F / 65535.0F);
-    const auto value = [&](VU bits) { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, bits)), unit); };
-    p.albedo = {value(hn::And(red_green, low)), value(hn::ShiftRight<16>(red_green)), value(hn::And(blue_flags, low))};
-    p.normal = unpacked_normal(hn::LoadU(du, normals));
-    const V depth = hn::LoadU(d, depths), half = set(0.5F);
-    p.at = eye_position(view, hn::Add(hn::ConvertTo(d, column), half), hn::Add(hn::ConvertTo(d, row), half), depth);
-    p.towards_eye =
-        view.flat ? V3{hn::Zero(d), hn::Zero(d), set(1.0F)} : normalised({hn::Neg(p.at.x), hn::Neg(p.at.y), p.at.z});
-    p.far = clamp01(hn::Mul(hn::Sub(depth, set(view.near_mm)), set(1.0F / (view.far_mm - view.near_mm))));
-    return p;
-}
-
-HWY_INLINE V3 OnScale(const Shading& shading, V value, V3 otherwise) {
-    const D d;
-    const DI di;
-    const M known = hn::Ge(value, hn::Zero(d));
-    if (shading.scale_logarithmic) value = hn::Mul(binary_logarithm(value), set(0.69314718F));
-    const float steps = static_cast<float>(shading.ramp_steps);
-    const V place = clamp01(hn::Mul(hn::Sub(value, set(shading.scale_low)), set(shading.scale_slope)));
-    // As a texture is read: texels' values lie in their middles.
-    const V at = hn::Min(positive(hn::MulSub(place, set(steps), set(0.5F))), set(steps - 1.0F));
-    const V low = hn::Min(hn::Floor(at), set(steps > 1.0F ? steps - 2.0F : 0.0F));
-    const V t = hn::Sub(at, low);
-    const VI index = hn::Mul(hn::NearestInt(low), hn::Set(di, 3));
-    const int next = shading.ramp_steps > 1 ? 3 : 0;
-    const auto channel = [&](int c) {
-        return mix(gather(shading.ramp + c, index), gather(shading.ramp + c + next, index), t);
-    };
-    return choose(known, to_linear({channel(0), channel(1), channel(2)}), otherwise);
-}
-
-// How far inside the lost part of its branch, in mm; negative outside. As behind_cut() of scene.glsl.
-HWY_INLINE V BehindCut(const Shading& shading, V branch, V from_root, V3 at) {
-    V inside = set(-1e30F);
-    for (int i = 0; i < shading.cut_count; ++i) {
-        const float* part = shading.cuts + std::ptrdiff_t{20} * i;
-        const M own = hn::Eq(branch, set(part[0]));
-        if (hn::AllFalse(D(), own)) continue;
-        const auto outward_of = [&](const float* end) {
-            const V way = hn::Sub(from_root, set(end[7]));
-            const V3 away = at - set(end);
-            return hn::IfThenElse(hn::Lt(hn::Abs(way), set(2.5F * end[3])), dot(away, set(end + 4)), way);
-        };
-        const V from = part[1] > 0.5F ? outward_of(part + 4) : set(1e30F);
-        const V to = part[2] > 0.5F ? hn::Neg(outward_of(part + 12)) : set(1e30F);
-        inside = hn::IfThenElse(own, hn::Max(inside, hn::Min(from, to)), inside);
-    }
-    return inside;
-}
-
-// What is lost is dark and hatched; a clean ring ends it at the cut. As lost() of shade.frag.
-HWY_INLINE V3 Lost(const View& view, const Shading& shading, const Place& p, V from_root, V3 albedo) {
-    const V pixel_mm = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), p.at.z);
-    const M whole = any_of(p.flags, kLost), cut = any_of(p.flags, kCut);
-    const V branch = hn::ConvertTo(D(), hn::BitCast(DI(), hn::Sub(p.id, hn::Set(DU(), 1U))));
-    V behind = hn::IfThenElse(whole, set(1e30F), set(-1e30F));
-    if (!hn::AllFalse(D(), cut))
-        behind = hn::IfThenElse(cut, hn::Max(behind, BehindCut(shading, branch, from_root, p.at)), behind);
-    const float thick = shading.look.more[2];
-    const V across = fract(hn::Mul(p.diagonal, set(1.0F / (9.0F * thick))));
-    const V stripe = hn::Mul(smooth_step(0.0F, 0.16F, across), hn::Sub(set(1.0F), smooth_step(0.34F, 0.5F, across)));
-    const V3 hatched = mix(set(0.50F), set(1.35F), stripe) * set(shading.look.lost);
-    const V per_pixel = inverse_of(pixel_mm);
-    const V3 found = mix(albedo, hatched, clamp01(hn::MulAdd(behind, per_pixel, set(0.5F))));
-    const V3 ring{set(0.92F), set(0.92F), set(0.92F)};
-    const V beside = hn::Mul(hn::Abs(behind), hn::Mul(per_pixel, set(1.0F / thick)));
-    return choose(any_of(p.flags, kLost | kCut), mix(ring, found, smooth_step(0.8F, 1.6F, beside)), albedo);
-}
-
 HWY_INLINE V3 Chromatic(V far) {
     const V3 near_red{set(0.78F), set(0.045F), set(0.03F)}, violet{set(0.42F), set(0.05F), set(0.36F)},
         far_blue{set(0.035F), set(0.11F), set(0.72F)};
@@ -202,6 +92,7 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
             calm = any_of(p.flags, kCalm);
     V3 albedo = p.albedo;
     if (shading.ramp != nullptr) albedo = choose(highlighted, albedo, OnScale(shading, value, albedo));
+    if (shading.margins != nullptr) albedo = choose(highlighted, albedo, MarginColour(view, shading, p.at));
     if (!hn::AllFalse(d, any_of(p.flags, kLost | kCut))) albedo = Lost(view, shading, p, value, albedo);
     const V facing = clamp01(dot(p.normal, p.towards_eye)), aside = hn::Sub(one, facing);
     if (look.cues[2] > 0.0F) albedo = choose(highlighted, albedo, mix(albedo, Chromatic(p.far), set(look.cues[2])));
@@ -276,6 +167,23 @@ struct Veil {
     V3 radiance; // premultiplied
     V alpha;
 };
+
+// A shell of even thickness. As context_veil() of context.glsl; `look`: colour, and opacity below 1.
+HWY_INLINE Veil Shell(const Shading& shading, const Place& p, const float* look) {
+    const Look& all = shading.look;
+    const V facing = clamp01(dot(p.normal, p.towards_eye));
+    const V through =
+        power_of_two(hn::Mul(set(__builtin_log2f(1.0F - look[3])), inverse_of(mix(set(0.14F), set(1.0F), facing))));
+    const V veil = hn::Sub(set(1.0F), through);
+    const V3 key = set(kKey);
+    const V light = hn::MulAdd(set(0.85F), positive(dot(p.normal, key)),
+                               hn::MulAdd(set(0.15F), positive(dot(p.normal, set(kFill))), set(0.45F)));
+    const V cue = hn::Mul(set(0.5F * all.background_bottom[3]), hn::Mul(p.far, hn::Sqrt(p.far)));
+    const V3 radiance = mix(light * set(look), set(all.far_colour), cue);
+    const V shine =
+        hn::Mul(set(all.lights[3] * 0.22F * look[3]), to_60(positive(dot(p.normal, normalised(key + p.towards_eye)))));
+    return {veil * radiance + V3{shine, shine, shine}, clamp01(hn::Add(veil, shine))};
+}
 
 // As glass() of shade.frag.
 HWY_INLINE Veil Glass(const Shading& shading, const Place& p) {

@@ -5,9 +5,12 @@
 // clang-format on
 #include "render/caster/meeting-inl.h"
 #include "render/caster/panes.h"
+#include "render/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
+
+using namespace record;
 
 constexpr int kN = int(hn::MaxLanes(D()));
 
@@ -17,7 +20,8 @@ struct Stretches {
     std::uint32_t id[kMostPanes], normal[kMostPanes];
     int count;
 
-    // Where there is no room, the farthest gives way.
+    // Of lesions only the front is seen, and is another pane wherever it lies. Where there is no room, the farthest
+    // gives way.
     HWY_INLINE void insert(float from, float to, std::uint32_t of, std::uint32_t facing) {
         if (count == kMostPanes && in[kMostPanes - 1] <= from) return;
         int at = count < kMostPanes ? count++ : kMostPanes - 1;
@@ -28,7 +32,7 @@ struct Stretches {
 };
 
 void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
-               const Samples& samples, const PictureArrays& picture, Panes& panes) {
+               const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
     const D d;
     const DU du;
     panes.count = 0;
@@ -40,12 +44,14 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
         const int left = block % kBlocks * kBlock, low = block / kBlocks * kBlock;
         if (x + left >= view.width || y + low >= view.height) continue;
         const auto fx = static_cast<float>(x + left), fy = static_cast<float>(y + low);
-        for (int sample = 0; sample < kSamples; ++sample) {
+        std::size_t reaching = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            if (reaches(cones[order[i]], fx + kHalf, fy + kHalf, samples.farthest[block])) near[reaching++] = order[i];
+        for (int sample = 0; sample < kSamples && reaching > 0; ++sample) {
             bool any = false;
             for (Stretches& list : lists) list.count = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                const Cone& cone = cones[order[i]];
-                if (!reaches(cone, fx + kHalf, fy + kHalf, samples.farthest[block])) continue;
+            for (std::size_t i = 0; i < reaching; ++i) {
+                const Cone& cone = cones[near[i]];
                 for (int lane = 0; lane < 16; lane += kN) {
                     const Rays<V> rays = rays_of(view, fx, fy, lane, sample);
                     const auto found = view.flat ? meet<true, true>(cone, rays) : meet<false, true>(cone, rays);
@@ -71,8 +77,9 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
                 const int column = left + lane % kBlock, row = low + lane / kBlock;
                 float inside_until = -kNothing;
                 for (int k = 0; k < list.count; ++k) {
-                    const bool enters = list.in[k] > inside_until;
-                    if (list.out[k] > inside_until) inside_until = list.out[k];
+                    const bool lesion = (list.id[k] & kSolid) != 0;
+                    const bool enters = lesion || list.in[k] > inside_until;
+                    if (!lesion && list.out[k] > inside_until) inside_until = list.out[k];
                     if (!enters) continue;
                     const std::size_t n = panes.count++;
                     panes.place[n] = static_cast<std::uint32_t>(row * kTile + column) |
@@ -81,7 +88,11 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
                     panes.normal[n] = list.normal[k];
                     panes.depth[n] = list.in[k];
                     const std::size_t at = std::size_t(y + row) * std::size_t(view.stride) + std::size_t(x + column);
-                    if (picture.id[at] == 0) {
+                    const std::uint32_t there = picture.id[at];
+                    // A lesion is pointed at as if it were opaque, also through glass.
+                    const bool nearer_lesion =
+                        lesion && ((there & kSolid) == 0 || list.in[k] < picture.picked_depth[at]);
+                    if (there == 0 || nearer_lesion) {
                         picture.id[at] = list.id[k];
                         picture.picked_depth[at] = list.in[k];
                     }
@@ -100,8 +111,8 @@ namespace ramus::render::caster {
 HWY_EXPORT(ListPanes);
 
 void list_panes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
-                const Samples& samples, const PictureArrays& picture, Panes& panes) {
-    HWY_DYNAMIC_DISPATCH(ListPanes)(view, cones, order, count, x, y, samples, picture, panes);
+                const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
+    HWY_DYNAMIC_DISPATCH(ListPanes)(view, cones, order, count, x, y, samples, picture, near, panes);
 }
 
 } // namespace ramus::render::caster

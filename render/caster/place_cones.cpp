@@ -116,6 +116,30 @@ void Caster::set_radii(Cone& cone, float first, float last) {
     cone.inverse_shrunk = cone.shrunk > 0.0F ? 1.0F / cone.shrunk : 0.0F;
 }
 
+// A ball in eye space. False: there is nothing of it to see.
+bool Caster::place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const {
+    const glm::vec3 centre(sphere);
+    cone = {};
+    cone.nearest = centre.z - sphere.w;
+    if (!(sphere.w > 0.0F) || (!view_.flat && centre.z - 1.05F * sphere.w <= 1e-4F * view_.far_mm)) return false;
+    const float pixel = 1.0F / view_.mm_a_pixel;
+    cone.reach = pixel * (view_.flat ? sphere.w : outline(centre, sphere.w));
+    const glm::vec2 at = pixel * (view_.flat ? glm::vec2(centre) : glm::vec2(centre) / centre.z) +
+                         glm::vec2(view_.centre_x, view_.centre_y);
+    if (at.x + cone.reach < 0.0F || at.y + cone.reach < 0.0F || at.x - cone.reach > float(view_.width) ||
+        at.y - cone.reach > float(view_.height))
+        return false;
+    put(cone.depth, {view_.flat ? centre.z : 1.0F / centre.z, 0.0F, view_.flat ? 1.0F : 0.0F});
+    cone.pixel[0] = at.x, cone.pixel[1] = at.y;
+    put(cone.from_way, {0.0F, 0.0F, 1.0F, 0.0F});
+    put(cone.to_way, {0.0F, 0.0F, 1.0F, 0.0F});
+    put(cone.from, centre);
+    cone.middle_depth = centre.z;
+    set_radii(cone, sphere.w, sphere.w);
+    cone.id = id;
+    return true;
+}
+
 // As cone.vert. False: there is nothing of it to see.
 bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const {
     const auto place = [&](std::size_t point) {

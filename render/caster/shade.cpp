@@ -20,12 +20,18 @@ HWY_INLINE void Spread(V3 colour, V alpha, float* to) {
 void ShadePanes(const View& view, const Shading& shading, const Panes& panes, int x, int y, Colours& colours) {
     alignas(64) float found[64];
     for (std::size_t first = 0; first < panes.count; first += kN) {
-        const Veil veil = Glass(shading, PlaceOf(view, shading, panes.place + first, panes.id + first,
-                                                 panes.normal + first, panes.depth + first, x, y));
+        const Place place = PlaceOf(view, shading, panes.place + first, panes.id + first, panes.normal + first,
+                                    panes.depth + first, x, y);
+        Veil veil = Glass(shading, place);
+        const M lesion = any_of(place.id, kSolid);
+        if (!hn::AllFalse(D(), lesion)) {
+            const Veil shell = Shell(shading, place, shading.look.lesion);
+            veil = {choose(lesion, shell.radiance, veil.radiance), hn::IfThenElse(lesion, shell.alpha, veil.alpha)};
+        }
         Spread(veil.radiance, veil.alpha, found);
         for (std::size_t k = 0; k < std::size_t(kN) && first + k < panes.count; ++k) {
-            const std::uint32_t place = panes.place[first + k];
-            float* front = colours.front[place >> kSampleShift & 3U][place & kPixelMask];
+            const std::uint32_t at = panes.place[first + k];
+            float* front = colours.front[at >> kSampleShift & 3U][at & kPixelMask];
             const float through = 1.0F - front[3];
             for (std::size_t c = 0; c < 4; ++c) front[c] += through * found[4 * k + c];
         }
@@ -65,7 +71,7 @@ HWY_INLINE V Outline(const View& view, const Shading& shading, const PictureArra
     const DI di;
     const auto is_selected = [&](VI at) {
         const VU id = gather(picture.id, at);
-        const auto branch = hn::Ne(id, hn::Zero(du));
+        const auto branch = hn::And(hn::Ne(id, hn::Zero(du)), hn::Eq(hn::And(id, hn::Set(du, kSolid)), hn::Zero(du)));
         const VU index = hn::IfThenElseZero(branch, hn::Sub(id, hn::Set(du, 1U)));
         const VU flags = hn::ShiftRight<16>(gather(shading.branches + 1, hn::BitCast(di, hn::ShiftLeft<1>(index))));
         return hn::And(mask(branch), any_of(flags, kSelected));

@@ -1,14 +1,49 @@
 // The picture while it moves, where OpenGL is software: made by the caster, then sent as it is.
+#include "render/colour.h"
 #include "render/renderer_impl.h"
 
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace ramus::render {
 
 namespace {
 
 constexpr int kTaps = 20; // of the occlusion, as at rest
+
+template <std::size_t N> void put(float (&to)[N], const glm::vec4& from) {
+    for (std::size_t i = 0; i < N; ++i) to[i] = from[static_cast<glm::length_t>(i)];
+}
+
+// What send_scene() tells OpenGL. Points into the frame.
+caster::Meaning meaning_of(const Frame& frame, const glm::dmat4& eye) {
+    caster::Meaning meaning;
+    meaning.cuts = cut_places(frame.lost, *frame.centerlines, eye);
+    for (const glm::dvec4& s : frame.lesions.spheres)
+        meaning.lesions.emplace_back(glm::dvec3(eye * glm::dvec4(glm::dvec3(s), 1.0)), s.w);
+    if (frame.margins.bands.empty()) return meaning;
+    caster::MarginLook& look = meaning.margins.emplace();
+    look.spheres = meaning.lesions.empty() ? nullptr : &meaning.lesions.front().x;
+    look.sphere_count = static_cast<int>(meaning.lesions.size());
+    look.band_count = static_cast<int>(std::min(frame.margins.bands.size(), Margins::kMost));
+    for (int i = 0; i < look.band_count; ++i) {
+        const Margins::Band& band = frame.margins.bands[static_cast<std::size_t>(i)];
+        put(look.bands[i], linear(band.colour, band.within_mm));
+    }
+    put(look.beyond, linear(frame.margins.beyond, 0.0F));
+    const DistanceGrid* grid = frame.lesions.distances.get();
+    if (grid == nullptr || !grid->whole()) return meaning;
+    look.grid = grid->values.data();
+    const glm::dmat4 to_grid =
+        glm::translate(glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 / grid->step_mm)), -grid->corner) * glm::inverse(eye);
+    for (int i = 0; i < 3; ++i) {
+        look.size[i] = grid->size[i];
+        put(look.to_grid[i], glm::vec4(glm::row(to_grid, i)));
+    }
+    return meaning;
+}
 
 } // namespace
 
@@ -35,8 +70,7 @@ std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>&
     caster::Look look;
     std::memcpy(&look, &block, sizeof look);
     const glm::dmat4 eye = eye_matrix(frame.camera);
-    return caster_.draw(frame, view, eye, look, outlined, layers, records_,
-                        cut_places(frame.lost, *frame.centerlines, eye));
+    return caster_.draw(frame, view, eye, look, outlined, layers, records_, meaning_of(frame, eye));
 }
 
 } // namespace ramus::render

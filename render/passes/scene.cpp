@@ -41,11 +41,6 @@ Texture distance_texture(const DistanceGrid& grid) {
     return texture;
 }
 
-bool whole(const DistanceGrid& grid) {
-    return grid.size.x > 0 && grid.size.y > 0 && grid.size.z > 0 &&
-           grid.values.size() == std::size_t(grid.size.x) * std::size_t(grid.size.y) * std::size_t(grid.size.z);
-}
-
 Texture ramp_texture(const std::vector<glm::vec3>& ramp) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_1D, 1, &id);
@@ -97,7 +92,7 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
         scene.beyond = linear(frame.margins.beyond, 0.0F);
         scene.counts.x = static_cast<float>(spheres.size());
         scene.counts.z = static_cast<float>(bands);
-        if (lesions.distances && whole(*lesions.distances)) {
+        if (lesions.distances && lesions.distances->whole()) {
             const DistanceGrid& grid = *lesions.distances;
             if (distances_ != lesions.distances) distance_texture_ = distance_texture(grid);
             distances_ = lesions.distances;

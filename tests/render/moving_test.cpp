@@ -181,6 +181,28 @@ TEST_CASE("every look is the same while the view moves") {
              f.lost = {{2, 0.4, 1.0}};
              f.lines = {{{{-20, -20, -20}, {20, 18, 25}}, {0.2F, 0.9F, 0.4F}, 2.0F}};
          }},
+        {"a lesion and its margins",
+         [](Frame& f) {
+             f.lesions.spheres = {{8.0, -6.0, 4.0, 6.0}, {-14.0, 3.0, 20.0, 4.0}};
+             f.margins.bands = {{3.0F, {0.9F, 0.2F, 0.1F}}, {8.0F, {0.9F, 0.8F, 0.2F}}, {15.0F, {0.2F, 0.6F, 0.3F}}};
+         }},
+        {"lesions in glass and behind it",
+         [](Frame& f) {
+             f.states[0] = f.states[3] = BranchState::kDefocused;
+             f.lesions.spheres = {{1.0, 1.0, -12.0, 7.0}, {6.0, 14.0, -8.0, 5.0}};
+         }},
+        {"margins of meshes",
+         [](Frame& f) {
+             auto grid = std::make_shared<DistanceGrid>();
+             grid->size = {40, 36, 44};
+             grid->corner = {-20.0, -18.0, -30.0};
+             for (int i = 0; i < 40 * 36 * 44; ++i) {
+                 const glm::dvec3 at = grid->corner + glm::dvec3(i % 40, i / 40 % 36, i / 1440);
+                 grid->values.push_back(static_cast<float>(glm::distance(at, glm::dvec3(4.0, 2.0, -4.0)) - 6.0));
+             }
+             f.lesions.distances = grid;
+             f.margins.bands = {{2.0F, {0.9F, 0.2F, 0.1F}}, {6.0F, {0.9F, 0.8F, 0.2F}}};
+         }},
         {"shadows", [](Frame& f) { f.appearance.shadows = 1.0F; }},
         {"contours and near red", [](Frame& f) { f.appearance.contours = 1.0F, f.appearance.chromadepth = 1.0F; }},
         {"halos, no fog", [](Frame& f) { f.appearance.halos = 1.0F, f.appearance.depth_cue = 0.0F; }},
@@ -203,6 +225,13 @@ TEST_CASE("every look is the same while the view moves") {
             const Image cones = moving.renderer->read_image();
             still.draw();
             const Image surface = still.renderer->read_image();
+            int pointed_elsewhere = 0;
+            for (int n = 0; n < 108; ++n) {
+                const double x = 53.0 * (n % 12) + 20.0, y = 53.0 * (n / 12) + 20.0;
+                const Pick here = moving.renderer->pick(x, y), there_too = still.renderer->pick(x, y);
+                pointed_elsewhere += here.branch != there_too.branch || here.lesion != there_too.lesion ? 1 : 0;
+            }
+            CHECK(pointed_elsewhere <= 1); // on an edge
             const BranchPicture branches = still.renderer->read_branches();
             double sum = 0.0;
             std::size_t vessels = 0;
