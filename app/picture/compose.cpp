@@ -75,7 +75,7 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
     frame.centerlines = centerlines_of(tree, marks.options);
     if (marks.skeleton) frame.skeleton = frame.centerlines;
-    const bool cones = marks.options.method == mesh::Method::kTruncatedCones;
+    const bool cones = viewing.method.value_or(marks.options.method) == mesh::Method::kTruncatedCones;
     frame.width = cones ? 0.0F : static_cast<float>(marks.options.width);
     frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(marks.options.width));
     draw_cuts(frame, marks, plan);

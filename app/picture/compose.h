@@ -19,6 +19,7 @@ struct Viewing {
     int hovered = render::kNoBranch;
     std::span<const int> hovered_dependents{}; // they glow with it
     bool transparent = false;
+    std::optional<mesh::Method> method{}; // of the surface that is shown, where it is not the session's
     render::Quality quality = render::Quality::kFull;
     std::shared_ptr<const Plan> plan{}; // of the session; null: lesions and cuts are not shown
     std::shared_ptr<const std::vector<Result<Measured>>> measurements{}; // of the session; null: none are shown

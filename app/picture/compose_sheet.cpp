@@ -82,6 +82,8 @@ render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfa
     for (std::size_t i = 0; i < panes.size(); ++i) {
         Viewing own = viewing;
         own.size = panes[i].size;
+        own.method =
+            panes[i].surface == SurfaceKind::kCones ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
         render::Frame frame = compose(document, surfaces.of(panes[i].surface), own);
         if (!panes[i].has_branches) take_branches_away(frame);
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)

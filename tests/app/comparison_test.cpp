@@ -184,6 +184,9 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
         const bool iso = i == 0;
         CHECK(frame.camera == stage.document.session().camera);
         CHECK(frame.size == sheet.panes[0].frame.size);
+        const bool cones = stage.marks().comparison.surfaces[i] == SurfaceKind::kCones; // so they move
+        CHECK((frame.width == 0.0F) == cones);
+        CHECK((frame.beyond_ends == 1.0F) == cones);
         CHECK(frame.mesh == surfaces.of(stage.marks().comparison.surfaces[i]));
         CHECK(sheet.panes[i].has_branches == !iso);
         CHECK(frame.states.empty() == iso);
