@@ -10,6 +10,7 @@
 #include "render/gpu_shapes.h"
 #include "render/gpu_skeleton.h"
 #include "render/overlay.h"
+#include "render/record_flags.h"
 #include "render/renderer.h"
 
 #include <array>
@@ -41,7 +42,7 @@ static_assert(sizeof(LookBlock) == sizeof(caster::Look));
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 // Ids less 1, as in ids.glsl: those of lesions are beyond every branch, those of context beyond every lesion.
-inline constexpr int kFirstSolid = 0x40000000, kFirstContext = 0x60000000;
+inline constexpr int kFirstSolid = int{record::kSolid}, kFirstContext = kFirstSolid | 0x20000000;
 
 // From mm to eye space with depth as +z, as the full-screen passes reckon.
 glm::dmat4 eye_matrix(const Camera& camera);

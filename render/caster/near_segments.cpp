@@ -12,27 +12,6 @@ namespace {
 
 constexpr std::size_t kMostNear = 48; // the others add next to nothing, and take their time
 
-// By point: the first one at the same place. Only ends of branches can share one.
-std::vector<std::uint32_t> places_of(const Centerlines& lines) {
-    std::vector<std::uint32_t> place(lines.points.size());
-    for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
-    std::vector<std::uint32_t> ends;
-    for (const Centerlines::Run& run : lines.runs) {
-        if (run.count == 0) continue;
-        ends.push_back(run.first);
-        if (run.count > 1) ends.push_back(run.first + run.count - 1);
-    }
-    const auto key = [&](std::uint32_t i) {
-        const glm::vec4& p = lines.points[i];
-        return std::tuple(p.x, p.y, p.z, i);
-    };
-    std::ranges::sort(ends, {}, key);
-    for (std::size_t i = 1; i < ends.size(); ++i)
-        if (glm::vec3(lines.points[ends[i]]) == glm::vec3(lines.points[ends[i - 1]]))
-            place[ends[i]] = place[ends[i - 1]];
-    return place;
-}
-
 // Segments by the places of their ends.
 struct Meetings {
     std::vector<std::uint32_t> first, segments;
@@ -61,6 +40,26 @@ float distance_to_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
 }
 
 } // namespace
+
+std::vector<std::uint32_t> places_of(const Centerlines& lines) {
+    std::vector<std::uint32_t> place(lines.points.size());
+    for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
+    std::vector<std::uint32_t> ends;
+    for (const Centerlines::Run& run : lines.runs) {
+        if (run.count == 0) continue;
+        ends.push_back(run.first);
+        if (run.count > 1) ends.push_back(run.first + run.count - 1);
+    }
+    const auto key = [&](std::uint32_t i) {
+        const glm::vec4& p = lines.points[i];
+        return std::tuple(p.x, p.y, p.z, i);
+    };
+    std::ranges::sort(ends, {}, key);
+    for (std::size_t i = 1; i < ends.size(); ++i)
+        if (glm::vec3(lines.points[ends[i]]) == glm::vec3(lines.points[ends[i - 1]]))
+            place[ends[i]] = place[ends[i - 1]];
+    return place;
+}
 
 NearSegments find_near_segments(const Centerlines& lines, std::span<const std::uint32_t> points, float support_radii) {
     const std::vector<std::uint32_t> place = places_of(lines);

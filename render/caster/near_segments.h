@@ -9,6 +9,9 @@
 
 namespace ramus::render::caster {
 
+// By point: the first one at the same place. Only ends of branches can share one.
+[[nodiscard]] std::vector<std::uint32_t> places_of(const Centerlines& lines);
+
 // Of segment s: segments[first[s]] to segments[first[s + 1] - 1], itself first; an even number, made so by one that
 // there is not (their count).
 struct NearSegments {

@@ -20,8 +20,7 @@ struct Stretches {
     std::uint32_t id[kMostPanes], normal[kMostPanes];
     int count;
 
-    // Of lesions only the front is seen, and is another pane wherever it lies. Where there is no room, the farthest
-    // gives way.
+    // Where there is no room, the farthest gives way.
     HWY_INLINE void insert(float from, float to, std::uint32_t of, std::uint32_t facing) {
         if (count == kMostPanes && in[kMostPanes - 1] <= from) return;
         int at = count < kMostPanes ? count++ : kMostPanes - 1;
@@ -77,6 +76,7 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
                 const int column = left + lane % kBlock, row = low + lane / kBlock;
                 float inside_until = -kNothing;
                 for (int k = 0; k < list.count; ++k) {
+                    // Of lesions only the front is seen, and is another pane wherever it lies.
                     const bool lesion = (list.id[k] & kSolid) != 0;
                     const bool enters = lesion || list.in[k] > inside_until;
                     if (!lesion && list.out[k] > inside_until) inside_until = list.out[k];

@@ -4,7 +4,6 @@
 #include "render/caster/caster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
@@ -83,16 +82,16 @@ void Caster::find_joints() {
         std::uint32_t* beyond;       // to fill in
         std::uint32_t joint, inward; // points
     };
-    std::map<std::array<float, 3>, std::vector<End>> joints;
+    const std::vector<std::uint32_t> place = places_of(thinned_);
+    std::map<std::uint32_t, std::vector<End>> joints;
     const auto add = [&](std::uint32_t& beyond, std::uint32_t joint, std::uint32_t inward) {
-        const glm::vec4& p = thinned_.points[joint];
-        if (beyond == Segment::kFree) joints[{p.x, p.y, p.z}].push_back({&beyond, joint, inward});
+        if (beyond == Segment::kFree) joints[place[joint]].push_back({&beyond, joint, inward});
     };
     for (Segment& segment : segments_) {
         add(segment.before, segment.point, segment.point + 1);
         add(segment.behind, segment.point + 1, segment.point);
     }
-    for (auto& [place, ends] : joints) {
+    for (auto& [at, ends] : joints) {
         if (ends.size() < 2) continue;
         std::ranges::stable_sort(ends, std::greater<>(), [&](const End& end) {
             return thinned_.details[end.joint].diameter_mm + thinned_.details[end.inward].diameter_mm;

@@ -38,16 +38,12 @@ HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
 struct Corners {
     alignas(64) float of[4][4 * HWY_MAX_BYTES / 4];
 
-    // Reads one number beyond each vertex.
+    // `Numbers` of each vertex: 4 is one load, and one beyond the vertex; 3 keeps within it.
+    template <std::size_t Numbers>
     HWY_INLINE void read(const glm::vec3* values, const std::uint32_t* quads, std::size_t lanes) {
         for (std::size_t i = 0; i < lanes; ++i)
             for (std::size_t c = 0; c < 4; ++c)
-                __builtin_memcpy(of[c] + 4 * i, values + quads[4 * i + c], 4 * sizeof(float));
-    }
-    HWY_INLINE void read_within(const glm::vec3* values, const std::uint32_t* quads, std::size_t lanes) {
-        for (std::size_t i = 0; i < lanes; ++i)
-            for (std::size_t c = 0; c < 4; ++c)
-                __builtin_memcpy(of[c] + 4 * i, values + quads[4 * i + c], 3 * sizeof(float));
+                __builtin_memcpy(of[c] + 4 * i, values + quads[4 * i + c], Numbers * sizeof(float));
     }
     [[nodiscard]] HWY_INLINE Vector3 corner(D d, std::size_t c) const {
         Vector3 v;
@@ -110,11 +106,11 @@ void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t c
         hn::LoadInterleaved4(du, from, v[0], v[1], v[2], v[3]);
         const auto last = hn::Max(hn::Max(v[0], v[1]), hn::Max(v[2], v[3]));
         if (hn::AllTrue(du, hn::Lt(last, last_vertex))) {
-            at.read(positions, from, lanes);
-            facing.read(normals, from, lanes);
+            at.read<4>(positions, from, lanes);
+            facing.read<4>(normals, from, lanes);
         } else {
-            at.read_within(positions, from, lanes);
-            facing.read_within(normals, from, lanes);
+            at.read<3>(positions, from, lanes);
+            facing.read<3>(normals, from, lanes);
         }
         Vector3 p[4];
         Vector3 n[4];
