@@ -19,7 +19,7 @@ double reach_beyond_end(double width) {
 }
 
 Kernel::Kernel(double width)
-    : w(width * std::numbers::ln2), sqrt_w(std::sqrt(w)), isovalue(std::exp(-w)),
+    : w(width * std::numbers::ln2), sqrt_w(std::sqrt(w)), root_width(std::sqrt(width)), isovalue(std::exp(-w)),
       support_radii(1.7 * std::sqrt(5.0 / width)) {}
 
 ConvolutionField::ConvolutionField(const tree::PreparedTree& prepared, double width) : kernel_(width) {

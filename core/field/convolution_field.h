@@ -23,6 +23,7 @@ namespace ramus::field {
 struct Kernel {
     double w = 0.0;
     double sqrt_w = 0.0;
+    double root_width = 0.0;
     double isovalue = 0.0;
     double support_radii = 0.0; // distance from a segment, in local radii, at which the kernel has faded to zero
 

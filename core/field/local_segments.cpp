@@ -24,14 +24,6 @@ void GatherSegments(LocalSegments& local) {
         local.length[m] = s.length, local.radius[m] = s.radius, local.slope[m] = s.slope;
         local.branch[m] = s.branch;
     }
-    // One that reaches nothing, behind the last.
-    constexpr float kFarAway = 1e9F;
-    const std::size_t last = local.count;
-    std::fill_n(local.tables.data() + last * LocalSegments::kTableStride, LocalSegments::kTableStride, -kFarAway);
-    local.x[last] = local.y[last] = local.z[last] = kFarAway;
-    local.ux[last] = local.length[last] = local.radius[last] = 1.0F;
-    local.uy[last] = local.uz[last] = local.slope[last] = 0.0F;
-    local.branch[last] = -1;
 }
 
 } // namespace ramus::field::HWY_NAMESPACE

@@ -20,18 +20,21 @@ using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-inline constexpr std::size_t kPack = 2;
-struct Pack {
-    V v[kPack];
-};
-struct MaskPack {
-    M m[kPack];
-};
-struct PackTag {};
+template <std::size_t N> struct Pack { V v[N]; };
+template <std::size_t N> struct PackTag {};
+
+// What `call` says for each.
+template <std::size_t N, class Call> HWY_INLINE Pack<N> each(const Call& call) {
+    Pack<N> p;
+    for (std::size_t s = 0; s < N; ++s) p.v[s] = call(s);
+    return p;
+}
 
 // Tags to values: the same number in all lanes.
 template <class Tag> HWY_INLINE hn::Vec<Tag> set(Tag d, float x) { return hn::Set(d, x); }
-HWY_INLINE Pack set(PackTag, float x) { return {hn::Set(D(), x), hn::Set(D(), x)}; }
+template <std::size_t N> HWY_INLINE Pack<N> set(PackTag<N>, float x) {
+    return each<N>([&](std::size_t) { return hn::Set(D(), x); });
+}
 
 template <class Vec> HWY_INLINE Vec mul(Vec a, Vec b) { return hn::Mul(a, b); }
 template <class Vec> HWY_INLINE Vec add(Vec a, Vec b) { return hn::Add(a, b); }
@@ -42,6 +45,13 @@ template <class Vec> HWY_INLINE Vec mul_add(Vec a, Vec b, Vec c) { return hn::Mu
 template <class Vec> HWY_INLINE Vec mul_sub(Vec a, Vec b, Vec c) { return hn::MulSub(a, b, c); }        // a b - c
 template <class Vec> HWY_INLINE Vec neg_mul_add(Vec a, Vec b, Vec c) { return hn::NegMulAdd(a, b, c); } // c - a b
 template <class Vec> HWY_INLINE Vec rough_reciprocal(Vec a) { return hn::ApproximateReciprocal(a); }
+// a taken into -most .. most.
+template <class Vec> HWY_INLINE Vec limited(Vec a, Vec most) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3 // the lesser size, with the sign of a
+    if constexpr (sizeof(Vec) == 64) return Vec{_mm512_range_ps(a.raw, most.raw, 2)};
+#endif
+    return hn::Max(hn::Min(a, most), hn::Neg(most));
+}
 // p times 2 to the whole number that `shifted` holds in its lowest bits.
 template <class Vec> HWY_INLINE Vec times_power(Vec p, Vec shifted) {
     const hn::DFromV<Vec> d;
@@ -49,28 +59,45 @@ template <class Vec> HWY_INLINE Vec times_power(Vec p, Vec shifted) {
     return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
 
-HWY_INLINE Pack mul(Pack a, Pack b) { return {hn::Mul(a.v[0], b.v[0]), hn::Mul(a.v[1], b.v[1])}; }
-HWY_INLINE Pack add(Pack a, Pack b) { return {hn::Add(a.v[0], b.v[0]), hn::Add(a.v[1], b.v[1])}; }
-HWY_INLINE Pack sub(Pack a, Pack b) { return {hn::Sub(a.v[0], b.v[0]), hn::Sub(a.v[1], b.v[1])}; }
-HWY_INLINE Pack min(Pack a, Pack b) { return {hn::Min(a.v[0], b.v[0]), hn::Min(a.v[1], b.v[1])}; }
-HWY_INLINE Pack max(Pack a, Pack b) { return {hn::Max(a.v[0], b.v[0]), hn::Max(a.v[1], b.v[1])}; }
-HWY_INLINE Pack mul_add(Pack a, Pack b, Pack c) {
-    return {hn::MulAdd(a.v[0], b.v[0], c.v[0]), hn::MulAdd(a.v[1], b.v[1], c.v[1])};
+template <std::size_t N> HWY_INLINE Pack<N> mul(const Pack<N>& a, const Pack<N>& b) {
+    return each<N>([&](std::size_t s) { return hn::Mul(a.v[s], b.v[s]); });
 }
-HWY_INLINE Pack mul_sub(Pack a, Pack b, Pack c) {
-    return {hn::MulSub(a.v[0], b.v[0], c.v[0]), hn::MulSub(a.v[1], b.v[1], c.v[1])};
+template <std::size_t N> HWY_INLINE Pack<N> add(const Pack<N>& a, const Pack<N>& b) {
+    return each<N>([&](std::size_t s) { return hn::Add(a.v[s], b.v[s]); });
 }
-HWY_INLINE Pack neg_mul_add(Pack a, Pack b, Pack c) {
-    return {hn::NegMulAdd(a.v[0], b.v[0], c.v[0]), hn::NegMulAdd(a.v[1], b.v[1], c.v[1])};
+template <std::size_t N> HWY_INLINE Pack<N> sub(const Pack<N>& a, const Pack<N>& b) {
+    return each<N>([&](std::size_t s) { return hn::Sub(a.v[s], b.v[s]); });
 }
-HWY_INLINE Pack rough_reciprocal(Pack a) { return {rough_reciprocal(a.v[0]), rough_reciprocal(a.v[1])}; }
-HWY_INLINE Pack times_power(Pack p, Pack shifted) {
-    return {times_power(p.v[0], shifted.v[0]), times_power(p.v[1], shifted.v[1])};
+template <std::size_t N> HWY_INLINE Pack<N> min(const Pack<N>& a, const Pack<N>& b) {
+    return each<N>([&](std::size_t s) { return hn::Min(a.v[s], b.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> max(const Pack<N>& a, const Pack<N>& b) {
+    return each<N>([&](std::size_t s) { return hn::Max(a.v[s], b.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> mul_add(const Pack<N>& a, const Pack<N>& b, const Pack<N>& c) {
+    return each<N>([&](std::size_t s) { return hn::MulAdd(a.v[s], b.v[s], c.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> mul_sub(const Pack<N>& a, const Pack<N>& b, const Pack<N>& c) {
+    return each<N>([&](std::size_t s) { return hn::MulSub(a.v[s], b.v[s], c.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> neg_mul_add(const Pack<N>& a, const Pack<N>& b, const Pack<N>& c) {
+    return each<N>([&](std::size_t s) { return hn::NegMulAdd(a.v[s], b.v[s], c.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> rough_reciprocal(const Pack<N>& a) {
+    return each<N>([&](std::size_t s) { return rough_reciprocal(a.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> limited(const Pack<N>& a, const Pack<N>& most) {
+    return each<N>([&](std::size_t s) { return limited(a.v[s], most.v[s]); });
+}
+template <std::size_t N> HWY_INLINE Pack<N> times_power(const Pack<N>& p, const Pack<N>& shifted) {
+    return each<N>([&](std::size_t s) { return times_power(p.v[s], shifted.v[s]); });
 }
 // a where low < x < high, 0 elsewhere.
-HWY_INLINE Pack where_between(Pack low, Pack x, Pack high, Pack a) {
-    return {hn::IfThenElseZero(hn::And(hn::Gt(x.v[0], low.v[0]), hn::Lt(x.v[0], high.v[0])), a.v[0]),
-            hn::IfThenElseZero(hn::And(hn::Gt(x.v[1], low.v[1]), hn::Lt(x.v[1], high.v[1])), a.v[1])};
+template <std::size_t N>
+HWY_INLINE Pack<N> where_between(const Pack<N>& low, const Pack<N>& x, const Pack<N>& high, const Pack<N>& a) {
+    return each<N>([&](std::size_t s) {
+        return hn::IfThenElseZero(hn::And(hn::Gt(x.v[s], low.v[s]), hn::Lt(x.v[s], high.v[s])), a.v[s]);
+    });
 }
 
 } // namespace ramus::field::HWY_NAMESPACE

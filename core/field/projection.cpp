@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
@@ -45,12 +46,11 @@ HWY_INLINE void end_branch(Points& p, std::int32_t branch) {
 }
 
 // Adds up the field and its gradient at N vectors of points: together, so that one hides what the other waits for.
-template <std::size_t N>
-HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, float root, Points (&points)[N]) {
+template <std::size_t N> HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, Points (&points)[N]) {
     const D d;
     const DI di;
-    const Pack sqrt_w = set(PackTag(), root);
-    const Pack inverse_sqrt_w = set(PackTag(), 1.0F / root);
+    const auto root = static_cast<float>(local.field->kernel().root_width);
+    const Pack<1> root_width = set(PackTag<1>(), root), inverse_root = set(PackTag<1>(), 1.0F / root);
     for (Points& p : points) {
         p.sum = p.gx = p.gy = p.gz = hn::Zero(d);
         p.best = hn::Set(d, -1.0F);
@@ -60,32 +60,26 @@ HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, float ro
     }
     // Segments are in order, and with them those of a branch are together.
     std::int32_t branch = count > 0 ? local.branch[static_cast<std::size_t>(local.reaching[0] >> 1)] : 0;
-    for (std::size_t r = 0; r < count; r += kPack) {
-        const auto m0 = static_cast<std::size_t>(local.reaching[r] >> 1);
-        const auto m1 = static_cast<std::size_t>(local.reaching[r + 1] >> 1);
-        const Segments pair = broadcast(local, m0, m1);
-        const Pack ax = broadcast(local.x, m0, m1);
-        const Pack ay = broadcast(local.y, m0, m1);
-        const Pack az = broadcast(local.z, m0, m1);
-        const std::int32_t before[kPack] = {branch, local.branch[m0]};
-        const std::int32_t here[kPack] = {local.branch[m0], local.branch[m1]};
-        branch = here[kPack - 1];
-        for_ends(static_cast<Ends>((local.reaching[r] | local.reaching[r + 1]) & 1), [&](auto near) {
+    for (std::size_t r = 0; r < count; ++r) {
+        const Places at = places_of<1>(local, r);
+        const Segments one = broadcast(local, at);
+        const Pack ax = broadcast(local.x, at), ay = broadcast(local.y, at), az = broadcast(local.z, at);
+        const std::int32_t before = std::exchange(branch, local.branch[at.m[0]]);
+        for_ends(at.near_ends, [&](auto near) {
             for (Points& p : points) {
                 const Foot foot =
-                    find_foot(pair, sqrt_w, sub(Pack{p.x, p.x}, ax), sub(Pack{p.y, p.y}, ay), sub(Pack{p.z, p.z}, az));
-                const KernelGradient g = kernel_gradient<near.value>(pair, foot, inverse_sqrt_w);
-                for (std::size_t s = 0; s < kPack; ++s) {
-                    p.sum = hn::Add(p.sum, g.value.v[s]);
-                    p.gx = hn::MulAdd(g.radial.v[s], foot.qx.v[s], hn::MulAdd(g.axial.v[s], pair.ux.v[s], p.gx));
-                    p.gy = hn::MulAdd(g.radial.v[s], foot.qy.v[s], hn::MulAdd(g.axial.v[s], pair.uy.v[s], p.gy));
-                    p.gz = hn::MulAdd(g.radial.v[s], foot.qz.v[s], hn::MulAdd(g.axial.v[s], pair.uz.v[s], p.gz));
-                    const M stronger = hn::Gt(g.value.v[s], p.best);
-                    p.best = hn::IfThenElse(stronger, g.value.v[s], p.best);
-                    p.best_scale = hn::IfThenElse(stronger, foot.scale.v[s], p.best_scale);
-                    if (here[s] != before[s]) end_branch(p, before[s]);
-                    p.share = hn::Add(p.share, g.value.v[s]);
-                }
+                    find_foot(one, root_width, sub(Pack<1>{p.x}, ax), sub(Pack<1>{p.y}, ay), sub(Pack<1>{p.z}, az));
+                const KernelGradient g = kernel_gradient<near.value>(one, foot, inverse_root);
+                const V value = g.value.v[0], radial = g.radial.v[0], axial = g.axial.v[0];
+                p.sum = hn::Add(p.sum, value);
+                p.gx = hn::MulAdd(radial, foot.qx.v[0], hn::MulAdd(axial, one.ux.v[0], p.gx));
+                p.gy = hn::MulAdd(radial, foot.qy.v[0], hn::MulAdd(axial, one.uy.v[0], p.gy));
+                p.gz = hn::MulAdd(radial, foot.qz.v[0], hn::MulAdd(axial, one.uz.v[0], p.gz));
+                const M stronger = hn::Gt(value, p.best);
+                p.best = hn::IfThenElse(stronger, value, p.best);
+                p.best_scale = hn::IfThenElse(stronger, foot.scale.v[0], p.best_scale);
+                if (branch != before) end_branch(p, before);
+                p.share = hn::Add(p.share, value);
             }
         });
     }
@@ -147,7 +141,7 @@ template <std::size_t N> HWY_INLINE Box box_of(const Projection& projection, std
 }
 
 // Writes one vector of points; what lies beyond the last point is overwritten by the next.
-HWY_INLINE void write(D d, const Points& p, float root, const glm::dvec3& origin, const SurfacePoints& to,
+HWY_INLINE void write(D d, const Points& p, float root_width, const glm::dvec3& origin, const SurfacePoints& to,
                       std::size_t at) {
     const DI di;
 #if HWY_TARGET == HWY_SCALAR
@@ -169,7 +163,7 @@ HWY_INLINE void write(D d, const Points& p, float root, const glm::dvec3& origin
     const V g2 = hn::MulAdd(p.gz, p.gz, hn::MulAdd(p.gy, p.gy, hn::Mul(p.gx, p.gx)));
     const V unit = hn::Div(hn::Set(d, -1.0F), hn::Sqrt(hn::Max(g2, hn::Set(d, 1e-30F))));
     hn::StoreInterleaved3(hn::Mul(p.gx, unit), hn::Mul(p.gy, unit), hn::Mul(p.gz, unit), d, &to.normals[at].x);
-    hn::StoreU(hn::Div(hn::Set(d, root), p.best_scale), d, to.radii + at);
+    hn::StoreU(hn::Div(hn::Set(d, root_width), p.best_scale), d, to.radii + at);
     hn::StoreU(p.branches[0], di, to.branches + at);
     const hn::Rebind<std::uint8_t, D> du8;
     const V tiny = hn::Set(d, 1e-30F);
@@ -200,12 +194,13 @@ HWY_INLINE std::uint64_t project_block(const LocalSegments& local, float root, c
     const std::size_t count = find_reaching(local, root, box_of<N>(projection, n));
     std::uint64_t steps = 0;
     for (bool more = true; more && steps < kProjectionSteps; ++steps) {
-        evaluate(local, count, root, points);
+        evaluate(local, count, points);
         V off = hn::Zero(d);
         for (std::size_t v = 0; v < N; ++v) off = hn::Max(off, step(d, points[v], root, projection, n + v * lanes));
         more = !hn::AllTrue(d, hn::Lt(off, hn::Set(d, kShortStep)));
     }
-    for (std::size_t v = 0; v < N; ++v) write(d, points[v], root, local.axes.corner(), to, n + v * lanes);
+    const auto root_width = static_cast<float>(local.field->kernel().root_width);
+    for (std::size_t v = 0; v < N; ++v) write(d, points[v], root_width, local.axes.corner(), to, n + v * lanes);
     return steps * count * N * lanes;
 }
 

@@ -28,8 +28,7 @@ struct Box {
 };
 
 // Writes the segments whose support reaches the box to local.reaching, in order, each as 2 m + the ends (Ends) that
-// points of the box may be near, and returns how many they are: whole packs, filled up with a segment that reaches
-// nothing. The others are exactly zero everywhere in the box.
+// points of the box may be near, and returns how many they are. The others are exactly zero everywhere in the box.
 HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, const Box& box) {
     const D d;
     const hn::RebindToSigned<D> di;
@@ -97,7 +96,6 @@ HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, con
         hn::StoreU(hn::Compress(marked, which), di, out + found);
         found += hn::CountTrue(di, which);
     }
-    while (found % kPack != 0) out[found++] = static_cast<std::int32_t>(local.count) << 1; // that is nowhere
     return found;
 }
 
@@ -105,16 +103,31 @@ HWY_INLINE std::size_t find_reaching(const LocalSegments& local, float root, con
 HWY_INLINE std::size_t list_all(const LocalSegments& local) {
     std::size_t found = 0;
     for (; found < local.count; ++found) local.reaching[found] = static_cast<std::int32_t>(2 * found + 1);
-    while (found % kPack != 0) local.reaching[found++] = static_cast<std::int32_t>(2 * local.count);
     return found;
 }
 
-HWY_INLINE Pack broadcast(const std::vector<float>& of, std::size_t m0, std::size_t m1) {
-    return {hn::Set(D(), of[m0]), hn::Set(D(), of[m1])};
+// The segments of a pack, by their places in the local arrays.
+template <std::size_t N> struct Places {
+    std::size_t m[N];
+    bool near_ends;
+};
+template <std::size_t N> HWY_INLINE Places<N> places_of(const LocalSegments& local, std::size_t r) {
+    Places<N> places;
+    std::int32_t any = 0;
+    for (std::size_t s = 0; s < N; ++s) {
+        const std::int32_t code = local.reaching[r + s];
+        places.m[s] = static_cast<std::size_t>(code >> 1);
+        any |= code;
+    }
+    places.near_ends = (any & 1) != 0;
+    return places;
 }
-HWY_INLINE Segments broadcast(const LocalSegments& local, std::size_t m0, std::size_t m1) {
-    return {broadcast(local.ux, m0, m1),     broadcast(local.uy, m0, m1),     broadcast(local.uz, m0, m1),
-            broadcast(local.length, m0, m1), broadcast(local.radius, m0, m1), broadcast(local.slope, m0, m1)};
+template <std::size_t N> HWY_INLINE Pack<N> broadcast(const std::vector<float>& of, const Places<N>& at) {
+    return each<N>([&](std::size_t s) { return hn::Set(D(), of[at.m[s]]); });
+}
+template <std::size_t N> HWY_INLINE Segments<N> broadcast(const LocalSegments& local, const Places<N>& at) {
+    return {broadcast(local.ux, at),     broadcast(local.uy, at),     broadcast(local.uz, at),
+            broadcast(local.length, at), broadcast(local.radius, at), broadcast(local.slope, at)};
 }
 
 } // namespace ramus::field::HWY_NAMESPACE

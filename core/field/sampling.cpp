@@ -62,7 +62,7 @@ std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGrou
     const D d;
     const std::size_t lanes = hn::Lanes(d);
     const auto root = static_cast<float>(local.field->kernel().sqrt_w);
-    const Pack sqrt_w = set(PackTag(), root);
+    const auto root_width = static_cast<float>(local.field->kernel().root_width);
     const V isovalue = hn::Set(d, static_cast<float>(local.field->kernel().isovalue));
     const auto cell = static_cast<float>(local.axes.x[1] - local.axes.x[0]);
     std::uint64_t kernels = 0;
@@ -79,20 +79,26 @@ std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGrou
             const std::int32_t* j = kGroupLanes.j + kGroupPoints * group + n;
             const std::int32_t* k = kGroupLanes.k + kGroupPoints * group + n;
             V sum = hn::Zero(d);
-            for (std::size_t r = 0; r < count; r += kPack) {
-                const auto m0 = static_cast<std::size_t>(local.reaching[r] >> 1);
-                const auto m1 = static_cast<std::size_t>(local.reaching[r + 1] >> 1);
-                const Segments pair = broadcast(local, m0, m1);
-                const float* table0 = local.tables.data() + LocalSegments::kTableStride * m0;
-                const float* table1 = local.tables.data() + LocalSegments::kTableStride * m1;
-                const Foot foot = find_foot(pair, sqrt_w, {look_up(d, table0, i), look_up(d, table1, i)},
-                                            {look_up(d, table0 + 8, j), look_up(d, table1 + 8, j)},
-                                            {look_up(d, table0 + 16, k), look_up(d, table1 + 16, k)});
-                for_ends(static_cast<Ends>((local.reaching[r] | local.reaching[r + 1]) & 1), [&](auto near) {
-                    const Pack value = kernel_value<near.value>(pair, foot);
-                    sum = hn::Add(hn::Add(sum, value.v[0]), value.v[1]);
+            const auto add_pack = [&](auto width, std::size_t r) {
+                constexpr std::size_t kPack = width.value;
+                const Places at = places_of<kPack>(local, r);
+                const Segments pack = broadcast(local, at);
+                const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
+                    return each<kPack>([&](std::size_t s) {
+                        return look_up(d, local.tables.data() + LocalSegments::kTableStride * at.m[s] + 8 * axis,
+                                       index);
+                    });
+                };
+                const Foot foot = find_foot(pack, set(PackTag<kPack>(), root_width), coordinate(0, i), coordinate(1, j),
+                                            coordinate(2, k));
+                for_ends(at.near_ends, [&](auto near) {
+                    const Pack value = kernel_value<near.value>(pack, foot);
+                    for (const V& of : value.v) sum = hn::Add(sum, of);
                 });
-            }
+            };
+            std::size_t r = 0;
+            for (; r + 2 <= count; r += 2) add_pack(std::integral_constant<std::size_t, 2>(), r);
+            if (r < count) add_pack(std::integral_constant<std::size_t, 1>(), r);
             hn::Store(sum, d, samples.value[group].data() + n);
             HWY_ALIGN std::uint8_t bits[8] = {};
             hn::StoreMaskBits(d, hn::Ge(sum, isovalue), bits);
@@ -110,7 +116,7 @@ std::uint64_t SampleLattice(const LocalSegments& local, const LatticeAxes& axes,
     const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
     const auto root = static_cast<float>(local.field->kernel().sqrt_w);
-    const Pack sqrt_w = set(PackTag(), root);
+    const auto root_width = static_cast<float>(local.field->kernel().root_width);
     const auto quarter = static_cast<float>(axes.x[1] - axes.x[0]);
     const FieldSegment* segments = local.field->segments().data();
     std::uint64_t kernels = 0;
@@ -130,30 +136,23 @@ std::uint64_t SampleLattice(const LocalSegments& local, const LatticeAxes& axes,
         const Box box{0.5F * quarter * glm::vec3(low + high), 0.5001F * quarter * glm::vec3(high - low)};
         const std::size_t count = find_reaching(local, root, box);
         kernels += count * kGroupPoints;
-        for (std::size_t r = 0; r < count; r += kPack) {
-            alignas(64) float table[kPack][3][kLatticeStride];
-            const std::size_t m[kPack] = {static_cast<std::size_t>(local.reaching[r] >> 1),
-                                          static_cast<std::size_t>(local.reaching[r + 1] >> 1)};
-            for (std::size_t s = 0; s < kPack; ++s) {
-                if (m[s] == local.count) {
-                    std::fill_n(&table[s][0][0], 3 * kLatticeStride, local.tables[LocalSegments::kTableStride * m[s]]);
-                    continue;
-                }
-                const FieldSegment& segment = segments[local.list[m[s]]];
-                subtract(axes.x, segment.ax, table[s][0]);
-                subtract(axes.y, segment.ay, table[s][1]);
-                subtract(axes.z, segment.az, table[s][2]);
-            }
-            const Segments pair = broadcast(local, m[0], m[1]);
-            for_ends(static_cast<Ends>((local.reaching[r] | local.reaching[r + 1]) & 1), [&](auto near) {
+        for (std::size_t r = 0; r < count; ++r) {
+            const Places at = places_of<1>(local, r);
+            const FieldSegment& segment = segments[local.list[at.m[0]]];
+            alignas(64) float table[3][kLatticeStride];
+            subtract(axes.x, segment.ax, table[0]);
+            subtract(axes.y, segment.ay, table[1]);
+            subtract(axes.z, segment.az, table[2]);
+            const Segments one = broadcast(local, at);
+            for_ends(at.near_ends, [&](auto near) {
                 for (std::size_t n = 0; n < kGroupPoints; n += lanes) {
-                    const auto at = [&](std::size_t axis, const std::int32_t* index) {
-                        const auto lane = hn::Load(di, index + n);
-                        return Pack{hn::GatherIndex(d, table[0][axis], lane), hn::GatherIndex(d, table[1][axis], lane)};
+                    const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
+                        return Pack<1>{hn::GatherIndex(d, table[axis], hn::Load(di, index + n))};
                     };
-                    const Foot foot = find_foot(pair, sqrt_w, at(0, pi), at(1, pj), at(2, pk));
-                    const Pack value = kernel_value<near.value>(pair, foot);
-                    hn::Store(hn::Add(hn::Add(hn::Load(d, sum + n), value.v[0]), value.v[1]), d, sum + n);
+                    const Foot foot = find_foot(one, set(PackTag<1>(), root_width), coordinate(0, pi),
+                                                coordinate(1, pj), coordinate(2, pk));
+                    const Pack value = kernel_value<near.value>(one, foot);
+                    hn::Store(hn::Add(hn::Load(d, sum + n), value.v[0]), d, sum + n);
                 }
             });
         }

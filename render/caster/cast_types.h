@@ -57,7 +57,7 @@ struct Field {
     const Piece* pieces; // null: the surface is the cones
     const std::uint32_t* first;
     const std::uint32_t* near;
-    float sqrt_w; // of the kernel
+    float root_width; // of the kernel
 };
 
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].

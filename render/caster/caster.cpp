@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -170,7 +169,7 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
     pieces_.assign(near_width_ > 0.0F ? segments + 1 : 0, kNowhere);
     field_ = {pieces_.empty() ? nullptr : pieces_.data(), near_.first.data(), near_.segments.data(),
-              std::sqrt(frame.width * std::numbers::ln2_v<float>)};
+              std::sqrt(frame.width)};
     std::atomic<std::size_t> drawn{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
         std::size_t there = 0;

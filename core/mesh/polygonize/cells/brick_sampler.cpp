@@ -54,6 +54,7 @@ void BrickSampler::begin(const field::ConvolutionField& field, const Octree& oct
     octree_ = &octree;
     all_neighbours_ = &neighbours;
     first_brick_ = tile.first_brick;
+    brick_count_ = tile.brick_count;
     vertices_ = &vertices;
     first_vertex_ = vertices.count;
     isovalue_ = static_cast<float>(field.kernel().isovalue);
@@ -123,8 +124,8 @@ BrickSampler::UpperPart BrickSampler::upper_part(int x, int y, int z) const {
     UpperPart part;
     switch (neighbours_->kind(direction)) {
     case Neighbour::kSame: {
-        const std::uint32_t index = neighbours_->brick[static_cast<std::size_t>(direction)];
-        if (octree_->bricks[index].tile == brick_->tile) part.neighbour = &own_[index - first_brick_];
+        const std::uint32_t place = neighbours_->brick[static_cast<std::size_t>(direction)] - first_brick_;
+        if (place < brick_count_) part.neighbour = &own_[place]; // of the same tile
         break;
     }
     case Neighbour::kAbsent:

@@ -74,7 +74,7 @@ private:
     const field::ConvolutionField* field_ = nullptr;
     const Octree* octree_ = nullptr;
     const LargeArray<Neighbourhood>* all_neighbours_ = nullptr;
-    std::uint32_t first_brick_ = 0;
+    std::uint32_t first_brick_ = 0, brick_count_ = 0; // of the tile
     float isovalue_ = 0.0F;
     SurfaceVertices* vertices_ = nullptr; // to which the tile's are appended
     std::size_t first_vertex_ = 0;        // of the tile
