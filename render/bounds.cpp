@@ -31,4 +31,15 @@ Box bounds_of(const mesh::TriangleMesh& mesh) {
     return {glm::dvec3(lower), glm::dvec3(upper)};
 }
 
+Box bounds_of(const Centerlines& lines) {
+    if (lines.points.empty()) return {};
+    glm::vec3 lower(lines.points.front()), upper = lower;
+    for (std::size_t i = 0; i < lines.points.size(); ++i) {
+        const float radius = 0.5F * lines.details[i].diameter_mm;
+        lower = glm::min(lower, glm::vec3(lines.points[i]) - radius);
+        upper = glm::max(upper, glm::vec3(lines.points[i]) + radius);
+    }
+    return {lines.origin + glm::dvec3(lower), lines.origin + glm::dvec3(upper)};
+}
+
 } // namespace ramus::render

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
+#include "render/centerlines.h"
 
 #include <glm/vec3.hpp>
 
@@ -20,5 +21,6 @@ struct Box {
 };
 
 [[nodiscard]] Box bounds_of(const mesh::TriangleMesh& mesh);
+[[nodiscard]] Box bounds_of(const Centerlines& lines); // the vessels, balls around every point
 
 } // namespace ramus::render

@@ -102,6 +102,9 @@ struct Frame {
     Appearance appearance;
     Overlays overlays;
     Quality quality = Quality::kFull;
+    // The mesh is that of before: what the rest of the frame says has no surface yet. A kInteractive picture then shows
+    // it as far as centerlines tell, where the processor draws and is able to; the mesh otherwise.
+    bool surface_awaited = false;
     bool operator==(const Frame&) const = default;
 };
 

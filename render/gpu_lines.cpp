@@ -25,6 +25,7 @@ void GpuLines::Copy::send(const Centerlines& lines) {
 void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (lines == shown_) return;
     shown_ = lines && !lines->points.empty() ? lines : nullptr;
+    bounds_ = shown_ ? bounds_of(*shown_) : Box{};
     if (!shown_) return;
     whole_.send(*shown_);
     thinned_there_ = false;

@@ -2,6 +2,7 @@
 // lines are drawn from them, and a place on the surface finds what its branch is like there.
 #pragma once
 
+#include "render/bounds.h"
 #include "render/centerlines.h"
 #include "render/gl_objects.h"
 #include "render/gpu_mesh.h"
@@ -15,6 +16,7 @@ class GpuLines {
 public:
     void follow(const std::shared_ptr<const Centerlines>& lines);
     [[nodiscard]] const Centerlines* shown() const { return shown_.get(); } // null: nothing
+    [[nodiscard]] const Box& bounds() const { return bounds_; }             // around the vessels that they run in
 
     // As buffer textures.
     struct Textures {
@@ -42,6 +44,7 @@ private:
         std::uint64_t draw(const std::vector<Layer>& layers, Layer layer) const;
     };
     std::shared_ptr<const Centerlines> shown_;
+    Box bounds_;
     Copy whole_, thinned_;
     bool thinned_there_ = false;
 };

@@ -78,7 +78,8 @@ private:
 
     Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget);
     void let_go();
-    Result<void> resize(glm::ivec2 size, Quality quality);
+    enum class Targets { kPicture, kAll };
+    Result<void> resize(glm::ivec2 size, Quality quality, Targets wanted);
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
     glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
@@ -105,6 +106,7 @@ private:
     Result<void> peel(const Frame& frame, const GpuMesh& mesh, unsigned variant);
     bool make_room_for_panes(std::size_t wanted);
     void bind_panes(const Program& program, Band band) const;
+    [[nodiscard]] bool casts(const Frame& frame) const; // whether the caster can draw it
     std::uint64_t cast(const Frame& frame, const std::vector<Layer>& layers);
     LookBlock look_of(const Frame& frame, bool outlined) const;
     std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers);
@@ -166,6 +168,7 @@ private:
 
     glm::ivec2 size_{0};                              // of the picture
     glm::ivec2 inner_{0};                             // of what is drawn, smaller while the view moves
+    glm::ivec2 passes_{0};                            // of what the passes draw into
     Texture surface_, depth_;                         // multisampled
     Texture id_normal_, opaque_depth_, picked_depth_; // one value a pixel
     Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it

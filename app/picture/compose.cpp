@@ -73,11 +73,12 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.margins = std::move(colouring.margins);
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
     if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
-    frame.centerlines = centerlines_of(tree, marks.options);
+    const mesh::SurfaceOptions& options = viewing.options ? *viewing.options : marks.options;
+    frame.centerlines = centerlines_of(tree, options);
     if (marks.skeleton) frame.skeleton = frame.centerlines;
-    const bool cones = viewing.method.value_or(marks.options.method) == mesh::Method::kTruncatedCones;
-    frame.width = cones ? 0.0F : static_cast<float>(marks.options.width);
-    frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(marks.options.width));
+    const bool cones = viewing.method.value_or(options.method) == mesh::Method::kTruncatedCones;
+    frame.width = cones ? 0.0F : static_cast<float>(options.width);
+    frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(options.width));
     draw_cuts(frame, marks, plan);
     if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
     return frame;

@@ -25,6 +25,7 @@ struct Viewing {
     std::shared_ptr<const std::vector<Result<Measured>>> measurements{}; // of the session; null: none are shown
     std::optional<GlassLook> glass{};                  // instead of the session's, while it is being tried
     std::optional<std::vector<ContextItem>> context{}; // likewise
+    std::optional<mesh::SurfaceOptions> options{};     // likewise
 };
 
 // `tree` may be null: no colours; `mesh` may be null: an empty picture.

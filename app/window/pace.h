@@ -36,6 +36,8 @@ private:
         render::Camera camera;
         glm::ivec2 size{0};
         std::vector<render::BranchState> states;
+        std::shared_ptr<const render::Centerlines> awaited; // of the surface that is not there yet
+        float awaited_width = 0.0F;
         bool operator==(const View&) const = default;
     };
 

@@ -52,6 +52,7 @@ Viewing Viewer::viewing() const {
     if (interface_.listed != tree::kNoBranch) viewing.hovered = interface_.listed;
     viewing.glass = interface_.tried_glass;
     viewing.context = interface_.tried_context;
+    viewing.options = workspace_.tried_options();
     return viewing;
 }
 
@@ -190,12 +191,15 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     shown_camera_ = camera_on_its_way();
     render::Frame& frame = sheet.panes.front().frame; // the others are seen as quickly as it is
     frame.camera = shown_camera_;
-    if (all_panes.front().surface == own_kind && pace_.slow(frame)) {
+    if (all_panes.front().surface == own_kind && pace_.slow(frame) && !cast_) {
         workspace_.await_preview();
         frame.mesh = workspace_.shown().mesh;
     }
-    const bool provisional = workspace_.shown().provisional;
-    const render::Quality quality = pace_.quality(frame, mouse_.dragging() || glide_, provisional, now);
+    frame.surface_awaited = !compares && workspace_.surface_awaited();
+    const bool better_to_come = workspace_.shown().provisional || frame.surface_awaited;
+    render::Quality quality = pace_.quality(frame, mouse_.dragging() || glide_, better_to_come, now);
+    // A picture that shows already what is wanted does not give way to the surface before.
+    if (cast_ && frame.surface_awaited) quality = render::Quality::kInteractive;
     for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
         render::Frame& one = sheet.panes[i].frame;
         one.camera = shown_camera_;
@@ -204,8 +208,6 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         if (all_panes[i].surface != own_kind) continue;
         one.mesh = workspace_.shown().mesh;
         one.preview = workspace_.shown().preview;
-        // Rough cones are there for a blink.
-        if (quality == render::Quality::kInteractive && workspace_.shown_cones()) one.appearance.occlusion = 0.0F;
     }
     if (interface_.overview.open || layout_.panel_width > 0) {
         const auto own = std::ranges::find(all_panes, own_kind, &ComparedPane::surface);
@@ -223,6 +225,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     if (std::exchange(drawing_problem_, problem) != problem && !problem.empty()) say(problem);
     if (done.geometry && done.quality == quality)
         pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    if (done.geometry) cast_ = done.cones > 0;
     quality_ = drawn ? quality : render::Quality::kFull;
     upload_pending_ = done.pending;
     if (done.shaded) pick_wanted_ = true;

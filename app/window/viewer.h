@@ -164,6 +164,7 @@ private:
     render::Camera shown_camera_; // of the last picture
     Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
+    bool cast_ = false;                                // along centerlines, instead of drawing a mesh
     int frames_left_ = kFramesAfterEvent;
     std::string drawing_problem_; // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false; // not all of the surface is on the graphics card

@@ -53,10 +53,6 @@ public:
     [[nodiscard]] bool surface_ready() const {
         return shown_.mesh && !shown_.provisional && shown_.request == surface_request(document.marks());
     }
-    // Whether cones stand in for the surface.
-    [[nodiscard]] bool shown_cones() const {
-        return shown_.provisional && shown_.request.options.method == mesh::Method::kTruncatedCones;
-    }
     // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
     // as they were before.
     [[nodiscard]] ShownSurfaces surfaces() const;
@@ -69,6 +65,11 @@ public:
     void await_preview();
     // Options that are being tried, while a slider is held, say: the surface follows them instead of the session's.
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
+    [[nodiscard]] const std::optional<mesh::SurfaceOptions>& tried_options() const { return tried_; }
+    // Whether a surface is on its way, or about to be, that shall take the place of the one that is shown.
+    [[nodiscard]] bool surface_awaited() const {
+        return shown_.mesh && problem_.empty() && (shown_.provisional || shown_.request != request());
+    }
 
     [[nodiscard]] bool busy() const {
         return loader_.busy() || mesher_.busy() || planner_.busy() || comparer_.busy() || !meshes_to_read_.empty() ||

@@ -58,6 +58,15 @@ Result<void> Renderer::Impl::initialise() {
 // The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for. The
 // preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in vain.
 Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
+    lines_.follow(wanted.centerlines);
+    shapes_.follow(wanted.context, wanted.lesions);
+    if (wanted.surface_awaited && wanted.quality == Quality::kInteractive && casts(wanted)) {
+        drawn_ = nullptr;
+        done.quality = wanted.quality;
+        Frame frame = wanted;
+        frame.mesh = frame.preview = nullptr;
+        return frame;
+    }
     std::size_t left = upload_budget;
     preview_.follow(wanted.preview, left);
     mesh_.follow(wanted.mesh, left);
@@ -72,10 +81,15 @@ Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, Dr
     drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
     frame.mesh = mesh.shown();
     frame.preview = nullptr;
-    lines_.follow(wanted.centerlines);
-    shapes_.follow(wanted.context, wanted.lesions);
+    frame.surface_awaited = false;
     done.quality = frame.quality;
     return frame;
+}
+
+bool Renderer::Impl::casts(const Frame& frame) const {
+    constexpr std::size_t kMostAtOnce = 300'000; // points; of more, what the caster begins with takes too long
+    if (lines_.shown() == nullptr || !caster::Caster::draws(frame)) return false;
+    return !frame.surface_awaited || lines_.shown()->points.size() <= kMostAtOnce;
 }
 
 // Draws over every pixel, or only where a surface is: the early depth test is the one branch that a software rasteriser
@@ -157,7 +171,7 @@ void Renderer::Impl::let_go() {
     distance_texture_ = {};
     bands_.clear();
     has_glass_ = false;
-    size_ = inner_ = glm::ivec2(0); // what the picture was drawn into is made anew
+    size_ = inner_ = passes_ = glm::ivec2(0); // what the picture was drawn into is made anew
     for (Texture* texture :
          {&surface_, &depth_, &id_normal_, &opaque_depth_, &picked_depth_, &covered_, &occlusion_, &half_blurred_,
           &blurred_, &lit_, &picture_, &layer_panes_, &fronts_, &layer_depths_[0], &layer_depths_[1]})
@@ -172,10 +186,15 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     const float old_samples = view_.picture.z;
     // The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the view
     // rests it stays with them.
-    const bool moves = frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
-                       last_->states == frame.states && (cast_ || last_->camera != frame.camera);
-    const bool by_caster = moves && drawn_ != nullptr && lines_.shown() != nullptr && caster::Caster::draws(frame);
-    if (auto resized = resize(frame.size, by_caster ? Quality::kFull : frame.quality); !resized) {
+    const bool hurries = frame.quality == Quality::kInteractive;
+    const bool moves = hurries && last_ && wanted_mesh_ == wanted.mesh && last_->states == frame.states &&
+                       (cast_ || last_->camera != frame.camera);
+    const bool by_caster =
+        frame.surface_awaited || (hurries && (moves || (cast_ && last_)) && drawn_ != nullptr && casts(frame));
+    const bool reads_depths = frame.skeleton || !frame.lines.empty();
+    if (auto resized = resize(frame.size, by_caster ? Quality::kFull : frame.quality,
+                              by_caster && !reads_depths ? Targets::kPicture : Targets::kAll);
+        !resized) {
         last_.reset();
         return tl::unexpected(resized.error());
     }

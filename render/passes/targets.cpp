@@ -11,20 +11,23 @@ constexpr int kInteractiveDivisor = 2; // of width and height
 
 } // namespace
 
-Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
+// Most that passes draw into is made when the first of them draws: a window's first picture is the caster's, and comes
+// that much sooner.
+Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality, Targets wanted) {
     const int divisor = quality == Quality::kFull ? 1 : kInteractiveDivisor;
     const glm::ivec2 inner = (size + divisor - 1) / divisor;
     GLint integer_samples = 0;
     glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
     const int s = quality == Quality::kFull ? std::clamp(integer_samples, 1, kMostSamples) : 1;
-    const bool same_inner = inner == inner_ && float(s) == view_.picture.z;
-    if (size == size_ && same_inner) return {};
+    const bool passes = wanted == Targets::kAll && (inner != passes_ || float(s) != view_.picture.z);
+    inner_ = inner;
+    if (size == size_ && !passes) return {};
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (size.x > largest || size.y > largest)
         return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
                     "give a smaller size");
-    if (!same_inner) {
+    if (passes) {
         const int w = inner.x, h = inner.y;
         surface_ = make_texture(GL_RG32UI, w, h, s);
         depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
@@ -47,14 +50,15 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality) {
         view_.picture.z = static_cast<float>(s);
         layer_panes_ = {}; // makes the others anew when they are needed
         find_sample_places();
+        passes_ = inner;
     }
     if (size != size_) {
         picture_ = make_texture(GL_RGBA8, size.x, size.y);
         picture_target_ = make_framebuffer({picture_});
     }
     size_ = size;
-    inner_ = inner;
-    if (glCheckNamedFramebufferStatus(geometry_target_, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    const GLuint target = wanted == Targets::kAll ? geometry_target_ : picture_target_;
+    if (glCheckNamedFramebufferStatus(target, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         let_go();
         return fail("this graphics driver cannot draw a picture of " + std::to_string(size.x) + "x" +
                         std::to_string(size.y) + " pixels",

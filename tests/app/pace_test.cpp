@@ -52,3 +52,18 @@ TEST_CASE("where they are slow, what changes is drawn quickly until it rests") {
     frame.camera.position.x += 1.0;
     CHECK(pace.quality(frame, false, false, 4.0) == Quality::kFull);
 }
+
+TEST_CASE("what awaits its surface counts as changed when that will be another one") {
+    Pace pace(true);
+    render::Frame frame = a_frame();
+    frame.centerlines = std::make_shared<const render::Centerlines>();
+    frame.width = 5.0F;
+    frame.surface_awaited = true;
+    CHECK(pace.quality(frame, false, true, 1.0) == Quality::kInteractive);
+    CHECK(pace.quality(frame, false, true, 1.1 + Pace::kProvisionalSeconds) == Quality::kFull);
+    frame.width = 4.0F;
+    CHECK(pace.quality(frame, false, true, 10.0) == Quality::kInteractive);
+    CHECK(pace.quality(frame, false, true, 10.1 + Pace::kProvisionalSeconds) == Quality::kFull);
+    frame.centerlines = std::make_shared<const render::Centerlines>(*frame.centerlines);
+    CHECK(pace.quality(frame, false, true, 20.0) == Quality::kInteractive);
+}

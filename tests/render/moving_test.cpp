@@ -123,6 +123,60 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
     }
 }
 
+TEST_CASE("a surface that is not there yet is seen along its centerlines, in the first picture too") {
+    Scene awaiting(false), still(false);
+    still.frame.quality = Quality::kFull;
+    CHECK(still.draw().triangles > 100'000);
+    const Image surface = still.renderer->read_image();
+    const BranchPicture branches = still.renderer->read_branches();
+    const Pick pick = still.renderer->pick(320, 300);
+
+    // What is there is another one's.
+    const auto wanted = awaiting.frame.mesh;
+    TriangleMesh other;
+    add_capsule(other, {0, 0, -10}, {0, 0, 10}, 9.0F, 9.0F, 0);
+    awaiting.frame.mesh = std::make_shared<const PagedMesh>(other);
+    awaiting.frame.surface_awaited = true;
+    const DrawStatistics first = awaiting.draw();
+    CHECK(first.cones == kVessels.size());
+    CHECK(first.triangles == 0);
+    CHECK_FALSE(first.pending); // nothing is sent that nobody will see
+    CHECK(first.uploaded == 0);
+    const auto difference = [&] {
+        const Image picture = awaiting.renderer->read_image();
+        double sum = 0.0;
+        std::size_t vessels = 0;
+        for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+            if (branches.branches[i] == kNoBranch) continue;
+            ++vessels;
+            for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(picture.rgba[k] - surface.rgba[k]) / 3.0;
+        }
+        return sum / double(vessels);
+    };
+    CHECK(difference() < 0.6);
+    CHECK(awaiting.renderer->pick(320, 300).branch == pick.branch);
+    CHECK_FALSE(awaiting.draw().geometry); // nothing changed
+
+    // It comes, and the picture stays until the view rests.
+    awaiting.frame.mesh = wanted;
+    awaiting.frame.surface_awaited = false;
+    CHECK(awaiting.draw().cones == kVessels.size());
+    CHECK(difference() < 0.6);
+    awaiting.frame.quality = Quality::kFull;
+    CHECK(awaiting.draw().triangles > 100'000);
+    CHECK(difference() == 0.0);
+
+    // In full, and with what cannot be cast, the mesh before is what there is.
+    awaiting.frame.mesh = std::make_shared<const PagedMesh>(other);
+    awaiting.frame.surface_awaited = true;
+    const std::uint64_t before = awaiting.draw().triangles;
+    CHECK(before > 0);
+    CHECK(before < 100'000);
+    awaiting.frame.quality = Quality::kInteractive;
+    awaiting.frame.centerlines = nullptr;
+    CHECK(awaiting.draw().triangles == before);
+}
+
 TEST_CASE("every look is the same while the view moves") {
     struct Look {
         std::string name;
