@@ -226,6 +226,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     if (done.geometry && done.quality == quality)
         pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     if (done.geometry) cast_ = done.cones > 0;
+    const bool as_wanted = cast_ || !frame.surface_awaited;
+    if (drawn) pictured_width_ = as_wanted ? frame.width : static_cast<float>(workspace_.shown().request.options.width);
     quality_ = drawn ? quality : render::Quality::kFull;
     upload_pending_ = done.pending;
     if (done.shaded) pick_wanted_ = true;

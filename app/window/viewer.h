@@ -55,6 +55,9 @@ public:
 
     [[nodiscard]] const Interface& interface() const { return interface_; }
     [[nodiscard]] bool resting() const; // the picture is the final one of what is known now
+    // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
+    [[nodiscard]] bool cast() const { return cast_; }
+    [[nodiscard]] float pictured_width() const { return pictured_width_; }
     [[nodiscard]] std::string title() const;
     [[nodiscard]] Cursor cursor() const;
     void tell(const Error& error) { interface_.errors.push_back(error); }
@@ -164,7 +167,8 @@ private:
     render::Camera shown_camera_; // of the last picture
     Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
-    bool cast_ = false;                                // along centerlines, instead of drawing a mesh
+    bool cast_ = false;                                // it was made along centerlines, not of a mesh
+    float pictured_width_ = 0.0F;
     int frames_left_ = kFramesAfterEvent;
     std::string drawing_problem_; // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false; // not all of the surface is on the graphics card
