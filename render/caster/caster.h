@@ -61,6 +61,7 @@ private:
     };
     void find_joints();
     void find_near(float width);
+    void find_contested(const std::vector<Layer>& layers);
     [[nodiscard]] Piece piece_of(const Segment& segment, const glm::mat4& to_eye) const;
     enum class Kind : std::uint8_t { kNone, kOpaque, kGlass };
     // What a tile keeps from casting to shading.
@@ -72,7 +73,11 @@ private:
     struct Bins; // which cones reach a tile
 
     void make_room(const View& view);
-    [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const;
+    // `beyond_ends`: how far it goes on beyond a free end, in radii there.
+    [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, float beyond_ends,
+                               Cone& cone) const;
+    [[nodiscard]] bool prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
+                                    Cone& cone) const;
     [[nodiscard]] bool place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const;
     static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
     void bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const;
@@ -82,7 +87,10 @@ private:
     Centerlines thinned_;
     std::vector<Segment> segments_;
     NearSegments near_;
-    float near_width_ = 0.0F; // of the kernel that those are for; 0: of none
+    float near_width_ = 0.0F;                   // of the kernel that those are for; 0: of none
+    std::vector<std::uint32_t> piece_branches_; // of the segments, and of one behind them that is nowhere
+    std::vector<Layer> layers_, piece_layers_;  // by branch; of its segments
+    NearSegments rivals_;                       // of the near ones those of another layer
     std::vector<Cone> cones_;
     std::vector<Piece> pieces_; // of the segments, and one behind them that is nowhere; none: the surface is cones
     Field field_{};

@@ -27,6 +27,11 @@ HWY_INLINE Rays<V> rays_of(const View& view, float x, float y, int lane, int sam
     return {hn::Mul(px, scale), hn::Mul(py, scale)};
 }
 
+HWY_INLINE V3 place_on(const View& view, const Rays<V>& rays, V depth) {
+    if (view.flat) return {rays.x, rays.y, depth};
+    return {hn::Mul(rays.x, depth), hn::Mul(rays.y, depth), depth};
+}
+
 template <class Vec, class Mask> struct Meeting {
     Mask there;
     Vec depth; // where the ray goes in

@@ -2,6 +2,7 @@
 // lies before the eye.
 #include "core/field/convolution_field.h"
 #include "render/caster/caster.h"
+#include "render/record_flags.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@
 #include <map>
 
 namespace ramus::render::caster {
+
+using record::kLine;
 
 namespace {
 
@@ -34,6 +37,8 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
     lines_ = lines;
     segments_.clear();
     near_width_ = 0.0F;
+    layers_.clear();
+    rivals_.first.clear();
     thinned_ = {};
     if (!lines || lines->points.empty()) return;
     thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
@@ -45,6 +50,9 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
                 {i, static_cast<std::int32_t>(branch), first ? Segment::kFree : i - 1, last ? Segment::kFree : i + 2});
         }
     }
+    piece_branches_.assign(segments_.size() + 1, 0);
+    std::ranges::transform(segments_, piece_branches_.begin(),
+                           [](const Segment& segment) { return static_cast<std::uint32_t>(segment.branch); });
     find_joints();
 }
 
@@ -54,6 +62,7 @@ void Caster::find_near(float width) {
     if (segments_.size() > kMostSegments) width = 0.0F;
     if (width == near_width_) return;
     near_width_ = width;
+    rivals_.first.clear();
     if (width <= 0.0F) return;
     std::vector<std::uint32_t> points(segments_.size());
     std::ranges::transform(segments_, points.begin(), &Segment::point);
@@ -140,7 +149,8 @@ bool Caster::place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) c
 }
 
 // As cone.vert. False: there is nothing of it to see.
-bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const {
+bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, float beyond_ends,
+                     Cone& cone) const {
     const auto place = [&](std::size_t point) {
         return glm::vec3(to_eye * glm::vec4(glm::vec3(thinned_.points[point]), 1.0F));
     };
@@ -150,7 +160,7 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     const float whole = glm::distance(from, to);
     // A ball at a free end would reach beyond it by its radius.
     const auto shortened = [&](float radius) {
-        return whole > 0.0F ? std::min(0.45F, (1.0F - frame.beyond_ends) * radius / whole) : 0.0F;
+        return whole > 0.0F ? std::min(0.45F, (1.0F - beyond_ends) * radius / whole) : 0.0F;
     };
     const glm::vec3 step = to - from;
     if (segment.before == Segment::kFree) from += shortened(first) * step;
@@ -193,9 +203,23 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     cone.squared = glm::dot(axis, axis);
     set_radii(cone, first, last);
     cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
+    cone.contested = false;
     const bool by_root = frame.scale.value != ColourScale::Value::kDiameter;
     cone.value[0] = by_root ? thinned_.points[i].w : 2.0F * first;
     cone.value[1] = by_root ? thinned_.points[i + 1].w : 2.0F * last;
+    return true;
+}
+
+// Inside glass, from end to end: as wide as centerline.vert draws it, wherever it is.
+bool Caster::prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& line) const {
+    if (!prepare(segment, to_eye, frame, 1.0F, line)) return false;
+    const float pixels = 0.5F * std::max(1.0F, kCenterlineWidth * frame.pixel_ratio);
+    const float first = line.from[2], last = line.from[2] + line.axis[2];
+    const float at_unit_depth = pixels * view_.mm_a_pixel;
+    set_radii(line, at_unit_depth * (view_.flat ? 1.0F : first), at_unit_depth * (view_.flat ? 1.0F : last));
+    line.reach = 1.5F * pixels + 1.0F;
+    line.nearest = std::min(first - line.first_radius, last - line.last_radius);
+    line.id |= kLine;
     return true;
 }
 
