@@ -54,6 +54,7 @@ struct Piece {
     float from[3], way[3]; // way: of unit length
     float length, radius, slope;
 };
+inline constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
 
 // What the surface of each cone is made of: the pieces near[first[c]] to near[first[c + 1] - 1], an even number.
 struct Field {

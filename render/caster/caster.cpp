@@ -167,9 +167,8 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
     cones_.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
     std::vector<Kind> kinds(cones_.size(), Kind::kNone);
-    find_near(frame.width);
+    find_near(frame);
     find_contested(layers);
-    constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
     pieces_.assign(near_width_ > 0.0F ? segments + 1 : 0, kNowhere);
     const float w = frame.width * std::numbers::ln2_v<float>;
     field_ = {pieces_.empty() ? nullptr : pieces_.data(),
@@ -189,7 +188,7 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
             const Layer layer = branch < layers.size() ? layers[branch] : Layer::kOpaque;
             if (layer == Layer::kNone) continue;
             if (!pieces_.empty()) pieces_[i] = piece_of(segments_[i], lines_to_eye);
-            if (!prepare(segments_[i], lines_to_eye, frame, frame.beyond_ends, cones_[i])) continue;
+            if (!prepare(segments_[i], lines_to_eye, frame, fitted_, cones_[i])) continue;
             cones_[i].contested = rivals_.first[i] < rivals_.first[i + 1];
             ++there;
             kinds[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
