@@ -52,7 +52,7 @@ HWY_INLINE V3 Blended(const Field& field, M which, VU cones, V3 at, V3 normal) {
         outward.y = hn::Neg(outward.y);
         const V squared = dot(outward, outward);
         outward = inverse_root(hn::Max(squared, set(1e-20F))) * outward;
-        const M sound = hn::And(hn::Gt(squared, set(1e-12F)), hn::Gt(dot(outward, before), set(0.5F)));
+        const M sound = hn::And(hn::Gt(squared, set(1e-12F)), hn::Gt(dot(outward, before), set(0.0F)));
         normal = choose(hn::And(here, sound), outward, normal);
     }
     return normal;

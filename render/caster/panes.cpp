@@ -61,10 +61,11 @@ void ListPanes(const View& view, const Field& field, const Cone* cones, const st
                                                                      : set(kNothing)));
                     if (hn::AllFalse(d, before)) continue;
                     any = true;
-                    const Normal<V> normal = normal_at(cone, found);
+                    const Rays<V> middles = rays_at(view, fx, fy, lane, 0.5F, 0.5F);
+                    const V3 normal = view.flat ? facing<true>(cone, middles) : facing<false>(cone, middles);
                     hn::Store(found.depth, d, in);
                     hn::Store(found.out, d, out);
-                    hn::Store(packed_normal({normal.x, normal.y, normal.z}), du, normals);
+                    hn::Store(packed_normal(normal), du, normals);
                     VU id = hn::Set(du, cone.id);
                     if (cone.contested) {
                         const M own = OwnLeads(field, near[i], before, place_on(view, rays, found.depth));
