@@ -7,37 +7,27 @@
 #define RAMUS_CASTER_BLENDED_INL_H
 #endif
 
-#include "core/field/kernel-inl.h"
-#include "render/caster/lanes-inl.h"
+#include "render/caster/near-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
-namespace kernel = ramus::field::HWY_NAMESPACE;
 
 // Of the field of what is near the cone, per mm; depth as +z.
 HWY_INLINE V3 GradientNear(const Field& field, std::uint32_t cone, M here, V3 at) {
     const D d;
-    const auto root_width = kernel::set(kernel::PackTag<2>(), field.root_width);
     const auto inverse_root = kernel::set(kernel::PackTag<2>(), 1.0F / field.root_width);
     V3 sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    for (std::uint32_t i = field.first[cone]; i < field.first[cone + 1]; i += 2) {
-        const Piece &a = field.pieces[field.near[i]], &b = field.pieces[field.near[i + 1]];
-        const auto both = [](float x, float y) { return kernel::Pack<2>{set(x), set(y)}; };
-        const kernel::Segments<2> pair{both(a.way[0], b.way[0]), both(a.way[1], b.way[1]), both(a.way[2], b.way[2]),
-                                       both(a.length, b.length), both(a.radius, b.radius), both(a.slope, b.slope)};
-        const auto from = [&](V x, int c) {
-            return kernel::Pack<2>{hn::Sub(x, set(a.from[c])), hn::Sub(x, set(b.from[c]))};
-        };
-        const kernel::Foot<2> foot = kernel::find_foot(pair, root_width, from(at.x, 0), from(at.y, 1), from(at.z, 2));
+    const auto add = [&](std::uint32_t, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
         const V closest = hn::Min(foot.rho.v[0], foot.rho.v[1]);
-        if (hn::AllFalse(d, hn::And(here, hn::Lt(closest, set(kernel::kFadeEndScaled))))) continue;
+        if (hn::AllFalse(d, hn::And(here, hn::Lt(closest, set(kernel::kFadeEndScaled))))) return;
         const kernel::KernelGradient<2> g = kernel::kernel_gradient<kernel::Ends::kSome>(pair, foot, inverse_root);
         for (int s = 0; s < 2; ++s) {
             sum.x = hn::MulAdd(g.radial.v[s], foot.qx.v[s], hn::MulAdd(g.axial.v[s], pair.ux.v[s], sum.x));
             sum.y = hn::MulAdd(g.radial.v[s], foot.qy.v[s], hn::MulAdd(g.axial.v[s], pair.uy.v[s], sum.y));
             sum.z = hn::MulAdd(g.radial.v[s], foot.qz.v[s], hn::MulAdd(g.axial.v[s], pair.uz.v[s], sum.z));
         }
-    }
+    };
+    for_pieces(field, field.near, field.first[cone], field.first[cone + 1], at, add);
     return sum;
 }
 
@@ -62,7 +52,7 @@ HWY_INLINE V3 Blended(const Field& field, M which, VU cones, V3 at, V3 normal) {
         outward.y = hn::Neg(outward.y);
         const V squared = dot(outward, outward);
         outward = inverse_root(hn::Max(squared, set(1e-20F))) * outward;
-        const M sound = hn::And(hn::Gt(squared, set(1e-12F)), hn::Gt(dot(outward, before), set(0.5F)));
+        const M sound = hn::And(hn::Gt(squared, set(1e-12F)), hn::Gt(dot(outward, before), set(0.0F)));
         normal = choose(hn::And(here, sound), outward, normal);
     }
     return normal;

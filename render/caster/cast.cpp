@@ -5,17 +5,17 @@
 // clang-format on
 #include "render/caster/blended-inl.h"
 #include "render/caster/cast.h"
-#include "render/caster/meeting-inl.h"
+#include "render/caster/cast_block-inl.h"
 #include "render/record_flags.h"
 
 #include <algorithm>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-constexpr int kN = int(hn::MaxLanes(D()));
 alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
                                                       1,
                                                       2,
@@ -33,58 +33,8 @@ alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
                                                       3 * kTile + 2,
                                                       3 * kTile + 3};
 
-// Two samples at a time.
-template <bool Flat>
-HWY_INLINE void CastBlock(const View& view, const Cone& cone, std::uint32_t number, bool with_values, float x, float y,
-                          int block, Samples& samples) {
-    const D d;
-    const DU du;
-    if (!samples.touched[block]) {
-        samples.touched[block] = true;
-        for (int sample = 0; sample < kSamples; ++sample)
-            for (int lane = 0; lane < 16; lane += kN) {
-                hn::Store(set(kNothing), d, samples.depth[block][sample] + lane);
-                hn::Store(hn::Zero(du), du, samples.id[block][sample] + lane);
-            }
-    }
-    V farthest = hn::Zero(d);
-    for (int lane = 0; lane < 16; lane += kN) {
-        for (int sample = 0; sample < kSamples; sample += 2) {
-            const auto depths = [&](int s) { return samples.depth[block][s] + lane; };
-            const Rays<V> first = rays_of(view, x, y, lane, sample), second = rays_of(view, x, y, lane, sample + 1);
-            const auto found = meet<Flat, false>(cone, Rays<Pair>{{first.x, second.x}, {first.y, second.y}});
-            const Pair old{hn::Load(d, depths(sample)), hn::Load(d, depths(sample + 1))};
-            const MaskPair nearer = And(found.there, Lt(found.depth, old));
-            if (None(nearer)) {
-                farthest = hn::Max(farthest, hn::Max(old.a, old.b));
-                continue;
-            }
-            const Pair now = IfThenElse(nearer, found.depth, old);
-            farthest = hn::Max(farthest, hn::Max(now.a, now.b));
-            const Normal<Pair> normal = normal_at(cone, found);
-            const auto write = [&](int s, M which, V depth, V3 direction, V at) {
-                hn::Store(depth, d, depths(s));
-                const auto which_u = hn::RebindMask(du, which);
-                const auto put = [&](std::uint32_t* to, VU value) {
-                    hn::Store(hn::IfThenElse(which_u, value, hn::Load(du, to + lane)), du, to + lane);
-                };
-                put(samples.id[block][s], hn::Set(du, cone.id));
-                if (s == 0) put(samples.cone[block], hn::Set(du, number));
-                put(samples.normal[block][s], packed_normal(direction));
-                if (!with_values) return;
-                float* values = samples.value[block][s] + lane;
-                const V value = mix(set(cone.value[0]), set(cone.value[1]), at);
-                hn::Store(hn::IfThenElse(which, value, hn::Load(d, values)), d, values);
-            };
-            write(sample, nearer.a, now.a, {normal.x.a, normal.y.a, normal.z.a}, found.s.a);
-            write(sample + 1, nearer.b, now.b, {normal.x.b, normal.y.b, normal.z.b}, found.s.b);
-        }
-    }
-    samples.farthest[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
-}
-
-void CastTile(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, bool with_values,
-              int x, int y, Samples& samples) {
+void CastTile(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
+              bool with_values, int x, int y, Samples& samples) {
     for (int block = 0; block < kBlocks * kBlocks; ++block) {
         samples.farthest[block] = kNothing;
         samples.touched[block] = false; // what it holds is of another tile
@@ -109,10 +59,13 @@ void CastTile(const View& view, const Cone* cones, const std::uint32_t* order, s
                 const int block = by * kBlocks + bx;
                 const auto left = static_cast<float>(x + kBlock * bx), low = static_cast<float>(y + kBlock * by);
                 if (!reaches(cone, left + kHalf, low + kHalf, samples.farthest[block])) continue;
-                if (view.flat)
-                    CastBlock<true>(view, cone, order[i], with_values, left, low, block, samples);
-                else
-                    CastBlock<false>(view, cone, order[i], with_values, left, low, block, samples);
+                const auto cast = [&](auto flat) {
+                    if (cone.contested)
+                        CastContested<flat()>(view, field, cone, order[i], with_values, left, low, block, samples);
+                    else
+                        CastBlock<flat()>(view, cone, order[i], with_values, left, low, block, samples);
+                };
+                view.flat ? cast(std::true_type()) : cast(std::false_type());
             }
         }
     }
@@ -245,9 +198,9 @@ namespace ramus::render::caster {
 HWY_EXPORT(CastTile);
 HWY_EXPORT(ResolveTile);
 
-void cast_tile(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, bool with_values,
-               int x, int y, Samples& samples) {
-    HWY_DYNAMIC_DISPATCH(CastTile)(view, cones, order, count, with_values, x, y, samples);
+void cast_tile(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
+               bool with_values, int x, int y, Samples& samples) {
+    HWY_DYNAMIC_DISPATCH(CastTile)(view, field, cones, order, count, with_values, x, y, samples);
 }
 void resolve_tile(const View& view, const Field& field, const Samples& samples, bool with_values, int x, int y,
                   const PictureArrays& picture, Records& records) {

@@ -4,6 +4,8 @@
 // Eye space has depth as +z, mm. Pixels count from the lower left, as OpenGL's do.
 #pragma once
 
+#include "render/layer.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -44,6 +46,7 @@ struct Cone {
     float widest;     // radius
     float value[2];   // at both ends, to colour by
     std::uint32_t id; // as in ids.glsl
+    bool contested;   // some of what it is near is of another layer
 };
 
 // A segment of the convolution surface's field, in eye space, mm.
@@ -51,13 +54,18 @@ struct Piece {
     float from[3], way[3]; // way: of unit length
     float length, radius, slope;
 };
+inline constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
 
 // What the surface of each cone is made of: the pieces near[first[c]] to near[first[c + 1] - 1], an even number.
 struct Field {
     const Piece* pieces; // null: the surface is the cones
     const std::uint32_t* first;
     const std::uint32_t* near;
-    float root_width; // of the kernel
+    float root_width, isovalue; // of the kernel
+    // Those of the near ones of a cone that are of another layer; an even number as well.
+    const std::uint32_t *first_rival, *rivals;
+    const std::uint32_t* branch; // of each piece
+    const Layer* layer;          // of its branch
 };
 
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].

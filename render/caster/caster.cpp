@@ -126,7 +126,8 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
         });
     };
     sorted(opaque);
-    cast_tile(view_, cones_.data(), scratch.order.data(), scratch.order.size(), with_values, x, y, scratch.samples);
+    cast_tile(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), with_values, x, y,
+              scratch.samples);
     std::uint32_t* words = scratch.words.data();
     float* floats = scratch.floats.data();
     Records records{words,  words + kMostPanesOfTile,  words + 2 * kMostPanesOfTile,
@@ -145,8 +146,8 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
     sorted(glass);
     Panes panes{words, words + kMostPanesOfTile, words + 2 * kMostPanesOfTile, floats, 0};
     scratch.near.resize(scratch.order.size());
-    list_panes(view_, cones_.data(), scratch.order.data(), scratch.order.size(), x, y, scratch.samples, picture_,
-               scratch.near.data(), panes);
+    list_panes(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), x, y, scratch.samples,
+               picture_, scratch.near.data(), panes);
     tile.panes = panes.count;
     if (panes.count == 0) return;
     keep(tile.pane_place, panes.place, panes.count, 0U);
@@ -165,11 +166,18 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
     cones_.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
     std::vector<Kind> kinds(cones_.size(), Kind::kNone);
-    find_near(frame.width);
-    constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
+    find_near(frame);
+    find_contested(layers);
     pieces_.assign(near_width_ > 0.0F ? segments + 1 : 0, kNowhere);
-    field_ = {pieces_.empty() ? nullptr : pieces_.data(), near_.first.data(), near_.segments.data(),
-              std::sqrt(frame.width)};
+    field_ = {pieces_.empty() ? nullptr : pieces_.data(),
+              near_.first.data(),
+              near_.segments.data(),
+              std::sqrt(frame.width),
+              std::exp2(-frame.width),
+              rivals_.first.data(),
+              rivals_.segments.data(),
+              piece_branches_.data(),
+              piece_layers_.data()};
     std::atomic<std::size_t> drawn{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
         std::size_t there = 0;
@@ -178,20 +186,13 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
             const Layer layer = branch < layers.size() ? layers[branch] : Layer::kOpaque;
             if (layer == Layer::kNone) continue;
             if (!pieces_.empty()) pieces_[i] = piece_of(segments_[i], lines_to_eye);
-            if (!prepare(segments_[i], lines_to_eye, frame, cones_[i])) continue;
+            if (!prepare(segments_[i], lines_to_eye, frame, fitted_, cones_[i])) continue;
+            cones_[i].contested = rivals_.first[i] < rivals_.first[i + 1];
             ++there;
             kinds[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
             if (layer != Layer::kGlass) continue;
-            // As wide as centerline.vert draws it, wherever it is.
-            Cone& line = cones_[segments + i] = cones_[i];
-            const float pixels = 0.5F * std::max(1.0F, kCenterlineWidth * frame.pixel_ratio);
-            const float first = line.from[2], last = line.from[2] + line.axis[2];
-            const float at_unit_depth = pixels * view_.mm_a_pixel;
-            set_radii(line, at_unit_depth * (view_.flat ? 1.0F : first), at_unit_depth * (view_.flat ? 1.0F : last));
-            line.reach = 1.5F * pixels + 1.0F;
-            line.nearest = std::min(first - line.first_radius, last - line.last_radius);
-            line.id |= kLine;
-            kinds[segments + i] = Kind::kOpaque;
+            if (prepare_line(segments_[i], lines_to_eye, frame, cones_[segments + i]))
+                kinds[segments + i] = Kind::kOpaque;
         }
         drawn += there;
     });

@@ -32,8 +32,9 @@ struct Meaning {
 
 class Caster {
 public:
-    // Of the lines as they are; those of one object are the same for good.
-    void follow(const std::shared_ptr<const Centerlines>& lines);
+    // Of the lines as they are; those of one object are the same for good. `as_field`: the surface is that of a field
+    // around them, not round cones.
+    void follow(const std::shared_ptr<const Centerlines>& lines, bool as_field);
 
     // Whether it can draw all that the frame shows.
     [[nodiscard]] static bool draws(const Frame& frame);
@@ -60,7 +61,10 @@ private:
         std::uint32_t before, behind;
     };
     void find_joints();
-    void find_near(float width);
+    void find_near(const Frame& frame);
+    void fit_cones(float width, float beyond_ends);
+    void fit_to_field();
+    void find_contested(const std::vector<Layer>& layers);
     [[nodiscard]] Piece piece_of(const Segment& segment, const glm::mat4& to_eye) const;
     enum class Kind : std::uint8_t { kNone, kOpaque, kGlass };
     // What a tile keeps from casting to shading.
@@ -72,17 +76,29 @@ private:
     struct Bins; // which cones reach a tile
 
     void make_room(const View& view);
-    [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const;
+    // `beyond_ends`: how far it goes on beyond a free end, in radii there.
+    // From and to those of `points` that the segment joins.
+    [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
+                               const std::vector<glm::vec4>& points, Cone& cone) const;
+    [[nodiscard]] bool prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
+                                    Cone& cone) const;
     [[nodiscard]] bool place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const;
     static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
     void bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const;
     void cast(int tile, const Bins& opaque, const Bins& glass, bool with_values);
 
     std::shared_ptr<const Centerlines> lines_;
+    bool as_field_ = false;
     Centerlines thinned_;
+    // By point of those: where the surface lies around it, middle and radius; and where it is itself.
+    std::vector<glm::vec4> fitted_, on_line_;
     std::vector<Segment> segments_;
     NearSegments near_;
-    float near_width_ = 0.0F; // of the kernel that those are for; 0: of none
+    float near_width_ = 0.0F;                         // of the kernel that those are for; 0: of none
+    float fitted_width_ = -1.0F, fitted_ends_ = 0.0F; // of the frame that all that is for
+    std::vector<std::uint32_t> piece_branches_;       // of the segments, and of one behind them that is nowhere
+    std::vector<Layer> layers_, piece_layers_;        // by branch; of its segments
+    NearSegments rivals_;                             // of the near ones those of another layer
     std::vector<Cone> cones_;
     std::vector<Piece> pieces_; // of the segments, and one behind them that is nowhere; none: the surface is cones
     Field field_{};

@@ -19,12 +19,20 @@ template <class Vec> struct Rays { Vec x, y; };
 alignas(64) constexpr float kColumn[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr float kRow[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
-// Of one sample of the pixels from `lane` on, in the block whose lower left pixel is (x, y).
-HWY_INLINE Rays<V> rays_of(const View& view, float x, float y, int lane, int sample) {
+// Of a place in each of the pixels from `lane` on, in the block whose lower left pixel is (x, y).
+HWY_INLINE Rays<V> rays_at(const View& view, float x, float y, int lane, float right, float up) {
     const V scale = set(view.mm_a_pixel);
-    const V px = hn::Add(hn::Load(D(), kColumn + lane), set(x + kSampleX[sample] - view.centre_x));
-    const V py = hn::Add(hn::Load(D(), kRow + lane), set(y + kSampleY[sample] - view.centre_y));
+    const V px = hn::Add(hn::Load(D(), kColumn + lane), set(x + right - view.centre_x));
+    const V py = hn::Add(hn::Load(D(), kRow + lane), set(y + up - view.centre_y));
     return {hn::Mul(px, scale), hn::Mul(py, scale)};
+}
+HWY_INLINE Rays<V> rays_of(const View& view, float x, float y, int lane, int sample) {
+    return rays_at(view, x, y, lane, kSampleX[sample], kSampleY[sample]);
+}
+
+HWY_INLINE V3 place_on(const View& view, const Rays<V>& rays, V depth) {
+    if (view.flat) return {rays.x, rays.y, depth};
+    return {hn::Mul(rays.x, depth), hn::Mul(rays.y, depth), depth};
 }
 
 template <class Vec, class Mask> struct Meeting {
@@ -117,6 +125,42 @@ template <class Vec, class Mask> HWY_INLINE Normal<Vec> normal_at(const Cone& co
     const Vec along =
         IfThenElseZero(straightened, MulAdd(found.off_x, wx, MulAdd(found.off_y, wy, Mul(found.off_z, wz))));
     return {NegMulAdd(along, wx, found.off_x), NegMulAdd(along, wy, found.off_y), MulSub(along, wz, found.off_z)};
+}
+
+// Which way the cone faces a ray that may pass it by, closely: as it does where the ray comes nearest. In the resting
+// picture the samples of a pixel share their triangle's normal at the pixel's middle, wherever that lies.
+template <bool Flat> HWY_INLINE V3 facing(const Cone& cone, const Rays<V>& rays) {
+    const V zero = hn::Zero(D()), one = set(1.0F), tiny = set(1e-30F);
+    const float start = cone.middle_depth, z = start - cone.from[2];
+    const V off_x = Flat ? hn::Sub(rays.x, set(cone.from[0])) : hn::MulSub(rays.x, set(start), set(cone.from[0]));
+    const V off_y = Flat ? hn::Sub(rays.y, set(cone.from[1])) : hn::MulSub(rays.y, set(start), set(cone.from[1]));
+    const V off_z = set(z);
+    const V3 axis = set(cone.axis), off{off_x, off_y, off_z};
+    const V3 ray{Flat ? zero : rays.x, Flat ? zero : rays.y, one};
+    const V ray2 = dot(ray, ray), slope = dot(ray, axis), to_ray = dot(ray, off), along = dot(off, axis);
+    const V squared = dot(off, off), shrunk = set(cone.shrunk);
+    const V a = hn::Sub(squared, set(cone.first_radius * cone.first_radius));
+    const V b = hn::Add(along, set(cone.first_radius * cone.growth));
+    const V q2 = hn::Max(hn::NegMulAdd(slope, slope, hn::Mul(shrunk, ray2)), tiny);
+    const V q1 = hn::MulSub(shrunk, to_ray, hn::Mul(b, slope));
+    const V q0 = hn::MulSub(shrunk, a, hn::Mul(b, b));
+    const V root = root_of(hn::Max(hn::MulSub(q1, q1, hn::Mul(q2, q0)), tiny));
+    const V side = hn::Mul(hn::Neg(hn::Add(q1, root)), inverse_of(q2));
+    const V s = hn::Mul(hn::MulAdd(side, slope, b), set(cone.inverse_shrunk));
+    // Beyond an end, the ball there.
+    const M tapers = hn::And(hn::Gt(q2, tiny), hn::Gt(shrunk, zero));
+    const M last = hn::Or(hn::And(tapers, hn::Gt(s, one)), hn::AndNot(tapers, hn::Lt(slope, zero))),
+            on_side = hn::And(tapers, hn::And(hn::Ge(s, zero), hn::Le(s, one)));
+    const V end = hn::IfThenElseZero(last, one);
+    const V middle = hn::NegMulAdd(end, slope, to_ray);
+    const V last_a =
+        hn::Add(hn::NegMulAdd(set(2.0F), along, squared), set(cone.squared - cone.last_radius * cone.last_radius));
+    const V inside = hn::NegMulAdd(hn::IfThenElse(last, last_a, a), ray2, hn::Mul(middle, middle));
+    const V ball = hn::Mul(hn::Neg(hn::Add(middle, root_of(hn::Max(inside, tiny)))), inverse_of(ray2));
+    const V way = hn::IfThenElse(on_side, side, ball), at = hn::IfThenElse(on_side, s, end);
+    const V3 place = off + way * ray - at * axis;
+    const Normal<V> normal = normal_at(cone, Meeting<V, M>{on_side, way, way, at, on_side, place.x, place.y, place.z});
+    return {normal.x, normal.y, normal.z};
 }
 
 // Whether the cone may come into the block whose middle is (x, y), before `farthest`.

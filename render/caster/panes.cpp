@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 // clang-format on
 #include "render/caster/meeting-inl.h"
+#include "render/caster/owner-inl.h"
 #include "render/caster/panes.h"
 #include "render/record_flags.h"
 
@@ -17,7 +18,7 @@ constexpr int kN = int(hn::MaxLanes(D()));
 // The stretches that one ray goes through cones, sorted by where they begin.
 struct Stretches {
     float in[kMostPanes], out[kMostPanes];
-    std::uint32_t id[kMostPanes], normal[kMostPanes];
+    std::uint32_t id[kMostPanes], normal[kMostPanes]; // id 0: it comes from what is opaque, through no front
     int count;
 
     // Where there is no room, the farthest gives way.
@@ -30,14 +31,14 @@ struct Stretches {
     }
 };
 
-void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
-               const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
+void ListPanes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
+               int x, int y, const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
     const D d;
     const DU du;
     panes.count = 0;
     Stretches lists[16];
     alignas(64) float in[16], out[16];
-    alignas(64) std::uint32_t normals[16];
+    alignas(64) std::uint32_t normals[16], ids[16];
     constexpr float kHalf = 0.5F * kBlock;
     for (int block = 0; block < kBlocks * kBlocks; ++block) {
         const int left = block % kBlocks * kBlock, low = block / kBlocks * kBlock;
@@ -60,14 +61,21 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
                                                                      : set(kNothing)));
                     if (hn::AllFalse(d, before)) continue;
                     any = true;
-                    const Normal<V> normal = normal_at(cone, found);
+                    const Rays<V> middles = rays_at(view, fx, fy, lane, 0.5F, 0.5F);
+                    const V3 normal = view.flat ? facing<true>(cone, middles) : facing<false>(cone, middles);
                     hn::Store(found.depth, d, in);
                     hn::Store(found.out, d, out);
-                    hn::Store(packed_normal({normal.x, normal.y, normal.z}), du, normals);
+                    hn::Store(packed_normal(normal), du, normals);
+                    VU id = hn::Set(du, cone.id);
+                    if (cone.contested) {
+                        const M own = OwnLeads(field, near[i], before, place_on(view, rays, found.depth));
+                        id = hn::IfThenElseZero(hn::RebindMask(du, own), id);
+                    }
+                    hn::Store(id, du, ids);
                     alignas(64) float marks[16];
                     hn::Store(hn::IfThenElseZero(before, set(1.0F)), d, marks);
                     for (int k = 0; k < kN; ++k)
-                        if (marks[k] != 0.0F) lists[lane + k].insert(in[k], out[k], cone.id, normals[k]);
+                        if (marks[k] != 0.0F) lists[lane + k].insert(in[k], out[k], ids[k], normals[k]);
                 }
             }
             if (!any) continue;
@@ -80,7 +88,7 @@ void ListPanes(const View& view, const Cone* cones, const std::uint32_t* order, 
                     const bool lesion = (list.id[k] & kSolid) != 0;
                     const bool enters = lesion || list.in[k] > inside_until;
                     if (!lesion && list.out[k] > inside_until) inside_until = list.out[k];
-                    if (!enters) continue;
+                    if (!enters || list.id[k] == 0) continue;
                     const std::size_t n = panes.count++;
                     panes.place[n] = static_cast<std::uint32_t>(row * kTile + column) |
                                      static_cast<std::uint32_t>(sample) << kSampleShift;
@@ -110,9 +118,9 @@ namespace ramus::render::caster {
 
 HWY_EXPORT(ListPanes);
 
-void list_panes(const View& view, const Cone* cones, const std::uint32_t* order, std::size_t count, int x, int y,
-                const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
-    HWY_DYNAMIC_DISPATCH(ListPanes)(view, cones, order, count, x, y, samples, picture, near, panes);
+void list_panes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
+                int x, int y, const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
+    HWY_DYNAMIC_DISPATCH(ListPanes)(view, field, cones, order, count, x, y, samples, picture, near, panes);
 }
 
 } // namespace ramus::render::caster

@@ -2,6 +2,7 @@
 // lies before the eye.
 #include "core/field/convolution_field.h"
 #include "render/caster/caster.h"
+#include "render/record_flags.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@
 #include <map>
 
 namespace ramus::render::caster {
+
+using record::kLine;
 
 namespace {
 
@@ -27,16 +30,58 @@ float outline(const glm::vec3& centre, float radius) {
 void put(float (&to)[3], const glm::vec3& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 void put(float (&to)[4], const glm::vec4& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z, to[3] = v.w; }
 
+// With one point more before each free end that has room for it: there the surface grows thin. In radii, of where it is
+// as wide as the vessel to 0.3 % at width 5.
+constexpr float kBeforeEnd = 0.8F;
+Centerlines with_ends(const Centerlines& lines) {
+    const std::vector<std::uint32_t> place = places_of(lines);
+    std::vector<int> ends(place.size(), 0); // of branches, by place
+    for (const Centerlines::Run& run : lines.runs)
+        if (run.count > 1) ++ends[place[run.first]], ++ends[place[run.first + run.count - 1]];
+    Centerlines more;
+    more.origin = lines.origin;
+    const auto keep = [&](const glm::vec4& point, const Centerlines::Detail& detail) {
+        more.points.push_back(point);
+        more.details.push_back(detail);
+    };
+    const auto keep_before = [&](std::uint32_t end, std::uint32_t inward) {
+        const glm::vec4 &a = lines.points[end], &b = lines.points[inward];
+        const Centerlines::Detail& detail = lines.details[end];
+        const float before = 0.5F * kBeforeEnd * detail.diameter_mm;
+        const float whole = glm::distance(glm::vec3(a), glm::vec3(b));
+        if (ends[place[end]] > 1 || whole < 1.8F * before) return;
+        const float t = before / whole;
+        keep(glm::mix(a, b, t), {glm::mix(detail.diameter_mm, lines.details[inward].diameter_mm, t), detail.branch});
+    };
+    for (const Centerlines::Run& run : lines.runs) {
+        const auto first = static_cast<std::uint32_t>(more.points.size());
+        const std::uint32_t last = run.first + run.count - 1;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            if (i == last && i > run.first) keep_before(i, i - 1);
+            keep(lines.points[i], lines.details[i]);
+            if (i == run.first && i < last) keep_before(i, i + 1);
+        }
+        more.runs.push_back({first, static_cast<std::uint32_t>(more.points.size()) - first});
+    }
+    return more;
+}
+
 } // namespace
 
-void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
-    if (lines == lines_) return;
+void Caster::follow(const std::shared_ptr<const Centerlines>& lines, bool as_field) {
+    if (lines == lines_ && as_field == as_field_) return;
     lines_ = lines;
+    as_field_ = as_field;
     segments_.clear();
-    near_width_ = 0.0F;
+    fitted_width_ = -1.0F;
+    layers_.clear();
+    rivals_.first.clear();
     thinned_ = {};
     if (!lines || lines->points.empty()) return;
     thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
+    if (as_field) thinned_ = with_ends(thinned_);
+    on_line_ = thinned_.points;
+    for (glm::vec4& point : on_line_) point.w = 0.0F;
     for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
         const Centerlines::Run run = thinned_.runs[branch];
         for (std::uint32_t i = run.first; i + 1 < run.first + run.count; ++i) {
@@ -45,19 +90,26 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines) {
                 {i, static_cast<std::int32_t>(branch), first ? Segment::kFree : i - 1, last ? Segment::kFree : i + 2});
         }
     }
+    piece_branches_.assign(segments_.size() + 1, 0);
+    std::ranges::transform(segments_, piece_branches_.begin(),
+                           [](const Segment& segment) { return static_cast<std::uint32_t>(segment.branch); });
     find_joints();
 }
 
-void Caster::find_near(float width) {
+void Caster::find_near(const Frame& frame) {
+    if (frame.width == fitted_width_ && frame.beyond_ends == fitted_ends_) return;
+    fitted_width_ = frame.width;
+    fitted_ends_ = frame.beyond_ends;
     // The vessels of larger trees are narrower than pixels, and nobody waits for what they look like in between.
     constexpr std::size_t kMostSegments = 250'000;
-    if (segments_.size() > kMostSegments) width = 0.0F;
-    if (width == near_width_) return;
-    near_width_ = width;
-    if (width <= 0.0F) return;
-    std::vector<std::uint32_t> points(segments_.size());
-    std::ranges::transform(segments_, points.begin(), &Segment::point);
-    near_ = find_near_segments(thinned_, points, static_cast<float>(field::Kernel(width).support_radii));
+    near_width_ = segments_.size() > kMostSegments ? 0.0F : frame.width;
+    rivals_.first.clear();
+    if (near_width_ > 0.0F) {
+        std::vector<std::uint32_t> points(segments_.size());
+        std::ranges::transform(segments_, points.begin(), &Segment::point);
+        near_ = find_near_segments(thinned_, points, static_cast<float>(field::Kernel(near_width_).support_radii));
+    }
+    fit_cones(frame.width, frame.beyond_ends);
 }
 
 Piece Caster::piece_of(const Segment& segment, const glm::mat4& to_eye) const {
@@ -140,21 +192,12 @@ bool Caster::place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) c
 }
 
 // As cone.vert. False: there is nothing of it to see.
-bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& cone) const {
-    const auto place = [&](std::size_t point) {
-        return glm::vec3(to_eye * glm::vec4(glm::vec3(thinned_.points[point]), 1.0F));
-    };
+bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
+                     const std::vector<glm::vec4>& points, Cone& cone) const {
+    const auto place = [&](std::size_t point) { return glm::vec3(to_eye * glm::vec4(glm::vec3(points[point]), 1.0F)); };
     const std::size_t i = segment.point;
-    glm::vec3 from = place(i), to = place(i + 1);
-    const float first = 0.5F * thinned_.details[i].diameter_mm, last = 0.5F * thinned_.details[i + 1].diameter_mm;
-    const float whole = glm::distance(from, to);
-    // A ball at a free end would reach beyond it by its radius.
-    const auto shortened = [&](float radius) {
-        return whole > 0.0F ? std::min(0.45F, (1.0F - frame.beyond_ends) * radius / whole) : 0.0F;
-    };
-    const glm::vec3 step = to - from;
-    if (segment.before == Segment::kFree) from += shortened(first) * step;
-    if (segment.behind == Segment::kFree) to -= shortened(last) * step;
+    const glm::vec3 from = place(i), to = place(i + 1);
+    const float first = points[i].w, last = points[i + 1].w;
     const glm::vec3 axis = to - from;
     cone.nearest = std::min(from.z - first, to.z - last);
     // What reaches behind the eye has no outline.
@@ -193,9 +236,23 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     cone.squared = glm::dot(axis, axis);
     set_radii(cone, first, last);
     cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
+    cone.contested = false;
     const bool by_root = frame.scale.value != ColourScale::Value::kDiameter;
-    cone.value[0] = by_root ? thinned_.points[i].w : 2.0F * first;
-    cone.value[1] = by_root ? thinned_.points[i + 1].w : 2.0F * last;
+    cone.value[0] = by_root ? thinned_.points[i].w : thinned_.details[i].diameter_mm;
+    cone.value[1] = by_root ? thinned_.points[i + 1].w : thinned_.details[i + 1].diameter_mm;
+    return true;
+}
+
+// Inside glass, from end to end: as wide as centerline.vert draws it, wherever it is.
+bool Caster::prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& line) const {
+    if (!prepare(segment, to_eye, frame, on_line_, line)) return false;
+    const float pixels = 0.5F * std::max(1.0F, kCenterlineWidth * frame.pixel_ratio);
+    const float first = line.from[2], last = line.from[2] + line.axis[2];
+    const float at_unit_depth = pixels * view_.mm_a_pixel;
+    set_radii(line, at_unit_depth * (view_.flat ? 1.0F : first), at_unit_depth * (view_.flat ? 1.0F : last));
+    line.reach = 1.5F * pixels + 1.0F;
+    line.nearest = std::min(first - line.first_radius, last - line.last_radius);
+    line.id |= kLine;
     return true;
 }
 

@@ -48,7 +48,7 @@ caster::Meaning meaning_of(const Frame& frame, const glm::dmat4& eye) {
 } // namespace
 
 std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>& layers) {
-    caster_.follow(frame.centerlines);
+    caster_.follow(frame.centerlines, frame.width > 0.0F);
     (void)look_at(frame, drawn_ != nullptr ? drawn_->shown()->bounds() : lines_.bounds());
     has_glass_ = std::ranges::find(layers, Layer::kGlass) != layers.end();
     const unsigned variant = send_records(frame, drawn_, Extent::kAll);
