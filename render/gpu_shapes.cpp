@@ -1,7 +1,6 @@
 #include "render/gpu_shapes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -10,37 +9,6 @@
 namespace ramus::render {
 
 namespace {
-
-struct Vertex {
-    glm::vec3 position, normal;
-};
-
-std::uint64_t mixed(std::uint64_t x) { // splitmix64 (Steele, Lea, Flood, 2014)
-    x += 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
-    return x ^ (x >> 31U);
-}
-
-// Whether every edge is gone along as often one way as the other: the sums of random numbers for both are the same (of
-// meshes that are not closed, once in 2^64). Vertices in the same place are one, as along seams.
-bool is_closed(const mesh::TriangleMesh& mesh) {
-    std::vector<std::uint64_t> places;
-    places.reserve(mesh.positions.size());
-    for (const glm::vec3& p : mesh.positions) {
-        std::uint64_t place = 0;
-        for (const float x : {p.x, p.y, p.z}) place = mixed(place ^ std::bit_cast<std::uint32_t>(x + 0.0F)); // no -0
-        places.push_back(place);
-    }
-    std::uint64_t there = 0, back = 0;
-    const auto edge = [&](std::uint32_t a, std::uint32_t b) { return mixed(places[a] + 3 * places[b]); };
-    for (const glm::uvec3& t : mesh.triangles)
-        for (const auto& [a, b] : {std::pair(t.x, t.y), {t.y, t.z}, {t.z, t.x}}) {
-            there += edge(a, b);
-            back += edge(b, a);
-        }
-    return there == back;
-}
 
 // Fine enough that the outline of a sphere of 500 pixels is within half a pixel of a circle.
 mesh::TriangleMesh unit_sphere() {
@@ -74,35 +42,9 @@ Shape::As as(const ContextMesh& mesh) { return mesh.wireframe ? Shape::As::kLine
 
 } // namespace
 
-Shape::Shape(const mesh::TriangleMesh& mesh, As as) : bounds_(bounds_of(mesh)), as_(as), closed_(is_closed(mesh)) {
-    const glm::vec3 centre(bounds_.empty() ? glm::dvec3(0.0) : bounds_.centre());
-    std::vector<Vertex> vertices;
-    vertices.reserve(mesh.positions.size());
-    for (const glm::vec3& position : mesh.positions) vertices.push_back({position - centre, glm::vec3(0.0F)});
-    double volume = 0.0;
-    for (const glm::uvec3& t : mesh.triangles) {
-        const glm::vec3 a = vertices[t.x].position, b = vertices[t.y].position, c = vertices[t.z].position;
-        const glm::vec3 area = glm::cross(b - a, c - a);
-        volume += double(glm::dot(a, area));
-        for (const std::uint32_t corner : {t.x, t.y, t.z}) vertices[corner].normal += area;
-    }
-    // Normals that were given may be those of triangles that are inside out, or already face outward.
-    const bool turn = closed_ && volume < 0.0, given = mesh.normals.size() == mesh.positions.size();
-    double agree = 0.0;
-    if (given)
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
-            agree += double(glm::dot(vertices[i].normal, mesh.normals[i]));
-            vertices[i].normal = mesh.normals[i];
-        }
-    const float sign = turn && (!given || agree > 0.0) ? -1.0F : 1.0F;
-    for (Vertex& vertex : vertices) {
-        const float length = glm::length(vertex.normal);
-        vertex.normal = length > 0.0F ? vertex.normal / (sign * length) : glm::vec3(0, 0, 1);
-    }
-    std::vector<glm::uvec3> triangles(mesh.triangles.begin(), mesh.triangles.end());
-    if (turn)
-        for (glm::uvec3& t : triangles) std::swap(t.y, t.z);
-
+Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(mesh), as_(as) {
+    const std::vector<glm::uvec3>& triangles = made_of_.triangles;
+    using Vertex = ShapeTriangles::Vertex;
     vertex_array_ = make_vertex_array();
     corners_ = static_cast<GLsizei>(3 * triangles.size());
     if (triangles.empty()) return;
@@ -110,13 +52,13 @@ Shape::Shape(const mesh::TriangleMesh& mesh, As as) : bounds_(bounds_of(mesh)), 
         std::vector<Vertex> corners;
         corners.reserve(3 * triangles.size());
         for (const glm::uvec3& t : triangles)
-            for (const std::uint32_t corner : {t.x, t.y, t.z}) corners.push_back(vertices[corner]);
-        vertices = std::move(corners);
+            for (const std::uint32_t corner : {t.x, t.y, t.z}) corners.push_back(made_of_.vertices[corner]);
+        vertices_ = make_buffer(corners.size() * sizeof corners[0], corners.data());
     } else {
         triangles_ = make_buffer(triangles.size() * sizeof triangles[0], triangles.data());
         glVertexArrayElementBuffer(vertex_array_, triangles_);
+        vertices_ = make_buffer(made_of_.vertices.size() * sizeof(Vertex), made_of_.vertices.data());
     }
-    vertices_ = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(Vertex));
     glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
     glVertexArrayAttribFormat(vertex_array_, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normal));

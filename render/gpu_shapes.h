@@ -6,6 +6,7 @@
 #include "render/bounds.h"
 #include "render/gl_objects.h"
 #include "render/scene.h"
+#include "render/shape_triangles.h"
 
 #include <cstdint>
 #include <memory>
@@ -17,21 +18,18 @@ namespace ramus::render {
 class Shape {
 public:
     enum class As : std::uint8_t { kSurface, kLines };
-    // Lit by the mesh's own normals, or by those of its triangles, weighted by their areas. A closed mesh that is
-    // inside out is turned, and so are normals that agree with it.
     Shape(const mesh::TriangleMesh& mesh, As as);
 
-    [[nodiscard]] const Box& bounds() const { return bounds_; } // mm; vertices are relative to its centre
+    [[nodiscard]] const ShapeTriangles& made_of() const { return made_of_; }
+    [[nodiscard]] const Box& bounds() const { return made_of_.bounds; }
     [[nodiscard]] bool lines() const { return as_ == As::kLines; }
-    // Every edge is met once from either side, and triangles face outward: backs are never seen.
-    [[nodiscard]] bool closed() const { return closed_; }
+    [[nodiscard]] bool closed() const { return made_of_.closed; }
     // Positions are attribute 0, normals 1; returns the number of triangles.
     std::uint64_t draw() const;
 
 private:
-    Box bounds_;
+    ShapeTriangles made_of_;
     As as_;
-    bool closed_;
     GLsizei corners_ = 0;
     VertexArray vertex_array_;
     Buffer vertices_, triangles_;

@@ -42,10 +42,19 @@ static_assert(sizeof(LookBlock) == sizeof(caster::Look));
 inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 // Ids less 1, as in ids.glsl: those of lesions are beyond every branch, those of context beyond every lesion.
-inline constexpr int kFirstSolid = int{record::kSolid}, kFirstContext = kFirstSolid | 0x20000000;
+inline constexpr int kFirstSolid = int{record::kSolid}, kFirstContext = int{record::kSolid | record::kContext};
 
 // From mm to eye space with depth as +z, as the full-screen passes reckon.
 glm::dmat4 eye_matrix(const Camera& camera);
+
+// Of context meshes and of lesions: numbers from 1 on, as far as there are any; what lines along edges are like.
+inline constexpr std::size_t kMostNumbers = record::kNumberBits;
+inline std::uint32_t number_of(std::size_t index) {
+    return static_cast<std::uint32_t>(std::min(index + 1, kMostNumbers));
+}
+inline constexpr float kContextLineWidth = 1.15F; // points
+// Linear, with the opacity; negative: lines.
+std::vector<glm::vec4> context_colours(const Frame& frame);
 
 // Where parts of branches that are lost begin and end, as behind_cut() of scene.glsl reads it: five texels a part.
 std::vector<glm::vec4> cut_places(const std::vector<LostPart>& lost, const Centerlines& lines, const glm::dmat4& eye);
@@ -107,6 +116,7 @@ private:
     bool make_room_for_panes(std::size_t wanted);
     void bind_panes(const Program& program, Band band) const;
     [[nodiscard]] bool casts(const Frame& frame) const; // whether the caster can draw it
+    void add_bodies(const Frame& frame, caster::Meaning& meaning) const;
     std::uint64_t cast(const Frame& frame, const std::vector<Layer>& layers);
     LookBlock look_of(const Frame& frame, bool outlined) const;
     std::uint64_t draw_cones(const Frame& frame, const std::vector<Layer>& layers);

@@ -117,7 +117,7 @@ HWY_INLINE void ResolveLanes(const View& view, const Field& field, const Samples
         }
     }
     // Where the surface goes on through the pixel it is smooth, across creases of cones and from vessel to vessel.
-    const M surface = hn::AndNot(any_of(lines, kLine), all);
+    const M surface = hn::AndNot(any_of(lines, kLine | kSolid), all);
     const V pixel_mm = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), nearest);
     const M goes_on = hn::And(surface, hn::Or(whole, hn::Lt(hn::Sub(farthest, nearest), hn::Mul(set(3.0F), pixel_mm))));
     if (field.pieces != nullptr && !hn::AllFalse(d, goes_on)) {

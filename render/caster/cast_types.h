@@ -49,6 +49,29 @@ struct Cone {
     bool contested;   // some of what it is near is of another layer
 };
 
+// A triangle of a mesh beside the tree, counter-clockwise in the picture.
+struct Triangle {
+    struct Edge {
+        float x, y, way_x, way_y; // from where in which way, pixels
+        bool own;                 // what lies on it is this triangle's
+    };
+    Edge edge[3];              // across from each corner
+    float share;               // 1 / twice its area
+    float depth[3];            // times what a place spans with the edges: depth, or its inverse when perspective
+    float normal[3][3];        // likewise, times `share`
+    float slope[3];            // of the share that each corner has, per pixel
+    float low[2], high[2];     // box, pixels
+    float half_width, crowded; // of lines, pixels, and how faint they are where triangles crowd; 0: a surface
+    std::uint32_t id;
+};
+
+// Some of an array.
+template <class Value> struct Listed {
+    const Value* all;
+    const std::uint32_t* order;
+    std::size_t count;
+};
+
 // A segment of the convolution surface's field, in eye space, mm.
 struct Piece {
     float from[3], way[3]; // way: of unit length
@@ -129,6 +152,7 @@ struct Shading {
     float scale_low, scale_slope;
     bool scale_logarithmic;
     const MarginLook* margins; // null: none
+    const float* context;      // linear colour and opacity of every context mesh; negative opacity: lines
     const float* cuts;         // twenty numbers a part of a branch that is lost, see cut_places()
     int cut_count;             // when not 0, records' values are mm from the root
 };

@@ -3,6 +3,7 @@
 #include "render/caster/cast.h"
 #include "render/caster/occlude.h"
 #include "render/caster/panes.h"
+#include "render/caster/raster.h"
 #include "render/caster/shade.h"
 #include "render/record_flags.h"
 
@@ -29,19 +30,10 @@ struct Scratch {
 
 } // namespace
 
-// Cones by tile, in one array.
-struct Caster::Bins {
-    std::vector<std::uint32_t> first, cones; // of tile t: cones[first[t]] to cones[first[t + 1]]
-    [[nodiscard]] std::size_t count(int tile) const {
-        return first.empty() ? 0 : first[std::size_t(tile) + 1] - first[std::size_t(tile)];
-    }
-};
-
 bool Caster::draws(const Frame& frame) {
     // A place on a vessel has one value: its diameter cannot go with where it is cut.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
-    return (whole || frame.scale.value != ColourScale::Value::kDiameter) && frame.lesions.meshes.empty() &&
-           frame.context.empty();
+    return whole || frame.scale.value != ColourScale::Value::kDiameter;
 }
 
 void Caster::make_room(const View& view) {
@@ -57,41 +49,6 @@ void Caster::make_room(const View& view) {
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
     picture_ = {depths_.data() + kTile,  picked_.data() + kTile,    ids_.data() + kTile,
                 normals_.data() + kTile, occlusion_.data() + kTile, smooth_.data() + kTile};
-}
-
-void Caster::bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const {
-    const auto tiles = std::size_t(across_) * std::size_t(up_);
-    bins.first.assign(tiles + 1, 0);
-    const auto for_tiles = [&](const Cone& cone, const auto& call) {
-        const float to_x = cone.pixel[0] + cone.length * cone.way[0], to_y = cone.pixel[1] + cone.length * cone.way[1];
-        const auto tile = [](float at, int most) {
-            return static_cast<int>(std::clamp(at / kTile, 0.0F, float(most - 1)));
-        };
-        const int x0 = tile(std::min(cone.pixel[0], to_x) - cone.reach, across_);
-        const int x1 = tile(std::max(cone.pixel[0], to_x) + cone.reach, across_);
-        const int y0 = tile(std::min(cone.pixel[1], to_y) - cone.reach, up_);
-        const int y1 = tile(std::max(cone.pixel[1], to_y) + cone.reach, up_);
-        const float most = cone.reach + 0.7072F * kTile;
-        for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x) {
-                if (x1 - x0 + y1 - y0 > 1) { // slanting ones pass many tiles of their box by
-                    const float px = (float(x) + 0.5F) * kTile - cone.pixel[0],
-                                py = (float(y) + 0.5F) * kTile - cone.pixel[1];
-                    const float t = std::clamp(px * cone.way[0] + py * cone.way[1], 0.0F, cone.length);
-                    const float dx = px - t * cone.way[0], dy = py - t * cone.way[1];
-                    if (dx * dx + dy * dy > most * most) continue;
-                }
-                call(std::size_t(y) * std::size_t(across_) + std::size_t(x));
-            }
-    };
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (kinds[i] == wanted) for_tiles(cones_[i], [&](std::size_t tile) { ++bins.first[tile + 1]; });
-    for (std::size_t tile = 0; tile < tiles; ++tile) bins.first[tile + 1] += bins.first[tile];
-    bins.cones.resize(bins.first.back());
-    std::vector<std::uint32_t> next(bins.first.begin(), bins.first.end() - 1);
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (kinds[i] == wanted)
-            for_tiles(cones_[i], [&](std::size_t tile) { bins.cones[next[tile]++] = static_cast<std::uint32_t>(i); });
 }
 
 namespace {
@@ -114,20 +71,26 @@ template <class Value> void keep(std::vector<Value>& to, const Value* from, std:
 
 } // namespace
 
-void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_values) {
+void Caster::cast(int index, const Binned& binned, bool with_values) {
     Scratch& scratch = *scratches().local();
     Tile& tile = tiles_[std::size_t(index)];
     const int x = index % across_ * kTile, y = index / across_ * kTile;
     const auto sorted = [&](const Bins& bins) {
-        scratch.order.assign(bins.cones.begin() + bins.first[std::size_t(index)],
-                             bins.cones.begin() + bins.first[std::size_t(index) + 1]);
+        const std::span<const std::uint32_t> here = bins.of(index);
+        scratch.order.assign(here.begin(), here.end());
         std::ranges::sort(scratch.order, [&](std::uint32_t a, std::uint32_t b) {
             return std::pair(cones_[a].nearest, a) < std::pair(cones_[b].nearest, b);
         });
     };
-    sorted(opaque);
+    const auto triangles_of = [&](const std::vector<Triangle>& all, const Bins& bins) {
+        const std::span<const std::uint32_t> here = bins.of(index);
+        return Listed<Triangle>{all.data(), here.data(), here.size()};
+    };
+    sorted(binned.opaque);
     cast_tile(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), with_values, x, y,
               scratch.samples);
+    if (const auto solid = triangles_of(solid_triangles_, binned.solid_triangles); solid.count > 0)
+        raster_tile(view_, solid, with_values, x, y, scratch.samples);
     std::uint32_t* words = scratch.words.data();
     float* floats = scratch.floats.data();
     Records records{words,  words + kMostPanesOfTile,  words + 2 * kMostPanesOfTile,
@@ -142,11 +105,12 @@ void Caster::cast(int index, const Bins& opaque, const Bins& glass, bool with_va
         if (with_values) keep(tile.value, records.value, records.count, 0.0F);
     }
     tile.panes = 0;
-    if (glass.count(index) == 0) return;
-    sorted(glass);
+    const auto clear = triangles_of(clear_triangles_, binned.clear_triangles);
+    sorted(binned.glass);
+    if (scratch.order.empty() && clear.count == 0) return;
     Panes panes{words, words + kMostPanesOfTile, words + 2 * kMostPanesOfTile, floats, 0};
-    scratch.near.resize(scratch.order.size());
-    list_panes(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), x, y, scratch.samples,
+    scratch.near.resize(scratch.order.size() + clear.count);
+    list_panes(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), clear, x, y, scratch.samples,
                picture_, scratch.near.data(), panes);
     tile.panes = panes.count;
     if (panes.count == 0) return;
@@ -202,10 +166,18 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     for (std::size_t i = 0; i < meaning.lesions.size(); ++i)
         if (place_ball(meaning.lesions[i], kSolid | static_cast<std::uint32_t>(i + 1), cones_[vessels + i]))
             kinds[vessels + i] = Kind::kGlass;
-    const bool any_panes = any_glass || !meaning.lesions.empty();
-    Bins opaque, glass;
-    bin(kinds, Kind::kOpaque, opaque);
-    if (any_panes) bin(kinds, Kind::kGlass, glass);
+    solid_triangles_.clear();
+    clear_triangles_.clear();
+    for (const Body& body : meaning.bodies)
+        place_triangles(body, view_, to_eye, body.clear ? clear_triangles_ : solid_triangles_);
+    Binned binned;
+    const auto bin = [&](Kind wanted) {
+        return Bins(across_, up_, cones_, [&](std::size_t i) { return kinds[i] == wanted; });
+    };
+    binned.opaque = bin(Kind::kOpaque);
+    binned.glass = bin(Kind::kGlass);
+    binned.solid_triangles = Bins(across_, up_, solid_triangles_);
+    binned.clear_triangles = Bins(across_, up_, clear_triangles_);
 
     const bool on_scale =
         !meaning.margins && frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();
@@ -216,7 +188,7 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
             for (int tile = range.begin(); tile < range.end(); ++tile) call(tile);
         });
     };
-    for_tiles([&](int tile) { cast(tile, opaque, glass, with_values); });
+    for_tiles([&](int tile) { cast(tile, binned, with_values); });
     const auto corner = [&](int tile) { return std::pair(tile % across_ * kTile, tile / across_ * kTile); };
     if (view.taps > 0) {
         for_tiles([&](int tile) {
@@ -245,6 +217,7 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     const ColourScale& scale = frame.scale;
     if (!meaning.cuts.empty()) shading.cuts = &meaning.cuts.front().x;
     shading.cut_count = static_cast<int>(meaning.cuts.size() / 5);
+    shading.context = meaning.context.empty() ? nullptr : &meaning.context.front().x;
     shading.margins = meaning.margins ? &*meaning.margins : nullptr;
     if (on_scale) {
         const bool log = scale.logarithmic;

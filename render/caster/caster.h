@@ -8,8 +8,10 @@
 // What it cannot draw stays with OpenGL: see Caster::draws().
 #pragma once
 
+#include "render/caster/bins.h"
 #include "render/caster/cast_types.h"
 #include "render/caster/near_segments.h"
+#include "render/caster/triangles.h"
 #include "render/centerlines.h"
 #include "render/frame.h"
 #include "render/layer.h"
@@ -27,6 +29,8 @@ namespace ramus::render::caster {
 struct Meaning {
     std::vector<glm::vec4> cuts;    // see cut_places()
     std::vector<glm::vec4> lesions; // spheres: centre, radius
+    std::vector<Body> bodies;       // lesions that are meshes, and context
+    std::vector<glm::vec4> context; // linear colour and opacity, by number; negative opacity: lines
     std::optional<MarginLook> margins;
 };
 
@@ -73,7 +77,9 @@ private:
         std::vector<float> depth, value, pane_depth;
         std::size_t count = 0, panes = 0;
     };
-    struct Bins; // which cones reach a tile
+    struct Binned {
+        Bins opaque, glass, solid_triangles, clear_triangles;
+    };
 
     void make_room(const View& view);
     // `beyond_ends`: how far it goes on beyond a free end, in radii there.
@@ -84,8 +90,7 @@ private:
                                     Cone& cone) const;
     [[nodiscard]] bool place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const;
     static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
-    void bin(const std::vector<Kind>& kinds, Kind wanted, Bins& bins) const;
-    void cast(int tile, const Bins& opaque, const Bins& glass, bool with_values);
+    void cast(int tile, const Binned& binned, bool with_values);
 
     std::shared_ptr<const Centerlines> lines_;
     bool as_field_ = false;
@@ -100,6 +105,7 @@ private:
     std::vector<Layer> layers_, piece_layers_;        // by branch; of its segments
     NearSegments rivals_;                             // of the near ones those of another layer
     std::vector<Cone> cones_;
+    std::vector<Triangle> solid_triangles_, clear_triangles_;
     std::vector<Piece> pieces_; // of the segments, and one behind them that is nowhere; none: the surface is cones
     Field field_{};
     View view_;

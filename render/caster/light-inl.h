@@ -82,6 +82,19 @@ HWY_INLINE V Shadowed(const View& view, const Place& p, const PictureArrays& pic
     return hidden;
 }
 
+// Of lesions or context.
+struct Matter {
+    V3 colour;
+    V opacity; // negative: lines
+};
+HWY_INLINE Matter ContextOf(const Shading& shading, VU id) {
+    const M there = hn::And(any_of(id, kSolid), any_of(id, kContext));
+    const VU index = hn::Sub(hn::And(id, hn::Set(DU(), kNumberBits)), hn::Set(DU(), 1U));
+    const VI first = hn::BitCast(DI(), hn::ShiftLeft<2>(hn::IfThenElseZero(hn::RebindMask(DU(), there), index)));
+    const auto channel = [&](int c) { return gather(shading.context + c, first); };
+    return {{channel(0), channel(1), channel(2)}, channel(3)};
+}
+
 // As shade() and line() of shade.frag.
 HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p, V value,
                        const PictureArrays& picture) {
@@ -94,8 +107,11 @@ HWY_INLINE V3 Radiance(const View& view, const Shading& shading, const Place& p,
     if (shading.ramp != nullptr) albedo = choose(highlighted, albedo, OnScale(shading, value, albedo));
     if (shading.margins != nullptr) albedo = choose(highlighted, albedo, MarginColour(view, shading, p.at));
     if (!hn::AllFalse(d, any_of(p.flags, kLost | kCut))) albedo = Lost(view, shading, p, value, albedo);
+    const M context = any_of(p.id, kSolid);
+    if (!hn::AllFalse(d, context)) albedo = choose(context, ContextOf(shading, p.id).colour, albedo);
     const V facing = clamp01(dot(p.normal, p.towards_eye)), aside = hn::Sub(one, facing);
-    if (look.cues[2] > 0.0F) albedo = choose(highlighted, albedo, mix(albedo, Chromatic(p.far), set(look.cues[2])));
+    if (look.cues[2] > 0.0F)
+        albedo = choose(hn::Or(highlighted, context), albedo, mix(albedo, Chromatic(p.far), set(look.cues[2])));
     if (!hn::AllFalse(d, selected)) albedo = choose(selected, mix(albedo, set(look.selection), set(0.62F)), albedo);
     if (!hn::AllFalse(d, calm)) {
         const V grey = dot(albedo, {set(0.2126F), set(0.7152F), set(0.0722F)});
@@ -168,21 +184,28 @@ struct Veil {
     V alpha;
 };
 
-// A shell of even thickness. As context_veil() of context.glsl; `look`: colour, and opacity below 1.
-HWY_INLINE Veil Shell(const Shading& shading, const Place& p, const float* look) {
+// A shell of even thickness. As context_veil() of context.glsl; opacities are below 1.
+HWY_INLINE Veil Shell(const Shading& shading, const Place& p, const Matter& look) {
     const Look& all = shading.look;
     const V facing = clamp01(dot(p.normal, p.towards_eye));
-    const V through =
-        power_of_two(hn::Mul(set(__builtin_log2f(1.0F - look[3])), inverse_of(mix(set(0.14F), set(1.0F), facing))));
+    const V through = power_of_two(
+        hn::Mul(binary_logarithm(hn::Sub(set(1.0F), look.opacity)), inverse_of(mix(set(0.14F), set(1.0F), facing))));
     const V veil = hn::Sub(set(1.0F), through);
     const V3 key = set(kKey);
     const V light = hn::MulAdd(set(0.85F), positive(dot(p.normal, key)),
                                hn::MulAdd(set(0.15F), positive(dot(p.normal, set(kFill))), set(0.45F)));
     const V cue = hn::Mul(set(0.5F * all.background_bottom[3]), hn::Mul(p.far, hn::Sqrt(p.far)));
-    const V3 radiance = mix(light * set(look), set(all.far_colour), cue);
-    const V shine =
-        hn::Mul(set(all.lights[3] * 0.22F * look[3]), to_60(positive(dot(p.normal, normalised(key + p.towards_eye)))));
+    const V3 radiance = mix(light * look.colour, set(all.far_colour), cue);
+    const V shine = hn::Mul(hn::Mul(set(all.lights[3] * 0.22F), look.opacity),
+                            to_60(positive(dot(p.normal, normalised(key + p.towards_eye)))));
     return {veil * radiance + V3{shine, shine, shine}, clamp01(hn::Add(veil, shine))};
+}
+
+// Of a mesh's edges: `shares` are the bits of how much of the pixel they take.
+HWY_INLINE Veil Lines(const Shading& shading, const Place& p, const Matter& look, VU shares) {
+    const V share = hn::Mul(hn::Neg(look.opacity), hn::BitCast(D(), shares));
+    const V cue = hn::Mul(set(0.62F * shading.look.background_bottom[3]), p.far);
+    return {share * mix(look.colour, set(shading.look.far_colour), cue), share};
 }
 
 // As glass() of shade.frag.

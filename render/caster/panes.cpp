@@ -3,6 +3,7 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
+#include "render/caster/covering-inl.h"
 #include "render/caster/meeting-inl.h"
 #include "render/caster/owner-inl.h"
 #include "render/caster/panes.h"
@@ -31,8 +32,35 @@ struct Stretches {
     }
 };
 
+// Where a triangle lies before what is opaque; whether it does anywhere.
+HWY_INLINE bool insert_triangle(const View& view, const Triangle& t, float x, float y, int block, int sample,
+                                const Samples& samples, Stretches (&lists)[16]) {
+    const D d;
+    constexpr float kLeastShare = 0.004F; // of a pixel that a line takes
+    bool any = false;
+    for (int lane = 0; lane < 16; lane += kN) {
+        const Covering found =
+            view.flat ? covering<true>(t, x, y, lane, sample) : covering<false>(t, x, y, lane, sample);
+        const V opaque = samples.touched[block] ? hn::Load(d, samples.depth[block][sample] + lane) : set(kNothing);
+        M before = hn::And(found.there, hn::Lt(found.depth, opaque));
+        if (hn::AllFalse(d, before)) continue;
+        const V3 normal = facing(t, x, y, lane);
+        const bool lines = t.half_width > 0.0F;
+        if (lines) before = hn::And(before, hn::Ge(normal.x, set(kLeastShare)));
+        alignas(64) float depths[16], marks[16];
+        alignas(64) std::uint32_t normals[16];
+        hn::Store(found.depth, d, depths);
+        hn::Store(lines ? hn::BitCast(DU(), normal.x) : packed_normal(normal), DU(), normals);
+        hn::Store(hn::IfThenElseZero(before, set(1.0F)), d, marks);
+        for (int k = 0; k < kN; ++k)
+            if (marks[k] != 0.0F) lists[lane + k].insert(depths[k], depths[k], t.id, normals[k]), any = true;
+    }
+    return any;
+}
+
 void ListPanes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
-               int x, int y, const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
+               const Listed<Triangle>& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
+               std::uint32_t* near, Panes& panes) {
     const D d;
     const DU du;
     panes.count = 0;
@@ -47,7 +75,11 @@ void ListPanes(const View& view, const Field& field, const Cone* cones, const st
         std::size_t reaching = 0;
         for (std::size_t i = 0; i < count; ++i)
             if (reaches(cones[order[i]], fx + kHalf, fy + kHalf, samples.farthest[block])) near[reaching++] = order[i];
-        for (int sample = 0; sample < kSamples && reaching > 0; ++sample) {
+        std::uint32_t* const touching = near + reaching;
+        std::size_t touching_count = 0;
+        for (std::size_t i = 0; i < triangles.count; ++i)
+            if (touches(triangles.all[triangles.order[i]], fx, fy)) touching[touching_count++] = triangles.order[i];
+        for (int sample = 0; sample < kSamples && reaching + touching_count > 0; ++sample) {
             bool any = false;
             for (Stretches& list : lists) list.count = 0;
             for (std::size_t i = 0; i < reaching; ++i) {
@@ -78,16 +110,19 @@ void ListPanes(const View& view, const Field& field, const Cone* cones, const st
                         if (marks[k] != 0.0F) lists[lane + k].insert(in[k], out[k], ids[k], normals[k]);
                 }
             }
+            for (std::size_t i = 0; i < touching_count; ++i)
+                any = insert_triangle(view, triangles.all[touching[i]], fx, fy, block, sample, samples, lists) || any;
             if (!any) continue;
             for (int lane = 0; lane < 16; ++lane) {
                 const Stretches& list = lists[lane];
                 const int column = left + lane % kBlock, row = low + lane / kBlock;
                 float inside_until = -kNothing;
                 for (int k = 0; k < list.count; ++k) {
-                    // Of lesions only the front is seen, and is another pane wherever it lies.
-                    const bool lesion = (list.id[k] & kSolid) != 0;
-                    const bool enters = lesion || list.in[k] > inside_until;
-                    if (!lesion && list.out[k] > inside_until) inside_until = list.out[k];
+                    // Lesions and context are shells: a pane wherever one lies.
+                    const bool shell = (list.id[k] & kSolid) != 0, context = shell && (list.id[k] & kContext) != 0;
+                    const bool lesion = shell && !context;
+                    const bool enters = shell || list.in[k] > inside_until;
+                    if (!shell && list.out[k] > inside_until) inside_until = list.out[k];
                     if (!enters || list.id[k] == 0) continue;
                     const std::size_t n = panes.count++;
                     panes.place[n] = static_cast<std::uint32_t>(row * kTile + column) |
@@ -100,7 +135,7 @@ void ListPanes(const View& view, const Field& field, const Cone* cones, const st
                     // A lesion is pointed at as if it were opaque, also through glass.
                     const bool nearer_lesion =
                         lesion && ((there & kSolid) == 0 || list.in[k] < picture.picked_depth[at]);
-                    if (there == 0 || nearer_lesion) {
+                    if ((there == 0 && !context) || nearer_lesion) {
                         picture.id[at] = list.id[k];
                         picture.picked_depth[at] = list.in[k];
                     }
@@ -119,8 +154,10 @@ namespace ramus::render::caster {
 HWY_EXPORT(ListPanes);
 
 void list_panes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
-                int x, int y, const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes) {
-    HWY_DYNAMIC_DISPATCH(ListPanes)(view, field, cones, order, count, x, y, samples, picture, near, panes);
+                const Listed<Triangle>& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
+                std::uint32_t* near, Panes& panes) {
+    HWY_DYNAMIC_DISPATCH(ListPanes)
+    (view, field, cones, order, count, triangles, x, y, samples, picture, near, panes);
 }
 
 } // namespace ramus::render::caster

@@ -16,8 +16,10 @@ struct Panes {
 inline constexpr std::size_t kMostPanesOfTile = std::size_t{kTilePixels} * kSamples * kMostPanes + 16;
 
 // What lies before the samples' opaque surfaces; sample by sample, nearest first. Pixels of `picture` without anything
-// opaque are picked as the glass they show, lesions before all else. `near`: room for `count` numbers to work with.
+// opaque are picked as the glass they show, lesions before all else. `near`: room for as many numbers as there are
+// cones and triangles, to work with.
 void list_panes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
-                int x, int y, const Samples& samples, const PictureArrays& picture, std::uint32_t* near, Panes& panes);
+                const Listed<Triangle>& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
+                std::uint32_t* near, Panes& panes);
 
 } // namespace ramus::render::caster

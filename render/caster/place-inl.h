@@ -52,7 +52,7 @@ HWY_INLINE Place PlaceOf(const View& view, const Shading& shading, const std::ui
     const VU branch = hn::IfThenElseZero(of_branch, hn::Sub(hn::AndNot(hn::Set(du, kLine), p.id), hn::Set(du, 1U)));
     const VI word = hn::BitCast(di, hn::ShiftLeft<1>(branch));
     const VU red_green = gather(shading.branches, word), blue_flags = gather(shading.branches + 1, word);
-    p.flags = hn::ShiftRight<16>(blue_flags);
+    p.flags = hn::IfThenElseZero(of_branch, hn::ShiftRight<16>(blue_flags));
     const VU low = hn::Set(du, 0xffffU);
     const V unit = set(1.0F / 65535.0F);
     const auto value = [&](VU bits) { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, bits)), unit); };

@@ -23,10 +23,19 @@ void ShadePanes(const View& view, const Shading& shading, const Panes& panes, in
         const Place place = PlaceOf(view, shading, panes.place + first, panes.id + first, panes.normal + first,
                                     panes.depth + first, x, y);
         Veil veil = Glass(shading, place);
-        const M lesion = any_of(place.id, kSolid);
-        if (!hn::AllFalse(D(), lesion)) {
-            const Veil shell = Shell(shading, place, shading.look.lesion);
-            veil = {choose(lesion, shell.radiance, veil.radiance), hn::IfThenElse(lesion, shell.alpha, veil.alpha)};
+        const auto take = [&](M which, const auto& make) {
+            if (hn::AllFalse(D(), which)) return;
+            const Veil made = make();
+            veil = {choose(which, made.radiance, veil.radiance), hn::IfThenElse(which, made.alpha, veil.alpha)};
+        };
+        const M shell = any_of(place.id, kSolid), context = hn::And(shell, any_of(place.id, kContext));
+        const Matter lesion{set(shading.look.lesion), set(shading.look.lesion[3])};
+        take(hn::AndNot(context, shell), [&] { return Shell(shading, place, lesion); });
+        if (!hn::AllFalse(D(), context)) {
+            const Matter matter = ContextOf(shading, place.id);
+            const M lines = hn::And(context, hn::Lt(matter.opacity, hn::Zero(D())));
+            take(hn::AndNot(lines, context), [&] { return Shell(shading, place, matter); });
+            take(lines, [&] { return Lines(shading, place, matter, hn::LoadU(DU(), panes.normal + first)); });
         }
         Spread(veil.radiance, veil.alpha, found);
         for (std::size_t k = 0; k < std::size_t(kN) && first + k < panes.count; ++k) {

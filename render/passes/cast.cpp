@@ -47,7 +47,26 @@ caster::Meaning meaning_of(const Frame& frame, const glm::dmat4& eye) {
 
 } // namespace
 
+void Renderer::Impl::add_bodies(const Frame& frame, caster::Meaning& meaning) const {
+    meaning.context = context_colours(frame);
+    const float point = frame.pixel_ratio;
+    for (std::size_t i = 0; i < frame.context.size(); ++i) {
+        const Shape* shape = shapes_.of(frame.context[i], true);
+        if (shape == nullptr) continue;
+        meaning.bodies.push_back({&shape->made_of(), record::kSolid | record::kContext | number_of(i),
+                                  frame.context[i].clear(), shape->lines() ? 0.5F * kContextLineWidth * point : 0.0F});
+    }
+    std::size_t index = frame.lesions.spheres.size();
+    for (const auto& lesion : frame.lesions.meshes)
+        if (const Shape* shape = shapes_.of(lesion); shape != nullptr)
+            meaning.bodies.push_back({&shape->made_of(), record::kSolid | number_of(index++), true, 0.0F});
+        else
+            ++index;
+}
+
 std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>& layers) {
+    caster::Meaning meaning = meaning_of(frame, eye_matrix(frame.camera));
+    add_bodies(frame, meaning);
     caster_.follow(frame.centerlines, frame.width > 0.0F);
     (void)look_at(frame, drawn_ != nullptr ? drawn_->shown()->bounds() : lines_.bounds());
     has_glass_ = std::ranges::find(layers, Layer::kGlass) != layers.end();
@@ -70,7 +89,7 @@ std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>&
     caster::Look look;
     std::memcpy(&look, &block, sizeof look);
     const glm::dmat4 eye = eye_matrix(frame.camera);
-    return caster_.draw(frame, view, eye, look, outlined, layers, records_, meaning_of(frame, eye));
+    return caster_.draw(frame, view, eye, look, outlined, layers, records_, meaning);
 }
 
 } // namespace ramus::render

@@ -11,10 +11,8 @@ namespace ramus::render {
 
 namespace {
 
-constexpr float kLineWidth = 1.15F;              // points
-constexpr double kNearer = 1.5;                  // pixels that lines come towards the eye, off the surface they lie on
-constexpr GLuint kLesionPane = 0x00400000;       // as in panes.glsl
-constexpr std::size_t kMostNumbers = 0x003fffff; // as many lesions, and as many context meshes, have a number
+constexpr double kNearer = 1.5;            // pixels that lines come towards the eye, off the surface they lie on
+constexpr GLuint kLesionPane = 0x00400000; // as in panes.glsl
 
 // `about` goes from mm about the middle of the shape's bounds to clip space.
 void place(const Shape& shape, GLuint number, const glm::dmat4& about, const Camera& camera) {
@@ -26,8 +24,6 @@ void place(const Shape& shape, GLuint number, const glm::dmat4& about, const Cam
     else
         glDisable(GL_CULL_FACE);
 }
-
-GLuint number_of(std::size_t index) { return static_cast<GLuint>(std::min(index + 1, kMostNumbers)); }
 
 } // namespace
 
@@ -66,7 +62,7 @@ std::uint64_t Renderer::Impl::draw_clear_context(const Frame& frame, const Prepa
         const Program& program = shape->lines() ? context_lines_ : context_pane_;
         glUseProgram(program);
         prepare(program);
-        if (shape->lines()) glUniform1f(12, 0.5F * kLineWidth * point);
+        if (shape->lines()) glUniform1f(12, 0.5F * kContextLineWidth * point);
         const glm::dmat4 to_clip = projection_ * (shape->lines() ? off : glm::dmat4(1.0)) * view;
         place(*shape, number_of(i), glm::translate(to_clip, shape->bounds().centre()), frame.camera);
         triangles += shape->draw();

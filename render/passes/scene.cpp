@@ -74,6 +74,13 @@ std::vector<glm::vec4> cut_places(const std::vector<LostPart>& lost, const Cente
 }
 
 // Returns the variants that the scene needs. What a plain tree does not need costs it nothing.
+std::vector<glm::vec4> context_colours(const Frame& frame) {
+    std::vector<glm::vec4> colours;
+    for (const ContextMesh& one : frame.context)
+        colours.push_back(linear(one.colour, (one.wireframe ? -1.0F : 1.0F) * std::clamp(one.opacity, 0.0F, 1.0F)));
+    return colours;
+}
+
 unsigned Renderer::Impl::send_scene(const Frame& frame) {
     unsigned variant = 0;
     SceneBlock scene;
@@ -127,9 +134,7 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
         scene.counts.y = static_cast<float>(cuts.size() / 5);
         if (!cuts.empty()) glBindTextureUnit(11, cut_texture_);
     }
-    std::vector<glm::vec4> context; // a negative opacity: lines
-    for (const ContextMesh& one : frame.context)
-        context.push_back(linear(one.colour, (one.wireframe ? -1.0F : 1.0F) * std::clamp(one.opacity, 0.0F, 1.0F)));
+    std::vector<glm::vec4> context = context_colours(frame);
     if (context.empty() && has_lesions(frame)) context.emplace_back(0.0F); // what the variant reads is there
     send_texels(context_buffer_, context_texture_, context_capacity_, context);
     if (!context.empty()) variant |= kContext;

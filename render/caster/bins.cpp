@@ -1,0 +1,60 @@
+#include "render/caster/bins.h"
+
+#include <algorithm>
+
+namespace ramus::render::caster {
+
+namespace {
+
+int tile_at(float at, int most) { return static_cast<int>(std::clamp(at / kTile, 0.0F, float(most - 1))); }
+
+} // namespace
+
+// for_tiles(i, call) calls `call` with every tile that thing i reaches.
+template <class ForTiles> void Bins::fill(std::size_t count, const ForTiles& for_tiles) {
+    const auto tiles = std::size_t(across_) * std::size_t(up_);
+    first_.assign(tiles + 1, 0);
+    for (std::size_t i = 0; i < count; ++i) for_tiles(i, [&](std::size_t tile) { ++first_[tile + 1]; });
+    for (std::size_t tile = 0; tile < tiles; ++tile) first_[tile + 1] += first_[tile];
+    things_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < count; ++i)
+        for_tiles(i, [&](std::size_t tile) { things_[next[tile]++] = static_cast<std::uint32_t>(i); });
+}
+
+Bins::Bins(int across, int up, const std::vector<Cone>& cones, const std::function<bool(std::size_t)>& wanted)
+    : across_(across), up_(up) {
+    fill(cones.size(), [&](std::size_t i, const auto& call) {
+        if (!wanted(i)) return;
+        const Cone& cone = cones[i];
+        const float to_x = cone.pixel[0] + cone.length * cone.way[0], to_y = cone.pixel[1] + cone.length * cone.way[1];
+        const int x0 = tile_at(std::min(cone.pixel[0], to_x) - cone.reach, across_);
+        const int x1 = tile_at(std::max(cone.pixel[0], to_x) + cone.reach, across_);
+        const int y0 = tile_at(std::min(cone.pixel[1], to_y) - cone.reach, up_);
+        const int y1 = tile_at(std::max(cone.pixel[1], to_y) + cone.reach, up_);
+        const float most = cone.reach + 0.7072F * kTile;
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x) {
+                if (x1 - x0 + y1 - y0 > 1) { // slanting ones pass many tiles of their box by
+                    const float px = (float(x) + 0.5F) * kTile - cone.pixel[0],
+                                py = (float(y) + 0.5F) * kTile - cone.pixel[1];
+                    const float t = std::clamp(px * cone.way[0] + py * cone.way[1], 0.0F, cone.length);
+                    const float dx = px - t * cone.way[0], dy = py - t * cone.way[1];
+                    if (dx * dx + dy * dy > most * most) continue;
+                }
+                call(std::size_t(y) * std::size_t(across_) + std::size_t(x));
+            }
+    });
+}
+
+Bins::Bins(int across, int up, const std::vector<Triangle>& triangles) : across_(across), up_(up) {
+    fill(triangles.size(), [&](std::size_t i, const auto& call) {
+        const Triangle& t = triangles[i];
+        const int x1 = tile_at(t.high[0], across_), y1 = tile_at(t.high[1], up_);
+        for (int y = tile_at(t.low[1], up_); y <= y1; ++y)
+            for (int x = tile_at(t.low[0], across_); x <= x1; ++x)
+                call(std::size_t(y) * std::size_t(across_) + std::size_t(x));
+    });
+}
+
+} // namespace ramus::render::caster

@@ -1,0 +1,31 @@
+// Bins: what reaches each of the caster's tiles, cones or triangles, in the order of their array.
+#pragma once
+
+#include "render/caster/cast_types.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace ramus::render::caster {
+
+class Bins {
+public:
+    Bins() = default;
+    Bins(int across, int up, const std::vector<Cone>& cones, const std::function<bool(std::size_t)>& wanted);
+    Bins(int across, int up, const std::vector<Triangle>& triangles);
+
+    [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {
+        const auto t = static_cast<std::size_t>(tile);
+        return std::span(things_).subspan(first_[t], first_[t + 1] - first_[t]);
+    }
+
+private:
+    template <class ForTiles> void fill(std::size_t count, const ForTiles& for_tiles);
+
+    int across_ = 0, up_ = 0;
+    std::vector<std::uint32_t> first_, things_; // of tile t: things_[first_[t]] to things_[first_[t + 1] - 1]
+};
+
+} // namespace ramus::render::caster

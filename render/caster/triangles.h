@@ -1,0 +1,26 @@
+// Triangles of meshes beside the tree as the caster takes them: in the picture, with what is linear there.
+#pragma once
+
+#include "render/caster/cast_types.h"
+#include "render/shape_triangles.h"
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <vector>
+
+namespace ramus::render::caster {
+
+// A mesh to draw. `id`: kSolid and its number + 1, and kContext where it is no lesion.
+struct Body {
+    const ShapeTriangles* shape;
+    std::uint32_t id;
+    bool clear;       // seen through
+    float half_width; // pixels, of lines along its triangles' edges; 0: it is a surface
+};
+
+// Appends what of it can be seen in the picture: triangles that face the eye, or all where the mesh is open, cut off
+// before the eye. `to_eye`: from mm to eye space, depth as +z. The order is the mesh's.
+void place_triangles(const Body& body, const View& view, const glm::dmat4& to_eye, std::vector<Triangle>& triangles);
+
+} // namespace ramus::render::caster
