@@ -57,4 +57,25 @@ Bins::Bins(int across, int up, const std::vector<Triangle>& triangles) : across_
     });
 }
 
+BlockTriangles BlockBins::fill(const std::vector<Triangle>& all, std::span<const std::uint32_t> order, int x, int y) {
+    constexpr std::size_t kAll = std::size_t{kBlocks} * kBlocks;
+    first_.assign(kAll + 1, 0);
+    const auto block_at = [](float at, int corner) {
+        return static_cast<int>(std::clamp(at - static_cast<float>(corner), 0.0F, float(kTile - 1))) / kBlock;
+    };
+    const auto for_blocks = [&](std::uint32_t triangle, const auto& call) {
+        const Triangle& t = all[triangle];
+        const int x1 = block_at(t.high[0], x), y1 = block_at(t.high[1], y);
+        for (int by = block_at(t.low[1], y); by <= y1; ++by)
+            for (int bx = block_at(t.low[0], x); bx <= x1; ++bx) call(static_cast<std::size_t>(by * kBlocks + bx));
+    };
+    for (const std::uint32_t triangle : order) for_blocks(triangle, [&](std::size_t block) { ++first_[block + 1]; });
+    for (std::size_t block = 0; block < kAll; ++block) first_[block + 1] += first_[block];
+    order_.resize(first_.back());
+    next_.assign(first_.begin(), first_.end() - 1);
+    for (const std::uint32_t triangle : order)
+        for_blocks(triangle, [&](std::size_t block) { order_[next_[block]++] = triangle; });
+    return {all.data(), first_.data(), order_.data()};
+}
+
 } // namespace ramus::render::caster

@@ -28,4 +28,15 @@ private:
     std::vector<std::uint32_t> first_, things_; // of tile t: things_[first_[t]] to things_[first_[t + 1] - 1]
 };
 
+// The same for the blocks of one tile.
+class BlockBins {
+public:
+    // Of triangles `order` of `all`; (x, y) is the tile's lower left pixel. What it says lasts until the next.
+    [[nodiscard]] BlockTriangles fill(const std::vector<Triangle>& all, std::span<const std::uint32_t> order, int x,
+                                      int y);
+
+private:
+    std::vector<std::uint32_t> first_, order_, next_;
+};
+
 } // namespace ramus::render::caster

@@ -65,11 +65,10 @@ struct Triangle {
     std::uint32_t id;
 };
 
-// Some of an array.
-template <class Value> struct Listed {
-    const Value* all;
-    const std::uint32_t* order;
-    std::size_t count;
+// The triangles that touch each block of a tile: of block b, order[first[b]] to order[first[b + 1] - 1].
+struct BlockTriangles {
+    const Triangle* all;
+    const std::uint32_t *first, *order;
 };
 
 // A segment of the convolution surface's field, in eye space, mm.

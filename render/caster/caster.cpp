@@ -24,7 +24,8 @@ namespace {
 struct Scratch {
     Samples samples;
     Colours colours;
-    std::vector<std::uint32_t> order, near, words;
+    BlockBins blocks;
+    std::vector<std::uint32_t> order, words;
     std::vector<float> floats;
 };
 
@@ -82,15 +83,11 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
             return std::pair(cones_[a].nearest, a) < std::pair(cones_[b].nearest, b);
         });
     };
-    const auto triangles_of = [&](const std::vector<Triangle>& all, const Bins& bins) {
-        const std::span<const std::uint32_t> here = bins.of(index);
-        return Listed<Triangle>{all.data(), here.data(), here.size()};
-    };
     sorted(binned.opaque);
     cast_tile(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), with_values, x, y,
               scratch.samples);
-    if (const auto solid = triangles_of(solid_triangles_, binned.solid_triangles); solid.count > 0)
-        raster_tile(view_, solid, with_values, x, y, scratch.samples);
+    if (const auto solid = binned.solid_triangles.of(index); !solid.empty())
+        raster_tile(view_, scratch.blocks.fill(solid_triangles_, solid, x, y), with_values, x, y, scratch.samples);
     std::uint32_t* words = scratch.words.data();
     float* floats = scratch.floats.data();
     Records records{words,  words + kMostPanesOfTile,  words + 2 * kMostPanesOfTile,
@@ -105,13 +102,12 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
         if (with_values) keep(tile.value, records.value, records.count, 0.0F);
     }
     tile.panes = 0;
-    const auto clear = triangles_of(clear_triangles_, binned.clear_triangles);
+    const auto clear = binned.clear_triangles.of(index);
     sorted(binned.glass);
-    if (scratch.order.empty() && clear.count == 0) return;
+    if (scratch.order.empty() && clear.empty()) return;
     Panes panes{words, words + kMostPanesOfTile, words + 2 * kMostPanesOfTile, floats, 0};
-    scratch.near.resize(scratch.order.size() + clear.count);
-    list_panes(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), clear, x, y, scratch.samples,
-               picture_, scratch.near.data(), panes);
+    list_panes(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(),
+               scratch.blocks.fill(clear_triangles_, clear, x, y), x, y, scratch.samples, picture_, panes);
     tile.panes = panes.count;
     if (panes.count == 0) return;
     keep(tile.pane_place, panes.place, panes.count, 0U);

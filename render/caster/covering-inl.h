@@ -12,10 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-HWY_INLINE bool touches(const Triangle& t, float x, float y) { // the block whose lower left pixel is (x, y)
-    return t.low[0] < x + kBlock && t.high[0] > x && t.low[1] < y + kBlock && t.high[1] > y;
-}
-
 // Twice the areas that places of the picture span with the edges: positive inside.
 struct Spans {
     V of[3];

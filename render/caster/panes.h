@@ -7,7 +7,7 @@
 namespace ramus::render::caster {
 
 struct Panes {
-    std::uint32_t* place; // pixel of the tile, sample << kSampleShift
+    std::uint32_t* place; // pixel of the tile, sample << kSampleShift, kWhole: of all samples
     std::uint32_t* id;
     std::uint32_t* normal;
     float* depth;
@@ -15,11 +15,11 @@ struct Panes {
 };
 inline constexpr std::size_t kMostPanesOfTile = std::size_t{kTilePixels} * kSamples * kMostPanes + 16;
 
-// What lies before the samples' opaque surfaces; sample by sample, nearest first. Pixels of `picture` without anything
-// opaque are picked as the glass they show, lesions before all else. `near`: room for as many numbers as there are
-// cones and triangles, to work with.
+// What lies before the samples' opaque surfaces: pixel by pixel, those of all its samples together where they are the
+// same, else sample by sample; nearest first. Pixels of `picture` without anything opaque are picked as the glass they
+// show, lesions before all else.
 void list_panes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
-                const Listed<Triangle>& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
-                std::uint32_t* near, Panes& panes);
+                const BlockTriangles& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
+                Panes& panes);
 
 } // namespace ramus::render::caster

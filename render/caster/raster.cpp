@@ -37,25 +37,17 @@ HWY_INLINE void RasterBlock(const Triangle& t, bool with_values, float x, float 
     samples.farthest[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
 }
 
-void RasterTile(const View& view, const Listed<Triangle>& triangles, bool with_values, int x, int y, Samples& samples) {
-    const auto block_at = [](float at, int corner) {
-        const float in_tile = at - static_cast<float>(corner);
-        return in_tile <= 0.0F ? 0 : in_tile >= float(kTile - 1) ? kBlocks - 1 : static_cast<int>(in_tile) / kBlock;
-    };
-    for (std::size_t i = 0; i < triangles.count; ++i) {
-        const Triangle& t = triangles.all[triangles.order[i]];
-        const int x1 = block_at(t.high[0], x), y1 = block_at(t.high[1], y);
-        for (int by = block_at(t.low[1], y); by <= y1; ++by) {
-            for (int bx = block_at(t.low[0], x); bx <= x1; ++bx) {
-                const auto left = static_cast<float>(x + kBlock * bx), low = static_cast<float>(y + kBlock * by);
-                const int block = by * kBlocks + bx;
-                if (!touches(t, left, low)) continue;
-                Touch(block, samples);
-                if (view.flat)
-                    RasterBlock<true>(t, with_values, left, low, block, samples);
-                else
-                    RasterBlock<false>(t, with_values, left, low, block, samples);
-            }
+void RasterTile(const View& view, const BlockTriangles& triangles, bool with_values, int x, int y, Samples& samples) {
+    for (int block = 0; block < kBlocks * kBlocks; ++block) {
+        const auto left = static_cast<float>(x + block % kBlocks * kBlock);
+        const auto low = static_cast<float>(y + block / kBlocks * kBlock);
+        for (std::uint32_t i = triangles.first[block]; i < triangles.first[block + 1]; ++i) {
+            const Triangle& t = triangles.all[triangles.order[i]];
+            Touch(block, samples);
+            if (view.flat)
+                RasterBlock<true>(t, with_values, left, low, block, samples);
+            else
+                RasterBlock<false>(t, with_values, left, low, block, samples);
         }
     }
 }
@@ -68,8 +60,7 @@ namespace ramus::render::caster {
 
 HWY_EXPORT(RasterTile);
 
-void raster_tile(const View& view, const Listed<Triangle>& triangles, bool with_values, int x, int y,
-                 Samples& samples) {
+void raster_tile(const View& view, const BlockTriangles& triangles, bool with_values, int x, int y, Samples& samples) {
     HWY_DYNAMIC_DISPATCH(RasterTile)(view, triangles, with_values, x, y, samples);
 }
 

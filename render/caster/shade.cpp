@@ -40,9 +40,15 @@ void ShadePanes(const View& view, const Shading& shading, const Panes& panes, in
         Spread(veil.radiance, veil.alpha, found);
         for (std::size_t k = 0; k < std::size_t(kN) && first + k < panes.count; ++k) {
             const std::uint32_t at = panes.place[first + k];
-            float* front = colours.front[at >> kSampleShift & 3U][at & kPixelMask];
-            const float through = 1.0F - front[3];
-            for (std::size_t c = 0; c < 4; ++c) front[c] += through * found[4 * k + c];
+            const auto lay = [&](std::uint32_t sample) {
+                float* front = colours.front[sample][at & kPixelMask];
+                const float through = 1.0F - front[3];
+                for (std::size_t c = 0; c < 4; ++c) front[c] += through * found[4 * k + c];
+            };
+            if ((at & kWhole) == 0)
+                lay(at >> kSampleShift & 3U);
+            else
+                lay(0), lay(1), lay(2), lay(3);
         }
     }
 }
