@@ -80,7 +80,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uint before = atomicExchange(heads[(pixel.y - pixels.y) * pixels.x + pixel.x], place);
     float depth = covered == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
-                                         : interpolateAtSample(depth_value, findLSB(covered));
+                                         : interpolateAtSample(depth_value, first_sample(covered));
     panes[place] = Pane(before, kContextPane | number | (uint(covered) << kSampleShift), normal, floatBitsToUint(depth));
 #endif
 }

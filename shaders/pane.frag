@@ -27,7 +27,7 @@ void add_pane(int branch, int covered) {
     // The normal is that at the pixel's centre: beyond the triangle's edge it goes on as the next one's does. The depth
     // decides what lies before what, and must be one that the triangle has, whatever hides some of it.
     float depth = gl_SampleMaskIn[0] == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
-                                                    : interpolateAtSample(depth_value, findLSB(gl_SampleMaskIn[0]));
+                                                    : interpolateAtSample(depth_value, first_sample(gl_SampleMaskIn[0]));
     panes[number] = Pane(before, uint(branch + 1) | (uint(covered) << kSampleShift),
                          packSnorm2x16(octahedral(normalize(normal_eye))), floatBitsToUint(depth));
 }

@@ -21,6 +21,10 @@ const uint kIdBits = 0x00ffffffu, kContextPane = 0x00800000u;
 #else
 const int kSampleShift = 28, kAllSamples = 15;
 const uint kIdBits = 0x0fffffffu, kContextPane = 0x08000000u;
+
+// Of those covered. Where none is, as beside a triangle, a software rasteriser reckons all the same, and looks up where
+// the sample lies: there must be one.
+int first_sample(int covered) { return max(findLSB(covered), 0); }
 #endif
 // kContextPane: not of a branch but of a context mesh or, with kLesionPane, of a lesion, by its number + 1. Of a mesh
 // that is lines, the normal is the bits of the share that the line has of the pixel.
