@@ -118,7 +118,8 @@ HWY_INLINE Foot<N> find_foot(const Segments<N>& s, const Pack<N>& root_width, co
     return f;
 }
 
-// Smooth step from 1 at kFadeBegin to exactly 0 at kFadeEnd, of rho times `Unit`; and its slope with respect to that.
+// Smooth step of rho times `unit`, from 1 at kFadeBegin to exactly 0 at kFadeEnd, in two parts: how far it is from the
+// end, 0 to 1, and what that comes to.
 template <class Tag, class Vec> HWY_INLINE Vec fade_place(Tag d, Vec rho, double unit) {
     constexpr double kInverse = 1.0 / (kFadeEnd - kFadeBegin);
     const Vec x =

@@ -82,7 +82,6 @@ private:
     };
 
     void make_room(const View& view);
-    // `beyond_ends`: how far it goes on beyond a free end, in radii there.
     // From and to those of `points` that the segment joins.
     [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
                                const std::vector<glm::vec4>& points, Cone& cone) const;
