@@ -199,7 +199,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     const bool better_to_come = workspace_.shown().provisional || frame.surface_awaited;
     render::Quality quality = pace_.quality(frame, mouse_.dragging() || glide_, better_to_come, now);
     // A picture that shows already what is wanted does not give way to the surface before.
-    if (cast_ && frame.surface_awaited) quality = render::Quality::kInteractive;
+    awaits_ = cast_ && frame.surface_awaited;
+    if (awaits_) quality = render::Quality::kInteractive;
     for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
         render::Frame& one = sheet.panes[i].frame;
         one.camera = shown_camera_;
@@ -252,7 +253,8 @@ double Viewer::wait_seconds(double now) const {
     double wait = std::numeric_limits<double>::infinity();
     if (pick_pending_) wait = std::min(wait, kPollSeconds);
     if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
-    if (quality_ != render::Quality::kFull) wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
+    if (quality_ != render::Quality::kFull && !awaits_)
+        wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
     if (now < interface_.notice.until) wait = std::min(wait, interface_.notice.until - now + 1e-3);
     return wait;
 }

@@ -169,6 +169,7 @@ private:
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     bool cast_ = false;                                // it was made along centerlines, not of a mesh
     float pictured_width_ = 0.0F;
+    bool awaits_ = false; // it stays until the surface comes
     int frames_left_ = kFramesAfterEvent;
     std::string drawing_problem_; // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false; // not all of the surface is on the graphics card
