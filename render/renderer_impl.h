@@ -47,12 +47,11 @@ inline constexpr int kFirstSolid = int{record::kSolid}, kFirstContext = int{reco
 // From mm to eye space with depth as +z, as the full-screen passes reckon.
 glm::dmat4 eye_matrix(const Camera& camera);
 
-// Of context meshes and of lesions: numbers from 1 on, as far as there are any; what lines along edges are like.
+// Of context meshes and of lesions: numbers from 1 on, as far as there are any.
 inline constexpr std::size_t kMostNumbers = record::kNumberBits;
 inline std::uint32_t number_of(std::size_t index) {
     return static_cast<std::uint32_t>(std::min(index + 1, kMostNumbers));
 }
-inline constexpr float kContextLineWidth = 1.15F; // points
 // Linear, with the opacity; negative: lines.
 std::vector<glm::vec4> context_colours(const Frame& frame);
 

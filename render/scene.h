@@ -72,6 +72,9 @@ struct ContextMesh {
     [[nodiscard]] bool solid() const { return shown() && !clear(); }
 };
 
+inline constexpr float kContextLineWidth = 1.15F;  // points
+inline constexpr double kContextLinesNearer = 1.5; // pixels that they come towards the eye, off what they lie on
+
 // The part of a branch that is lost, as fractions of its length from the parent's end. Parts other than the whole need
 // Frame::centerlines.
 struct LostPart {

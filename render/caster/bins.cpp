@@ -8,18 +8,27 @@ namespace {
 
 int tile_at(float at, int most) { return static_cast<int>(std::clamp(at / kTile, 0.0F, float(most - 1))); }
 
+// Things by place, in their order: those of place p are things[first[p]] to things[first[p + 1] - 1].
+// for_placed(call) calls call(thing, place) for all, twice the same.
+template <class ForPlaced>
+void sort_into(std::size_t places, const ForPlaced& for_placed, std::vector<std::uint32_t>& first,
+               std::vector<std::uint32_t>& things) {
+    first.assign(places + 2, 0); // a place ahead, so that filling moves them to where they begin
+    for_placed([&](std::uint32_t, std::size_t place) { ++first[place + 2]; });
+    for (std::size_t place = 0; place < places; ++place) first[place + 2] += first[place + 1];
+    things.resize(first.back());
+    for_placed([&](std::uint32_t thing, std::size_t place) { things[first[place + 1]++] = thing; });
+}
+
 } // namespace
 
 // for_tiles(i, call) calls `call` with every tile that thing i reaches.
 template <class ForTiles> void Bins::fill(std::size_t count, const ForTiles& for_tiles) {
-    const auto tiles = std::size_t(across_) * std::size_t(up_);
-    first_.assign(tiles + 1, 0);
-    for (std::size_t i = 0; i < count; ++i) for_tiles(i, [&](std::size_t tile) { ++first_[tile + 1]; });
-    for (std::size_t tile = 0; tile < tiles; ++tile) first_[tile + 1] += first_[tile];
-    things_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < count; ++i)
-        for_tiles(i, [&](std::size_t tile) { things_[next[tile]++] = static_cast<std::uint32_t>(i); });
+    const auto for_placed = [&](const auto& call) {
+        for (std::size_t i = 0; i < count; ++i)
+            for_tiles(i, [&](std::size_t tile) { call(static_cast<std::uint32_t>(i), tile); });
+    };
+    sort_into(std::size_t(across_) * std::size_t(up_), for_placed, first_, things_);
 }
 
 Bins::Bins(int across, int up, const std::vector<Cone>& cones, const std::function<bool(std::size_t)>& wanted)
@@ -58,23 +67,19 @@ Bins::Bins(int across, int up, const std::vector<Triangle>& triangles) : across_
 }
 
 BlockTriangles BlockBins::fill(const std::vector<Triangle>& all, std::span<const std::uint32_t> order, int x, int y) {
-    constexpr std::size_t kAll = std::size_t{kBlocks} * kBlocks;
-    first_.assign(kAll + 1, 0);
     const auto block_at = [](float at, int corner) {
         return static_cast<int>(std::clamp(at - static_cast<float>(corner), 0.0F, float(kTile - 1))) / kBlock;
     };
-    const auto for_blocks = [&](std::uint32_t triangle, const auto& call) {
-        const Triangle& t = all[triangle];
-        const int x1 = block_at(t.high[0], x), y1 = block_at(t.high[1], y);
-        for (int by = block_at(t.low[1], y); by <= y1; ++by)
-            for (int bx = block_at(t.low[0], x); bx <= x1; ++bx) call(static_cast<std::size_t>(by * kBlocks + bx));
+    const auto for_placed = [&](const auto& call) {
+        for (const std::uint32_t triangle : order) {
+            const Triangle& t = all[triangle];
+            const int x1 = block_at(t.high[0], x), y1 = block_at(t.high[1], y);
+            for (int by = block_at(t.low[1], y); by <= y1; ++by)
+                for (int bx = block_at(t.low[0], x); bx <= x1; ++bx)
+                    call(triangle, static_cast<std::size_t>(by * kBlocks + bx));
+        }
     };
-    for (const std::uint32_t triangle : order) for_blocks(triangle, [&](std::size_t block) { ++first_[block + 1]; });
-    for (std::size_t block = 0; block < kAll; ++block) first_[block + 1] += first_[block];
-    order_.resize(first_.back());
-    next_.assign(first_.begin(), first_.end() - 1);
-    for (const std::uint32_t triangle : order)
-        for_blocks(triangle, [&](std::size_t block) { order_[next_[block]++] = triangle; });
+    sort_into(std::size_t{kBlocks} * kBlocks, for_placed, first_, order_);
     return {all.data(), first_.data(), order_.data()};
 }
 

@@ -17,6 +17,7 @@ public:
     Bins(int across, int up, const std::vector<Triangle>& triangles);
 
     [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {
+        if (things_.empty()) return {};
         const auto t = static_cast<std::size_t>(tile);
         return std::span(things_).subspan(first_[t], first_[t + 1] - first_[t]);
     }
@@ -36,7 +37,7 @@ public:
                                       int y);
 
 private:
-    std::vector<std::uint32_t> first_, order_, next_;
+    std::vector<std::uint32_t> first_, order_;
 };
 
 } // namespace ramus::render::caster

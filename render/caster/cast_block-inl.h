@@ -12,8 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-constexpr int kN = int(hn::MaxLanes(D()));
-
 // An untouched block holds what is left of another tile.
 HWY_INLINE void Touch(int block, Samples& samples) {
     if (samples.touched[block]) return;

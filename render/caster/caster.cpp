@@ -171,9 +171,9 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
         return Bins(across_, up_, cones_, [&](std::size_t i) { return kinds[i] == wanted; });
     };
     binned.opaque = bin(Kind::kOpaque);
-    binned.glass = bin(Kind::kGlass);
-    binned.solid_triangles = Bins(across_, up_, solid_triangles_);
-    binned.clear_triangles = Bins(across_, up_, clear_triangles_);
+    if (any_glass || !meaning.lesions.empty()) binned.glass = bin(Kind::kGlass);
+    if (!solid_triangles_.empty()) binned.solid_triangles = Bins(across_, up_, solid_triangles_);
+    if (!clear_triangles_.empty()) binned.clear_triangles = Bins(across_, up_, clear_triangles_);
 
     const bool on_scale =
         !meaning.margins && frame.scale.value != ColourScale::Value::kNone && !frame.scale.ramp.empty();

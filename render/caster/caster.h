@@ -94,6 +94,7 @@ private:
     std::shared_ptr<const Centerlines> lines_;
     bool as_field_ = false;
     Centerlines thinned_;
+    std::vector<std::uint32_t> place_; // of its points: places_of()
     // By point of those: where the surface lies around it, middle and radius; and where it is itself.
     std::vector<glm::vec4> fitted_, on_line_;
     std::vector<Segment> segments_;

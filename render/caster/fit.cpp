@@ -51,10 +51,9 @@ HWY_INLINE V DistanceAlong(const Field& field, std::uint32_t near, V3 middle, V3
 
 void FitCircles(const Field& field, Across* places, std::size_t count) {
     const D d;
-    constexpr std::size_t kN = hn::MaxLanes(D());
     for (Across* place = places; place < places + count; ++place) {
         V sum = hn::Zero(d), along_side = hn::Zero(d), along_up = hn::Zero(d);
-        for (std::size_t k = 0; k < kWays; k += kN) {
+        for (std::size_t k = 0; k < kWays; k += std::size_t(kN)) {
             const V cosine = hn::Load(d, kCosine + k), sine = hn::Load(d, kSine + k);
             const V3 way = cosine * set(place->side) + sine * set(place->up);
             const V distance =

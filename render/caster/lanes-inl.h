@@ -24,6 +24,7 @@ using V = hn::Vec<D>;
 using VU = hn::Vec<DU>;
 using VI = hn::Vec<DI>;
 using M = hn::Mask<D>;
+constexpr int kN = int(hn::MaxLanes(D()));
 
 HWY_INLINE V set(float x) { return hn::Set(D(), x); }
 HWY_INLINE V clamp01(V x) { return hn::Min(hn::Max(x, hn::Zero(D())), set(1.0F)); }

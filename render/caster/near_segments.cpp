@@ -16,7 +16,7 @@ constexpr std::size_t kMostNear = 48; // the others add next to nothing, and tak
 struct Meetings {
     std::vector<std::uint32_t> first, segments;
 
-    Meetings(const std::vector<std::uint32_t>& place, std::span<const std::uint32_t> points) : first(place.size() + 1) {
+    Meetings(std::span<const std::uint32_t> place, std::span<const std::uint32_t> points) : first(place.size() + 1) {
         const auto for_ends = [&](const auto& call) {
             for (std::uint32_t s = 0; s < points.size(); ++s)
                 for (const std::uint32_t end : {points[s], points[s] + 1}) call(place[end], s);
@@ -61,8 +61,8 @@ std::vector<std::uint32_t> places_of(const Centerlines& lines) {
     return place;
 }
 
-NearSegments find_near_segments(const Centerlines& lines, std::span<const std::uint32_t> points, float support_radii) {
-    const std::vector<std::uint32_t> place = places_of(lines);
+NearSegments find_near_segments(const Centerlines& lines, std::span<const std::uint32_t> place,
+                                std::span<const std::uint32_t> points, float support_radii) {
     const Meetings meetings(place, points);
     const auto at = [&](std::uint32_t point) { return glm::vec3(lines.points[point]); };
     const auto radius = [&](std::uint32_t s) {

@@ -18,10 +18,10 @@ struct NearSegments {
     std::vector<std::uint32_t> first, segments;
 };
 
-// `points`: the first point of each segment, which ends at the next one. Segments meet where they have a point in
-// common and where their points are the same place. `support_radii`: how far a segment's kernel reaches, in radii.
-// Vessels that pass close by without being joined there are not found.
-[[nodiscard]] NearSegments find_near_segments(const Centerlines& lines, std::span<const std::uint32_t> points,
-                                              float support_radii);
+// `place`: places_of() the lines. `points`: the first point of each segment, which ends at the next one. Segments meet
+// where they have a point in common and where their points are the same place. `support_radii`: how far a segment's
+// kernel reaches, in radii. Vessels that pass close by without being joined there are not found.
+[[nodiscard]] NearSegments find_near_segments(const Centerlines& lines, std::span<const std::uint32_t> place,
+                                              std::span<const std::uint32_t> points, float support_radii);
 
 } // namespace ramus::render::caster

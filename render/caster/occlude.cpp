@@ -9,8 +9,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-constexpr int kN = int(hn::MaxLanes(D()));
-
 // Of every second pixel in every second row: what smooths it fills in the others.
 void OccludeTile(const View& view, int x0, int y0, const PictureArrays& picture) {
     const D d;

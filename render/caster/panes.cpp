@@ -14,8 +14,6 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-constexpr int kN = int(hn::MaxLanes(D()));
-
 // The stretches that one ray goes through cones, sorted by where they begin.
 struct Stretches {
     float in[kMostPanes], out[kMostPanes];

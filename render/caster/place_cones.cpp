@@ -80,6 +80,7 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines, bool as_fie
     if (!lines || lines->points.empty()) return;
     thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
     if (as_field) thinned_ = with_ends(thinned_);
+    place_ = places_of(thinned_);
     on_line_ = thinned_.points;
     for (glm::vec4& point : on_line_) point.w = 0.0F;
     for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
@@ -107,7 +108,8 @@ void Caster::find_near(const Frame& frame) {
     if (near_width_ > 0.0F) {
         std::vector<std::uint32_t> points(segments_.size());
         std::ranges::transform(segments_, points.begin(), &Segment::point);
-        near_ = find_near_segments(thinned_, points, static_cast<float>(field::Kernel(near_width_).support_radii));
+        near_ =
+            find_near_segments(thinned_, place_, points, static_cast<float>(field::Kernel(near_width_).support_radii));
     }
     fit_cones(frame.width, frame.beyond_ends);
 }
@@ -134,10 +136,9 @@ void Caster::find_joints() {
         std::uint32_t* beyond;       // to fill in
         std::uint32_t joint, inward; // points
     };
-    const std::vector<std::uint32_t> place = places_of(thinned_);
     std::map<std::uint32_t, std::vector<End>> joints;
     const auto add = [&](std::uint32_t& beyond, std::uint32_t joint, std::uint32_t inward) {
-        if (beyond == Segment::kFree) joints[place[joint]].push_back({&beyond, joint, inward});
+        if (beyond == Segment::kFree) joints[place_[joint]].push_back({&beyond, joint, inward});
     };
     for (Segment& segment : segments_) {
         add(segment.before, segment.point, segment.point + 1);

@@ -9,8 +9,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-constexpr int kN = int(hn::MaxLanes(D()));
-
 // Colours of a vector of records, one after the other: red, green, blue and `alpha`.
 HWY_INLINE void Spread(V3 colour, V alpha, float* to) {
     hn::StoreInterleaved4(colour.x, colour.y, colour.z, alpha, D(), to);

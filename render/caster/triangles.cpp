@@ -1,5 +1,7 @@
 #include "render/caster/triangles.h"
 
+#include "render/scene.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +14,6 @@
 namespace ramus::render::caster {
 
 namespace {
-
-constexpr float kNearer = 1.5F; // pixels that lines come towards the eye, off the surface they lie on; as OpenGL's
 
 struct Corner {
     glm::vec3 at;     // eye space
@@ -99,7 +99,7 @@ void place_triangles(const Body& body, const View& view, const glm::dmat4& to_ey
     const ShapeTriangles& shape = *body.shape;
     if (shape.triangles.empty()) return;
     glm::dmat4 about = glm::translate(to_eye, shape.bounds.centre());
-    const double nearer = body.half_width > 0.0F ? double(kNearer) * double(view.mm_a_pixel) : 0.0;
+    const double nearer = body.half_width > 0.0F ? kContextLinesNearer * double(view.mm_a_pixel) : 0.0;
     about = (view.flat ? glm::translate(glm::dmat4(1.0), {0.0, 0.0, -nearer})
                        : glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 - nearer))) *
             about;

@@ -65,7 +65,8 @@ void Renderer::Impl::add_bodies(const Frame& frame, caster::Meaning& meaning) co
 }
 
 std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>& layers) {
-    caster::Meaning meaning = meaning_of(frame, eye_matrix(frame.camera));
+    const glm::dmat4 eye = eye_matrix(frame.camera);
+    caster::Meaning meaning = meaning_of(frame, eye);
     add_bodies(frame, meaning);
     caster_.follow(frame.centerlines, frame.width > 0.0F);
     (void)look_at(frame, drawn_ != nullptr ? drawn_->shown()->bounds() : lines_.bounds());
@@ -88,7 +89,6 @@ std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>&
     const LookBlock block = look_of(frame, outlined);
     caster::Look look;
     std::memcpy(&look, &block, sizeof look);
-    const glm::dmat4 eye = eye_matrix(frame.camera);
     return caster_.draw(frame, view, eye, look, outlined, layers, records_, meaning);
 }
 

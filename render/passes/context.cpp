@@ -11,7 +11,6 @@ namespace ramus::render {
 
 namespace {
 
-constexpr double kNearer = 1.5;            // pixels that lines come towards the eye, off the surface they lie on
 constexpr GLuint kLesionPane = 0x00400000; // as in panes.glsl
 
 // `about` goes from mm about the middle of the shape's bounds to clip space.
@@ -52,7 +51,7 @@ std::uint64_t Renderer::Impl::draw_clear_context(const Frame& frame, const Prepa
     std::uint64_t triangles = 0;
     const bool quick = frame.quality == Quality::kInteractive, flat = frame.camera.orthographic;
     const glm::dmat4 view = view_matrix(frame.camera);
-    const double nearer = kNearer * double(view_.pixel_to_eye.z);
+    const double nearer = kContextLinesNearer * double(view_.pixel_to_eye.z);
     const glm::dmat4 off = flat ? glm::translate(glm::dmat4(1.0), {0.0, 0.0, nearer})
                                 : glm::scale(glm::dmat4(1.0), glm::dvec3(1.0 - nearer));
     const float point = frame.pixel_ratio * float(inner_.y) / float(size_.y);

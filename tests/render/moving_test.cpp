@@ -68,6 +68,18 @@ struct Scene {
     }
 };
 
+// Mean of 255, over the pixels of a picture that show vessels.
+double apart_on_vessels(const Image& picture, const Image& other, const BranchPicture& branches, std::size_t& vessels) {
+    double sum = 0.0;
+    vessels = 0;
+    for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+        if (branches.branches[i] == kNoBranch) continue;
+        ++vessels;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(picture.rgba[k] - other.rgba[k]) / 3.0;
+    }
+    return sum / double(vessels);
+}
+
 } // namespace
 
 TEST_CASE("cones stand in for the surface while the view moves, and look like it") {
@@ -88,18 +100,15 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
         const Image surface = still.renderer->read_image();
         const BranchPicture surface_branches = still.renderer->read_branches();
 
-        double sum = 0.0;
         std::size_t vessels = 0, other_branch = 0;
-        for (std::size_t i = 0; i < surface_branches.branches.size(); ++i) {
-            if (surface_branches.branches[i] == kNoBranch) continue;
-            ++vessels;
-            other_branch += cone_branches.branches[i] != surface_branches.branches[i] ? 1 : 0;
-            for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(cones.rgba[k] - surface.rgba[k]) / 3.0;
-        }
-        MESSAGE("mean difference " << sum / double(vessels) << " of 255; "
-                                   << 100.0 * double(other_branch) / double(vessels) << " % show another branch");
+        const double apart = apart_on_vessels(cones, surface, surface_branches, vessels);
+        for (std::size_t i = 0; i < surface_branches.branches.size(); ++i)
+            if (surface_branches.branches[i] != kNoBranch)
+                other_branch += cone_branches.branches[i] != surface_branches.branches[i] ? 1 : 0;
+        MESSAGE("mean difference " << apart << " of 255; " << 100.0 * double(other_branch) / double(vessels)
+                                   << " % show another branch");
         REQUIRE(vessels > 20'000);
-        CHECK(sum / double(vessels) < 0.2); // the samples are the same, the noise of the occlusion is not
+        CHECK(apart < 0.2); // the samples are the same, the noise of the occlusion is not
         CHECK(double(other_branch) < 0.001 * double(vessels));
         const Pick pick = still.renderer->pick(320, 300);
         CHECK(cone_pick.branch == pick.branch);
@@ -143,15 +152,8 @@ TEST_CASE("a surface that is not there yet is seen along its centerlines, in the
     CHECK_FALSE(first.pending); // nothing is sent that nobody will see
     CHECK(first.uploaded == 0);
     const auto difference = [&] {
-        const Image picture = awaiting.renderer->read_image();
-        double sum = 0.0;
         std::size_t vessels = 0;
-        for (std::size_t i = 0; i < branches.branches.size(); ++i) {
-            if (branches.branches[i] == kNoBranch) continue;
-            ++vessels;
-            for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(picture.rgba[k] - surface.rgba[k]) / 3.0;
-        }
-        return sum / double(vessels);
+        return apart_on_vessels(awaiting.renderer->read_image(), surface, branches, vessels);
     };
     CHECK(difference() < 0.6);
     CHECK(awaiting.renderer->pick(320, 300).branch == pick.branch);
