@@ -1,8 +1,8 @@
 // LargeArray: a std::vector for plain values that spends nothing on setting elements which will all be written before
-// they are read (resize leaves them unset), and that asks for large pages where they pay: first touch of a page costs
-// as much as filling it, and a page of 2 MB spares 511 of 512 such first touches. What a large one held goes back to
-// the system at once.
+// they are read (resize leaves them unset), and that has pages of its own where it is long (pages.h).
 #pragma once
+
+#include "core/base/pages.h"
 
 #include <cstddef>
 #include <memory>
@@ -12,10 +12,6 @@
 #include <vector>
 
 namespace ramus {
-
-// Whole pages from the system; throws std::bad_alloc.
-[[nodiscard]] void* take_pages(std::size_t bytes);
-void give_pages_back(void* memory, std::size_t bytes);
 
 template <class T> class LargeAllocator {
 public:

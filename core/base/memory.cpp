@@ -1,5 +1,8 @@
 #include "core/base/memory.h"
 
+#include "core/base/pages.h"
+
+#include <algorithm>
 #include <fstream>
 #include <unistd.h>
 
@@ -15,7 +18,8 @@ double process_memory() {
     double total = 0.0;
     double resident = 0.0;
     if (!(statm >> total >> resident)) return 0.0;
-    return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    return std::max(0.0,
+                    resident * static_cast<double>(sysconf(_SC_PAGE_SIZE)) - static_cast<double>(kept_page_bytes()));
 }
 
 } // namespace ramus

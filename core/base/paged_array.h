@@ -2,7 +2,7 @@
 // Growing moves no value, giving values up frees their pages, and what has not been written takes no memory.
 #pragma once
 
-#include "core/base/large_array.h"
+#include "core/base/pages.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,11 +11,6 @@
 #include <utility>
 
 namespace ramus {
-
-// Whole pages among these bytes go back to the system; what was in them is lost. They may be written again.
-void empty_pages(void* memory, std::size_t bytes);
-// Pages from take_pages() as part of a longer stretch, elsewhere maybe; throws std::bad_alloc.
-[[nodiscard]] void* stretch_pages(void* memory, std::size_t bytes, std::size_t more_bytes);
 
 template <class T> class PagedArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

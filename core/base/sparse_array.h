@@ -2,12 +2,15 @@
 // resize() is 0 and takes no memory, by pages of 4 KB; reading there takes none either. Who fills it leaves zeros out.
 #pragma once
 
-#include "core/base/large_array.h"
+#include "core/base/pages.h"
+
+#include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace ramus {
-
-// Pages of zeros from the system, none of them large; throws std::bad_alloc. Given back like others.
-[[nodiscard]] void* take_zero_pages(std::size_t bytes);
 
 template <class T> class SparseAllocator {
 public:
@@ -16,7 +19,7 @@ public:
     template <class U> explicit(false) SparseAllocator(const SparseAllocator<U>&) {}
 
     T* allocate(std::size_t count) { return static_cast<T*>(take_zero_pages(count * sizeof(T))); }
-    void deallocate(T* memory, std::size_t count) { give_pages_back(memory, count * sizeof(T)); }
+    void deallocate(T* memory, std::size_t count) { give_zero_pages_back(memory, count * sizeof(T)); }
 
     template <class U, class... Arguments> void construct(U* at, Arguments&&... arguments) {
         if constexpr (sizeof...(Arguments) > 0 || !std::is_trivially_copyable_v<U>)

@@ -88,7 +88,7 @@ TEST_CASE("a tile is joined after all that it touches are filled, and let go aft
     // By the neighbourhoods that joining goes by, not by the pairs that the schedule does.
     std::vector<std::uint32_t> all(octree.tiles.size());
     std::iota(all.begin(), all.end(), 0U);
-    LargeArray<mesh::bricks::Neighbourhood> around;
+    ChunkedArray<mesh::bricks::Neighbourhood> around;
     mesh::bricks::find_neighbours(octree, all, around);
     for (std::uint32_t b = 0; b < octree.bricks.size(); ++b) {
         const std::uint32_t tile = octree.bricks[b].tile;

@@ -112,9 +112,7 @@ Result<void> Polygonizer::make(std::unique_ptr<State> state, Job& job) {
     const auto roomy = [&](auto& array) {
         array.reserve(array.size() + static_cast<std::size_t>(kSlack * static_cast<double>(array.size())));
     };
-    roomy(octree_.nodes), roomy(octree_.bricks), roomy(octree_.lists), roomy(cells_.neighbours);
-    cells_.cells.resize(octree_.bricks.size());
-    roomy(cells_.cells);
+    roomy(octree_.nodes), roomy(octree_.bricks), roomy(octree_.lists);
 
     if (!job.cancelled()) bricks::fill_tiles(state->field, octree_, tiles, cells_, JobStretch(job, 0.15F, 0.8F));
     count(tiles);

@@ -148,6 +148,10 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
 void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
                 SurfaceCells& surface, const JobStretch& job) {
     surface.cells.resize(octree.bricks.size());
+    for (const std::uint32_t tile : tiles) {
+        const Tile& t = octree.tiles[tile];
+        surface.cells.provide(t.first_brick, t.first_brick + t.brick_count);
+    }
     surface.tiles.resize(octree.tiles.size());
     VertexBlocks blocks(surface);
     std::atomic<std::size_t> done{0};

@@ -101,8 +101,8 @@ struct TileCells {
 };
 
 struct SurfaceCells {
-    LargeArray<Neighbourhood> neighbours;                          // by brick
-    LargeArray<BrickCells> cells;                                  // by brick
+    ChunkedArray<Neighbourhood> neighbours;                        // by brick
+    ChunkedArray<BrickCells> cells;                                // by brick
     std::vector<TileCells> tiles;                                  // by tile
     std::vector<std::unique_ptr<SurfaceVertices>> vertices, spare; // blocks in use, and to be used
 

@@ -49,7 +49,7 @@ constexpr glm::ivec3 place_of(int cell) { return {cell & 3, cell >> 2 & 3, cell 
 } // namespace
 
 void BrickSampler::begin(const field::ConvolutionField& field, const Octree& octree, const Tile& tile,
-                         const LargeArray<Neighbourhood>& neighbours, SurfaceVertices& vertices) {
+                         const ChunkedArray<Neighbourhood>& neighbours, SurfaceVertices& vertices) {
     field_ = &field;
     octree_ = &octree;
     all_neighbours_ = &neighbours;

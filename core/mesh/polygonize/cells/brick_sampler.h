@@ -18,7 +18,7 @@ namespace ramus::mesh::bricks {
 class BrickSampler {
 public:
     void begin(const field::ConvolutionField& field, const Octree& octree, const Tile& tile,
-               const LargeArray<Neighbourhood>& neighbours, SurfaceVertices& vertices);
+               const ChunkedArray<Neighbourhood>& neighbours, SurfaceVertices& vertices);
     // Bricks from the last of the tile to the first. Appends their vertices to what begin() was given; leaves the
     // indices in `cells` relative to the tile.
     void fill(std::uint32_t index, BrickCells& cells, TileCells& tile);
@@ -73,7 +73,7 @@ private:
     // Of the tile.
     const field::ConvolutionField* field_ = nullptr;
     const Octree* octree_ = nullptr;
-    const LargeArray<Neighbourhood>* all_neighbours_ = nullptr;
+    const ChunkedArray<Neighbourhood>* all_neighbours_ = nullptr;
     std::uint32_t first_brick_ = 0, brick_count_ = 0; // of the tile
     float isovalue_ = 0.0F;
     SurfaceVertices* vertices_ = nullptr; // to which the tile's are appended

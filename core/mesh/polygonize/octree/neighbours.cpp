@@ -65,7 +65,7 @@ Neighbourhood describe(const Octree& octree, const Places& around) {
     return described;
 }
 
-void walk(const Octree& octree, const Places& around, LargeArray<Neighbourhood>& found) {
+void walk(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found) {
     const OctreePlace self = around[kSelf];
     if (self.is_brick()) found[self.index()] = describe(octree, around);
     if (!self.is_node()) return;
@@ -142,12 +142,16 @@ void OctreeChanges::mark(const Octree& octree, std::uint32_t upper) {
     for (; below[upper] == 0; upper = octree.upper[upper].parent) below[upper] = 1;
 }
 
-void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, LargeArray<Neighbourhood>& found) {
+void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, ChunkedArray<Neighbourhood>& found) {
     found.resize(octree.bricks.size());
     OctreeChanges wanted;
     wanted.tiles.assign(octree.tiles.size(), 0);
     wanted.below.assign(octree.upper.size(), 0);
-    for (const std::uint32_t tile : tiles) wanted.tiles[tile] = 1, wanted.mark(octree, octree.tiles[tile].parent);
+    for (const std::uint32_t tile : tiles) {
+        const Tile& t = octree.tiles[tile];
+        found.provide(t.first_brick, t.first_brick + t.brick_count);
+        wanted.tiles[tile] = 1, wanted.mark(octree, t.parent);
+    }
     std::vector<Places> around;
     around.reserve(tiles.size());
     const auto collect = [&](std::uint32_t tile, const Surroundings& surroundings) {

@@ -1,7 +1,7 @@
 // Neighbours: what lies in the 26 places around a brick.
 #pragma once
 
-#include "core/base/large_array.h"
+#include "core/base/chunked_array.h"
 #include "core/mesh/polygonize/octree/octree.h"
 
 #include <array>
@@ -35,7 +35,7 @@ struct Neighbourhood {
 
 // Fills in `found`, by brick, for the bricks of some tiles. A walk down the octree: the places around a child are
 // children of the places around its parent.
-void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, LargeArray<Neighbourhood>& found);
+void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, ChunkedArray<Neighbourhood>& found);
 
 // Pairs of tiles that touch each other, in no order; a pair may come twice.
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_tiles(const Octree& octree);

@@ -1,6 +1,6 @@
 #include "core/mesh/polygonize/stream/surface_stream.h"
 
-#include "core/base/paged_array.h"
+#include "core/base/pages.h"
 #include "core/base/stopwatch.h"
 
 #include <oneapi/tbb/parallel_for.h>
@@ -94,6 +94,9 @@ void SurfaceStream::drop(std::span<const std::uint32_t> tiles) {
         evaluations_ += cells_.tiles[tile].evaluations;
         samples_ += cells_.tiles[tile].samples;
         cells_.tiles[tile] = {};
+        const std::uint32_t first = octree_.tiles[tile].first_brick;
+        cells_.neighbours.release(first, brick_end(tile));
+        cells_.cells.release(first, brick_end(tile));
     }
     constexpr std::uint32_t kPageOfBricks = 1024; // more than a page holds of anything
     for (std::size_t t = 0; t < tiles.size();) {
@@ -116,8 +119,6 @@ void SurfaceStream::empty(std::uint32_t first_tile, std::uint32_t end_tile) {
     const Brick& last = octree_.bricks[first + count - 1];
     const std::uint32_t list = octree_.bricks[first].list_begin;
     empty_pages(&octree_.lists[list], (last.list_begin + last.list_count - list) * sizeof(std::uint32_t));
-    empty_pages(&cells_.neighbours[first], count * sizeof(Neighbourhood));
-    empty_pages(&cells_.cells[first], count * sizeof(BrickCells));
     store_.release_vertices(placed_[first_tile].first, placed_[end_tile - 1].end);
 }
 

@@ -1,0 +1,194 @@
+#include "core/base/pages.h"
+
+#include "core/base/memory.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <mutex>
+#include <new>
+#include <sys/mman.h>
+#include <vector>
+
+namespace ramus {
+
+namespace {
+
+constexpr std::size_t kPage = 4096;
+constexpr std::size_t kLargePage = std::size_t{2} << 20;
+
+std::uintptr_t address(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory); }
+
+std::size_t whole(std::size_t bytes, std::size_t page) { return (bytes + page - 1) / page * page; }
+
+bool has_large_pages(std::size_t bytes) { return bytes >= 2 * kLargePage; }
+
+std::size_t size_of(std::size_t bytes) { return whole(bytes, has_large_pages(bytes) ? kLargePage : kPage); }
+
+void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    madvise(memory, bytes, MADV_HUGEPAGE); // a hint only
+#endif
+}
+
+void* map(std::size_t bytes) {
+    // Not all that is asked for is written at the same time (paged_array.h), so none is set aside.
+    void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    return memory;
+}
+
+// Large pages begin at their own multiples.
+void* map_large(std::size_t bytes) {
+    const std::size_t mapped = bytes + kLargePage;
+    void* memory = map(mapped);
+    const std::uintptr_t begin = address(memory);
+    const std::uintptr_t aligned = whole(begin, kLargePage);
+    const std::uintptr_t end = aligned + bytes;
+    if (aligned > begin) munmap(memory, aligned - begin);
+    if (end < begin + mapped) munmap(reinterpret_cast<void*>(end), begin + mapped - end);
+    ask_for_large_pages(reinterpret_cast<void*>(aligned), bytes);
+    return reinterpret_cast<void*>(aligned);
+}
+
+// Stretches of large pages that nobody uses now.
+class KeptPages {
+public:
+    // Out of the shortest that is long enough. Null: none is, and as many bytes have gone back to the system.
+    void* take(std::size_t bytes) {
+        const std::scoped_lock lock(mutex_);
+        auto best = stretches_.end();
+        for (auto s = stretches_.begin(); s != stretches_.end(); ++s)
+            if (s->bytes >= bytes && (best == stretches_.end() || s->bytes < best->bytes)) best = s;
+        if (best == stretches_.end()) {
+            release(bytes);
+            return nullptr;
+        }
+        std::byte* memory = best->begin;
+        bytes_ -= bytes;
+        *best = {best->begin + bytes, best->bytes - bytes};
+        if (best->bytes == 0) stretches_.erase(best);
+        return memory;
+    }
+
+    void keep(void* memory, std::size_t bytes) {
+        const std::scoped_lock lock(mutex_);
+#ifdef MADV_FREE
+        const bool lent = madvise(memory, bytes, MADV_FREE) == 0;
+#else
+        const bool lent = false;
+#endif
+        if (!lent || bytes_ + bytes > limit_) {
+            munmap(memory, bytes);
+            return;
+        }
+        Stretch kept{static_cast<std::byte*>(memory), bytes};
+        std::erase_if(stretches_, [&](const Stretch& s) {
+            const bool before = s.begin + s.bytes == kept.begin;
+            const bool behind = kept.begin + kept.bytes == s.begin;
+            if (before) kept.begin = s.begin;
+            if (before || behind) kept.bytes += s.bytes;
+            return before || behind;
+        });
+        stretches_.push_back(kept);
+        bytes_ += bytes;
+    }
+
+    // The oldest first, whole ones.
+    void release(std::size_t bytes) {
+        std::size_t gone = 0;
+        auto end = stretches_.begin();
+        for (; end != stretches_.end() && gone < bytes; ++end) {
+            munmap(end->begin, end->bytes);
+            gone += end->bytes;
+        }
+        stretches_.erase(stretches_.begin(), end);
+        bytes_ -= gone;
+    }
+
+    std::size_t resident_bytes() {
+        const std::scoped_lock lock(mutex_);
+        std::size_t pages = 0;
+        std::vector<unsigned char> resident;
+        for (const Stretch& s : stretches_) {
+            resident.assign(s.bytes / kPage, 0);
+            if (mincore(s.begin, s.bytes, resident.data()) != 0) continue;
+            pages += static_cast<std::size_t>(std::ranges::count_if(resident, [](auto r) { return (r & 1U) != 0; }));
+        }
+        return pages * kPage;
+    }
+    void release_all() {
+        const std::scoped_lock lock(mutex_);
+        release(bytes_);
+    }
+
+private:
+    struct Stretch {
+        std::byte* begin;
+        std::size_t bytes;
+    };
+
+    std::mutex mutex_;
+    std::vector<Stretch> stretches_;
+    std::size_t bytes_ = 0;
+    const std::size_t limit_ = static_cast<std::size_t>(0.5 * memory_limit(0.0));
+};
+
+KeptPages& kept_pages() {
+    static auto* const pages = new KeptPages; // outlives every array
+    return *pages;
+}
+
+} // namespace
+
+void* take_pages(std::size_t bytes) {
+    const std::size_t size = size_of(bytes);
+    if (!has_large_pages(bytes)) return map(size);
+    void* memory = kept_pages().take(size);
+    return memory != nullptr ? memory : map_large(size);
+}
+
+void give_pages_back(void* memory, std::size_t bytes) {
+    const std::size_t size = size_of(bytes);
+    if (has_large_pages(bytes) && address(memory) % kLargePage == 0)
+        kept_pages().keep(memory, size);
+    else
+        munmap(memory, size);
+}
+
+void* stretch_pages(void* memory, std::size_t bytes, std::size_t more_bytes) {
+    const std::size_t size = size_of(more_bytes);
+    void* stretched = mremap(memory, size_of(bytes), size, MREMAP_MAYMOVE);
+    if (stretched == MAP_FAILED) {
+        if (errno != EFAULT) throw std::bad_alloc();
+        // Neighbours kept together that the system has apart.
+        stretched = take_pages(more_bytes);
+        std::memcpy(stretched, memory, bytes);
+        give_pages_back(memory, bytes);
+    }
+    if (has_large_pages(more_bytes)) ask_for_large_pages(stretched, size);
+    return stretched;
+}
+
+void empty_pages(void* memory, std::size_t bytes) {
+    const std::uintptr_t first = whole(address(memory), kPage);
+    const std::uintptr_t end = (address(memory) + bytes) / kPage * kPage;
+    if (end > first) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
+}
+
+void* take_zero_pages(std::size_t bytes) {
+    void* memory = map(size_of(bytes));
+#ifdef MADV_NOHUGEPAGE
+    madvise(memory, size_of(bytes), MADV_NOHUGEPAGE); // one value in a large page would fill all of it
+#endif
+    return memory;
+}
+
+void give_zero_pages_back(void* memory, std::size_t bytes) { munmap(memory, size_of(bytes)); }
+
+std::size_t kept_page_bytes() { return kept_pages().resident_bytes(); }
+
+void let_kept_pages_go() { kept_pages().release_all(); }
+
+} // namespace ramus
