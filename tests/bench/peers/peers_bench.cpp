@@ -1,11 +1,13 @@
 // ramus beside what Debian ships for such surfaces: VTK's tubes and flying edges, OpenVDB's level sets. Same trees,
 // same cell size (two thirds of the smallest radius, or --cell), same run: the methods take turns, and every turn is a
-// process of its own, so that nobody inherits another's memory.
+// process of its own, so that nobody inherits another's memory. In it the surface is made twice: first, when the system
+// has to find all memory, which on a virtual machine may cost as much as the work, and again, when the process has it.
 //
-// Columns: million triangles; seconds (median), and how many of them fill a grid with values; million triangles a
-// second; peak memory beyond what the process began with, also per triangle; volume inside; whether the surface is
-// closed, that is whether every directed edge has its opposite, each exactly once; how many times as fast as that
-// method ramus is at one cell size, in triangles a second; and how many times ramus' memory that method takes.
+// Columns: million triangles; seconds (medians) the first time, how many of them fill a grid with values, and again;
+// million triangles a second, first and again; peak memory of the first beyond what the process began with, also per
+// triangle; volume inside; whether the surface is closed, that is whether every directed edge has its opposite, each
+// exactly once; how many times as fast as that method ramus is at one cell size, in triangles a second, first and
+// again; and how many times ramus' memory that method takes.
 #include "core/field/sampling.h"
 #include "core/io/tree_reader.h"
 #include "core/mesh/polygonize/polygonize.h"
@@ -55,7 +57,7 @@ enum class Closed : std::uint8_t { kNo, kYes, kUnknown };
 // What a child reports, as plain bytes through a pipe.
 struct Turn {
     std::uint64_t triangles = 0;
-    double seconds = 0.0, fill_s = 0.0;
+    double seconds = 0.0, fill_s = 0.0, again_s = 0.0;
     double peak_bytes = 0.0;
     double volume_mm3 = 0.0;
     Closed closed = Closed::kUnknown;
@@ -148,15 +150,23 @@ Turn take_turn(const Method& method, const Scene& scene) {
     tbb::task_arena arena(scene.threads);
     arena.execute([&] {
         const double before = resident_bytes();
-        const auto start = std::chrono::steady_clock::now();
-        const Made made = method.make(scene);
-        turn.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        Made made;
+        const auto make = [&] {
+            const auto start = std::chrono::steady_clock::now();
+            made = method.make(scene);
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        };
+        turn.seconds = make();
         rusage usage{};
         getrusage(RUSAGE_SELF, &usage);
         turn.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss) - before;
         turn.fill_s = made.fill_s;
         turn.triangles = made.triangles;
         std::snprintf(turn.refusal, sizeof turn.refusal, "%s", made.refusal.c_str());
+        if (made.refusal.empty()) {
+            made = {}; // its memory is free again
+            turn.again_s = make();
+        }
         // Beyond, the check would need more memory than the surface.
         constexpr std::uint64_t kMostChecked = 30'000'000;
         if (!made.refusal.empty() || made.triangles > kMostChecked) return;
@@ -197,15 +207,17 @@ Turn take_turn_apart(const Method& method, const Scene& scene) {
 
 struct Row {
     Turn last;
-    std::vector<double> seconds, fill_s, peak_bytes;
+    std::vector<double> seconds, fill_s, again_s, peak_bytes;
 
     void add(const Turn& turn) {
         last = turn;
-        seconds.push_back(turn.seconds), fill_s.push_back(turn.fill_s), peak_bytes.push_back(turn.peak_bytes);
+        seconds.push_back(turn.seconds), fill_s.push_back(turn.fill_s), again_s.push_back(turn.again_s);
+        peak_bytes.push_back(turn.peak_bytes);
     }
     [[nodiscard]] bool refused() const { return last.refusal[0] != '\0'; }
     [[nodiscard]] double triangles() const { return static_cast<double>(last.triangles); }
     [[nodiscard]] double speed() const { return triangles() / median(seconds); }
+    [[nodiscard]] double speed_again() const { return triangles() / median(again_s); }
 };
 
 void print_row(const std::string& name, const Row& row, const Row& ramus) {
@@ -214,13 +226,16 @@ void print_row(const std::string& name, const Row& row, const Row& ramus) {
         return;
     }
     const double peak = median(row.peak_bytes);
-    std::printf("  %-26s %8.3f %8.3f %8.3f %7.2f %8.1f %7.1f", name.c_str(), row.triangles() / 1e6, median(row.seconds),
-                median(row.fill_s), row.speed() / 1e6, peak / kMiB, peak / row.triangles());
+    std::printf("  %-26s %8.3f %8.3f %8.3f %8.3f %7.2f %7.2f %8.1f %7.1f", name.c_str(), row.triangles() / 1e6,
+                median(row.seconds), median(row.fill_s), median(row.again_s), row.speed() / 1e6,
+                row.speed_again() / 1e6, peak / kMiB, peak / row.triangles());
     if (row.last.closed == Closed::kUnknown)
         std::printf(" %8s %6s", "-", "-"); // too large to be checked
     else
         std::printf(" %8.2f %6s", row.last.volume_mm3 / 1e3, row.last.closed == Closed::kYes ? "yes" : "no");
-    if (!ramus.refused()) std::printf(" %7.2fx %7.2fx", ramus.speed() / row.speed(), peak / median(ramus.peak_bytes));
+    if (!ramus.refused())
+        std::printf(" %7.2fx %7.2fx %7.2fx", ramus.speed() / row.speed(), ramus.speed_again() / row.speed_again(),
+                    peak / median(ramus.peak_bytes));
     std::printf("\n");
 }
 
@@ -271,10 +286,10 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     std::printf("%d threads, %s, %d runs\n", options.threads, field::instruction_set(), options.runs);
-    std::printf("  %-26s %8s %8s %8s %7s %8s %7s %8s %6s %8s %8s\n", "", "million", "", "of it", "Mtri", "peak",
-                "bytes /", "volume", "", "ramus'", "memory /");
-    std::printf("  %-26s %8s %8s %8s %7s %8s %7s %8s %6s %8s %8s\n", "method", "triang.", "s", "fill, s", "/s", "MiB",
-                "triang.", "ml", "closed", "speed", "ramus'");
+    std::printf("  %-26s %8s %8s %8s %8s %7s %7s %8s %7s %8s %6s %8s %8s %8s\n", "", "million", "first", "of it",
+                "again", "Mtri/s", "Mtri/s", "peak", "bytes /", "volume", "", "ramus'", "speed", "memory /");
+    std::printf("  %-26s %8s %8s %8s %8s %7s %7s %8s %7s %8s %6s %8s %8s %8s\n", "method", "triang.", "s", "fill, s",
+                "s", "first", "again", "MiB", "triang.", "ml", "closed", "first", "again", "ramus'");
     bool all = true;
     for (const int count : branches)
         if (count > 0)
