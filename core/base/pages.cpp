@@ -26,9 +26,10 @@ bool has_large_pages(std::size_t bytes) { return bytes >= 2 * kLargePage; }
 
 std::size_t size_of(std::size_t bytes) { return whole(bytes, has_large_pages(bytes) ? kLargePage : kPage); }
 
+// But not for the last, which would be filled in part only.
 void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
-    madvise(memory, bytes, MADV_HUGEPAGE); // a hint only
+    madvise(memory, bytes / kLargePage * kLargePage, MADV_HUGEPAGE); // a hint only
 #endif
 }
 
@@ -48,7 +49,6 @@ void* map_large(std::size_t bytes) {
     const std::uintptr_t end = aligned + bytes;
     if (aligned > begin) munmap(memory, aligned - begin);
     if (end < begin + mapped) munmap(reinterpret_cast<void*>(end), begin + mapped - end);
-    ask_for_large_pages(reinterpret_cast<void*>(aligned), bytes);
     return reinterpret_cast<void*>(aligned);
 }
 
@@ -146,7 +146,9 @@ void* take_pages(std::size_t bytes) {
     const std::size_t size = size_of(bytes);
     if (!has_large_pages(bytes)) return map(size);
     void* memory = kept_pages().take(size);
-    return memory != nullptr ? memory : map_large(size);
+    if (memory == nullptr) memory = map_large(size);
+    ask_for_large_pages(memory, bytes);
+    return memory;
 }
 
 void give_pages_back(void* memory, std::size_t bytes) {
@@ -167,7 +169,7 @@ void* stretch_pages(void* memory, std::size_t bytes, std::size_t more_bytes) {
         std::memcpy(stretched, memory, bytes);
         give_pages_back(memory, bytes);
     }
-    if (has_large_pages(more_bytes)) ask_for_large_pages(stretched, size);
+    if (has_large_pages(more_bytes)) ask_for_large_pages(stretched, more_bytes);
     return stretched;
 }
 
