@@ -4,6 +4,7 @@
 #include "render/gl_floor.h"
 #include "render/shader_text.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,21 @@ OutOfGraphicsMemory::OutOfGraphicsMemory(std::size_t bytes)
 int gl_objects_alive() { return alive; }
 void count_gl_object(int change) { alive += change; }
 void limit_gl_allocation(std::size_t bytes) { largest_allocation = bytes; }
+
+void Fence::put() {
+    glDeleteSync(sync_);
+    sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+}
+
+bool Fence::passed(double seconds) {
+    if (sync_ == nullptr) return true;
+    constexpr double kLongest = 1e3;
+    const auto nanoseconds = static_cast<GLuint64>(1e9 * std::clamp(seconds, 0.0, kLongest));
+    if (glClientWaitSync(sync_, 0, nanoseconds) == GL_TIMEOUT_EXPIRED) return false;
+    glDeleteSync(std::exchange(sync_, nullptr));
+    return true;
+}
 
 Buffer make_buffer() {
     GLuint id = 0;

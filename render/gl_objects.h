@@ -60,6 +60,25 @@ using VertexArray = GlObject<delete_vertex_array>;
 using Query = GlObject<delete_query>;
 using Program = GlObject<delete_program>;
 
+// A place in the stream of commands that the graphics card passes some time.
+class Fence {
+public:
+    Fence() = default;
+    Fence(Fence&& other) noexcept : sync_(std::exchange(other.sync_, nullptr)) {}
+    Fence& operator=(Fence&& other) noexcept {
+        std::swap(sync_, other.sync_);
+        return *this;
+    }
+    ~Fence() { glDeleteSync(sync_); } // none: nothing
+
+    void put(); // here, after what was drawn so far
+    // Whether all before the place is done, after waiting for so long at most; true without a place.
+    [[nodiscard]] bool passed(double seconds);
+
+private:
+    GLsync sync_ = nullptr;
+};
+
 [[nodiscard]] Buffer make_buffer(); // of no size
 // `flags` as of glBufferStorage; `data` may be null.
 [[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);

@@ -49,31 +49,28 @@ bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budg
 
 } // namespace
 
-// Of the index buffer, that are drawn together; neighbours are joined.
-class GpuMesh::Ranges {
-public:
-    void add(std::size_t first, std::size_t count) {
-        if (count == 0) return;
-        triangles += count;
-        if (!counts_.empty() && end_ == first) {
-            counts_.back() += static_cast<GLsizei>(3 * count);
+// Neighbours are joined.
+void GpuMesh::Ranges::add(std::size_t first, std::size_t count) {
+    constexpr std::size_t kPart = std::size_t{1} << 15; // triangles
+    while (count > 0) {
+        if (part_begins_.empty() || in_part_ == kPart) {
+            part_begins_.push_back(counts_.size());
+            in_part_ = 0;
+        }
+        const std::size_t now = std::min(count, kPart - in_part_);
+        if (in_part_ > 0 && end_ == first) {
+            counts_.back() += static_cast<GLsizei>(3 * now);
         } else {
-            counts_.push_back(static_cast<GLsizei>(3 * count));
+            counts_.push_back(static_cast<GLsizei>(3 * now));
             offsets_.push_back(reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first * sizeof(glm::uvec3))));
         }
-        end_ = first + count;
+        first += now;
+        count -= now;
+        in_part_ += now;
+        triangles_ += now;
+        end_ = first;
     }
-    void draw() const {
-        glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, offsets_.data(),
-                            static_cast<GLsizei>(counts_.size()));
-    }
-    std::uint64_t triangles = 0;
-
-private:
-    std::vector<GLsizei> counts_;
-    std::vector<const void*> offsets_;
-    std::size_t end_ = 0;
-};
+}
 
 GpuMesh::Copy::Copy(const PagedMesh& mesh)
     : vertex_array(make_vertex_array()), vertex_pages(with_room(mesh.vertex_pages().size())),
@@ -133,11 +130,11 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
     shown_ = mesh;
 }
 
-std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
-    if (!shown_) return 0;
-    const bool all_opaque = std::ranges::all_of(layers, [](Layer l) { return l == Layer::kOpaque; });
-    if (all_opaque && layer != Layer::kOpaque) return 0;
+GpuMesh::Ranges GpuMesh::choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
     Ranges ranges;
+    if (!shown_) return ranges;
+    const bool all_opaque = std::ranges::all_of(layers, [](Layer l) { return l == Layer::kOpaque; });
+    if (all_opaque && layer != Layer::kOpaque) return ranges;
     const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
     for (std::size_t i = 0; i < pages.size(); ++i) {
         const TrianglePage& page = *pages[i];
@@ -153,16 +150,17 @@ std::uint64_t GpuMesh::draw(const std::vector<Layer>& layers, Layer layer, const
                 ranges.add(first + run.first, run.count);
         }
     }
-    return draw(ranges);
+    return ranges;
 }
 
-std::uint64_t GpuMesh::draw_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
-    if (!shown_) return 0;
+GpuMesh::Ranges GpuMesh::choose_borders(const std::vector<Layer>& layers, Layer layer,
+                                        const glm::dmat4& to_clip) const {
+    Ranges ranges;
+    if (!shown_) return ranges;
     const auto is_wanted = [&](std::int32_t branch) {
         const auto at = static_cast<std::size_t>(branch);
         return (at < layers.size() ? layers[at] : Layer::kOpaque) == layer;
     };
-    Ranges ranges;
     const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
     for (std::size_t i = 0; i < pages.size(); ++i) {
         const TrianglePage& page = *pages[i];
@@ -171,14 +169,20 @@ std::uint64_t GpuMesh::draw_borders(const std::vector<Layer>& layers, Layer laye
                                 [&](const auto& pair) { return is_wanted(pair[0]) || is_wanted(pair[1]); }))
             ranges.add(i * TrianglePage::kSize + page.first_border, page.count - page.first_border);
     }
-    return draw(ranges);
+    return ranges;
+}
+
+void GpuMesh::draw_part(const Ranges& ranges, std::size_t part) const {
+    const std::size_t begin = ranges.part_begins_[part];
+    const std::size_t end = part + 1 < ranges.parts() ? ranges.part_begins_[part + 1] : ranges.counts_.size();
+    glBindVertexArray(drawn_->vertex_array);
+    glMultiDrawElements(GL_TRIANGLES, &ranges.counts_[begin], GL_UNSIGNED_INT, &ranges.offsets_[begin],
+                        static_cast<GLsizei>(end - begin));
 }
 
 std::uint64_t GpuMesh::draw(const Ranges& ranges) const {
-    if (ranges.triangles == 0) return 0;
-    glBindVertexArray(drawn_->vertex_array);
-    ranges.draw();
-    return ranges.triangles;
+    for (std::size_t part = 0; part < ranges.parts(); ++part) draw_part(ranges, part);
+    return ranges.triangles();
 }
 
 std::uint64_t GpuMesh::triangles_in_picture(const glm::dmat4& to_clip) const {

@@ -22,13 +22,32 @@ public:
     // What is drawn: the mesh last given to follow(), or the one before until that has come; null: nothing.
     [[nodiscard]] const std::shared_ptr<const PagedMesh>& shown() const { return shown_; }
 
-    // Draws the branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip`
-    // (from positions relative to origin) leaves in the picture, as far as their triangles go that are one branch's.
-    // Returns the number of triangles drawn.
-    std::uint64_t draw(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
+    // Triangles that are drawn together: stretches of the index buffer, in parts that a software rasteriser takes a
+    // few milliseconds for.
+    class Ranges {
+    public:
+        [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
+        [[nodiscard]] std::size_t parts() const { return part_begins_.size(); }
+
+    private:
+        friend GpuMesh;
+        void add(std::size_t first, std::size_t count);
+        std::vector<GLsizei> counts_; // of indices
+        std::vector<const void*> offsets_;
+        std::vector<std::size_t> part_begins_; // in these two
+        std::size_t end_ = 0;                  // of the last stretch
+        std::size_t in_part_ = 0;              // triangles of the last part
+        std::uint64_t triangles_ = 0;
+    };
+
+    // The branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip` (from
+    // positions relative to origin) leaves in the picture, as far as their triangles go that are one branch's.
+    [[nodiscard]] Ranges choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
     // The triangles where branches meet, for programs that tell whose each place is (shaders/border.glsl): those of
     // pages where a branch of this layer meets another.
-    std::uint64_t draw_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
+    [[nodiscard]] Ranges choose_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
+    void draw_part(const Ranges& ranges, std::size_t part) const;
+    std::uint64_t draw(const Ranges& ranges) const; // all of them; returns how many triangles
     // Of the pages that would be looked at, with branches of any layer.
     [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 
@@ -45,9 +64,6 @@ private:
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
         bool send(const PagedMesh& mesh, std::size_t& budget);          // true: all is there
     };
-
-    class Ranges;
-    std::uint64_t draw(const Ranges& ranges) const;
 
     std::unique_ptr<Copy> drawn_, coming_;
     std::shared_ptr<const PagedMesh> shown_;

@@ -27,8 +27,8 @@ Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes) {
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
-Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget) {
-    return impl_->draw(frame, upload_budget);
+Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget, double seconds) {
+    return impl_->draw(frame, upload_budget, seconds);
 }
 unsigned Renderer::texture() const { return impl_->texture(); }
 Image Renderer::read_image() { return impl_->read_image(); }

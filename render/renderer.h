@@ -48,11 +48,15 @@ struct DrawStatistics {
     std::uint64_t uploaded = 0;  // bytes of meshes sent to the GPU
     bool pending = false;        // the frame's mesh is not all there yet: its preview was drawn, or the mesh before it.
                                  // Draw again.
+    bool unfinished = false;     // it would have taken longer than it may: the picture is the one before. Draw again.
+    double seconds = 0.0;        // that the picture has taken, all calls together
     Quality quality = Quality::kFull; // that it was drawn in: quick while only the preview is there
 };
 
 // How much of a mesh a draw() may send, in bytes. A large mesh then comes over several frames, none of which waits.
 inline constexpr std::size_t kUploadAll = std::numeric_limits<std::size_t>::max();
+
+inline constexpr double kUntilDone = std::numeric_limits<double>::infinity();
 
 // The largest picture: neither side beyond kLargestSide, nor more than kLargestArea pixels.
 inline constexpr int kLargestSide = 16384;
@@ -72,8 +76,11 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out.
-    [[nodiscard]] Result<DrawStatistics> draw(const Frame& frame, std::size_t upload_budget = kUploadAll);
+    // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out. With a limit
+    // in seconds a picture in full quality may take several calls, which each go on where the one before stopped as
+    // long as camera, surface, states and size stay; and the limit is passed by a part that takes long.
+    [[nodiscard]] Result<DrawStatistics> draw(const Frame& frame, std::size_t upload_budget = kUploadAll,
+                                              double seconds = kUntilDone);
 
     // The current picture. Straight alpha when the background is transparent.
     [[nodiscard]] Image read_image();

@@ -9,6 +9,7 @@
 #include "render/gpu_mesh.h"
 #include "render/gpu_shapes.h"
 #include "render/gpu_skeleton.h"
+#include "render/in_parts.h"
 #include "render/overlay.h"
 #include "render/record_flags.h"
 #include "render/renderer.h"
@@ -62,11 +63,11 @@ class Renderer::Impl {
 public:
     explicit Impl(std::size_t glass_bytes) : glass_bytes_(glass_bytes) {}
     Result<void> initialise();
-    Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget);
+    Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget, double seconds);
     Image read_image() const;
     [[nodiscard]] unsigned texture() const { return picture_; }
     void present(unsigned framebuffer, int x, int y) const;
-    BranchPicture read_branches() const;
+    BranchPicture read_branches();
     Pick pick(double x, double y);
     void request_pick(double x, double y);
     std::optional<Pick> poll_pick();
@@ -84,13 +85,14 @@ private:
         int first = 0, count = 0;
     };
 
-    Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget);
+    Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget, double seconds);
     void let_go();
     enum class Targets { kPicture, kAll };
     Result<void> resize(glm::ivec2 size, Quality quality, Targets wanted);
     Frame take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
-    Result<std::uint64_t> draw_geometry(const Frame& frame, const GpuMesh* mesh, const std::vector<Layer>& layers);
-    glm::dmat4 look_at(const Frame& frame, const Box& box); // fills view_; to clip from mm
+    InParts<Result<std::uint64_t>> draw_geometry(const Frame& frame, const GpuMesh* mesh,
+                                                 const std::vector<Layer>& layers); // all must outlive it
+    glm::dmat4 look_at(const Frame& frame, const Box& box);                         // fills view_; to clip from mm
     // Context meshes and lesions: passes/context.cpp. Each returns the number of triangles drawn.
     enum class Clear { kAll, kLesions };
     static bool has_lesions(const Frame& f) { return !f.lesions.spheres.empty() || !f.lesions.meshes.empty(); }
@@ -102,8 +104,8 @@ private:
     std::uint64_t draw_clear(const Frame& frame, Clear what, const Prepare& prepare) const;
     std::uint64_t draw_clear_context(const Frame& frame, const Prepare& prepare) const;
     std::uint64_t draw_lesions(const Frame& frame, const Prepare& prepare) const;
-    Result<std::uint64_t> draw_glass(const Frame& frame, const GpuMesh& mesh);
-    std::size_t list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
+    InParts<Result<std::uint64_t>> draw_glass(const Frame& frame, const GpuMesh& mesh);
+    InParts<std::size_t> list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles);
     // Where there are no lists: passes/peeling.cpp.
     void make_layers();
     void find_sample_places();
@@ -123,7 +125,8 @@ private:
     void take_front_faces(bool write_depth) const;
     void clear_samples() const;
     void send_layers(const PagedMesh& mesh, const std::vector<Layer>& layers);
-    std::uint64_t draw_surface(const Frame& frame, const GpuMesh& mesh, const std::vector<Layer>& layers) const;
+    InParts<std::uint64_t> draw_surface(const Frame& frame, const GpuMesh& mesh,
+                                        const std::vector<Layer>& layers) const;
     void resolve(Band band);
     void resolve_by(const Program& program, Band band);
     void draw_occlusion(const Frame& frame);
@@ -156,7 +159,13 @@ private:
 
     enum class Pixels { kAll, kCovered };
     void fullscreen(const Program& program, Pixels pixels = Pixels::kAll) const;
+    void begin_state() const;
     void restore_state() const;
+    // What the passes drew into is being drawn anew: who asks what is there waits for that, or gets no answer.
+    [[nodiscard]] bool between_pictures() const { return unfinished_ && !cast_; }
+    void finish();
+    [[nodiscard]] bool draw_parts(double seconds);
+    [[nodiscard]] bool same_geometry(const Frame& a, const Frame& b) const;
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
@@ -187,7 +196,18 @@ private:
     bool has_glass_ = false;     // or context that is clear, or lesions
     glm::dmat4 projection_{1.0}; // of the last look_at()
     caster::Caster caster_;
-    bool cast_ = false;                            // the last picture is the caster's, not the passes'
+    bool cast_ = false;       // the last picture is the caster's, not the passes'
+    bool holds_last_ = false; // what the passes drew into holds the last picture
+    // A picture that is made in parts, while the last one is still there.
+    struct Unfinished {
+        Frame wanted, frame; // as draw() was given it, and as it is drawn
+        std::vector<Layer> layers;
+        std::optional<InParts<Result<std::uint64_t>>> geometry; // refers to frame and layers
+        bool whole = false;                                     // that is: all but the shading
+        double seconds = 0.0;                                   // that it has taken
+        std::array<Fence, 3> fences;                            // behind the last parts: more would only queue up
+    };
+    std::unique_ptr<Unfinished> unfinished_;
     bool moving_ = false;                          // another camera on the same surface, in a hurry
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame, there or not
     std::vector<Layer> layers_;                    // by branch, all of them: in layer_texture_

@@ -46,6 +46,7 @@ Pick Renderer::Impl::nearest_in(const Window& window, const std::uint32_t* ids, 
 }
 
 Pick Renderer::Impl::pick(double x, double y) {
+    if (between_pictures()) finish();
     const Window window = pick_window(x, y);
     const std::size_t count = static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
     if (count == 0) return {};
@@ -70,7 +71,8 @@ Pick Renderer::Impl::pick(double x, double y) {
     return nearest_in(window, ids.data(), depths.data(), last_->camera);
 }
 
-BranchPicture Renderer::Impl::read_branches() const {
+BranchPicture Renderer::Impl::read_branches() {
+    if (between_pictures()) finish();
     BranchPicture picture;
     if (!last_) return picture;
     if (cast_) {
@@ -109,6 +111,10 @@ void Renderer::Impl::request_pick(double x, double y) {
     if (pick_fence_ != nullptr) glDeleteSync(pick_fence_);
     pick_fence_ = nullptr;
     pick_answer_.reset();
+    if (between_pictures()) {
+        pick_answer_ = Pick{};
+        return;
+    }
     if (cast_) {
         pick_answer_ = pick(x, y);
         return;

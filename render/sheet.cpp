@@ -26,7 +26,7 @@ Sheet outline_of(const Sheet& sheet) {
 
 } // namespace
 
-Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget) {
+Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
     others_.resize(std::min(others_.size(), sheet.panes.size() - 1));
     while (others_.size() + 1 < sheet.panes.size()) {
@@ -36,7 +36,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     }
     DrawStatistics sum;
     for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
-        const auto done = renderer(i).draw(sheet.panes[i].frame, upload_budget);
+        const auto done = renderer(i).draw(sheet.panes[i].frame, upload_budget, seconds);
         if (!done) return done;
         upload_budget -= upload_budget == kUploadAll ? 0 : std::min<std::size_t>(upload_budget, done->uploaded);
         sum.triangles += done->triangles;
@@ -45,6 +45,8 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         sum.geometry |= done->geometry;
         sum.shaded |= done->shaded;
         sum.pending |= done->pending;
+        sum.unfinished |= done->unfinished;
+        sum.seconds += done->seconds;
         if (i == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
     }
     Sheet outline = outline_of(sheet);

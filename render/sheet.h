@@ -37,7 +37,8 @@ public:
     explicit SheetRenderer(Renderer& first) : first_(first) {}
 
     // Statistics are sums over the panes.
-    [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll);
+    [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll,
+                                              double seconds = kUntilDone);
     static void finish(); // waits until all that was drawn is there
     [[nodiscard]] Image read_image();
     void present(unsigned framebuffer, int x = 0, int y = 0); // as Renderer::present()

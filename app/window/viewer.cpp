@@ -4,7 +4,6 @@
 #include "render/gl_context.h"
 
 #include <algorithm>
-#include <chrono>
 #include <glad/gl.h>
 #include <imgui.h>
 #include <limits>
@@ -218,19 +217,19 @@ bool Viewer::draw(double now, unsigned framebuffer) {
         if (look != interface_.picture) shake();
         interface_.picture = std::move(look);
     }
-    const auto start = std::chrono::steady_clock::now();
-    const auto drawn = sheets_.draw(sheet, kUploadBudget);
+    const auto drawn = sheets_.draw(sheet, kUploadBudget, unhurried() ? render::kUntilDone : kDrawingSeconds);
     const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
     // Said once; the interface goes on without a picture.
     const std::string problem = drawn ? std::string() : drawn.error().message();
     if (std::exchange(drawing_problem_, problem) != problem && !problem.empty()) say(problem);
-    if (done.geometry && done.quality == quality)
-        pace_.drawn(frame, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
     if (done.geometry) cast_ = done.cones > 0;
     const bool as_wanted = cast_ || !frame.surface_awaited;
-    if (drawn) pictured_width_ = as_wanted ? frame.width : static_cast<float>(workspace_.shown().request.options.width);
+    if (drawn && !done.unfinished)
+        pictured_width_ = as_wanted ? frame.width : static_cast<float>(workspace_.shown().request.options.width);
     quality_ = drawn ? quality : render::Quality::kFull;
     upload_pending_ = done.pending;
+    unfinished_ = done.unfinished;
     if (done.shaded) pick_wanted_ = true;
     ask_pick();
 
@@ -248,7 +247,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
 }
 
 double Viewer::wait_seconds(double now) const {
-    if (frames_left_ > 0 || glide_ || interface_.fly.playing || interface_waits_ || pick_wanted_ || upload_pending_)
+    if (frames_left_ > 0 || glide_ || interface_.fly.playing || interface_waits_ || pick_wanted_ || upload_pending_ ||
+        unfinished_)
         return 0.0;
     double wait = std::numeric_limits<double>::infinity();
     if (pick_pending_) wait = std::min(wait, kPollSeconds);
@@ -261,7 +261,7 @@ double Viewer::wait_seconds(double now) const {
 
 bool Viewer::resting() const {
     return !workspace_.busy() && frames_left_ == 0 && !interface_waits_ && !pick_wanted_ && !pick_pending_ &&
-           !upload_pending_ && !glide_ && quality_ == render::Quality::kFull;
+           !upload_pending_ && !unfinished_ && !glide_ && quality_ == render::Quality::kFull;
 }
 
 std::string Viewer::title() const {

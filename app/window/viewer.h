@@ -115,6 +115,7 @@ private:
     static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
     static constexpr float kToolBarHeight = 48.0F;   // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
+    static constexpr double kDrawingSeconds = 0.03; // a frame may take for a picture at rest, and a part more
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
     Viewer(Workspace& workspace, render::Renderer& renderer);
@@ -173,6 +174,7 @@ private:
     int frames_left_ = kFramesAfterEvent;
     std::string drawing_problem_; // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false; // not all of the surface is on the graphics card
+    bool unfinished_ = false;     // the picture at rest is being made, a part at a time
     bool interface_waits_ = false, dialog_was_open_ = false;
 
     std::uint64_t drawn_ = 0; // fingerprint of the last interface

@@ -92,8 +92,9 @@ void Renderer::Impl::clear_samples() const {
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh,
-                                                    const std::vector<Layer>& layers) {
+// Each part begins with all the state that it needs: others may draw in between.
+InParts<Result<std::uint64_t>> Renderer::Impl::draw_geometry(const Frame& frame, const GpuMesh* mesh,
+                                                             const std::vector<Layer>& layers) {
     const glm::dmat4 to_clip =
         look_at(frame, mesh != nullptr ? mesh->shown()->bounds() : shapes_.bounds(frame.context));
     const auto relative_to = [&](const glm::dvec3& origin) { return glm::translate(to_clip, origin); };
@@ -109,8 +110,16 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
     if (mesh != nullptr) {
         const bool as_cones = moving_ && !glass_vessels && lines_.shown() != nullptr &&
                               mesh->triangles_in_picture(mesh_to_clip_) > kMostMovingTriangles;
-        triangles += as_cones ? draw_cones(frame, layers) : draw_surface(frame, *mesh, layers);
+        if (as_cones) {
+            triangles += draw_cones(frame, layers);
+        } else {
+            InParts<std::uint64_t> surface = draw_surface(frame, *mesh, layers);
+            while (surface.resume()) co_await kPartEnds;
+            triangles += surface.result();
+        }
     }
+    glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
+    take_front_faces(true);
     triangles += draw_solid_context(frame);
     glDisable(GL_CULL_FACE);
     // Seen through the glass, and hidden by what is opaque.
@@ -125,21 +134,30 @@ Result<std::uint64_t> Renderer::Impl::draw_geometry(const Frame& frame, const Gp
         lines_.draw(layers, Layer::kGlass);
     }
     if (!has_glass_) {
+        co_await kPartEnds;
         resolve({0, inner_.y});
-        return triangles;
+    } else {
+        InParts<Result<std::uint64_t>> glass = draw_glass(frame, mesh != nullptr ? *mesh : no_mesh_);
+        while (glass.resume()) co_await kPartEnds;
+        if (!glass.result()) co_return glass.result();
+        triangles += *glass.result();
     }
-    const auto panes = draw_glass(frame, mesh != nullptr ? *mesh : no_mesh_);
-    if (!panes) return panes;
-    return triangles + *panes;
+    co_await kPartEnds;
+    note_gl_errors("drawing surfaces");
+    if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
+    note_gl_errors("the occlusion");
+    co_return triangles;
 }
 
 // Mesa holds on to the program that comes right after one with a geometry shader, and would keep it for good.
 void Renderer::Impl::end_borders() { glUseProgram(0); }
 
 // Where glass begins, an opaque vessel is open: its inside is drawn as the lid that closes it.
-std::uint64_t Renderer::Impl::draw_surface(const Frame& frame, const GpuMesh& mesh,
-                                           const std::vector<Layer>& layers) const {
+InParts<std::uint64_t> Renderer::Impl::draw_surface(const Frame& frame, const GpuMesh& mesh,
+                                                    const std::vector<Layer>& layers) const {
     const auto use = [&](const Program& program) {
+        glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
+        take_front_faces(true);
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
@@ -159,18 +177,28 @@ std::uint64_t Renderer::Impl::draw_surface(const Frame& frame, const GpuMesh& me
                     open[one] = Layer::kOpaque;
                 }
     }
-    use(geometry_);
-    std::uint64_t triangles = mesh.draw(closed, Layer::kOpaque, mesh_to_clip_);
-    if (any_glass) {
-        glDisable(GL_CULL_FACE);
-        triangles += mesh.draw(open, Layer::kOpaque, mesh_to_clip_);
+    std::uint64_t triangles = 0;
+    for (const bool both_sides : {false, true}) {
+        if (both_sides && !any_glass) continue;
+        const GpuMesh::Ranges ranges = mesh.choose(both_sides ? open : closed, Layer::kOpaque, mesh_to_clip_);
+        for (std::size_t part = 0; part < ranges.parts(); ++part) {
+            use(geometry_);
+            if (both_sides) glDisable(GL_CULL_FACE);
+            mesh.draw_part(ranges, part);
+            co_await kPartEnds;
+        }
+        triangles += ranges.triangles();
     }
-    use(border_);
-    glBindTextureUnit(7, layer_texture_);
-    draw_by_sample(border_, [&] { triangles += mesh.draw_borders(layers, Layer::kOpaque, mesh_to_clip_); });
-    end_borders();
-    glEnable(GL_CULL_FACE);
-    return triangles;
+    const GpuMesh::Ranges borders = mesh.choose_borders(layers, Layer::kOpaque, mesh_to_clip_);
+    for (std::size_t part = 0; part < borders.parts(); ++part) {
+        use(border_);
+        if (any_glass) glDisable(GL_CULL_FACE);
+        glBindTextureUnit(7, layer_texture_);
+        draw_by_sample(border_, [&] { mesh.draw_part(borders, part); });
+        end_borders();
+        co_await kPartEnds;
+    }
+    co_return triangles + borders.triangles();
 }
 
 // What moves fast enough that nobody sees the difference: a rectangle a segment takes a software rasteriser a tenth of

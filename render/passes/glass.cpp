@@ -45,7 +45,8 @@ void Renderer::Impl::bind_panes(const Program& program, Band band) const {
 
 // Lists the panes of a band's pixels, in no order, and tells how many there are: more than there was room for means
 // that they are not all there.
-std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, Band band, std::uint64_t& triangles) {
+InParts<std::size_t> Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, Band band,
+                                                std::uint64_t& triangles) {
     const std::size_t pixels = std::size_t(inner_.x) * std::size_t(band.count);
     if (head_room_ < pixels) {
         pane_heads_ = make_storage(4 * pixels);
@@ -58,25 +59,37 @@ std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, 
                               GL_UNSIGNED_INT, &zero);
     glNamedBufferSubData(pane_count_, 0, 4, &zero);
 
-    glBindFramebuffer(GL_FRAMEBUFFER, glass_target_);
-    take_front_faces(false);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, band.first, inner_.x, band.count);
+    const auto begin = [&] {
+        glBindFramebuffer(GL_FRAMEBUFFER, glass_target_);
+        take_front_faces(false);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, band.first, inner_.x, band.count);
+    };
     const auto use = [&](const Program& program) {
+        begin();
         glUseProgram(program);
         glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
         glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
         bind_panes(program, band);
         glUniform1ui(5, static_cast<GLuint>(pane_room_));
     };
-    use(pane_);
-    triangles += mesh.draw(layers_, Layer::kGlass, mesh_to_clip_);
-    use(border_pane_);
-    glUniform1i(2, static_cast<GLint>(view_.picture.z));
-    glBindTextureUnit(7, layer_texture_);
-    triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
-    end_borders();
-    triangles += list_clear_panes(frame, band);
+    const GpuMesh::Ranges panes = mesh.choose(layers_, Layer::kGlass, mesh_to_clip_);
+    for (std::size_t part = 0; part < panes.parts(); ++part) {
+        use(pane_);
+        mesh.draw_part(panes, part);
+        co_await kPartEnds;
+    }
+    const GpuMesh::Ranges borders = mesh.choose_borders(layers_, Layer::kGlass, mesh_to_clip_);
+    for (std::size_t part = 0; part < borders.parts(); ++part) {
+        use(border_pane_);
+        glUniform1i(2, static_cast<GLint>(view_.picture.z));
+        glBindTextureUnit(7, layer_texture_);
+        mesh.draw_part(borders, part);
+        end_borders();
+        co_await kPartEnds;
+    }
+    begin();
+    triangles += panes.triangles() + borders.triangles() + list_clear_panes(frame, band);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -84,12 +97,12 @@ std::size_t Renderer::Impl::list_panes(const Frame& frame, const GpuMesh& mesh, 
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     GLuint count = 0;
     glGetNamedBufferSubData(pane_count_, 0, 4, &count);
-    return count;
+    co_return count;
 }
 
 // Lists and sorts all panes, in one band if there is room. resolve() goes with it: it sorts.
-Result<std::uint64_t> Renderer::Impl::draw_glass(const Frame& frame, const GpuMesh& mesh) {
-    if (!gl_has_lists()) return draw_first_layer(frame, mesh);
+InParts<Result<std::uint64_t>> Renderer::Impl::draw_glass(const Frame& frame, const GpuMesh& mesh) {
+    if (!gl_has_lists()) co_return draw_first_layer(frame, mesh);
     std::uint64_t triangles = 0;
     if (pane_room_ == 0) make_room_for_panes(0);
     bands_.clear();
@@ -97,7 +110,9 @@ Result<std::uint64_t> Renderer::Impl::draw_glass(const Frame& frame, const GpuMe
     while (!todo.empty()) {
         const Band band = todo.back();
         std::uint64_t drawn = 0;
-        const std::size_t count = list_panes(frame, mesh, band, drawn);
+        InParts<std::size_t> listed = list_panes(frame, mesh, band, drawn);
+        while (listed.resume()) co_await kPartEnds;
+        const std::size_t count = listed.result();
         if (count > pane_room_ && make_room_for_panes(count)) continue;
         todo.pop_back();
         triangles += drawn;
@@ -109,11 +124,11 @@ Result<std::uint64_t> Renderer::Impl::draw_glass(const Frame& frame, const GpuMe
             todo.push_back({band.first + half, band.count - half});
             todo.push_back({band.first, half});
         } else {
-            return fail("too many layers of glass lie behind each other", {},
-                        "give a smaller size, or hide some of it");
+            co_return fail("too many layers of glass lie behind each other", {},
+                           "give a smaller size, or hide some of it");
         }
     }
-    return triangles;
+    co_return triangles;
 }
 
 } // namespace ramus::render

@@ -85,10 +85,10 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     };
     glBeginQuery(GL_ANY_SAMPLES_PASSED, layer_query_);
     use(pane_);
-    triangles += mesh.draw(layers_, Layer::kGlass, mesh_to_clip_);
+    triangles += mesh.draw(mesh.choose(layers_, Layer::kGlass, mesh_to_clip_));
     use(border_pane_);
     glBindTextureUnit(7, layer_texture_);
-    triangles += mesh.draw_borders(layers_, Layer::kGlass, mesh_to_clip_);
+    triangles += mesh.draw(mesh.choose_borders(layers_, Layer::kGlass, mesh_to_clip_));
     end_borders();
     if (what == LayerOf::kEverything) triangles += draw_clear_layer(frame, Clear::kAll, layer);
     glEndQuery(GL_ANY_SAMPLES_PASSED);

@@ -1,3 +1,4 @@
+#include "core/base/stopwatch.h"
 #include "render/finished_picture.h"
 #include "render/renderer_impl.h"
 
@@ -138,10 +139,10 @@ bool same_shapes(const std::vector<ContextMesh>& a, const std::vector<ContextMes
 
 // Memory may run out in any pass: then nothing is kept of the picture and of what was sent for it, so that the next
 // draw(), perhaps of less, begins with what was there before the first.
-Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget) {
+Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
     try {
-        return draw_all(wanted, upload_budget);
+        return draw_all(wanted, upload_budget, seconds);
     } catch (const OutOfGraphicsMemory& error) {
         let_go();
         return fail(error.what(), {}, "give a smaller size or a coarser --detail");
@@ -151,6 +152,8 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
 void Renderer::Impl::let_go() {
     restore_state();
     last_.reset();
+    unfinished_.reset();
+    holds_last_ = false;
     drawn_ = nullptr;
     wanted_mesh_ = nullptr;
     mesh_ = {};
@@ -178,65 +181,128 @@ void Renderer::Impl::let_go() {
         *texture = {};
 }
 
-Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t upload_budget) {
-    DrawStatistics done;
-    const Frame frame = take_up(wanted, upload_budget, done);
-    if (last_ && *last_ == frame) return done;
-    const glm::ivec2 old_size = size_, old_inner = inner_;
-    const float old_samples = view_.picture.z;
-    // The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the view
-    // rests it stays with them.
-    const bool hurries = frame.quality == Quality::kInteractive;
-    const bool moves = hurries && last_ && wanted_mesh_ == wanted.mesh && last_->states == frame.states &&
-                       (cast_ || last_->camera != frame.camera);
-    const bool by_caster =
-        frame.surface_awaited || (hurries && (moves || (cast_ && last_)) && drawn_ != nullptr && casts(frame));
-    const bool reads_depths = frame.skeleton || !frame.lines.empty();
-    if (auto resized = resize(frame.size, by_caster ? Quality::kFull : frame.quality,
-                              by_caster && !reads_depths ? Targets::kPicture : Targets::kAll);
-        !resized) {
-        last_.reset();
-        return tl::unexpected(resized.error());
-    }
-    std::vector<Layer> layers(frame.states.size());
-    std::ranges::transform(frame.states, layers.begin(), layer_of);
-    while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
+// Whether the passes up to the occlusion would make the same of both, where all else is the same.
+bool Renderer::Impl::same_geometry(const Frame& a, const Frame& b) const {
+    return a.mesh == b.mesh && a.camera == b.camera && a.size == b.size && a.quality == b.quality &&
+           a.lesions == b.lesions && same_shapes(a.context, b.context) && a.pixel_ratio == b.pixel_ratio &&
+           (!has_glass_ || a.centerlines == b.centerlines) &&
+           (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
+}
 
+// Whatever others have left, another renderer in the middle of its picture among them.
+void Renderer::Impl::begin_state() const {
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    const bool same_geometry =
-        last_ && !cast_ && last_->mesh == frame.mesh && last_->camera == frame.camera && size_ == old_size &&
-        inner_ == old_inner && view_.picture.z == old_samples && last_->quality == frame.quality &&
-        last_layers_ == layers && last_->lesions == frame.lesions && same_shapes(last_->context, frame.context) &&
-        last_->pixel_ratio == frame.pixel_ratio && (!has_glass_ || last_->centerlines == frame.centerlines) &&
-        (last_->appearance.occlusion > 0.0F || !(frame.appearance.occlusion > 0.0F));
-    cast_ = by_caster;
-    if (cast_) {
-        done.cones = cast(frame, layers);
-        done.geometry = true;
-    } else if (!same_geometry) {
-        moving_ = moves;
-        wanted_mesh_ = wanted.mesh;
-        const auto triangles = draw_geometry(frame, drawn_, layers);
-        if (!triangles) {
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+}
+
+// Parts of the unfinished picture, one at least, until the time is over; true: only the shading is left, and the time
+// for it there.
+bool Renderer::Impl::draw_parts(double seconds) {
+    const Stopwatch watch;
+    Unfinished& picture = *unfinished_;
+    const bool at_once = seconds == kUntilDone;
+    bool worked = false;
+    while (!picture.whole) {
+        if (worked && watch.seconds() >= seconds) return false;
+        if (!at_once && !picture.fences[0].passed(seconds - watch.seconds())) return false;
+        picture.whole = !picture.geometry->resume();
+        worked = true;
+        if (at_once) continue;
+        std::ranges::rotate(picture.fences, picture.fences.begin() + 1);
+        picture.fences.back().put();
+    }
+    if (at_once) return true;
+    for (Fence& fence : picture.fences)
+        if (!fence.passed(seconds - watch.seconds())) return false;
+    return !worked || watch.seconds() < seconds; // the shading is a part by itself
+}
+
+Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
+    const Stopwatch watch;
+    DrawStatistics done;
+    const Frame frame = take_up(wanted, upload_budget, done);
+    if (last_ && *last_ == frame) {
+        unfinished_.reset();
+        return done;
+    }
+    std::vector<Layer> layers(frame.states.size());
+    std::ranges::transform(frame.states, layers.begin(), layer_of);
+    while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
+
+    bool geometry_there = false;
+    if (unfinished_ && unfinished_->layers == layers && same_geometry(unfinished_->frame, frame)) {
+        unfinished_->wanted = wanted;
+        unfinished_->frame = frame;
+        begin_state();
+    } else {
+        unfinished_.reset();
+        const glm::ivec2 old_size = size_, old_inner = inner_;
+        const float old_samples = view_.picture.z;
+        // The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the
+        // view rests it stays with them.
+        const bool hurries = frame.quality == Quality::kInteractive;
+        const bool moves = hurries && last_ && wanted_mesh_ == wanted.mesh && last_->states == frame.states &&
+                           (cast_ || last_->camera != frame.camera);
+        const bool by_caster =
+            frame.surface_awaited || (hurries && (moves || (cast_ && last_)) && drawn_ != nullptr && casts(frame));
+        const bool reads_depths = frame.skeleton || !frame.lines.empty();
+        if (auto resized = resize(frame.size, by_caster ? Quality::kFull : frame.quality,
+                                  by_caster && !reads_depths ? Targets::kPicture : Targets::kAll);
+            !resized) {
             last_.reset();
-            return tl::unexpected(triangles.error());
+            return tl::unexpected(resized.error());
+        }
+        begin_state();
+        geometry_there = last_ && holds_last_ && last_layers_ == layers && same_geometry(*last_, frame) &&
+                         size_ == old_size && inner_ == old_inner && view_.picture.z == old_samples;
+        if (by_caster) {
+            done.cones = cast(frame, layers);
+            done.geometry = true;
+        } else if (!geometry_there) {
+            moving_ = moves;
+            wanted_mesh_ = wanted.mesh;
+            unfinished_ = std::make_unique<Unfinished>();
+            unfinished_->wanted = wanted, unfinished_->frame = frame, unfinished_->layers = layers;
+            unfinished_->geometry = draw_geometry(unfinished_->frame, drawn_, unfinished_->layers);
+            if (!last_ || old_size != size_) seconds = kUntilDone; // there is no picture meanwhile
+        }
+        cast_ = by_caster || (unfinished_ && cast_);
+        holds_last_ = !by_caster && !unfinished_;
+    }
+    if (unfinished_) {
+        if (!draw_parts(seconds - watch.seconds())) {
+            restore_state();
+            unfinished_->seconds += watch.seconds();
+            done.unfinished = true;
+            return done;
+        }
+        const auto& triangles = unfinished_->geometry->result();
+        if (!triangles) {
+            const Error error = triangles.error();
+            unfinished_.reset();
+            last_.reset();
+            return tl::unexpected(error);
         }
         done.triangles = *triangles;
-        note_gl_errors("drawing surfaces");
-        if (frame.appearance.occlusion > 0.0F) draw_occlusion(frame);
-        note_gl_errors("the occlusion");
         done.geometry = true;
+        done.seconds = unfinished_->seconds;
+        unfinished_.reset();
+        cast_ = false;
+        holds_last_ = true;
     }
     // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all.
     const bool can_change_parts = !has_glass_ || gl_has_lists(); // layers are not kept
     const Extent extent =
-        can_change_parts && same_geometry && differs_in_hover_only(*last_, frame) ? Extent::kChanged : Extent::kAll;
+        can_change_parts && geometry_there && differs_in_hover_only(*last_, frame) ? Extent::kChanged : Extent::kAll;
     if (auto shaded = cast_ ? Result<void>{} : shade(frame, drawn_, extent); !shaded) {
         last_.reset();
         return tl::unexpected(shaded.error());
@@ -249,7 +315,14 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     last_ = frame;
     last_layers_ = std::move(layers);
     if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0); // drivers may say it late
+    done.seconds += watch.seconds();
     return done;
+}
+
+void Renderer::Impl::finish() {
+    if (!unfinished_) return;
+    const Frame wanted = unfinished_->wanted;
+    (void)draw(wanted, 0, kUntilDone);
 }
 
 Image Renderer::Impl::read_image() const { return read_picture(picture_, size_); }
