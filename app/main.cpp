@@ -5,6 +5,7 @@
 #include "app/commands/info.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/mesh.h"
+#include "app/commands/picture_flags.h"
 #include "app/commands/render.h"
 #include "app/commands/study.h"
 #include "app/commands/surface_flags.h"
@@ -46,6 +47,7 @@ void add_window_flags(CLI::App& app, WindowOptions& window) {
            "Size of the window, in points; without it, as it was the last time")
         ->type_name("WxH")
         ->group(group);
+    add_graphics_memory_flag(app, window.graphics_bytes)->group(group);
     app.add_option("--status", window.status,
                    "Keep a JSON file that says what the window shows, for scripts that drive it")
         ->type_name("FILE")

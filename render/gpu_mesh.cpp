@@ -89,6 +89,17 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
     }
 }
 
+std::size_t GpuMesh::Copy::bytes() const {
+    return vertex_pages.size() * kVertexPageBytes + triangle_pages.size() * kTrianglePageBytes;
+}
+
+std::size_t GpuMesh::bytes_of(const PagedMesh& mesh) {
+    return with_room(mesh.vertex_pages().size()) * kVertexPageBytes +
+           with_room(mesh.triangle_pages().size()) * kTrianglePageBytes;
+}
+
+std::size_t GpuMesh::bytes() const { return (drawn_ ? drawn_->bytes() : 0) + (coming_ ? coming_->bytes() : 0); }
+
 bool GpuMesh::Copy::has_room(const PagedMesh& mesh) const {
     return mesh.vertex_pages().size() <= vertex_pages.size() && mesh.triangle_pages().size() <= triangle_pages.size();
 }

@@ -16,6 +16,9 @@ namespace ramus::render {
 
 class GpuMesh {
 public:
+    // What a copy of `mesh` takes, and what there is, in bytes.
+    [[nodiscard]] static std::size_t bytes_of(const PagedMesh& mesh);
+    [[nodiscard]] std::size_t bytes() const;
     // Takes up `mesh` (null: lets go of everything), sending about `budget` bytes at most, and subtracts what it sent.
     // A mesh of another origin leaves nothing of the old one to be drawn.
     void follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& budget);
@@ -61,6 +64,7 @@ private:
 
         explicit Copy(const PagedMesh& mesh); // room for it, and for growth
         [[nodiscard]] bool has_room(const PagedMesh& mesh) const;
+        [[nodiscard]] std::size_t bytes() const;
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
         bool send(const PagedMesh& mesh, std::size_t& budget);          // true: all is there
     };

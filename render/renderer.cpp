@@ -21,8 +21,8 @@ Result<void> check_size(std::int64_t width, std::int64_t height) {
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
-Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes) {
-    auto impl = std::make_unique<Impl>(glass_bytes);
+Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes, std::size_t surface_bytes) {
+    auto impl = std::make_unique<Impl>(glass_bytes, surface_bytes);
     if (auto ready = impl->initialise(); !ready) return tl::unexpected(ready.error());
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
@@ -30,6 +30,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes) {
 Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget, double seconds) {
     return impl_->draw(frame, upload_budget, seconds);
 }
+std::size_t Renderer::surface_bytes() const { return impl_->surface_bytes(); }
 unsigned Renderer::texture() const { return impl_->texture(); }
 Image Renderer::read_image() { return impl_->read_image(); }
 void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }

@@ -50,6 +50,7 @@ struct DrawStatistics {
                                  // Draw again.
     bool unfinished = false;     // it would have taken longer than it may: the picture is the one before. Draw again.
     double seconds = 0.0;        // that the picture has taken, all calls together
+    bool coarse = false;         // the preview was drawn, because graphics memory does not hold the mesh
     Quality quality = Quality::kFull; // that it was drawn in: quick while only the preview is there
 };
 
@@ -69,12 +70,18 @@ inline constexpr int kPickRadius = 4; // pixels (times Frame::pixel_ratio) that 
 // more time and with the same pixels.
 inline constexpr std::size_t kGlassBytes = std::size_t{512} << 20;
 
+// What surfaces may take of it. One that takes more is seen by its preview; without one that fits, draw() fails.
+inline constexpr std::size_t kMostOfGraphicsMemory = 0; // three quarters of what there is
+
 class Renderer {
 public:
-    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(std::size_t glass_bytes = kGlassBytes);
+    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(std::size_t glass_bytes = kGlassBytes,
+                                                                  std::size_t surface_bytes = kMostOfGraphicsMemory);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
+
+    [[nodiscard]] std::size_t surface_bytes() const; // as create() was given it
 
     // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out. With a limit
     // in seconds a picture in full quality may take several calls, which each go on where the one before stopped as

@@ -30,7 +30,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
     others_.resize(std::min(others_.size(), sheet.panes.size() - 1));
     while (others_.size() + 1 < sheet.panes.size()) {
-        auto made = Renderer::create();
+        auto made = Renderer::create(kGlassBytes, first_.surface_bytes());
         if (!made) return tl::unexpected(made.error());
         others_.push_back(std::move(*made));
     }
@@ -46,6 +46,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         sum.shaded |= done->shaded;
         sum.pending |= done->pending;
         sum.unfinished |= done->unfinished;
+        sum.coarse |= done->coarse;
         sum.seconds += done->seconds;
         if (i == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
     }

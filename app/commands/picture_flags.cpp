@@ -39,6 +39,14 @@ void add_size_flag(CLI::App& command, glm::ivec2& size) {
         ->type_name("WxH");
 }
 
+CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes) {
+    return command
+        .add_option("--graphics-memory", bytes,
+                    "Most graphics memory for surfaces, as 800M or 4G (default 0: three quarters of what there is)")
+        ->type_name("SIZE")
+        ->transform(CLI::AsSizeValue(false));
+}
+
 CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
     std::map<std::string, render::View> views;
     for (const render::View one : render::kViews) views.emplace(render::name_of(one), one);

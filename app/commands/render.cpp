@@ -45,6 +45,7 @@ struct RenderFlags {
     int benchmark = 0;                // frames
     bool benchmark_full = false;
     render::Backend backend = render::Backend::kOsMesa;
+    std::size_t graphics_bytes = 0;
     int device = -1; // of EGL's; -1: the best
     FigureFlags figure;
     ComparisonFlags comparison;
@@ -184,7 +185,7 @@ Result<int> run_render(const RenderFlags& flags) {
 
     const auto context = open_context(flags);
     if (!context) return tl::unexpected(context.error());
-    const auto renderer = render::Renderer::create();
+    const auto renderer = render::Renderer::create(render::kGlassBytes, flags.graphics_bytes);
     if (!renderer) return tl::unexpected(renderer.error());
     stage.draw_with(**renderer);
     const auto run = [&](ActionContext& where) { return run_script(where, script, flags.commands); };
@@ -256,6 +257,7 @@ void register_render(CLI::App& app, Action& chosen) {
     command->add_option("-o,--output", flags->output, "PNG to write")->type_name("PNG");
     add_size_flag(*command, flags->size);
     CLI::Option* view = add_view_flag(*command, flags->view);
+    add_graphics_memory_flag(*command, flags->graphics_bytes);
     command->add_option("--session", flags->session, "Draw this session: its tree, states, camera and surface options")
         ->type_name("FILE");
     command

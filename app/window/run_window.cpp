@@ -159,7 +159,7 @@ int run_window(const WindowOptions& options) {
     });
     auto window = GlfwWindow::create(options.size.x > 0 ? options.size : settings.window, wanted_scale);
     if (!window) return complain(window.error());
-    auto renderer = render::Renderer::create();
+    auto renderer = render::Renderer::create(render::kGlassBytes, options.graphics_bytes);
     if (!renderer) return complain(renderer.error());
     fonts.wait();
     auto viewer = Viewer::create(workspace, **renderer, (*window)->scale());

@@ -19,8 +19,9 @@ struct WindowOptions {
     std::string status;   // a file that says in JSON, at every change, what the window shows: for scripts that drive it
     mesh::SurfaceOptions surface;
     io::ReadOptions read;
-    float scale = 0.0F; // pixels per point; 0: the settings', else the display's
-    glm::ivec2 size{0}; // points; 0: the settings'
+    float scale = 0.0F;             // pixels per point; 0: the settings', else the display's
+    glm::ivec2 size{0};             // points; 0: the settings'
+    std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
 };
 
 int run_window(const WindowOptions& options);

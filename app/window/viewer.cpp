@@ -228,6 +228,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     if (drawn && !done.unfinished)
         pictured_width_ = as_wanted ? frame.width : static_cast<float>(workspace_.shown().request.options.width);
     quality_ = drawn ? quality : render::Quality::kFull;
+    if (done.coarse && std::exchange(told_coarse_, frame.mesh) != frame.mesh)
+        say("The surface is more than graphics memory holds: a coarser one is shown");
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.shaded) pick_wanted_ = true;

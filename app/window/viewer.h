@@ -172,9 +172,10 @@ private:
     float pictured_width_ = 0.0F;
     bool awaits_ = false; // it stays until the surface comes
     int frames_left_ = kFramesAfterEvent;
-    std::string drawing_problem_; // why the last picture could not be drawn; empty: it was
-    bool upload_pending_ = false; // not all of the surface is on the graphics card
-    bool unfinished_ = false;     // the picture at rest is being made, a part at a time
+    std::shared_ptr<const render::PagedMesh> told_coarse_; // the surface that is shown by its preview
+    std::string drawing_problem_;                          // why the last picture could not be drawn; empty: it was
+    bool upload_pending_ = false;                          // not all of the surface is on the graphics card
+    bool unfinished_ = false;                              // the picture at rest is being made, a part at a time
     bool interface_waits_ = false, dialog_was_open_ = false;
 
     std::uint64_t drawn_ = 0; // fingerprint of the last interface

@@ -49,48 +49,12 @@ Result<void> Renderer::Impl::initialise() {
     constexpr const char* kOfLesions = "#define GLASS\n#define LESIONS\n";
     if (!gl_has_lists())
         if (auto made = make(resolve_lesions_, "fullscreen.vert", "resolve.frag", kOfLesions); !made) return made;
+    surface_bytes_ = usable_surface_bytes();
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     look_block_ = make_buffer(sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     scene_block_ = make_buffer(kSceneBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     return {};
-}
-
-// The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for. The
-// preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in vain.
-Frame Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
-    lines_.follow(wanted.centerlines);
-    shapes_.follow(wanted.context, wanted.lesions);
-    if (wanted.surface_awaited && wanted.quality == Quality::kInteractive && casts(wanted)) {
-        drawn_ = nullptr;
-        done.quality = wanted.quality;
-        Frame frame = wanted;
-        frame.mesh = frame.preview = nullptr;
-        return frame;
-    }
-    std::size_t left = upload_budget;
-    preview_.follow(wanted.preview, left);
-    mesh_.follow(wanted.mesh, left);
-    done.uploaded = upload_budget - left;
-    const bool mesh_there = mesh_.shown() == wanted.mesh;
-    const bool preview_there = wanted.preview && preview_.shown() == wanted.preview;
-    done.pending = !mesh_there || preview_.shown() != wanted.preview;
-    Frame frame = wanted;
-    if (preview_there && !mesh_there) frame.quality = Quality::kInteractive;
-    const bool quick = preview_there && frame.quality == Quality::kInteractive;
-    const GpuMesh& mesh = quick ? preview_ : mesh_;
-    drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
-    frame.mesh = mesh.shown();
-    frame.preview = nullptr;
-    frame.surface_awaited = false;
-    done.quality = frame.quality;
-    return frame;
-}
-
-bool Renderer::Impl::casts(const Frame& frame) const {
-    constexpr std::size_t kMostAtOnce = 300'000; // points; of more, what the caster begins with takes too long
-    if (lines_.shown() == nullptr || !caster::Caster::draws(frame)) return false;
-    return !frame.surface_awaited || lines_.shown()->points.size() <= kMostAtOnce;
 }
 
 // Draws over every pixel, or only where a surface is: the early depth test is the one branch that a software rasteriser
@@ -149,38 +113,6 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
     }
 }
 
-void Renderer::Impl::let_go() {
-    restore_state();
-    last_.reset();
-    unfinished_.reset();
-    holds_last_ = false;
-    drawn_ = nullptr;
-    wanted_mesh_ = nullptr;
-    mesh_ = {};
-    preview_ = {};
-    lines_ = {};
-    skeleton_ = {};
-    shapes_ = {};
-    pane_heads_ = {};
-    panes_ = {};
-    head_room_ = pane_room_ = 0;
-    branch_buffer_ = {};
-    lesion_buffer_ = {};
-    cut_buffer_ = {};
-    layer_buffer_ = {};
-    context_buffer_ = {};
-    branch_capacity_ = lesion_capacity_ = cut_capacity_ = layer_capacity_ = context_capacity_ = 0;
-    distances_.reset();
-    distance_texture_ = {};
-    bands_.clear();
-    has_glass_ = false;
-    size_ = inner_ = passes_ = glm::ivec2(0); // what the picture was drawn into is made anew
-    for (Texture* texture :
-         {&surface_, &depth_, &id_normal_, &opaque_depth_, &picked_depth_, &covered_, &occlusion_, &half_blurred_,
-          &blurred_, &lit_, &picture_, &layer_panes_, &fronts_, &layer_depths_[0], &layer_depths_[1]})
-        *texture = {};
-}
-
 // Whether the passes up to the occlusion would make the same of both, where all else is the same.
 bool Renderer::Impl::same_geometry(const Frame& a, const Frame& b) const {
     return a.mesh == b.mesh && a.camera == b.camera && a.size == b.size && a.quality == b.quality &&
@@ -229,7 +161,12 @@ bool Renderer::Impl::draw_parts(double seconds) {
 Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
-    const Frame frame = take_up(wanted, upload_budget, done);
+    const auto taken = take_up(wanted, upload_budget, done);
+    if (!taken) {
+        unfinished_.reset();
+        return tl::unexpected(taken.error());
+    }
+    const Frame& frame = *taken;
     if (last_ && *last_ == frame) {
         unfinished_.reset();
         return done;

@@ -53,6 +53,11 @@ class Outputs(CommandLineTest):
                 self.assertEqual(self.names(), sorted(["tree.swc", output]))
                 before.unlink()
 
+    def test_more_surface_than_graphics_memory(self):
+        self.expect_failure("render", self.tree, "-o", "out.png", "--graphics-memory", "100K",
+                            says=["MB of graphics memory", "--detail", "--graphics-memory"])
+        self.assertEqual(self.names(), ["tree.swc"])
+
     def test_full_disk_for_trees(self):
         long_tree = "".join(f"{i} 2 0 0 {i} 1 {i - 1 or -1}\n" for i in range(1, 3001))
         self.write("tree.swc", long_tree)

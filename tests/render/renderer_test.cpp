@@ -411,3 +411,43 @@ TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives")
     (void)same(1, {});
     CHECK(same(2, {}) == same(kNoBranch, {}));
 }
+
+TEST_CASE("a surface that graphics memory does not hold is seen by its preview") {
+    const ramus::test::WatchedContext context;
+    Frame frame;
+    TriangleMesh fine, coarse;
+    add_capsule(fine, {-20, 0, 0}, {20, 0, 0}, 6.0F, 3.0F, 0, 200);
+    add_capsule(coarse, {-20, 0, 0}, {20, 0, 0}, 6.0F, 3.0F, 0, 16);
+    frame.mesh = std::make_shared<const PagedMesh>(fine);
+    frame.preview = std::make_shared<const PagedMesh>(coarse, frame.mesh->origin());
+    frame.size = {200, 150};
+    frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
+    const auto plenty = Renderer::create().value();
+    const auto whole = plenty->draw(frame);
+    REQUIRE(whole);
+    CHECK_FALSE(whole->coarse);
+    Frame of_preview = frame;
+    of_preview.mesh = frame.preview;
+    of_preview.preview = nullptr;
+    REQUIRE(plenty->draw(of_preview));
+    const Image expected = plenty->read_image();
+
+    constexpr std::size_t kLittle = 400'000; // bytes: less than the 40,000 triangles, more than the preview
+    const auto little = Renderer::create(kGlassBytes, kLittle).value();
+    const auto drawn = little->draw(frame);
+    REQUIRE_MESSAGE(drawn.has_value(), (drawn ? "" : drawn.error().message()));
+    CHECK(drawn->coarse);
+    CHECK(drawn->quality == Quality::kFull);
+    CHECK_FALSE(drawn->pending);
+    CHECK(little->read_image() == expected);
+    CHECK(little->pick(100, 75).branch == 0);
+    CHECK_FALSE(little->draw(frame)->shaded);
+
+    frame.preview = nullptr;
+    const auto refused = little->draw(frame);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message().find("MB of graphics memory") != std::string::npos);
+    CHECK(refused.error().hint.find("--graphics-memory") != std::string::npos);
+    REQUIRE(little->draw(of_preview));
+    CHECK(little->read_image() == expected);
+}
