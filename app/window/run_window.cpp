@@ -9,6 +9,7 @@
 #include "app/window/status_file.h"
 #include "app/window/theme.h"
 #include "app/window/viewer.h"
+#include "core/base/pages.h"
 
 // GL comes through glad, in render.
 #define GLFW_INCLUDE_NONE
@@ -17,6 +18,7 @@
 #include <future>
 #include <imgui.h>
 #include <iostream>
+#include <limits>
 #include <optional>
 
 namespace ramus::app {
@@ -101,9 +103,32 @@ private:
     Worker writer_;
 };
 
+// What surfaces were made in serves the next one, while somebody moves a slider; a window that is left alone gives it
+// back.
+class SpareMemory {
+public:
+    void update(bool busy, double now) {
+        if (busy) returned_ = false;
+        if (busy) idle_since_ = now;
+        if (!returned_ && now >= idle_since_ + kIdleSeconds) {
+            let_kept_pages_go();
+            returned_ = true;
+        }
+    }
+    [[nodiscard]] double wait_seconds(double now) const {
+        return returned_ ? std::numeric_limits<double>::infinity() : std::max(0.0, idle_since_ + kIdleSeconds - now);
+    }
+
+private:
+    static constexpr double kIdleSeconds = 20.0;
+    double idle_since_ = 0.0;
+    bool returned_ = true;
+};
+
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
                   const WindowOptions& options, std::optional<std::vector<ScriptLine>> script) {
     StatusFile status(options.status);
+    SpareMemory spare_memory;
     if (!options.status.empty()) viewer.want_controls();
     while (!viewer.closing()) {
         if (window.close_wanted()) {
@@ -126,7 +151,8 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         status.update(viewer, workspace);
         keeper.update(window, viewer, workspace.document, glfwGetTime());
         const double now = glfwGetTime();
-        window.wait(std::min(viewer.wait_seconds(now), keeper.wait_seconds(now)));
+        spare_memory.update(workspace.busy(), now);
+        window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now)}));
     }
     return {};
 }

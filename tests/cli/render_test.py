@@ -45,7 +45,9 @@ run("tree.swc", "-o", "small.png", "--size", "100x80", "--reference", "a.png", s
 for more in (["--method", "cones"], ["--orthographic"], ["--transparent"], ["--view", "superior"]):
     run("tree.swc", "-o", "other.png", "--size", "320x240", *more, "--reference", "a.png", "--tolerance", "0", status=3)
 report = json.loads(run("tree.swc", "--size", "160x120", "--benchmark", "3", "--json").stdout)
-assert report["frames"] == 3 and report["fps"] > 0 and report["triangles"] > 100
+assert report["frames"] == 3 and report["fps"] > 0
+# A machine that is slow at the moment turns it in a hurry: along its centerlines.
+assert report["triangles"] > 100 if report["quality"] == "full" else report["cones"] > 0, report
 assert report["quality"] in ("full", "interactive") and 0 <= report["difference"] < 20
 # While it moves, the picture is hardly another one, of whichever surface: creases of cones and cut ends would be, and
 # what is opaque where it sticks out into glass.
