@@ -167,7 +167,8 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
         return tl::unexpected(taken.error());
     }
     const Frame& frame = *taken;
-    if (last_ && *last_ == frame) {
+    // With what is under its pixels, or it is made anew for that.
+    if (last_ && *last_ == frame && (cast_ || holds_last_)) {
         unfinished_.reset();
         return done;
     }
