@@ -37,6 +37,12 @@ public:
         if (handle_.promise().thrown) std::rethrow_exception(std::exchange(handle_.promise().thrown, nullptr));
         return !handle_.done();
     }
+    // Does all parts that are left.
+    T& finish() {
+        while (resume()) {
+        }
+        return result();
+    }
     [[nodiscard]] T& result() { return *handle_.promise().result; } // after the last part
 
 private:

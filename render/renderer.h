@@ -81,7 +81,7 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    [[nodiscard]] std::size_t surface_bytes() const; // as create() was given it
+    [[nodiscard]] std::size_t surface_bytes() const; // that surfaces may take
 
     // Makes the picture of `frame` the current one. Fails on an impossible size or when memory runs out. With a limit
     // in seconds a picture in full quality may take several calls, which each go on where the one before stopped as

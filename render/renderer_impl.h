@@ -62,8 +62,8 @@ std::vector<glm::vec4> cut_places(const std::vector<LostPart>& lost, const Cente
 class Renderer::Impl {
 public:
     Impl(std::size_t glass_bytes, std::size_t surface_bytes)
-        : glass_bytes_(glass_bytes), asked_surface_bytes_(surface_bytes) {}
-    [[nodiscard]] std::size_t surface_bytes() const { return asked_surface_bytes_; }
+        : glass_bytes_(glass_bytes), surface_bytes_(surface_bytes) {}
+    [[nodiscard]] std::size_t surface_bytes() const { return surface_bytes_; }
     Result<void> initialise();
     Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget, double seconds);
     Image read_image() const;
@@ -93,7 +93,7 @@ private:
     Result<void> resize(glm::ivec2 size, Quality quality, Targets wanted);
     Result<Frame> take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     Result<bool> fits(const Frame& wanted) const;
-    [[nodiscard]] double usable_surface_bytes() const;
+    [[nodiscard]] static std::size_t most_surface_bytes();
     InParts<Result<std::uint64_t>> draw_geometry(const Frame& frame, const GpuMesh* mesh,
                                                  const std::vector<Layer>& layers); // all must outlive it
     glm::dmat4 look_at(const Frame& frame, const Box& box);                         // fills view_; to clip from mm
@@ -217,8 +217,7 @@ private:
     std::vector<Layer> layers_;                    // by branch, all of them: in layer_texture_
     glm::dmat4 mesh_to_clip_{1.0};
     std::size_t glass_bytes_;                // that panes may take
-    std::size_t asked_surface_bytes_;        // that surfaces may; 0: of their own choice
-    double surface_bytes_ = 0.0;             // that they may indeed
+    std::size_t surface_bytes_;              // that surfaces may
     Buffer pane_heads_, panes_, pane_count_; // as in panes.glsl
     std::size_t head_room_ = 0, pane_room_ = 0;
     // Of glass without lists: the last layer and the one before, what they come to in front of each sample.
@@ -245,7 +244,7 @@ private:
 
     Buffer pick_buffer_;
     GLsizeiptr pick_buffer_size_ = 0;
-    GLsync pick_fence_ = nullptr;
+    std::optional<Fence> pick_fence_; // behind the last request
     Window pick_window_;
     std::optional<Pick> pick_answer_; // there already
     Camera pick_camera_;

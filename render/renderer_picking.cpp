@@ -108,8 +108,7 @@ BranchPicture Renderer::Impl::read_branches() {
 }
 
 void Renderer::Impl::request_pick(double x, double y) {
-    if (pick_fence_ != nullptr) glDeleteSync(pick_fence_);
-    pick_fence_ = nullptr;
+    pick_fence_.reset();
     pick_answer_.reset();
     if (between_pictures()) {
         pick_answer_ = Pick{};
@@ -141,17 +140,13 @@ void Renderer::Impl::request_pick(double x, double y) {
         glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     }
-    pick_fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush();
+    pick_fence_.emplace().put();
 }
 
 std::optional<Pick> Renderer::Impl::poll_pick() {
     if (pick_answer_) return std::exchange(pick_answer_, std::nullopt);
-    if (pick_fence_ == nullptr) return std::nullopt;
-    const GLenum status = glClientWaitSync(pick_fence_, 0, 0);
-    if (status == GL_TIMEOUT_EXPIRED) return std::nullopt;
-    glDeleteSync(pick_fence_);
-    pick_fence_ = nullptr;
+    if (!pick_fence_ || !pick_fence_->passed(0.0)) return std::nullopt;
+    pick_fence_.reset();
     const auto bytes = static_cast<GLsizeiptr>(pick_window_.width) * pick_window_.height * 4;
     // A picture of another size or view has come in between: the answer would be about the old one.
     if (bytes == 0 || !last_ || pick_window_.x + pick_window_.width > inner_.x ||

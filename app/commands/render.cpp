@@ -45,8 +45,8 @@ struct RenderFlags {
     int benchmark = 0;                // frames
     bool benchmark_full = false;
     render::Backend backend = render::Backend::kOsMesa;
-    std::size_t graphics_bytes = 0;
-    int device = -1; // of EGL's; -1: the best
+    int device = -1;                // of EGL's; -1: the best
+    std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
     FigureFlags figure;
     ComparisonFlags comparison;
 };

@@ -108,8 +108,10 @@ private:
 class SpareMemory {
 public:
     void update(bool busy, double now) {
-        if (busy) returned_ = false;
-        if (busy) idle_since_ = now;
+        if (busy) {
+            returned_ = false;
+            idle_since_ = now;
+        }
         if (!returned_ && now >= idle_since_ + kIdleSeconds) {
             let_kept_pages_go();
             returned_ = true;

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <sys/mman.h>
@@ -55,16 +56,13 @@ void* map_large(std::size_t bytes) {
 // Stretches of large pages that nobody uses now.
 class KeptPages {
 public:
-    // Out of the shortest that is long enough. Null: none is, and as many bytes have gone back to the system.
+    // Out of the shortest that is long enough; null: none is.
     void* take(std::size_t bytes) {
         const std::scoped_lock lock(mutex_);
         auto best = stretches_.end();
         for (auto s = stretches_.begin(); s != stretches_.end(); ++s)
             if (s->bytes >= bytes && (best == stretches_.end() || s->bytes < best->bytes)) best = s;
-        if (best == stretches_.end()) {
-            release(bytes);
-            return nullptr;
-        }
+        if (best == stretches_.end()) return nullptr;
         std::byte* memory = best->begin;
         bytes_ -= bytes;
         *best = {best->begin + bytes, best->bytes - bytes};
@@ -74,12 +72,7 @@ public:
 
     void keep(void* memory, std::size_t bytes) {
         const std::scoped_lock lock(mutex_);
-#ifdef MADV_FREE
-        const bool lent = madvise(memory, bytes, MADV_FREE) == 0;
-#else
-        const bool lent = false;
-#endif
-        if (!lent || bytes_ + bytes > limit_) {
+        if (bytes_ + bytes > limit_ || !lend(memory, bytes)) {
             munmap(memory, bytes);
             return;
         }
@@ -95,8 +88,9 @@ public:
         bytes_ += bytes;
     }
 
-    // The oldest first, whole ones.
+    // At least so many bytes go back to the system, if there are; the oldest first, whole ones.
     void release(std::size_t bytes) {
+        const std::scoped_lock lock(mutex_);
         std::size_t gone = 0;
         auto end = stretches_.begin();
         for (; end != stretches_.end() && gone < bytes; ++end) {
@@ -118,16 +112,21 @@ public:
         }
         return pages * kPage;
     }
-    void release_all() {
-        const std::scoped_lock lock(mutex_);
-        release(bytes_);
-    }
 
 private:
     struct Stretch {
         std::byte* begin;
         std::size_t bytes;
     };
+
+    // The system may take the pages, and they stay as they are until it does.
+    static bool lend([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_FREE
+        return madvise(memory, bytes, MADV_FREE) == 0;
+#else
+        return false;
+#endif
+    }
 
     std::mutex mutex_;
     std::vector<Stretch> stretches_;
@@ -140,13 +139,21 @@ KeptPages& kept_pages() {
     return *pages;
 }
 
+// Before fresh pages come. Few do not count: whole stretches would go for them.
+void make_way_for(std::size_t bytes) {
+    if (has_large_pages(bytes)) kept_pages().release(bytes);
+}
+
 } // namespace
 
 void* take_pages(std::size_t bytes) {
     const std::size_t size = size_of(bytes);
     if (!has_large_pages(bytes)) return map(size);
     void* memory = kept_pages().take(size);
-    if (memory == nullptr) memory = map_large(size);
+    if (memory == nullptr) {
+        make_way_for(size);
+        memory = map_large(size);
+    }
     ask_for_large_pages(memory, bytes);
     return memory;
 }
@@ -161,6 +168,7 @@ void give_pages_back(void* memory, std::size_t bytes) {
 
 void* stretch_pages(void* memory, std::size_t bytes, std::size_t more_bytes) {
     const std::size_t size = size_of(more_bytes);
+    make_way_for(size - size_of(bytes));
     void* stretched = mremap(memory, size_of(bytes), size, MREMAP_MAYMOVE);
     if (stretched == MAP_FAILED) {
         if (errno != EFAULT) throw std::bad_alloc();
@@ -180,6 +188,7 @@ void empty_pages(void* memory, std::size_t bytes) {
 }
 
 void* take_zero_pages(std::size_t bytes) {
+    make_way_for(size_of(bytes));
     void* memory = map(size_of(bytes));
 #ifdef MADV_NOHUGEPAGE
     madvise(memory, size_of(bytes), MADV_NOHUGEPAGE); // one value in a large page would fill all of it
@@ -191,6 +200,6 @@ void give_zero_pages_back(void* memory, std::size_t bytes) { munmap(memory, size
 
 std::size_t kept_page_bytes() { return kept_pages().resident_bytes(); }
 
-void let_kept_pages_go() { kept_pages().release_all(); }
+void let_kept_pages_go() { kept_pages().release(std::numeric_limits<std::size_t>::max()); }
 
 } // namespace ramus

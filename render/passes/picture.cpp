@@ -49,7 +49,7 @@ Result<void> Renderer::Impl::initialise() {
     constexpr const char* kOfLesions = "#define GLASS\n#define LESIONS\n";
     if (!gl_has_lists())
         if (auto made = make(resolve_lesions_, "fullscreen.vert", "resolve.frag", kOfLesions); !made) return made;
-    surface_bytes_ = usable_surface_bytes();
+    if (surface_bytes_ == kMostOfGraphicsMemory) surface_bytes_ = most_surface_bytes();
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     look_block_ = make_buffer(sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -72,8 +72,12 @@ void Renderer::Impl::fullscreen(const Program& program, Pixels pixels) const {
     glDepthMask(GL_TRUE);
 }
 
-// OpenGL's own defaults, for whoever draws next into the window.
+// OpenGL's own defaults, for whoever draws next, and wherever a picture stops.
 void Renderer::Impl::restore_state() const {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glDepthFunc(GL_LESS);
     glBindVertexArray(0);
@@ -121,12 +125,9 @@ bool Renderer::Impl::same_geometry(const Frame& a, const Frame& b) const {
            (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
 }
 
-// Whatever others have left, another renderer in the middle of its picture among them.
+// Whatever others have left.
 void Renderer::Impl::begin_state() const {
     glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -189,9 +189,7 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     for (const Band band : has_glass_ ? bands_ : std::vector<Band>{}) {
         if (bands_.size() > 1) { // its lists have given way to those of other bands
             std::uint64_t again = 0;
-            InParts<std::size_t> listed = list_panes(frame, mesh != nullptr ? *mesh : no_mesh_, band, again);
-            while (listed.resume()) {
-            }
+            list_panes(frame, mesh != nullptr ? *mesh : no_mesh_, band, again).finish();
             resolve(band);
         }
         shade_rows(band);

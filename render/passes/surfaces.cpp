@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace ramus::render {
 
-double Renderer::Impl::usable_surface_bytes() const {
+std::size_t Renderer::Impl::most_surface_bytes() {
     constexpr double kShare = 0.75; // of the graphics card's memory
-    return asked_surface_bytes_ > 0 ? static_cast<double>(asked_surface_bytes_) : kShare * graphics_memory_bytes();
+    const double bytes = kShare * graphics_memory_bytes();
+    return std::isinf(bytes) ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(bytes);
 }
 
 // The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for. The
@@ -30,9 +32,8 @@ Result<Frame> Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_bu
     done.coarse = !*whole;
     std::size_t left = upload_budget;
     // Where both do not fit, the surface before gives way first.
-    const bool crowded =
-        *whole && wanted.mesh && mesh_.shown() != wanted.mesh &&
-        static_cast<double>(preview_.bytes() + mesh_.bytes() + GpuMesh::bytes_of(*wanted.mesh)) > surface_bytes_;
+    const bool crowded = *whole && wanted.mesh && mesh_.shown() != wanted.mesh &&
+                         preview_.bytes() + mesh_.bytes() + GpuMesh::bytes_of(*wanted.mesh) > surface_bytes_;
     if (done.coarse || (crowded && mesh_.shown())) mesh_.follow(nullptr, left);
     preview_.follow(wanted.preview, left);
     if (!done.coarse) mesh_.follow(wanted.mesh, left);
@@ -54,10 +55,12 @@ Result<Frame> Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_bu
 
 // Whether the mesh does. Its preview has to.
 Result<bool> Renderer::Impl::fits(const Frame& wanted) const {
-    const auto bytes = [](const auto& mesh) { return mesh ? static_cast<double>(GpuMesh::bytes_of(*mesh)) : 0.0; };
+    const auto bytes = [](const auto& mesh) { return mesh ? GpuMesh::bytes_of(*mesh) : 0; };
     if (bytes(wanted.mesh) + bytes(wanted.preview) <= surface_bytes_) return true;
     if (wanted.preview && bytes(wanted.preview) <= surface_bytes_) return false;
-    const auto megabytes = [](double b) { return std::to_string(std::max(1L, std::lround(b / 1e6))); };
+    const auto megabytes = [](std::size_t b) {
+        return std::to_string(std::max(1L, std::lround(static_cast<double>(b) / 1e6)));
+    };
     return fail("the surface takes " + megabytes(bytes(wanted.mesh)) + " MB of graphics memory, where it may take " +
                     megabytes(surface_bytes_),
                 {}, "lower --detail, hide or prune branches, or raise --graphics-memory");

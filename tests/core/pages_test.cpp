@@ -58,6 +58,24 @@ TEST_CASE("fresh pages come only after as many kept ones have gone") {
     give_pages_back(larger, 24 * kMiB);
     CHECK(kept_page_bytes() == 0); // kept, but never written: they take nothing
     let_kept_pages_go();
+
+    // So for stretches that grow, and for zeros.
+    const auto keep_some = [] {
+        void* memory = take_pages(16 * kMiB);
+        std::memset(memory, 1, 16 * kMiB);
+        give_pages_back(memory, 16 * kMiB);
+        CHECK(kept_page_bytes() == 16 * kMiB);
+    };
+    void* grown = take_pages(4 * kMiB);
+    keep_some();
+    grown = stretch_pages(grown, 4 * kMiB, 12 * kMiB);
+    CHECK(kept_page_bytes() == 0);
+    give_pages_back(grown, 12 * kMiB);
+    let_kept_pages_go();
+    keep_some();
+    void* zeros = take_zero_pages(8 * kMiB);
+    CHECK(kept_page_bytes() == 0);
+    give_zero_pages_back(zeros, 8 * kMiB);
 }
 
 TEST_CASE("no kept page turns up among zeros") {
