@@ -12,6 +12,7 @@
 namespace ramus::render::caster {
 
 inline constexpr int kTile = 32;               // pixels a side; what one task casts
+inline constexpr int kOccludedTiles = 2;       // beside each other, occluded together
 inline constexpr int kBlock = 4;               // pixels a side; what one vector of rays covers
 inline constexpr int kBlocks = kTile / kBlock; // a side
 inline constexpr int kTilePixels = kTile * kTile;
@@ -118,8 +119,12 @@ struct PictureArrays {
     float* picked_depth;   // nearest of anything
     std::uint32_t* id;     // of that, 0: nothing
     std::uint32_t* normal; // of the nearest opaque surface
-    float* occlusion;      // before and
-    float* smooth;         // after its noise is gone
+    // Depths once more, dealt into planes by column: every fourth of a row, `dealt_stride` a row, and `dealt_plane`
+    // from plane to plane. There the taps of pixels that lie four apart lie side by side.
+    float* dealt;
+    std::ptrdiff_t dealt_stride, dealt_plane;
+    float* occlusion; // before and
+    float* smooth;    // after its noise is gone
 };
 
 // Linear colours, as the uniform block of look.glsl.

@@ -38,7 +38,8 @@ bool Caster::draws(const Frame& frame) {
 }
 
 void Caster::make_room(const View& view) {
-    if (view.width == view_.width && view.height == view_.height && !rgba_.empty()) return;
+    const bool same_reach = view.reach_pixels == view_.reach_pixels;
+    if (view.width == view_.width && view.height == view_.height && same_reach && !rgba_.empty()) return;
     across_ = (view.width + kTile - 1) / kTile;
     up_ = (view.height + kTile - 1) / kTile;
     // Taps to the left and right of the picture read the padding.
@@ -48,8 +49,13 @@ void Caster::make_room(const View& view) {
     for (auto* array : {&ids_, &normals_}) array->assign(pixels, 0);
     rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
-    picture_ = {depths_.data() + kTile,  picked_.data() + kTile,    ids_.data() + kTile,
-                normals_.data() + kTile, occlusion_.data() + kTile, smooth_.data() + kTile};
+    // As are those where pixels beside the picture would be.
+    const auto beside = static_cast<std::ptrdiff_t>(view.reach_pixels) / 4 + 2;
+    const std::ptrdiff_t dealt_stride = view.stride / 4 + 2 * beside, dealt_plane = dealt_stride * view.height;
+    dealt_.assign(4 * std::size_t(dealt_plane), kNothing);
+    picture_ = {depths_.data() + kTile, picked_.data() + kTile, ids_.data() + kTile, normals_.data() + kTile,
+                dealt_.data() + beside, dealt_stride,           dealt_plane,         occlusion_.data() + kTile,
+                smooth_.data() + kTile};
 }
 
 namespace {
@@ -93,6 +99,7 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
     Records records{words,  words + kMostPanesOfTile,  words + 2 * kMostPanesOfTile,
                     floats, floats + kMostPanesOfTile, 0};
     resolve_tile(view_, field_, scratch.samples, with_values, x, y, picture_, records);
+    if (view_.taps > 0) deal_tile(x, y, view_, picture_);
     tile.count = records.count;
     if (records.count > 0) {
         keep(tile.place, records.place, records.count, 0U);
@@ -187,9 +194,14 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     for_tiles([&](int tile) { cast(tile, binned, with_values); });
     const auto corner = [&](int tile) { return std::pair(tile % across_ * kTile, tile / across_ * kTile); };
     if (view.taps > 0) {
+        const Taps taps = taps_of(view_);
         for_tiles([&](int tile) {
-            if (tiles_[std::size_t(tile)].count > 0)
-                occlude_tile(view_, corner(tile).first, corner(tile).second, picture_);
+            const int column = tile % across_;
+            if (column % kOccludedTiles != 0) return;
+            const auto first = tiles_.begin() + tile;
+            if (std::any_of(first, first + std::min(kOccludedTiles, across_ - column),
+                            [](const Tile& one) { return one.count > 0; }))
+                occlude_tiles(view_, taps, corner(tile).first, corner(tile).second, picture_);
         });
         for_tiles([&](int tile) {
             if (tiles_[std::size_t(tile)].count > 0)

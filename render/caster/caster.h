@@ -111,7 +111,7 @@ private:
     View view_;
     int across_ = 0, up_ = 0; // tiles
     std::vector<Tile> tiles_;
-    std::vector<float> depths_, picked_, occlusion_, smooth_;
+    std::vector<float> depths_, dealt_, picked_, occlusion_, smooth_;
     std::vector<std::uint32_t> ids_, normals_;
     std::vector<std::uint32_t> rgba_; // a pixel each
     PictureArrays picture_{};

@@ -6,63 +6,103 @@
 #include "render/caster/lanes-inl.h"
 #include "render/caster/occlude.h"
 
+#include <algorithm>
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-// Of every second pixel in every second row: what smooths it fills in the others.
-void OccludeTile(const View& view, int x0, int y0, const PictureArrays& picture) {
+void DealTile(int x0, int y0, const View& view, const PictureArrays& picture) {
+    const hn::CappedTag<float, kTile / 4> d;
+    constexpr int kLanes = int(hn::MaxLanes(d));
+    for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
+        for (int x = x0; x < x0 + kTile; x += 4 * kLanes) {
+            hn::Vec<decltype(d)> v[4];
+            hn::LoadInterleaved4(d, picture.depth + std::ptrdiff_t{y} * view.stride + x, v[0], v[1], v[2], v[3]);
+            float* to = picture.dealt + y * picture.dealt_stride + x / 4;
+            for (int k = 0; k < 4; ++k) hn::StoreU(v[k], d, to + k * picture.dealt_plane);
+        }
+    }
+}
+
+// What places of one row see, four pixels apart.
+struct Row {
+    V x;     // of the places' pixels, mm from the line of sight at depth 1 when perspective
+    float y; // likewise
+    V depth;
+    V3 normal;
+    const float* dealt;           // planes where the places are
+    std::ptrdiff_t stride, plane; // of those
+    int row, column, rows;
+};
+
+template <bool Flat> HWY_INLINE V OcclusionOf(const View& view, const Taps& taps, const Row& row) {
+    const V zero = hn::Zero(D());
+    const V across = Flat ? row.x : hn::Mul(row.x, row.depth);
+    const V up = Flat ? set(row.y) : hn::Mul(set(row.y), row.depth);
+    const V reach = Flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), row.depth);
+    const V squared_reach = hn::Mul(reach, reach);
+    const V bias = hn::Mul(set(0.02F), reach), softness = hn::Mul(set(0.01F), squared_reach);
+    const V fall_off = hn::Div(set(0.25F), squared_reach);
+    const auto& places = taps.of[row.row & 3][row.column];
+    V sum = zero;
+    for (int i = 0; i < taps.count; ++i) {
+        const int dx = places.x[i], dy = places.y[i];
+        if (row.row + dy < 0 || row.row + dy >= row.rows) continue;
+        const int column = row.column + dx;
+        const V tap = hn::LoadU(D(), row.dealt + (column & 3) * row.plane + dy * row.stride + (column >> 2));
+        // Where there is nothing it is so far away that it weighs nothing.
+        const V x = hn::Add(row.x, set(static_cast<float>(dx) * view.mm_a_pixel));
+        const V y = set(row.y + static_cast<float>(dy) * view.mm_a_pixel);
+        const V3 v = Flat ? V3{hn::Sub(x, across), hn::Sub(y, up), hn::Sub(tap, row.depth)}
+                          : V3{hn::MulSub(x, tap, across), hn::MulSub(y, tap, up), hn::Sub(tap, row.depth)};
+        const V squared = dot(v, v);
+        const V weight = hn::Max(zero, hn::NegMulAdd(squared, fall_off, set(1.0F)));
+        const V over = hn::Max(zero, hn::Sub(dot(v, row.normal), bias));
+        const V closeness = hn::ApproximateReciprocalSqrt(hn::Add(squared, softness));
+        sum = hn::MulAdd(hn::Mul(weight, over), closeness, sum);
+    }
+    return clamp01(hn::Mul(set(2.4F / static_cast<float>(taps.count)), sum));
+}
+
+void OccludeTiles(const View& view, const Taps& taps, int x0, int y0, const PictureArrays& picture) {
     const D d;
-    const DI di;
-    const V zero = hn::Zero(d), nothing = set(0.5F * kNothing);
-    const VI last_x = hn::Set(di, view.width - 1), last_y = hn::Set(di, view.height - 1), none = hn::Zero(di);
-    const VI stride = hn::Set(di, view.stride);
-    alignas(64) float found[kN];
-    for (int y = y0; y < y0 + kTile && y < view.height; y += 2) {
-        for (int x = x0; x < x0 + kTile && x < view.width; x += 2 * kN) {
-            const std::size_t at = std::size_t(y) * std::size_t(view.stride) + std::size_t(x);
-            const VI column = hn::Add(hn::Set(di, x), hn::ShiftLeft<1>(hn::Iota(di, 0)));
-            const VI index = hn::Add(hn::Set(di, static_cast<std::int32_t>(at)), hn::ShiftLeft<1>(hn::Iota(di, 0)));
-            const V depth = gather(picture.depth, index);
-            const M there = hn::Lt(depth, nothing);
-            if (hn::AllFalse(d, there)) continue; // their depth keeps them out of every mean
-            const V px = hn::Add(hn::ConvertTo(d, column), set(0.5F)), py = set(static_cast<float>(y) + 0.5F);
-            const V3 centre = eye_position(view, px, py, depth);
-            V3 n = unpacked_normal(gather(picture.normal, index));
-            n.z = hn::Neg(n.z); // depth is +z here
-            const V reach = view.flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), depth);
-            const V squared_reach = hn::Mul(reach, reach);
-            const V bias = hn::Mul(set(0.02F), reach), softness = hn::Mul(set(0.01F), squared_reach);
-            const V fall_off = hn::Div(set(0.25F), squared_reach);
-            const V turn = hn::Mul(set(6.2831853F), noise(px, py));
-            V across = hn::Cos(d, turn), up = hn::Sin(d, turn), sum = zero;
-            for (int i = 0; i < view.taps; ++i) {
-                const float fraction = (static_cast<float>(i) + 0.5F) / static_cast<float>(view.taps);
-                // Denser towards the centre: contacts count more than far neighbours.
-                const V far = set(view.reach_pixels * fraction * __builtin_sqrtf(fraction));
-                VI tx = hn::Add(column, hn::NearestInt(hn::Mul(far, across)));
-                VI ty = hn::Add(hn::Set(di, y), hn::NearestInt(hn::Mul(far, up)));
-                tx = hn::Min(hn::Max(tx, none), last_x);
-                ty = hn::Min(hn::Max(ty, none), last_y);
-                // By the golden angle.
-                const V turned = hn::MulAdd(set(-0.73736887F), across, hn::Mul(set(-0.67549029F), up));
-                up = hn::MulAdd(set(0.67549029F), across, hn::Mul(set(-0.73736887F), up));
-                across = turned;
-                const V tap = gather(picture.depth, index_of(ty, stride, tx));
-                const M hit = hn::Lt(tap, nothing);
-                if (hn::AllFalse(d, hit)) continue;
-                const V half = set(0.5F);
-                const V3 v =
-                    eye_position(view, hn::Add(hn::ConvertTo(d, tx), half), hn::Add(hn::ConvertTo(d, ty), half), tap) -
-                    centre;
-                const V squared = dot(v, v);
-                const V weight = hn::Max(zero, hn::NegMulAdd(squared, fall_off, set(1.0F)));
-                const V over = hn::Max(zero, hn::Sub(dot(v, n), bias));
-                sum = hn::Add(sum, hn::IfThenElseZero(
-                                       hit, hn::Mul(hn::Mul(weight, over), inverse_root(hn::Add(squared, softness)))));
+    const DU du;
+    constexpr int kWide = kOccludedTiles * kTile;
+    static_assert(kWide >= 4 * kN);
+    for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
+        for (int x = x0; x < x0 + kWide && x < view.width; x += 4 * kN) {
+            const std::ptrdiff_t at = std::ptrdiff_t{y} * view.stride + x;
+            const float* dealt = picture.dealt + y * picture.dealt_stride + x / 4;
+            V depth[4], found[4];
+            M any = hn::FirstN(d, 0), there[4];
+            for (int k = 0; k < 4; ++k) {
+                depth[k] = hn::LoadU(d, dealt + k * picture.dealt_plane);
+                there[k] = hn::Lt(depth[k], set(0.5F * kNothing));
+                any = hn::Or(any, there[k]);
             }
-            const V occlusion = clamp01(hn::Mul(set(2.4F / static_cast<float>(view.taps)), sum));
-            hn::Store(occlusion, d, found);
-            for (int k = 0; k < kN; ++k) picture.occlusion[at + 2 * std::size_t(k)] = found[k];
+            if (hn::AllFalse(d, any)) continue; // their depth keeps them out of every mean
+            VU normal[4];
+            hn::LoadInterleaved4(du, picture.normal + at, normal[0], normal[1], normal[2], normal[3]);
+            for (int k = 0; k < 4; ++k) {
+                V3 n = unpacked_normal(normal[k]);
+                n.z = hn::Neg(n.z); // depth is +z here
+                const V column = hn::MulAdd(hn::Iota(d, 0), set(4.0F), set(static_cast<float>(x + k) + 0.5F));
+                const Row row{hn::Mul(hn::Sub(column, set(view.centre_x)), set(view.mm_a_pixel)),
+                              (static_cast<float>(y) + 0.5F - view.centre_y) * view.mm_a_pixel,
+                              depth[k],
+                              n,
+                              dealt,
+                              picture.dealt_stride,
+                              picture.dealt_plane,
+                              y,
+                              k,
+                              view.height};
+                const V occlusion =
+                    view.flat ? OcclusionOf<true>(view, taps, row) : OcclusionOf<false>(view, taps, row);
+                found[k] = hn::IfThenElseZero(there[k], occlusion);
+            }
+            hn::StoreInterleaved4(found[0], found[1], found[2], found[3], d, picture.occlusion + at);
         }
     }
 }
@@ -84,17 +124,15 @@ constexpr float Centred(int step) { return static_cast<float>(4 - (step < 0 ? -s
 
 void SmoothTile(const View& view, int x0, int y0, const PictureArrays& picture) {
     const D d;
-    const DI di;
     const V nothing = set(0.5F * kNothing), zero = hn::Zero(d);
     const auto inverse_tolerance = [&](V depth) {
         const V reach = view.flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), depth);
         return hn::Div(set(2.0F), reach);
     };
-    // Along rows: of every second row, for all pixels of it, from every second one.
-    constexpr int kRows = kTile / 2 + 3, kFirst = -2;
+    constexpr int kRows = kTile + 6, kFirst = -3; // along rows
     alignas(64) float half[kRows * kTile];
     for (int i = 0; i < kRows; ++i) {
-        const int y = y0 + kFirst + 2 * i;
+        const int y = y0 + kFirst + i;
         if (y < 0 || y >= view.height) continue;
         for (int x = x0; x < x0 + kTile && x < view.width; x += kN) {
             const float* depths = picture.depth + std::ptrdiff_t{y} * view.stride + x;
@@ -103,13 +141,10 @@ void SmoothTile(const View& view, int x0, int y0, const PictureArrays& picture) 
             V found = zero;
             if (!hn::AllFalse(d, hn::Lt(depth, nothing))) {
                 const V inverse = inverse_tolerance(depth);
-                const VI column = hn::Iota(di, x);
                 Mean mean{zero, zero};
-                for (int step = -3; step <= 3; ++step) { // into the padding, at the picture's sides
-                    const auto odd = hn::Ne(hn::And(hn::Add(column, hn::Set(di, step)), hn::Set(di, 1)), hn::Zero(di));
+                for (int step = -3; step <= 3; ++step) // into the padding, at the picture's sides
                     mean.add(hn::LoadU(d, values + step), hn::LoadU(d, depths + step), depth, inverse,
-                             hn::IfThenZeroElse(hn::RebindMask(d, odd), set(Centred(step))));
-                }
+                             set(Centred(step)));
                 found = mean.value();
             }
             hn::Store(found, d, half + i * kTile + x - x0);
@@ -124,9 +159,9 @@ void SmoothTile(const View& view, int x0, int y0, const PictureArrays& picture) 
             if (!hn::AllFalse(d, there)) {
                 const V inverse = inverse_tolerance(depth);
                 Mean mean{zero, zero};
-                for (int step = (y & 1) == 0 ? -2 : -3; step <= 3; step += 2) {
+                for (int step = -3; step <= 3; ++step) {
                     if (y + step < 0 || y + step >= view.height) continue;
-                    mean.add(hn::Load(d, half + (y + step - y0 - kFirst) / 2 * kTile + x - x0),
+                    mean.add(hn::Load(d, half + (y + step - y0 - kFirst) * kTile + x - x0),
                              hn::LoadU(d, depths + std::ptrdiff_t{step} * view.stride), depth, inverse,
                              set(Centred(step)));
                 }
@@ -143,11 +178,33 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::render::caster {
 
-HWY_EXPORT(OccludeTile);
+HWY_EXPORT(DealTile);
+HWY_EXPORT(OccludeTiles);
 HWY_EXPORT(SmoothTile);
 
-void occlude_tile(const View& view, int x, int y, const PictureArrays& picture) {
-    HWY_DYNAMIC_DISPATCH(OccludeTile)(view, x, y, picture);
+Taps taps_of(const View& view) {
+    Taps taps{};
+    taps.count = std::min(view.taps, Taps::kMost);
+    constexpr double kTurn = 0.39269908, kGolden = 2.39996323; // a sixteenth of the way around; the golden angle
+    constexpr int kFine[4] = {0, 2, 1, 3};
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            for (int i = 0; i < taps.count; ++i) {
+                const double angle = kTurn * (4 * ((row + column) & 3) + kFine[row]) + kGolden * i;
+                const double fraction = (i + 0.5) / taps.count;
+                // Denser towards the centre: contacts count more than far neighbours.
+                const double far = double{view.reach_pixels} * fraction * std::sqrt(fraction);
+                taps.of[row][column].x[i] = static_cast<std::int16_t>(std::lround(far * std::cos(angle)));
+                taps.of[row][column].y[i] = static_cast<std::int16_t>(std::lround(far * std::sin(angle)));
+            }
+    return taps;
+}
+
+void deal_tile(int x, int y, const View& view, const PictureArrays& picture) {
+    HWY_DYNAMIC_DISPATCH(DealTile)(x, y, view, picture);
+}
+void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture) {
+    HWY_DYNAMIC_DISPATCH(OccludeTiles)(view, taps, x, y, picture);
 }
 void smooth_tile(const View& view, int x, int y, const PictureArrays& picture) {
     HWY_DYNAMIC_DISPATCH(SmoothTile)(view, x, y, picture);

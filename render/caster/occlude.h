@@ -6,9 +6,20 @@
 
 namespace ramus::render::caster {
 
-// Both fill the tile whose lower left pixel is (x, y). Depths must be there for the whole picture, occlusion for the
-// tiles around when it is smoothed.
-void occlude_tile(const View& view, int x, int y, const PictureArrays& picture);
+// Where the occlusion of a pixel looks, pixels from there: the same for all whose column and row are the same modulo 4.
+struct Taps {
+    static constexpr int kMost = 32;
+    int count;
+    struct {
+        std::int16_t x[kMost], y[kMost];
+    } of[4][4]; // [row][column]
+};
+[[nodiscard]] Taps taps_of(const View& view);
+
+// Each fills the tile, or tiles, whose lower left pixel is (x, y). Depths must have been dealt for the whole picture
+// when it is occluded, and occlusion be there for the tiles around when it is smoothed.
+void deal_tile(int x, int y, const View& view, const PictureArrays& picture);
+void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture);
 void smooth_tile(const View& view, int x, int y, const PictureArrays& picture);
 
 } // namespace ramus::render::caster

@@ -76,7 +76,8 @@ std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>&
     caster::View view;
     view.width = size_.x;
     view.height = size_.y;
-    view.stride = (size_.x + caster::kTile - 1) / caster::kTile * caster::kTile;
+    constexpr int kAcross = caster::kTile * caster::kOccludedTiles;
+    view.stride = (size_.x + kAcross - 1) / kAcross * kAcross;
     view.centre_x = view_.pixel_to_eye.x;
     view.centre_y = view_.pixel_to_eye.y;
     view.mm_a_pixel = view_.pixel_to_eye.z;
