@@ -48,6 +48,7 @@ struct Cone {
     float value[2];   // at both ends, to colour by
     std::uint32_t id; // as in ids.glsl
     bool contested;   // some of what it is near is of another layer
+    bool follows;     // its first ball is the last one of an opaque cone, neither is contested: that one meets it
 };
 
 // A triangle of a mesh beside the tree, counter-clockwise in the picture.

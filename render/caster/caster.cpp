@@ -163,6 +163,11 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
         }
         drawn += there;
     });
+    for (std::size_t i = 1; i < segments; ++i) {
+        if (kinds[i] != Kind::kOpaque || kinds[i - 1] != Kind::kOpaque) continue;
+        cones_[i].follows = segments_[i].before == segments_[i - 1].point && !cones_[i].contested &&
+                            segments_[i - 1].point + 1 == segments_[i].point && !cones_[i - 1].contested;
+    }
     const std::size_t vessels = cones_.size();
     cones_.resize(vessels + meaning.lesions.size());
     kinds.resize(cones_.size(), Kind::kNone);

@@ -95,7 +95,7 @@ template <bool Flat, bool Out, class Vec> HWY_INLINE auto meet(const Cone& cone,
     if (!None(may_meet_balls)) {
         const Vec inverse_ray2 = Flat ? one : inverse_of(ray2);
         Vec nearest = in;
-        meet_ball<Out, Vec>(to_ray, a, ray2, inverse_ray2, zero, nearest, out, at);
+        if (Out || !cone.follows) meet_ball<Out, Vec>(to_ray, a, ray2, inverse_ray2, zero, nearest, out, at);
         const Vec last = Add(NegMulAdd(S(2.0F), along, squared), S(cone.squared - cone.last_radius * cone.last_radius));
         meet_ball<Out, Vec>(Sub(to_ray, slope), last, ray2, inverse_ray2, one, nearest, out, at);
         // Where the side is met, a ball that is met before it can only be so by rounding.

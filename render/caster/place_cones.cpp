@@ -237,7 +237,7 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     cone.squared = glm::dot(axis, axis);
     set_radii(cone, first, last);
     cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
-    cone.contested = false;
+    cone.contested = cone.follows = false;
     const bool by_root = frame.scale.value != ColourScale::Value::kDiameter;
     cone.value[0] = by_root ? thinned_.points[i].w : thinned_.details[i].diameter_mm;
     cone.value[1] = by_root ? thinned_.points[i + 1].w : thinned_.details[i + 1].diameter_mm;
