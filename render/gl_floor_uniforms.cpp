@@ -78,6 +78,10 @@ void GLAD_API_PTR program_uniform1i(GLuint program, GLint at, GLint x) {
     const Using here(program);
     uniform1i(at, x);
 }
+void GLAD_API_PTR program_uniform1f(GLuint program, GLint at, GLfloat x) {
+    const Using here(program);
+    uniform1f(at, x);
+}
 void GLAD_API_PTR program_uniform2i(GLuint program, GLint at, GLint x, GLint y) {
     const Using here(program);
     uniform2i(at, x, y);
@@ -115,6 +119,7 @@ void install_uniform_floor(int version, const void* context) {
     glad_glUniformMatrix3fv = matrix3;
     glad_glUniformMatrix4fv = matrix4;
     glad_glProgramUniform1i = program_uniform1i;
+    glad_glProgramUniform1f = program_uniform1f;
     glad_glProgramUniform2i = program_uniform2i;
     glad_glProgramUniform2f = program_uniform2f;
     glad_glProgramUniform3f = program_uniform3f;

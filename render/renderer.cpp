@@ -30,6 +30,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes, std:
 Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget, double seconds) {
     return impl_->draw(frame, upload_budget, seconds);
 }
+Refined Renderer::refine(double seconds) { return impl_->refine(seconds); }
 std::size_t Renderer::surface_bytes() const { return impl_->surface_bytes(); }
 unsigned Renderer::texture() const { return impl_->texture(); }
 Image Renderer::read_image() { return impl_->read_image(); }

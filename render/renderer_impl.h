@@ -59,13 +59,43 @@ std::vector<glm::vec4> context_colours(const Frame& frame);
 // Where parts of branches that are lost begin and end, as behind_cut() of scene.glsl reads it: five texels a part.
 std::vector<glm::vec4> cut_places(const std::vector<LostPart>& lost, const Centerlines& lines, const glm::dmat4& eye);
 
-class Renderer::Impl {
+// What the passes draw one view into, and what they know of it.
+struct Passes {
+    glm::ivec2 passes_{0};                            // their size
+    Texture surface_, depth_;                         // multisampled
+    Texture id_normal_, opaque_depth_, picked_depth_; // one value a pixel
+    Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it
+    Texture occlusion_, half_blurred_, blurred_, lit_;
+    Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
+        lit_target_;
+    Buffer pane_heads_, panes_, pane_count_; // as in panes.glsl
+    std::size_t head_room_ = 0, pane_room_ = 0;
+    struct Band { // rows, in GL's sense of y, whose panes of glass fit into their bound together
+        int first = 0, count = 0;
+    };
+    std::vector<Band> bands_; // of the last picture with glass; one: its lists are still there
+    // Of glass without lists: the last layer and the one before, what they come to in front of each sample.
+    Texture layer_panes_, fronts_;
+    std::array<Texture, 2> layer_depths_;
+    std::array<Framebuffer, 2> layer_targets_;
+    Framebuffer fronts_target_;
+    ViewBlock view_;
+    glm::dmat4 projection_{1.0}, mesh_to_clip_{1.0}; // of the last look_at()
+    int shift_ = 0;                                  // which of kShifts the view is off by
+};
+
+// Full pictures are the mean of so many views, each off by less than a quarter of a pixel. The first one is what is
+// pointed at.
+inline constexpr int kFineViews = 4;
+
+class Renderer::Impl : Passes {
 public:
     Impl(std::size_t glass_bytes, std::size_t surface_bytes)
         : glass_bytes_(glass_bytes), surface_bytes_(surface_bytes) {}
     [[nodiscard]] std::size_t surface_bytes() const { return surface_bytes_; }
     Result<void> initialise();
     Result<DrawStatistics> draw(const Frame& wanted, std::size_t upload_budget, double seconds);
+    Refined refine(double seconds);
     Image read_image() const;
     [[nodiscard]] unsigned texture() const { return picture_; }
     void present(unsigned framebuffer, int x, int y) const;
@@ -82,15 +112,25 @@ private:
         int x = 0, y = 0, width = 0, height = 0; // GL's sense of y
     };
 
-    // Rows of `inner_`, in GL's sense of y, whose panes of glass fit into their bound together.
-    struct Band {
-        int first = 0, count = 0;
+    // A picture that is made in parts, while the last one is still there.
+    struct Unfinished {
+        Frame wanted, frame; // as draw() was given it, and as it is drawn
+        std::vector<Layer> layers;
+        std::optional<InParts<Result<std::uint64_t>>> geometry; // refers to frame and layers
+        bool whole = false;                                     // that is: all but the shading
+        double seconds = 0.0;                                   // that it has taken
+        std::array<Fence, 3> fences;                            // behind the last parts: more would only queue up
     };
 
     Result<DrawStatistics> draw_all(const Frame& wanted, std::size_t upload_budget, double seconds);
     void let_go();
     enum class Targets { kPicture, kAll };
     Result<void> resize(glm::ivec2 size, Quality quality, Targets wanted);
+    void make_passes(int samples);
+    void add_to_sum();
+    Result<bool> add_view(double seconds);
+    Result<void> begin_refinement();
+    Result<bool> add_views(double seconds);
     Result<Frame> take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done);
     Result<bool> fits(const Frame& wanted) const;
     [[nodiscard]] static std::size_t most_surface_bytes();
@@ -168,7 +208,7 @@ private:
     // What the passes drew into is being drawn anew: who asks what is there waits for that, or gets no answer.
     [[nodiscard]] bool between_pictures() const { return unfinished_ && !cast_; }
     void finish();
-    [[nodiscard]] bool draw_parts(double seconds);
+    [[nodiscard]] static bool draw_parts(Unfinished& picture, double seconds);
     [[nodiscard]] bool same_geometry(const Frame& a, const Frame& b) const;
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
@@ -188,46 +228,35 @@ private:
                 layer_capacity_ = 0;
     std::shared_ptr<const DistanceGrid> distances_; // in distance_texture_
 
-    glm::ivec2 size_{0};                              // of the picture
-    glm::ivec2 inner_{0};                             // of what is drawn, smaller while the view moves
-    glm::ivec2 passes_{0};                            // of what the passes draw into
-    Texture surface_, depth_;                         // multisampled
-    Texture id_normal_, opaque_depth_, picked_depth_; // one value a pixel
-    Texture covered_; // nearest depth a pixel: full-screen passes skip what is empty by testing against it
-    Texture occlusion_, half_blurred_, blurred_, lit_, picture_;
-    Framebuffer geometry_target_, glass_target_, resolve_target_, occlusion_target_, half_blur_target_, blur_target_,
-        lit_target_, picture_target_;
-    bool has_glass_ = false;     // or context that is clear, or lesions
-    glm::dmat4 projection_{1.0}; // of the last look_at()
+    glm::ivec2 size_{0};  // of the picture
+    glm::ivec2 inner_{0}; // of what is drawn, smaller while the view moves
+    Texture picture_;
+    Framebuffer picture_target_;
+    bool has_glass_ = false; // or context that is clear, or lesions
     caster::Caster caster_;
     bool cast_ = false;       // the last picture is the caster's, not the passes'
     bool holds_last_ = false; // what the passes drew into holds the last picture
-    // A picture that is made in parts, while the last one is still there.
-    struct Unfinished {
-        Frame wanted, frame; // as draw() was given it, and as it is drawn
-        std::vector<Layer> layers;
-        std::optional<InParts<Result<std::uint64_t>>> geometry; // refers to frame and layers
-        bool whole = false;                                     // that is: all but the shading
-        double seconds = 0.0;                                   // that it has taken
-        std::array<Fence, 3> fences;                            // behind the last parts: more would only queue up
-    };
     std::unique_ptr<Unfinished> unfinished_;
+    // The last picture as the mean of several views.
+    struct Refinement {
+        int views = 0;        // that are in the sum
+        float samples = 1.0F; // a pixel of a view
+        Passes passes;        // that the next one is drawn into
+        std::unique_ptr<Unfinished> next;
+        Texture sum; // linear light
+        Framebuffer sum_target;
+    };
+    std::unique_ptr<Refinement> refinement_;
+    bool refined_ = false;     // the last picture is as fine as it gets
+    bool lit_is_mean_ = false; // of several views, and not the first one
+    Program add_view_, mean_view_;
     bool moving_ = false;                          // another camera on the same surface, in a hurry
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame, there or not
     std::vector<Layer> layers_;                    // by branch, all of them: in layer_texture_
-    glm::dmat4 mesh_to_clip_{1.0};
-    std::size_t glass_bytes_;                // that panes may take
-    std::size_t surface_bytes_;              // that surfaces may
-    Buffer pane_heads_, panes_, pane_count_; // as in panes.glsl
-    std::size_t head_room_ = 0, pane_room_ = 0;
-    // Of glass without lists: the last layer and the one before, what they come to in front of each sample.
-    Texture layer_panes_, fronts_;
-    std::array<Texture, 2> layer_depths_;
-    std::array<Framebuffer, 2> layer_targets_;
-    Framebuffer fronts_target_;
+    std::size_t glass_bytes_;                      // that panes may take
+    std::size_t surface_bytes_;                    // that surfaces may
     Query layer_query_;
     std::array<glm::vec2, kMostSamples> sample_places_{};
-    std::vector<Band> bands_; // of the last picture with glass; one: its lists are still there
 
     GpuMesh mesh_, preview_;
     const GpuMesh no_mesh_;
@@ -240,7 +269,6 @@ private:
     std::optional<SpriteSource> sprites_of_;
     std::optional<Frame> last_;
     std::vector<Layer> last_layers_;
-    ViewBlock view_;
 
     Buffer pick_buffer_;
     GLsizeiptr pick_buffer_size_ = 0;

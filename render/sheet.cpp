@@ -1,5 +1,6 @@
 #include "render/sheet.h"
 
+#include "core/base/stopwatch.h"
 #include "render/overlay.h"
 #include "render/text.h"
 
@@ -55,24 +56,41 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     if (!sheet.blend) {
         blend_.reset();
     } else if (sum.shaded || arranged || !blend_) {
-        try {
-            if (!blend_) {
-                auto made = Blend::create();
-                if (!made) return tl::unexpected(made.error());
-                blend_ = std::move(*made);
-            }
-            const Image heading =
-                sheet.heading.empty()
-                    ? Image()
-                    : paint_heading(sheet.heading, SpriteSource(sheet.panes[0].frame), default_font());
-            blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, heading, sheet.heading_top);
-        } catch (const OutOfGraphicsMemory& error) {
-            blend_.reset();
-            return fail(error.what(), {}, "give a smaller size");
-        }
+        if (auto blended = blend(sheet); !blended) return tl::unexpected(blended.error());
     }
     shown_ = std::move(outline);
     sum.shaded |= arranged;
+    return sum;
+}
+
+Result<void> SheetRenderer::blend(const Sheet& sheet) {
+    try {
+        if (!blend_) {
+            auto made = Blend::create();
+            if (!made) return tl::unexpected(made.error());
+            blend_ = std::move(*made);
+        }
+        const Image heading = sheet.heading.empty()
+                                  ? Image()
+                                  : paint_heading(sheet.heading, SpriteSource(sheet.panes[0].frame), default_font());
+        blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, heading, sheet.heading_top);
+        return {};
+    } catch (const OutOfGraphicsMemory& error) {
+        blend_.reset();
+        return fail(error.what(), {}, "give a smaller size");
+    }
+}
+
+Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
+    Refined sum;
+    const Stopwatch watch;
+    for (std::size_t i = 0; i < sheet.panes.size() && !sum.more; ++i) {
+        const Refined done = renderer(i).refine(seconds - watch.seconds());
+        sum.more = done.more;
+        sum.changed |= done.changed;
+    }
+    if (sum.changed && sheet.blend)
+        if (auto blended = blend(sheet); !blended) return tl::unexpected(blended.error());
     return sum;
 }
 

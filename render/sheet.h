@@ -39,6 +39,8 @@ public:
     // Statistics are sums over the panes.
     [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll,
                                               double seconds = kUntilDone);
+    // As Renderer::refine(), of one pane after the other; `sheet` is the last one drawn.
+    [[nodiscard]] Result<Refined> refine(const Sheet& sheet, double seconds = kUntilDone);
     static void finish(); // waits until all that was drawn is there
     [[nodiscard]] Image read_image();
     void present(unsigned framebuffer, int x = 0, int y = 0); // as Renderer::present()
@@ -55,6 +57,7 @@ public:
 
 private:
     [[nodiscard]] Renderer& renderer(std::size_t pane) { return pane == 0 ? first_ : *others_[pane - 1]; }
+    [[nodiscard]] Result<void> blend(const Sheet& sheet);
     [[nodiscard]] Pick without_branch(std::size_t pane, Pick pick) const;
 
     Renderer& first_;

@@ -7,6 +7,7 @@
 layout(binding = 0) uniform usampler2D id_normal;
 layout(binding = 1) uniform sampler2D opaque_depth;
 layout(location = 0) uniform int taps;
+layout(location = 1) uniform float turned; // all of them, of a sixteenth of the way around
 
 layout(location = 0) out float occlusion;
 
@@ -20,7 +21,7 @@ void main() {
     vec3 centre = eye_position(gl_FragCoord.xy, depth);
     vec3 n = unpack_normal(texelFetch(id_normal, pixel, 0).y) * vec3(1.0, 1.0, -1.0); // depth is +z here
     const int kFine[4] = int[4](0, 2, 1, 3);
-    float turn = 0.39269908 * float(4 * ((pixel.x + pixel.y) & 3) + kFine[pixel.y & 3]);
+    float turn = 0.39269908 * (float(4 * ((pixel.x + pixel.y) & 3) + kFine[pixel.y & 3]) + turned);
     float radius_pixels = depth_range.z;
     float radius_mm = depth_range.w * (picture.w > 0.5 ? 1.0 : depth);
     float bias = 0.02 * radius_mm, softness = 0.01 * radius_mm * radius_mm;

@@ -14,6 +14,11 @@ void add_figure_flags(CLI::App& command, FigureFlags& flags) {
                     "Draw N times as large and take the mean: smoother edges (default 1)")
         ->type_name("N")
         ->check(CLI::Range(1, 8).description(""));
+    command
+        .add_option("--samples", flags.samples,
+                    "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
+        ->type_name("N")
+        ->check(CLI::IsMember({4, 16}).description(""));
     command.add_option("--caption", flags.caption, "Words at the top left")->type_name("TEXT");
     CLI::Option* overlays =
         command
@@ -106,6 +111,8 @@ Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet
     make_room_for_caption(sheet);
     if (auto fits = check_enlarged(sheet.size, flags); !fits) return tl::unexpected(fits.error());
     if (const auto drawn = renderer.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    if (flags.samples > 4 && flags.supersample == 1)
+        if (const auto finer = renderer.refine(sheet); !finer) return tl::unexpected(finer.error());
     return render::reduced(renderer.read_image(), flags.supersample);
 }
 

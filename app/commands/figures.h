@@ -13,6 +13,7 @@ namespace ramus::app {
 
 struct FigureFlags {
     int supersample = 1; // pixels a side that become one
+    int samples = 16;    // of each pixel, where nothing is drawn larger
     int turntable = 0;   // pictures once around; 0: one picture
     bool sheet = false;
     std::string caption;               // UTF-8

@@ -91,6 +91,7 @@ Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
     const auto wanted = sheet();
     if (!wanted) return tl::unexpected(wanted.error());
     if (const auto drawn = sheet_renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    if (const auto finer = sheet_renderer_->refine(*wanted); !finer) return tl::unexpected(finer.error());
     return render::write_png(sheet_renderer_->read_image(), path);
 }
 
@@ -100,6 +101,7 @@ Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, g
     wanted->camera = camera;
     wanted->size = size;
     if (const auto drawn = renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    (void)renderer_->refine();
     return renderer_->read_image();
 }
 

@@ -148,6 +148,7 @@ public:
     }
     Result<void> write(const render::Frame& frame, const std::string& name) {
         if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+        (void)renderer_.refine();
         const auto path = flags_.folder / (name + ".png");
         if (auto written = render::write_png(renderer_.read_image(), path); !written) return written;
         files_.push_back(path.string());

@@ -19,7 +19,9 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["triangles"] = shown.mesh ? shown.mesh->triangle_count() : 0;
     const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
     status["shown"] = !shown.mesh ? "nothing" : cones ? "cones" : shown.provisional ? "preview" : "surface";
-    status["picture"] = {{"of", viewer.cast() ? "centerlines" : "mesh"}, {"width", viewer.pictured_width()}};
+    status["picture"] = {{"of", viewer.cast() ? "centerlines" : "mesh"},
+                         {"width", viewer.pictured_width()},
+                         {"refined", viewer.refined()}};
     status["problem"] = workspace.surface_problem();
     status["resting"] = viewer.resting();
     status["hovered"] = interface.hovered;

@@ -236,7 +236,10 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     ask_pick();
 
     const std::uint64_t looks = fingerprint(*ImGui::GetDrawData());
-    if (!done.shaded && looks == drawn_) return false;
+    if (done.shaded) refines_ = keeps_files_; // somebody is there to see it
+    if (done.shaded || looks != drawn_ || !resting()) stirred_at_ = now;
+    const bool finer = refines_ && now >= stirred_at_ + kRefiningRest && refine(sheet);
+    if (!done.shaded && !finer && looks == drawn_) return false;
     drawn_ = looks;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glDisable(GL_SCISSOR_TEST);
@@ -248,6 +251,12 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     return true;
 }
 
+bool Viewer::refine(const render::Sheet& sheet) {
+    const auto done = sheets_.refine(sheet, kDrawingSeconds);
+    refines_ = done && done->more;
+    return done && done->changed;
+}
+
 double Viewer::wait_seconds(double now) const {
     if (frames_left_ > 0 || glide_ || interface_.fly.playing || interface_waits_ || pick_wanted_ || upload_pending_ ||
         unfinished_)
@@ -257,6 +266,7 @@ double Viewer::wait_seconds(double now) const {
     if (workspace_.busy()) wait = std::min(wait, kProgressSeconds);
     if (quality_ != render::Quality::kFull && !awaits_)
         wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
+    if (refines_) wait = std::min(wait, std::max(0.0, stirred_at_ + kRefiningRest - now));
     if (now < interface_.notice.until) wait = std::min(wait, interface_.notice.until - now + 1e-3);
     return wait;
 }
@@ -295,6 +305,7 @@ Result<void> Viewer::write_picture(const std::filesystem::path& path) {
     const render::Sheet sheet =
         compose_sheet(workspace_.document, workspace_.surfaces(), {.size = layout_.view_size, .pixel_ratio = scale_});
     if (const auto drawn = sheets_.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    if (const auto finer = sheets_.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
     shake();
     drawn_ = 0;
     return render::write_png(sheets_.read_image(), path);
@@ -302,6 +313,7 @@ Result<void> Viewer::write_picture(const std::filesystem::path& path) {
 
 Result<render::Image> Viewer::draw_picture(const render::Camera& camera, glm::ivec2 size) {
     if (auto drawn = draw_for_keeping(camera, size); !drawn) return tl::unexpected(drawn.error());
+    (void)renderer_.refine(keeping_seconds());
     return renderer_.read_image();
 }
 

@@ -57,6 +57,7 @@ public:
     [[nodiscard]] bool resting() const; // the picture is the final one of what is known now
     // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
     [[nodiscard]] bool cast() const { return cast_; }
+    [[nodiscard]] bool refined() const { return resting() && !refines_; } // it gets no finer
     [[nodiscard]] float pictured_width() const { return pictured_width_; }
     [[nodiscard]] std::string title() const;
     [[nodiscard]] Cursor cursor() const;
@@ -116,6 +117,9 @@ private:
     static constexpr float kToolBarHeight = 48.0F;   // points at the top of the picture that the tools' bar takes
     static constexpr double kGlideSeconds = 0.35;
     static constexpr double kDrawingSeconds = 0.03; // a frame may take for a picture at rest, and a part more
+    // A picture that is kept may take longer to get finer, while the window waits; of a huge surface it stays coarser.
+    [[nodiscard]] double keeping_seconds() const { return unhurried() ? render::kUntilDone : 5.0; }
+    static constexpr double kRefiningRest = 0.5; // seconds that nothing happens before the picture gets finer
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
     Viewer(Workspace& workspace, render::Renderer& renderer);
@@ -128,6 +132,7 @@ private:
     void enter_pane();
     [[nodiscard]] bool points_at_branches() const { return !interface_.tool || interface_.tool->points_at_branches(); }
     [[nodiscard]] Viewing viewing() const;
+    bool refine(const render::Sheet& sheet); // true: the picture is another one
     void take_news();
     void take_pick();
     void ask_pick();
@@ -176,6 +181,8 @@ private:
     std::string drawing_problem_;                          // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false;                          // not all of the surface is on the graphics card
     bool unfinished_ = false;                              // the picture at rest is being made, a part at a time
+    double stirred_at_ = 0.0;                              // when anything last happened
+    bool refines_ = false;                                 // then, the picture gets finer
     bool interface_waits_ = false, dialog_was_open_ = false;
 
     std::uint64_t drawn_ = 0; // fingerprint of the last interface

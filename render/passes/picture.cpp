@@ -32,6 +32,8 @@ Result<void> Renderer::Impl::initialise() {
                                              {&blur_, "fullscreen.vert", "occlusion_blur.frag"},
                                              {&background_, "fullscreen.vert", "background.frag"},
                                              {&enlarge_, "fullscreen.vert", "enlarge.frag"},
+                                             {&add_view_, "fullscreen.vert", "add_view.frag"},
+                                             {&mean_view_, "fullscreen.vert", "mean_view.frag"},
                                              {&overlay_, "fullscreen.vert", "overlay.frag"},
                                              {&mark_, "mark.vert", "mark.frag"},
                                              {&context_, "context.vert", "context.frag"}})
@@ -137,11 +139,10 @@ void Renderer::Impl::begin_state() const {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
 }
 
-// Parts of the unfinished picture, one at least, until the time is over; true: only the shading is left, and the time
+// Parts of an unfinished picture, one at least, until the time is over; true: only the shading is left, and the time
 // for it there.
-bool Renderer::Impl::draw_parts(double seconds) {
+bool Renderer::Impl::draw_parts(Unfinished& picture, double seconds) {
     const Stopwatch watch;
-    Unfinished& picture = *unfinished_;
     const bool at_once = seconds == kUntilDone;
     bool worked = false;
     while (!picture.whole) {
@@ -165,6 +166,7 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     const auto taken = take_up(wanted, upload_budget, done);
     if (!taken) {
         unfinished_.reset();
+        refinement_.reset();
         return tl::unexpected(taken.error());
     }
     const Frame& frame = *taken;
@@ -173,6 +175,8 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
         unfinished_.reset();
         return done;
     }
+    refinement_.reset();
+    refined_ = false;
     std::vector<Layer> layers(frame.states.size());
     std::ranges::transform(frame.states, layers.begin(), layer_of);
     while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
@@ -218,7 +222,7 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
         holds_last_ = !by_caster && !unfinished_;
     }
     if (unfinished_) {
-        if (!draw_parts(seconds - watch.seconds())) {
+        if (!draw_parts(*unfinished_, seconds - watch.seconds())) {
             restore_state();
             unfinished_->seconds += watch.seconds();
             done.unfinished = true;
@@ -246,6 +250,7 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
         last_.reset();
         return tl::unexpected(shaded.error());
     }
+    lit_is_mean_ = lit_is_mean_ && extent == Extent::kChanged;
     note_gl_errors("shading");
     draw_overlays(frame, layers);
     note_gl_errors("the overlays");

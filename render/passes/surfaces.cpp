@@ -77,6 +77,7 @@ void Renderer::Impl::let_go() {
     restore_state();
     last_.reset();
     unfinished_.reset();
+    refinement_.reset();
     holds_last_ = false;
     drawn_ = nullptr;
     wanted_mesh_ = nullptr;

@@ -27,31 +27,7 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality, Targets wa
     if (size.x > largest || size.y > largest)
         return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
                     "give a smaller size");
-    if (passes) {
-        const int w = inner.x, h = inner.y;
-        surface_ = make_texture(GL_RG32UI, w, h, s);
-        depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, s);
-        covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
-        id_normal_ = make_texture(GL_RG32UI, w, h);
-        opaque_depth_ = make_texture(GL_R32F, w, h);
-        picked_depth_ = make_texture(GL_R32F, w, h);
-        occlusion_ = make_texture(GL_R8, w, h);
-        half_blurred_ = make_texture(GL_R8, w, h);
-        blurred_ = make_texture(GL_R8, w, h);
-        lit_ = make_texture(GL_RGBA8, w, h);
-        glTextureParameteri(lit_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        geometry_target_ = make_framebuffer({surface_}, depth_);
-        resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_}, covered_);
-        occlusion_target_ = make_framebuffer({occlusion_}, covered_);
-        half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
-        blur_target_ = make_framebuffer({blurred_}, covered_);
-        lit_target_ = make_framebuffer({lit_}, covered_);
-        if (gl_has_lists()) glass_target_ = make_framebuffer({}, depth_);
-        view_.picture.z = static_cast<float>(s);
-        layer_panes_ = {}; // makes the others anew when they are needed
-        find_sample_places();
-        passes_ = inner;
-    }
+    if (passes) make_passes(s);
     if (size != size_) {
         picture_ = make_texture(GL_RGBA8, size.x, size.y);
         picture_target_ = make_framebuffer({picture_});
@@ -65,6 +41,33 @@ Result<void> Renderer::Impl::resize(glm::ivec2 size, Quality quality, Targets wa
                     gl_description(), "give a smaller size, or use another driver: ramus render --backend osmesa");
     }
     return {};
+}
+
+// Of the size of `inner_`.
+void Renderer::Impl::make_passes(int samples) {
+    const int w = inner_.x, h = inner_.y;
+    surface_ = make_texture(GL_RG32UI, w, h, samples);
+    depth_ = make_texture(GL_DEPTH_COMPONENT32F, w, h, samples);
+    covered_ = make_texture(GL_DEPTH_COMPONENT32F, w, h);
+    id_normal_ = make_texture(GL_RG32UI, w, h);
+    opaque_depth_ = make_texture(GL_R32F, w, h);
+    picked_depth_ = make_texture(GL_R32F, w, h);
+    occlusion_ = make_texture(GL_R8, w, h);
+    half_blurred_ = make_texture(GL_R8, w, h);
+    blurred_ = make_texture(GL_R8, w, h);
+    lit_ = make_texture(GL_RGBA8, w, h);
+    glTextureParameteri(lit_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    geometry_target_ = make_framebuffer({surface_}, depth_);
+    resolve_target_ = make_framebuffer({id_normal_, opaque_depth_, picked_depth_}, covered_);
+    occlusion_target_ = make_framebuffer({occlusion_}, covered_);
+    half_blur_target_ = make_framebuffer({half_blurred_}, covered_);
+    blur_target_ = make_framebuffer({blurred_}, covered_);
+    lit_target_ = make_framebuffer({lit_}, covered_);
+    if (gl_has_lists()) glass_target_ = make_framebuffer({}, depth_);
+    view_.picture.z = static_cast<float>(samples);
+    layer_panes_ = {}; // makes the others anew when they are needed
+    find_sample_places();
+    passes_ = inner_;
 }
 
 } // namespace ramus::render

@@ -98,7 +98,8 @@ class Window:
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
 
     def pixels(self, x, y, width, height):
-        """A part of the screen as bytes, three a pixel."""
+        """A part of the screen as bytes, three a pixel, once the picture is as fine as it gets."""
+        self.wait("the finest picture", lambda s: s["picture"]["refined"])
         return subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
                               env=self.environment, check=True, stdout=subprocess.PIPE).stdout
 

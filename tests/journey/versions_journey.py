@@ -29,7 +29,8 @@ def look(program, screen, folder, version):
     (folder / "glass.txt").write_text("select 1\ndefocus\nselect 2\nhighlight\nselect-none\n")
     with OpenGL(version):
         window = Window(program, screen, folder,
-                        [folder / "tree.swc", "--size", "900x640", "--commands", folder / "glass.txt"])
+                        [folder / "tree.swc", "--size", "900x640", "--commands", folder / "glass.txt"],
+                        state=folder / version)  # that of before did not close properly
     try:
         window.xdotool("mousemove", 1190, 790)
         window.wait("the glass", lambda s: s["surface_ready"] and "defocused" in str(s.get("states", "defocused")))

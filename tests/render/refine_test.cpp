@@ -1,0 +1,185 @@
+// Pictures that get finer while nobody does anything.
+#include "render/gl_context.h"
+#include "render/renderer.h"
+#include "render/sheet.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/tube_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <utility>
+
+using namespace ramus::render;
+using ramus::mesh::TriangleMesh;
+using ramus::test::add_capsule;
+using ramus::test::largest_difference;
+
+namespace {
+
+constexpr int kVessels = 24;
+
+struct Scene {
+    ramus::test::WatchedContext context;
+    std::unique_ptr<Renderer> renderer = Renderer::create().value();
+    Frame frame;
+
+    explicit Scene(GlVersion newest = {99, 0}) : context(newest) {
+        TriangleMesh mesh;
+        for (int i = 0; i < kVessels; ++i) {
+            const auto at = static_cast<float>(i);
+            add_capsule(mesh, {-30.0F, 2.0F * at - 20.0F, 0.3F * at}, {30.0F, 24.0F - 2.0F * at, -0.2F * at}, 1.0F,
+                        0.4F, i, 36);
+        }
+        frame.mesh = std::make_shared<const PagedMesh>(mesh);
+        frame.size = {320, 240};
+        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
+        frame.states.assign(kVessels, BranchState::kNormal);
+        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    }
+    DrawStatistics draw(const Frame& of) const {
+        const auto done = renderer->draw(of);
+        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
+        return *done;
+    }
+    Refined refine_a_part() const {
+        SheetRenderer::finish(); // so that every call does one
+        return renderer->refine(0.0);
+    }
+    Image drawn(const Frame& of) const {
+        (void)draw(of);
+        return renderer->read_image();
+    }
+    Image refined(const Frame& of) const {
+        (void)draw(of);
+        CHECK(renderer->refine().changed);
+        return renderer->read_image();
+    }
+};
+
+Frame with_glass(Frame frame) {
+    for (std::size_t i = 0; i < frame.states.size(); i += 3) frame.states[i] = BranchState::kDefocused;
+    frame.lesions.spheres = {{0.0, 0.0, 0.0, 6.0}};
+    return frame;
+}
+
+// How much of each pixel vessels cover, of 255.
+std::vector<double> covered(const Image& picture, int times) {
+    const int width = picture.width / times, height = picture.height / times;
+    std::vector<double> shares;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            double sum = 0.0;
+            for (int j = 0; j < times; ++j)
+                for (int i = 0; i < times; ++i) sum += picture.pixel(times * x + i, times * y + j)[3];
+            shares.push_back(sum / (times * times));
+        }
+    return shares;
+}
+
+// Root of the mean of squares, over pixels that are covered in part.
+double apart(const std::vector<double>& wanted, const std::vector<double>& found) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i] > 0.0 && wanted[i] < 255.0) sum += std::pow(wanted[i] - found[i], 2.0), ++count;
+    REQUIRE(count > 500);
+    return std::sqrt(sum / count);
+}
+
+} // namespace
+
+TEST_CASE("a refined picture has four times the samples at its edges") {
+    for (const bool orthographic : {false, true}) {
+        CAPTURE(orthographic);
+        const Scene scene;
+        Frame frame = scene.frame;
+        frame.background.transparent = true;
+        frame.camera.orthographic = orthographic;
+        constexpr int kTimes = 8; // so many times the size has 256 samples for each pixel
+        Frame large = frame;
+        large.size *= kTimes;
+        const auto wanted = covered(scene.drawn(large), kTimes);
+        const double before = apart(wanted, covered(scene.drawn(frame), 1));
+        const double after = apart(wanted, covered(scene.refined(frame), 1));
+        MESSAGE("off by " << before << " of 255 at edges, refined by " << after);
+        CHECK(after < 0.55 * before);
+    }
+}
+
+TEST_CASE("refining takes as many calls as it likes, and ends") {
+    for (const auto& [glass, version] : {std::pair(false, GlVersion{99, 0}), {true, {99, 0}}, {true, {3, 3}}}) {
+        CAPTURE(glass);
+        CAPTURE(version.major);
+        const Scene scene(version);
+        const Frame frame = glass ? with_glass(scene.frame) : scene.frame;
+        const Image coarse = scene.drawn(frame), at_once = scene.refined(frame);
+        CHECK(largest_difference(coarse, at_once) > 8);
+        Frame other = frame;
+        other.hovered = 2;
+        (void)scene.draw(other);
+        if (gl_has_lists())
+            REQUIRE(largest_difference(scene.drawn(frame), coarse) > 0); // some of it is still the finer one
+        CHECK(largest_difference(scene.refined(frame), at_once) == 0);
+
+        Frame away = frame;
+        away.camera = turned(frame.camera, 20.0, 0.0);
+        (void)scene.draw(away);
+        REQUIRE(largest_difference(scene.drawn(frame), coarse) == 0);
+        int calls = 0, changes = 0;
+        for (bool more = true; more; ++calls) {
+            const Refined done = scene.refine_a_part();
+            more = done.more;
+            changes += done.changed ? 1 : 0;
+            REQUIRE(calls < 1000);
+        }
+        CHECK(calls > 3);
+        CHECK(changes == 3);
+        CHECK(largest_difference(scene.renderer->read_image(), at_once) == 0);
+        CHECK_FALSE(scene.renderer->refine().changed); // there is nothing left to do
+        CHECK_FALSE(scene.draw(frame).shaded);
+        CHECK(largest_difference(scene.renderer->read_image(), at_once) == 0);
+    }
+}
+
+TEST_CASE("what is under a pixel stays what it is while a picture is refined") {
+    for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
+        const Scene scene(version);
+        (void)scene.draw(scene.frame);
+        const BranchPicture branches = scene.renderer->read_branches();
+        const auto there = std::ranges::find_if(branches.branches, [](int branch) { return branch != kNoBranch; });
+        REQUIRE(there != branches.branches.end());
+        const auto at = static_cast<int>(there - branches.branches.begin());
+        const int x = at % branches.width, y = at / branches.width;
+        const Pick pick = scene.renderer->pick(x, y);
+        REQUIRE(pick.branch != kNoBranch);
+        for (bool more = true; more;) {
+            more = scene.refine_a_part().more;
+            REQUIRE(scene.renderer->pick(x, y) == pick);
+        }
+        CHECK(scene.renderer->read_branches().branches == branches.branches);
+    }
+}
+
+TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind") {
+    const Scene scene;
+    const Frame plain = scene.frame, glass = with_glass(scene.frame);
+    Frame hovered = plain, small = plain, quick = plain;
+    hovered.hovered = 3;
+    small.size = {100, 60};
+    quick.quality = Quality::kInteractive;
+    for (const Frame& start : {plain, glass})
+        for (const int calls : {1, 2, 5}) {
+            for (const Frame& next : {glass, small, quick}) {
+                const Image wanted = scene.drawn(next);
+                (void)scene.draw(start);
+                for (int n = 0; n < calls; ++n) (void)scene.refine_a_part();
+                if (next != start) CHECK(largest_difference(scene.drawn(next), wanted) == 0);
+            }
+        }
+    // Not what is not full; nor without a picture.
+    (void)scene.draw(quick);
+    CHECK_FALSE(scene.renderer->refine().more);
+    CHECK_FALSE(Renderer::create().value()->refine().more);
+}
