@@ -236,7 +236,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     ask_pick();
 
     const std::uint64_t looks = fingerprint(*ImGui::GetDrawData());
-    if (done.shaded) refines_ = keeps_files_; // somebody is there to see it
+    if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
+    if (done.shaded) refines_ = keeps_files_ && full_seconds_ < kSlowToRefine; // somebody is there to see it
     if (done.shaded || looks != drawn_ || !resting()) stirred_at_ = now;
     const bool finer = refines_ && now >= stirred_at_ + kRefiningRest && refine(sheet);
     if (!done.shaded && !finer && looks == drawn_) return false;

@@ -119,6 +119,7 @@ private:
     static constexpr double kDrawingSeconds = 0.03; // a frame may take for a picture at rest, and a part more
     // A picture that is kept may take longer to get finer, while the window waits; of a huge surface it stays coarser.
     [[nodiscard]] double keeping_seconds() const { return unhurried() ? render::kUntilDone : 5.0; }
+    static constexpr double kSlowToRefine = 3.0; // seconds of a full picture; one that takes more is fine enough
     static constexpr double kRefiningRest = 0.5; // seconds that nothing happens before the picture gets finer
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
@@ -181,6 +182,7 @@ private:
     std::string drawing_problem_;                          // why the last picture could not be drawn; empty: it was
     bool upload_pending_ = false;                          // not all of the surface is on the graphics card
     bool unfinished_ = false;                              // the picture at rest is being made, a part at a time
+    double full_seconds_ = 0.0;                            // that the last full picture took
     double stirred_at_ = 0.0;                              // when anything last happened
     bool refines_ = false;                                 // then, the picture gets finer
     bool interface_waits_ = false, dialog_was_open_ = false;
