@@ -91,8 +91,10 @@ TEST_CASE("a thousand trees opened and closed leave nothing behind") {
         {
             const auto renderer = Renderer::create();
             REQUIRE(renderer);
-            check_flat("one renderer, another tree each time",
-                       [&](int i) { REQUIRE((*renderer)->draw(small_tree(i))); });
+            check_flat("one renderer, another tree each time", [&](int i) {
+                REQUIRE((*renderer)->draw(small_tree(i)));
+                (void)(*renderer)->refine(i % 2 == 0 ? kUntilDone : 0.0); // to its end, or left in the middle
+            });
         }
         CHECK(gl_objects_alive() == 0);
         CHECK(objects_in_gl() == 0);
@@ -123,6 +125,7 @@ TEST_CASE("a picture shrinks to one pixel, to none, and comes back") {
         REQUIRE(draw({200, 150}));
         const Image before = (*renderer)->read_image();
         REQUIRE(draw({1, 1}));
+        CHECK((*renderer)->refine().changed);
         CHECK((*renderer)->read_image().width == 1);
         for (const glm::ivec2 none : {glm::ivec2(0, 0), glm::ivec2(0, 150), glm::ivec2(200, 0)}) {
             const auto refused = draw(none);
