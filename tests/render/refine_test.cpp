@@ -1,5 +1,6 @@
 // Pictures that get finer while nobody does anything.
 #include "render/gl_context.h"
+#include "render/gl_objects.h"
 #include "render/renderer.h"
 #include "render/sheet.h"
 #include "tests/support/gl_test.h"
@@ -182,4 +183,29 @@ TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind
     (void)scene.draw(quick);
     CHECK_FALSE(scene.renderer->refine().more);
     CHECK_FALSE(Renderer::create().value()->refine().more);
+}
+
+TEST_CASE("where memory runs out a picture stays as it is, and the next one is drawn") {
+    for (const auto& [glass, version] : {std::pair(false, GlVersion{99, 0}), {true, {99, 0}}, {true, {3, 3}}}) {
+        CAPTURE(glass);
+        CAPTURE(version.major);
+        const Scene scene(version);
+        const Frame frame = glass ? with_glass(scene.frame) : scene.frame;
+        Frame away = frame;
+        away.camera = turned(frame.camera, 20.0, 0.0);
+        const Image coarse = scene.drawn(frame), elsewhere = scene.drawn(away);
+        int stopped = 0;
+        for (std::size_t limit = 1024; limit < (std::size_t{64} << 20); limit *= 4) {
+            CAPTURE(limit);
+            REQUIRE(largest_difference(scene.drawn(frame), coarse) == 0);
+            limit_gl_allocation(limit);
+            const Refined done = scene.renderer->refine();
+            limit_gl_allocation();
+            CHECK_FALSE(done.more);
+            stopped += done.changed ? 0 : 1;
+            CHECK((largest_difference(scene.renderer->read_image(), coarse) > 0) == done.changed);
+            CHECK(largest_difference(scene.drawn(away), elsewhere) == 0);
+        }
+        CHECK(stopped > 3);
+    }
 }
