@@ -2,39 +2,22 @@
 #include "render/in_parts.h"
 #include "render/renderer.h"
 #include "render/sheet.h"
+#include "tests/support/crossing_vessels.h"
 #include "tests/support/gl_test.h"
-#include "tests/support/tube_mesh.h"
 
 #include <doctest/doctest.h>
 #include <stdexcept>
 #include <string>
 
 using namespace ramus::render;
-using ramus::mesh::TriangleMesh;
-using ramus::test::add_capsule;
 using ramus::test::largest_difference;
+using ramus::test::with_glass;
 
 namespace {
 
-constexpr int kVessels = 40;
-
-// Vessels that cross each other, of 200,000 triangles.
-struct Scene {
-    ramus::test::WatchedContext context;
-    std::unique_ptr<Renderer> renderer = Renderer::create().value();
-    Frame frame;
-
-    explicit Scene(GlVersion newest = {99, 0}) : context(newest) {
-        TriangleMesh mesh;
-        for (int i = 0; i < kVessels; ++i) {
-            const auto at = static_cast<float>(i);
-            add_capsule(mesh, {-30.0F, at - 20.0F, 0.3F * at}, {30.0F, 20.0F - at, -0.2F * at}, 1.5F, 0.8F, i, 72);
-        }
-        frame.mesh = std::make_shared<const PagedMesh>(mesh);
+struct Scene : ramus::test::CrossingVessels {
+    explicit Scene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 72) {
         REQUIRE(frame.mesh->triangle_count() > 200'000);
-        frame.size = {320, 240};
-        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
-        frame.states.assign(kVessels, BranchState::kNormal);
     }
     [[nodiscard]] Frame seen_from(View view) const {
         Frame other = frame;
@@ -43,9 +26,7 @@ struct Scene {
     }
     [[nodiscard]] DrawStatistics draw(const Frame& of, double seconds = kUntilDone) const {
         SheetRenderer::finish(); // so that every call does a part
-        const auto done = renderer->draw(of, kUploadAll, seconds);
-        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
-        return *done;
+        return CrossingVessels::draw(of, seconds);
     }
     [[nodiscard]] int draw_in_parts(const Frame& of) const {
         int calls = 1;
@@ -53,12 +34,6 @@ struct Scene {
         return calls;
     }
 };
-
-Frame with_glass(Frame frame) {
-    for (std::size_t i = 0; i < frame.states.size(); i += 3) frame.states[i] = BranchState::kDefocused;
-    frame.lesions.spheres = {{0.0, 0.0, 0.0, 6.0}};
-    return frame;
-}
 
 InParts<int> counted(int parts, bool throws) {
     for (int n = 1; n < parts; ++n) co_await kPartEnds;
@@ -130,7 +105,7 @@ TEST_CASE("a picture that is left unfinished leaves nothing behind") {
     const Scene scene;
     const Frame before = scene.frame;
     Frame recoloured = before;
-    recoloured.colours.assign(kVessels, {0.1F, 0.9F, 0.2F});
+    recoloured.colours.assign(Scene::kVessels, {0.1F, 0.9F, 0.2F});
     (void)scene.draw(recoloured);
     const Image green = scene.renderer->read_image();
     (void)scene.draw(before);
@@ -158,7 +133,7 @@ TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture") {
     Frame wanted = scene.seen_from(View::kSuperior);
     Frame hovered = wanted;
     hovered.hovered = 7;
-    hovered.colours.assign(kVessels, {0.2F, 0.4F, 0.9F});
+    hovered.colours.assign(Scene::kVessels, {0.2F, 0.4F, 0.9F});
     (void)scene.draw(hovered);
     const Image at_once = scene.renderer->read_image();
     (void)scene.draw(scene.frame);

@@ -3,8 +3,8 @@
 #include "render/gl_objects.h"
 #include "render/renderer.h"
 #include "render/sheet.h"
+#include "tests/support/crossing_vessels.h"
 #include "tests/support/gl_test.h"
-#include "tests/support/tube_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -13,36 +13,14 @@
 #include <utility>
 
 using namespace ramus::render;
-using ramus::mesh::TriangleMesh;
-using ramus::test::add_capsule;
 using ramus::test::largest_difference;
+using ramus::test::with_glass;
 
 namespace {
 
-constexpr int kVessels = 24;
-
-struct Scene {
-    ramus::test::WatchedContext context;
-    std::unique_ptr<Renderer> renderer = Renderer::create().value();
-    Frame frame;
-
-    explicit Scene(GlVersion newest = {99, 0}) : context(newest) {
-        TriangleMesh mesh;
-        for (int i = 0; i < kVessels; ++i) {
-            const auto at = static_cast<float>(i);
-            add_capsule(mesh, {-30.0F, 2.0F * at - 20.0F, 0.3F * at}, {30.0F, 24.0F - 2.0F * at, -0.2F * at}, 1.0F,
-                        0.4F, i, 36);
-        }
-        frame.mesh = std::make_shared<const PagedMesh>(mesh);
-        frame.size = {320, 240};
-        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
-        frame.states.assign(kVessels, BranchState::kNormal);
+struct Scene : ramus::test::CrossingVessels {
+    explicit Scene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 24) {
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-    }
-    DrawStatistics draw(const Frame& of) const {
-        const auto done = renderer->draw(of);
-        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
-        return *done;
     }
     Refined refine_a_part() const {
         SheetRenderer::finish(); // so that every call does one
@@ -59,11 +37,8 @@ struct Scene {
     }
 };
 
-Frame with_glass(Frame frame) {
-    for (std::size_t i = 0; i < frame.states.size(); i += 3) frame.states[i] = BranchState::kDefocused;
-    frame.lesions.spheres = {{0.0, 0.0, 0.0, 6.0}};
-    return frame;
-}
+// With glass or without, on which OpenGL: all that is drawn in ways of its own.
+constexpr std::array<std::pair<bool, GlVersion>, 3> kKinds{{{false, {99, 0}}, {true, {99, 0}}, {true, {3, 3}}}};
 
 // How much of each pixel vessels cover, of 255.
 std::vector<double> covered(const Image& picture, int times) {
@@ -110,7 +85,7 @@ TEST_CASE("a refined picture has four times the samples at its edges") {
 }
 
 TEST_CASE("refining takes as many calls as it likes, and ends") {
-    for (const auto& [glass, version] : {std::pair(false, GlVersion{99, 0}), {true, {99, 0}}, {true, {3, 3}}}) {
+    for (const auto& [glass, version] : kKinds) {
         CAPTURE(glass);
         CAPTURE(version.major);
         const Scene scene(version);
@@ -186,7 +161,7 @@ TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind
 }
 
 TEST_CASE("where memory runs out a picture stays as it is, and the next one is drawn") {
-    for (const auto& [glass, version] : {std::pair(false, GlVersion{99, 0}), {true, {99, 0}}, {true, {3, 3}}}) {
+    for (const auto& [glass, version] : kKinds) {
         CAPTURE(glass);
         CAPTURE(version.major);
         const Scene scene(version);
