@@ -239,9 +239,8 @@ private:
     std::unique_ptr<Unfinished> unfinished_;
     // The last picture as the mean of several views.
     struct Refinement {
-        int views = 0;        // that are in the sum
-        float samples = 1.0F; // a pixel of a view
-        Passes passes;        // that the next one is drawn into
+        int views = 0; // that are in the sum
+        Passes passes; // that the next one is drawn into
         std::unique_ptr<Unfinished> next;
         Texture sum; // linear light
         Framebuffer sum_target;

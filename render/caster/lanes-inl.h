@@ -10,7 +10,6 @@
 #include "render/caster/cast_types.h"
 
 #include <cstdint>
-#include <hwy/contrib/math/math-inl.h> // sine and cosine
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

@@ -25,40 +25,42 @@ void DealTile(int x0, int y0, const View& view, const PictureArrays& picture) {
     }
 }
 
-// What places of one row see, four pixels apart.
-struct Row {
-    V x;     // of the places' pixels, mm from the line of sight at depth 1 when perspective
-    float y; // likewise
+// Places of row y, four pixels apart from column x + k on.
+struct Places {
+    int x, k, y;
     V depth;
     V3 normal;
-    const float* dealt;           // planes where the places are
-    std::ptrdiff_t stride, plane; // of those
-    int row, column, rows;
 };
 
-template <bool Flat> HWY_INLINE V OcclusionOf(const View& view, const Taps& taps, const Row& row) {
+template <bool Flat>
+HWY_INLINE V OcclusionOf(const View& view, const Taps& taps, const PictureArrays& picture, const Places& at) {
     const V zero = hn::Zero(D());
-    const V across = Flat ? row.x : hn::Mul(row.x, row.depth);
-    const V up = Flat ? set(row.y) : hn::Mul(set(row.y), row.depth);
-    const V reach = Flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), row.depth);
+    // From the line of sight, mm at depth 1 when perspective.
+    const V pixel = hn::MulAdd(hn::Iota(D(), 0), set(4.0F), set(static_cast<float>(at.x + at.k) + 0.5F));
+    const V first_x = hn::Mul(hn::Sub(pixel, set(view.centre_x)), set(view.mm_a_pixel));
+    const float first_y = (static_cast<float>(at.y) + 0.5F - view.centre_y) * view.mm_a_pixel;
+    const V across = Flat ? first_x : hn::Mul(first_x, at.depth);
+    const V up = Flat ? set(first_y) : hn::Mul(set(first_y), at.depth);
+    const V reach = Flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), at.depth);
     const V squared_reach = hn::Mul(reach, reach);
     const V bias = hn::Mul(set(0.02F), reach), softness = hn::Mul(set(0.01F), squared_reach);
     const V fall_off = hn::Div(set(0.25F), squared_reach);
-    const auto& places = taps.of[row.row & 3][row.column];
+    const auto& places = taps.of[at.y & 3][at.k];
     V sum = zero;
     for (int i = 0; i < taps.count; ++i) {
-        const int dx = places.x[i], dy = places.y[i];
-        if (row.row + dy < 0 || row.row + dy >= row.rows) continue;
-        const int column = row.column + dx;
-        const V tap = hn::LoadU(D(), row.dealt + (column & 3) * row.plane + dy * row.stride + (column >> 2));
+        const int dx = places.x[i], y = at.y + places.y[i], column = at.k + dx;
+        if (y < 0 || y >= view.height) continue;
+        const V tap = hn::LoadU(D(), picture.dealt + (column & 3) * picture.dealt_plane + y * picture.dealt_stride +
+                                         at.x / 4 + (column >> 2));
         // Where there is nothing it is so far away that it weighs nothing.
-        const V x = hn::Add(row.x, set(static_cast<float>(dx) * view.mm_a_pixel));
-        const V y = set(row.y + static_cast<float>(dy) * view.mm_a_pixel);
-        const V3 v = Flat ? V3{hn::Sub(x, across), hn::Sub(y, up), hn::Sub(tap, row.depth)}
-                          : V3{hn::MulSub(x, tap, across), hn::MulSub(y, tap, up), hn::Sub(tap, row.depth)};
+        const V tap_x = hn::Add(first_x, set(static_cast<float>(dx) * view.mm_a_pixel));
+        const V tap_y = set(first_y + static_cast<float>(places.y[i]) * view.mm_a_pixel);
+        const V deeper = hn::Sub(tap, at.depth);
+        const V3 v = Flat ? V3{hn::Sub(tap_x, across), hn::Sub(tap_y, up), deeper}
+                          : V3{hn::MulSub(tap_x, tap, across), hn::MulSub(tap_y, tap, up), deeper};
         const V squared = dot(v, v);
         const V weight = hn::Max(zero, hn::NegMulAdd(squared, fall_off, set(1.0F)));
-        const V over = hn::Max(zero, hn::Sub(dot(v, row.normal), bias));
+        const V over = hn::Max(zero, hn::Sub(dot(v, at.normal), bias));
         const V closeness = hn::ApproximateReciprocalSqrt(hn::Add(squared, softness));
         sum = hn::MulAdd(hn::Mul(weight, over), closeness, sum);
     }
@@ -72,7 +74,7 @@ void OccludeTiles(const View& view, const Taps& taps, int x0, int y0, const Pict
     static_assert(kWide >= 4 * kN);
     for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
         for (int x = x0; x < x0 + kWide && x < view.width; x += 4 * kN) {
-            const std::ptrdiff_t at = std::ptrdiff_t{y} * view.stride + x;
+            const std::ptrdiff_t first = std::ptrdiff_t{y} * view.stride + x;
             const float* dealt = picture.dealt + y * picture.dealt_stride + x / 4;
             V depth[4], found[4];
             M any = hn::FirstN(d, 0), there[4];
@@ -83,26 +85,16 @@ void OccludeTiles(const View& view, const Taps& taps, int x0, int y0, const Pict
             }
             if (hn::AllFalse(d, any)) continue; // their depth keeps them out of every mean
             VU normal[4];
-            hn::LoadInterleaved4(du, picture.normal + at, normal[0], normal[1], normal[2], normal[3]);
+            hn::LoadInterleaved4(du, picture.normal + first, normal[0], normal[1], normal[2], normal[3]);
             for (int k = 0; k < 4; ++k) {
                 V3 n = unpacked_normal(normal[k]);
                 n.z = hn::Neg(n.z); // depth is +z here
-                const V column = hn::MulAdd(hn::Iota(d, 0), set(4.0F), set(static_cast<float>(x + k) + 0.5F));
-                const Row row{hn::Mul(hn::Sub(column, set(view.centre_x)), set(view.mm_a_pixel)),
-                              (static_cast<float>(y) + 0.5F - view.centre_y) * view.mm_a_pixel,
-                              depth[k],
-                              n,
-                              dealt,
-                              picture.dealt_stride,
-                              picture.dealt_plane,
-                              y,
-                              k,
-                              view.height};
-                const V occlusion =
-                    view.flat ? OcclusionOf<true>(view, taps, row) : OcclusionOf<false>(view, taps, row);
+                const Places places{x, k, y, depth[k], n};
+                const V occlusion = view.flat ? OcclusionOf<true>(view, taps, picture, places)
+                                              : OcclusionOf<false>(view, taps, picture, places);
                 found[k] = hn::IfThenElseZero(there[k], occlusion);
             }
-            hn::StoreInterleaved4(found[0], found[1], found[2], found[3], d, picture.occlusion + at);
+            hn::StoreInterleaved4(found[0], found[1], found[2], found[3], d, picture.occlusion + first);
         }
     }
 }

@@ -24,7 +24,7 @@ void Renderer::Impl::add_to_sum() {
 // Draws on at the next view; true: it is in the sum. Whatever stops it leaves the picture as it is: throws, or fails.
 Result<bool> Renderer::Impl::add_view(double seconds) {
     Refinement& refinement = *refinement_;
-    if (passes_ != inner_) make_passes(static_cast<int>(refinement.samples));
+    if (passes_ != inner_) make_passes(static_cast<int>(refinement.passes.view_.picture.z)); // as the first view's
     begin_state();
     if (!refinement.next) {
         shift_ = refinement.views;
@@ -33,7 +33,6 @@ Result<bool> Renderer::Impl::add_view(double seconds) {
         refinement.next->layers = last_layers_;
         refinement.next->geometry = draw_geometry(refinement.next->frame, drawn_, refinement.next->layers);
     }
-    glNamedBufferSubData(view_block_, 0, sizeof view_, &view_);
     if (!draw_parts(*refinement.next, seconds)) return false;
     if (const auto& drawn = refinement.next->geometry->result(); !drawn) return tl::unexpected(drawn.error());
     if (const auto shaded = shade(*last_, drawn_, Extent::kAll); !shaded) return tl::unexpected(shaded.error());
@@ -45,7 +44,6 @@ Result<bool> Renderer::Impl::add_view(double seconds) {
 // The sum of views begins with the one that is there.
 Result<void> Renderer::Impl::begin_refinement() {
     refinement_ = std::make_unique<Refinement>();
-    refinement_->samples = view_.picture.z;
     refinement_->sum = make_texture(GL_RGBA16F, inner_.x, inner_.y);
     refinement_->sum_target = make_framebuffer({refinement_->sum});
     begin_state();
@@ -65,8 +63,9 @@ Result<bool> Renderer::Impl::add_views(double seconds) {
     if (!refinement_)
         if (auto begun = begin_refinement(); !begun) return tl::unexpected(begun.error());
     struct Elsewhere {
-        explicit Elsewhere(Impl& of) : impl(of) { std::swap<Passes>(impl, impl.refinement_->passes); }
-        ~Elsewhere() {
+        explicit Elsewhere(Impl& of) : impl(of) { swap(); }
+        ~Elsewhere() { swap(); }
+        void swap() const {
             std::swap<Passes>(impl, impl.refinement_->passes);
             glNamedBufferSubData(impl.view_block_, 0, sizeof impl.view_, &impl.view_);
         }

@@ -86,9 +86,6 @@ void Renderer::Impl::let_go() {
     lines_ = {};
     skeleton_ = {};
     shapes_ = {};
-    pane_heads_ = {};
-    panes_ = {};
-    head_room_ = pane_room_ = 0;
     branch_buffer_ = {};
     lesion_buffer_ = {};
     cut_buffer_ = {};
@@ -97,13 +94,10 @@ void Renderer::Impl::let_go() {
     branch_capacity_ = lesion_capacity_ = cut_capacity_ = layer_capacity_ = context_capacity_ = 0;
     distances_.reset();
     distance_texture_ = {};
-    bands_.clear();
     has_glass_ = false;
-    size_ = inner_ = passes_ = glm::ivec2(0); // what the picture was drawn into is made anew
-    for (Texture* texture :
-         {&surface_, &depth_, &id_normal_, &opaque_depth_, &picked_depth_, &covered_, &occlusion_, &half_blurred_,
-          &blurred_, &lit_, &picture_, &layer_panes_, &fronts_, &layer_depths_[0], &layer_depths_[1]})
-        *texture = {};
+    static_cast<Passes&>(*this) = {}; // what the picture was drawn into is made anew
+    picture_ = {};
+    size_ = inner_ = glm::ivec2(0);
 }
 
 } // namespace ramus::render
