@@ -41,6 +41,28 @@ template <class Tag, class Vec> HWY_INLINE Vec exp_negative(Tag d, Vec q) {
     return power_negative(d, mul(q, set(d, 1.44269504F)));
 }
 
+// The base-2 logarithm of a normal number, to 1.3e-7 (absolute, or of its size where that is above 1): log2(1 + t) / t
+// interpolated at the Chebyshev nodes of 1 + t in [sqrt 1/2, sqrt 2].
+template <class Tag, class Vec> HWY_INLINE Vec log2_of(Tag d, Vec x) {
+    constexpr float kCoefficients[] = {0.23265257F,  -0.24927182F, 0.28728887F, -0.36022517F,
+                                       0.480916708F, -0.72135293F, 1.442695022F};
+    const hn::RebindToSigned<Tag> di;
+    const auto root_half = hn::Set(di, 0x3F3504F3);
+    const auto above = hn::Sub(hn::BitCast(di, x), root_half);
+    const Vec exponent = hn::ConvertTo(d, hn::ShiftRight<23>(above));
+    const auto fraction = hn::Add(hn::And(above, hn::Set(di, 0x7FFFFF)), root_half);
+    const Vec t = hn::Sub(hn::BitCast(d, fraction), hn::Set(d, 1.0F));
+    Vec p = hn::Set(d, -0.14275974F);
+    for (const float coefficient : kCoefficients) p = hn::MulAdd(p, t, hn::Set(d, coefficient));
+    return hn::MulAdd(p, t, exponent);
+}
+// One over the square root, to single precision.
+template <class Tag, class Vec> HWY_INLINE Vec reciprocal_root(Tag d, Vec x) {
+    const Vec guess = hn::ApproximateReciprocalSqrt(x);
+    const Vec half = hn::Mul(hn::Mul(hn::Set(d, 0.5F), x), guess);
+    return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5F)));
+}
+
 inline constexpr float kErrorFunctionEnd = 3.5F;
 inline constexpr float kFilterUnit = 0.404061018F; // of its argument, in the error function's: sqrt 2 / 3.5
 
@@ -68,7 +90,7 @@ template <class Tag, class Vec> HWY_INLINE Vec half_error_function(Tag d, Vec x)
 }
 
 // Segments, each broadcast to all lanes.
-template <std::size_t N> struct Segments { Pack<N> ux, uy, uz, length, radius, slope; };
+template <std::size_t N, class T = D> struct Segments { Pack<N, T> ux, uy, uz, length, radius, slope; };
 
 // Away from the ends of a long segment the end filter is constant, to the last bit: kNone. Near one of them counts as
 // near both: the work for the other costs less than guessing a branch wrong.
@@ -83,35 +105,35 @@ template <class Call> HWY_INLINE void for_ends(bool near, const Call& call) {
 
 // A point seen from a segment. Lengths scaled by sqrt(width) / r are dimensionless: the kernel depends on nothing else.
 // In this scale its Gaussian is a power of two.
-template <std::size_t N> struct Foot {
-    Pack<N> t;          // axial coordinate, mm
-    Pack<N> qx, qy, qz; // offset from the line, mm
-    Pack<N> scale;      // sqrt(width) / r at the foot, 1/mm
-    Pack<N> q;          // width d^2 / r^2
-    Pack<N> e;          // axial distance beyond the ends, scaled; 0 between them
-    Pack<N> rho;        // q + e^2: squared scaled distance to the segment
+template <std::size_t N, class T = D> struct Foot {
+    Pack<N, T> t;          // axial coordinate, mm
+    Pack<N, T> qx, qy, qz; // offset from the line, mm
+    Pack<N, T> scale;      // sqrt(width) / r at the foot, 1/mm
+    Pack<N, T> q;          // width d^2 / r^2
+    Pack<N, T> e;          // axial distance beyond the ends, scaled; 0 between them
+    Pack<N, T> rho;        // q + e^2: squared scaled distance to the segment
 };
 
 inline constexpr float kNaturalLog = 0.693147181F; // of 2: from powers of two to those of e
 inline constexpr float kFadeEndScaled = static_cast<float>(kFadeEnd * 1.4426950408889634);
 
-template <std::size_t N>
-HWY_INLINE Foot<N> find_foot(const Segments<N>& s, const Pack<N>& root_width, const Pack<N>& px, const Pack<N>& py,
-                             const Pack<N>& pz) {
-    const PackTag<N> d;
-    Foot<N> f;
+template <std::size_t N, class T>
+HWY_INLINE Foot<N, T> find_foot(const Segments<N, T>& s, const Pack<N, T>& root_width, const Pack<N, T>& px,
+                                const Pack<N, T>& py, const Pack<N, T>& pz) {
+    const PackTag<N, T> d;
+    Foot<N, T> f;
     f.t = mul_add(pz, s.uz, mul_add(py, s.uy, mul(px, s.ux)));
-    const Pack<N> clamped = max(min(f.t, s.length), set(d, 0.0F));
+    const Pack<N, T> clamped = max(min(f.t, s.length), set(d, 0.0F));
     // One step of Newton's method makes the quick reciprocal exact to single precision, at a third of a division's
     // time.
-    const Pack<N> radius = mul_add(s.slope, clamped, s.radius);
-    const Pack<N> guess = rough_reciprocal(radius);
+    const Pack<N, T> radius = mul_add(s.slope, clamped, s.radius);
+    const Pack<N, T> guess = rough_reciprocal(radius);
     f.scale = mul(mul(root_width, guess), neg_mul_add(radius, guess, set(d, 2.0F)));
     // The offset vector, not |p|^2 - t^2: beside a long segment the difference of squares would lose all digits.
     f.qx = neg_mul_add(f.t, s.ux, px);
     f.qy = neg_mul_add(f.t, s.uy, py);
     f.qz = neg_mul_add(f.t, s.uz, pz);
-    const Pack<N> d2 = mul_add(f.qz, f.qz, mul_add(f.qy, f.qy, mul(f.qx, f.qx)));
+    const Pack<N, T> d2 = mul_add(f.qz, f.qz, mul_add(f.qy, f.qy, mul(f.qx, f.qx)));
     f.q = mul(d2, mul(f.scale, f.scale));
     f.e = mul(sub(f.t, clamped), f.scale);
     f.rho = mul_add(f.e, f.e, f.q);
@@ -132,59 +154,62 @@ template <class Tag, class Vec> HWY_INLINE Vec fade_at(Tag d, Vec c) {
 template <class Tag, class Vec> HWY_INLINE Vec fade(Tag d, Vec rho) { return fade_at(d, fade_place(d, rho, 1.0)); }
 
 // The Gaussian, and squares that go into another one, end where single precision does.
-template <std::size_t N> HWY_INLINE Pack<N> gaussian(const Pack<N>& q) {
-    const PackTag<N> d;
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> gaussian(const Pack<N, T>& q) {
+    const PackTag<N, T> d;
     return power_negative(d, min(q, set(d, 64.0F)));
 }
 
 // The end filter, 1/2 [erf + erf] of the scaled distances from both ends.
-template <Ends Near, std::size_t N> HWY_INLINE Pack<N> end_filter(const Segments<N>& s, const Foot<N>& f) {
-    const PackTag<N> d;
-    const Pack<N> scale = mul(f.scale, set(d, kFilterUnit * 0.832554611F)); // sqrt(ln 2)
-    const Pack<N> end = set(d, kEndOfFilter);
-    Pack<N> y[2] = {end, end};
+template <Ends Near, std::size_t N, class T>
+HWY_INLINE Pack<N, T> end_filter(const Segments<N, T>& s, const Foot<N, T>& f) {
+    const PackTag<N, T> d;
+    const Pack<N, T> scale = mul(f.scale, set(d, kFilterUnit * 0.832554611F)); // sqrt(ln 2)
+    const Pack<N, T> end = set(d, kEndOfFilter);
+    Pack<N, T> y[2] = {end, end};
     if constexpr (Near == Ends::kSome)
         y[0] = limited(mul(f.t, scale), end), y[1] = limited(mul(sub(s.length, f.t), scale), end);
-    Pack<N> p[2];
+    Pack<N, T> p[2];
     end_polynomials(d, y, p);
     return mul_add(y[0], p[0], mul(y[1], p[1]));
 }
 
 // The kernels of a pack of segments at a vector of points.
-template <Ends Near, std::size_t N> HWY_INLINE Pack<N> kernel_value(const Segments<N>& s, const Foot<N>& f) {
-    const PackTag<N> d;
-    const Pack<N> body = mul(gaussian(f.q), fade_at(d, fade_place(d, f.rho, kNaturalLog)));
+template <Ends Near, std::size_t N, class T>
+HWY_INLINE Pack<N, T> kernel_value(const Segments<N, T>& s, const Foot<N, T>& f) {
+    const PackTag<N, T> d;
+    const Pack<N, T> body = mul(gaussian(f.q), fade_at(d, fade_place(d, f.rho, kNaturalLog)));
     return mul(body, end_filter<Near>(s, f));
 }
 
 // h and its gradient: grad h = radial * (qx, qy, qz) + axial * u.
-template <std::size_t N> struct KernelGradient { Pack<N> value, radial, axial; };
+template <std::size_t N, class T = D> struct KernelGradient { Pack<N, T> value, radial, axial; };
 
-template <Ends Near, std::size_t N>
-HWY_INLINE KernelGradient<N> kernel_gradient(const Segments<N>& s, const Foot<N>& f, const Pack<N>& inverse_root) {
-    const PackTag<N> d;
-    const Pack<N> one = set(d, 1.0F);
-    const Pack<N> gauss = gaussian(f.q);
-    const Pack<N> c = fade_place(d, f.rho, kNaturalLog);
-    const Pack<N> step = fade_at(d, c);
-    const Pack<N> step_slope = mul(mul(set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))), c), sub(one, c));
+template <Ends Near, std::size_t N, class T>
+HWY_INLINE KernelGradient<N, T> kernel_gradient(const Segments<N, T>& s, const Foot<N, T>& f,
+                                                const Pack<N, T>& inverse_root) {
+    const PackTag<N, T> d;
+    const Pack<N, T> one = set(d, 1.0F);
+    const Pack<N, T> gauss = gaussian(f.q);
+    const Pack<N, T> c = fade_place(d, f.rho, kNaturalLog);
+    const Pack<N, T> step = fade_at(d, c);
+    const Pack<N, T> step_slope = mul(mul(set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))), c), sub(one, c));
     // Relative change of the radius per mm along the axis; none beyond the ends.
-    const Pack<N> growth = where_between(set(d, 0.0F), f.t, s.length, mul(s.slope, mul(f.scale, inverse_root)));
-    const Pack<N> body = mul(gauss, end_filter<Near>(s, f));
-    const Pack<N> twice_scale = mul(set(d, 2.0F * kNaturalLog), f.scale);
-    const Pack<N> q_slope = mul(mul(set(d, -2.0F * kNaturalLog), f.q), growth);
-    const Pack<N> rho_slope = mul_add(twice_scale, f.e, q_slope);
-    KernelGradient<N> g;
+    const Pack<N, T> growth = where_between(set(d, 0.0F), f.t, s.length, mul(s.slope, mul(f.scale, inverse_root)));
+    const Pack<N, T> body = mul(gauss, end_filter<Near>(s, f));
+    const Pack<N, T> twice_scale = mul(set(d, 2.0F * kNaturalLog), f.scale);
+    const Pack<N, T> q_slope = mul(mul(set(d, -2.0F * kNaturalLog), f.q), growth);
+    const Pack<N, T> rho_slope = mul_add(twice_scale, f.e, q_slope);
+    KernelGradient<N, T> g;
     g.value = mul(step, body);
     g.radial = mul(mul(twice_scale, f.scale), mul(body, sub(step_slope, step)));
     g.axial = mul(body, neg_mul_add(step, q_slope, mul(step_slope, rho_slope)));
     if constexpr (Near == Ends::kSome) { // far from the ends the filter's slope is below 5e-6
-        const Pack<N> to_end = sub(s.length, f.t);
-        const Pack<N> a = mul(f.t, f.scale);
-        const Pack<N> b = mul(to_end, f.scale);
-        const Pack<N> bell_a = mul(gaussian(mul(a, a)), neg_mul_add(f.t, growth, one));
-        const Pack<N> bell = neg_mul_add(gaussian(mul(b, b)), mul_add(to_end, growth, one), bell_a);
-        const Pack<N> filter_slope = mul(mul(f.scale, set(d, 0.469718639F)), bell); // sqrt(ln 2 / pi)
+        const Pack<N, T> to_end = sub(s.length, f.t);
+        const Pack<N, T> a = mul(f.t, f.scale);
+        const Pack<N, T> b = mul(to_end, f.scale);
+        const Pack<N, T> bell_a = mul(gaussian(mul(a, a)), neg_mul_add(f.t, growth, one));
+        const Pack<N, T> bell = neg_mul_add(gaussian(mul(b, b)), mul_add(to_end, growth, one), bell_a);
+        const Pack<N, T> filter_slope = mul(mul(f.scale, set(d, 0.469718639F)), bell); // sqrt(ln 2 / pi)
         g.axial = mul_add(mul(step, gauss), filter_slope, g.axial);
     }
     return g;

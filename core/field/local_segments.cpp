@@ -48,7 +48,7 @@ void gather_segments(const ConvolutionField& field, std::span<const std::uint32_
             array->resize(capacity);
         local.branch.resize(capacity);
         local.tables.resize(capacity * LocalSegments::kTableStride);
-        local.reaching.resize(capacity);
+        local.reaching.resize(LocalSegments::kBoxes * capacity);
     }
     HWY_DYNAMIC_DISPATCH(GatherSegments)(local);
 }

@@ -35,7 +35,12 @@ struct LocalSegments {
     // precision: the same point of space gives the same float whatever the grid it is taken from.
     static constexpr std::size_t kTableStride = 32;
     std::vector<float> tables;
-    mutable std::vector<std::int32_t> reaching; // scratch: what of them reaches a box
+    // Scratch: what of them reaches each of some boxes that are looked at together.
+    static constexpr std::size_t kBoxes = 4;
+    mutable std::vector<std::int32_t> reaching;
+    [[nodiscard]] std::int32_t* reaching_part(std::size_t box) const {
+        return reaching.data() + box * (reaching.size() / kBoxes);
+    }
 };
 
 // `list` must outlive `local`.

@@ -20,20 +20,21 @@ using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-template <std::size_t N> struct Pack { V v[N]; };
-template <std::size_t N> struct PackTag {};
+// T says how wide the vectors are: as wide as the machine's, or narrower where there is less to do.
+template <std::size_t N, class T = D> struct Pack { hn::Vec<T> v[N]; };
+template <std::size_t N, class T = D> struct PackTag {};
 
 // What `call` says for each.
-template <std::size_t N, class Call> HWY_INLINE Pack<N> each(const Call& call) {
-    Pack<N> p;
+template <std::size_t N, class T = D, class Call> HWY_INLINE Pack<N, T> each(const Call& call) {
+    Pack<N, T> p;
     for (std::size_t s = 0; s < N; ++s) p.v[s] = call(s);
     return p;
 }
 
 // Tags to values: the same number in all lanes.
 template <class Tag> HWY_INLINE hn::Vec<Tag> set(Tag d, float x) { return hn::Set(d, x); }
-template <std::size_t N> HWY_INLINE Pack<N> set(PackTag<N>, float x) {
-    return each<N>([&](std::size_t) { return hn::Set(D(), x); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> set(PackTag<N, T>, float x) {
+    return each<N, T>([&](std::size_t) { return hn::Set(T(), x); });
 }
 
 template <class Vec> HWY_INLINE Vec mul(Vec a, Vec b) { return hn::Mul(a, b); }
@@ -59,43 +60,47 @@ template <class Vec> HWY_INLINE Vec times_power(Vec p, Vec shifted) {
     return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
 }
 
-template <std::size_t N> HWY_INLINE Pack<N> mul(const Pack<N>& a, const Pack<N>& b) {
-    return each<N>([&](std::size_t s) { return hn::Mul(a.v[s], b.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> mul(const Pack<N, T>& a, const Pack<N, T>& b) {
+    return each<N, T>([&](std::size_t s) { return hn::Mul(a.v[s], b.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> add(const Pack<N>& a, const Pack<N>& b) {
-    return each<N>([&](std::size_t s) { return hn::Add(a.v[s], b.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> add(const Pack<N, T>& a, const Pack<N, T>& b) {
+    return each<N, T>([&](std::size_t s) { return hn::Add(a.v[s], b.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> sub(const Pack<N>& a, const Pack<N>& b) {
-    return each<N>([&](std::size_t s) { return hn::Sub(a.v[s], b.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> sub(const Pack<N, T>& a, const Pack<N, T>& b) {
+    return each<N, T>([&](std::size_t s) { return hn::Sub(a.v[s], b.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> min(const Pack<N>& a, const Pack<N>& b) {
-    return each<N>([&](std::size_t s) { return hn::Min(a.v[s], b.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> min(const Pack<N, T>& a, const Pack<N, T>& b) {
+    return each<N, T>([&](std::size_t s) { return hn::Min(a.v[s], b.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> max(const Pack<N>& a, const Pack<N>& b) {
-    return each<N>([&](std::size_t s) { return hn::Max(a.v[s], b.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> max(const Pack<N, T>& a, const Pack<N, T>& b) {
+    return each<N, T>([&](std::size_t s) { return hn::Max(a.v[s], b.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> mul_add(const Pack<N>& a, const Pack<N>& b, const Pack<N>& c) {
-    return each<N>([&](std::size_t s) { return hn::MulAdd(a.v[s], b.v[s], c.v[s]); });
+template <std::size_t N, class T>
+HWY_INLINE Pack<N, T> mul_add(const Pack<N, T>& a, const Pack<N, T>& b, const Pack<N, T>& c) {
+    return each<N, T>([&](std::size_t s) { return hn::MulAdd(a.v[s], b.v[s], c.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> mul_sub(const Pack<N>& a, const Pack<N>& b, const Pack<N>& c) {
-    return each<N>([&](std::size_t s) { return hn::MulSub(a.v[s], b.v[s], c.v[s]); });
+template <std::size_t N, class T>
+HWY_INLINE Pack<N, T> mul_sub(const Pack<N, T>& a, const Pack<N, T>& b, const Pack<N, T>& c) {
+    return each<N, T>([&](std::size_t s) { return hn::MulSub(a.v[s], b.v[s], c.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> neg_mul_add(const Pack<N>& a, const Pack<N>& b, const Pack<N>& c) {
-    return each<N>([&](std::size_t s) { return hn::NegMulAdd(a.v[s], b.v[s], c.v[s]); });
+template <std::size_t N, class T>
+HWY_INLINE Pack<N, T> neg_mul_add(const Pack<N, T>& a, const Pack<N, T>& b, const Pack<N, T>& c) {
+    return each<N, T>([&](std::size_t s) { return hn::NegMulAdd(a.v[s], b.v[s], c.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> rough_reciprocal(const Pack<N>& a) {
-    return each<N>([&](std::size_t s) { return rough_reciprocal(a.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> rough_reciprocal(const Pack<N, T>& a) {
+    return each<N, T>([&](std::size_t s) { return rough_reciprocal(a.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> limited(const Pack<N>& a, const Pack<N>& most) {
-    return each<N>([&](std::size_t s) { return limited(a.v[s], most.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> limited(const Pack<N, T>& a, const Pack<N, T>& most) {
+    return each<N, T>([&](std::size_t s) { return limited(a.v[s], most.v[s]); });
 }
-template <std::size_t N> HWY_INLINE Pack<N> times_power(const Pack<N>& p, const Pack<N>& shifted) {
-    return each<N>([&](std::size_t s) { return times_power(p.v[s], shifted.v[s]); });
+template <std::size_t N, class T> HWY_INLINE Pack<N, T> times_power(const Pack<N, T>& p, const Pack<N, T>& shifted) {
+    return each<N, T>([&](std::size_t s) { return times_power(p.v[s], shifted.v[s]); });
 }
 // a where low < x < high, 0 elsewhere.
-template <std::size_t N>
-HWY_INLINE Pack<N> where_between(const Pack<N>& low, const Pack<N>& x, const Pack<N>& high, const Pack<N>& a) {
-    return each<N>([&](std::size_t s) {
+template <std::size_t N, class T>
+HWY_INLINE Pack<N, T> where_between(const Pack<N, T>& low, const Pack<N, T>& x, const Pack<N, T>& high,
+                                    const Pack<N, T>& a) {
+    return each<N, T>([&](std::size_t s) {
         return hn::IfThenElseZero(hn::And(hn::Gt(x.v[s], low.v[s]), hn::Lt(x.v[s], high.v[s])), a.v[s]);
     });
 }

@@ -8,18 +8,16 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-using DI = hn::RebindToSigned<D>;
-using VI = hn::Vec<DI>;
-
 // One vector of points, and what the field is like there.
-struct Points {
+template <class T> struct Points {
+    using V = hn::Vec<T>;
+    using VI = hn::Vec<hn::RebindToSigned<T>>;
     V x, y, z;
     V sum, gx, gy, gz;
     V best, best_scale; // of segments
@@ -29,14 +27,15 @@ struct Points {
 };
 
 // All segments of a branch have been added: it takes its place among those that have most.
-HWY_INLINE void end_branch(Points& p, std::int32_t branch) {
-    const D d;
-    V share = p.share;
-    VI id = hn::Set(DI(), branch);
+template <class T> HWY_INLINE void end_branch(Points<T>& p, std::int32_t branch) {
+    const T d;
+    const hn::RebindToSigned<T> di;
+    auto share = p.share;
+    auto id = hn::Set(di, branch);
     for (int place = 0; place < 3; ++place) {
-        const V there = p.shares[place];
-        const VI id_there = p.branches[place];
-        const auto more = hn::RebindMask(DI(), hn::Gt(share, there));
+        const auto there = p.shares[place];
+        const auto id_there = p.branches[place];
+        const auto more = hn::RebindMask(di, hn::Gt(share, there));
         p.shares[place] = hn::Max(share, there);
         p.branches[place] = hn::IfThenElse(more, id, id_there);
         share = hn::Min(share, there);
@@ -45,62 +44,62 @@ HWY_INLINE void end_branch(Points& p, std::int32_t branch) {
     p.share = hn::Zero(d);
 }
 
-// Adds up the field and its gradient at N vectors of points: together, so that one hides what the other waits for.
-template <std::size_t N> HWY_INLINE void evaluate(const LocalSegments& local, std::size_t count, Points (&points)[N]) {
-    const D d;
-    const DI di;
+// Adds up the field and its gradient at a vector of points.
+template <class T>
+HWY_INLINE void evaluate(T d, const LocalSegments& local, const std::int32_t* reaching, std::size_t count,
+                         Points<T>& p) {
+    const hn::RebindToSigned<T> di;
     const auto root = static_cast<float>(local.field->kernel().root_width);
-    const Pack<1> root_width = set(PackTag<1>(), root), inverse_root = set(PackTag<1>(), 1.0F / root);
-    for (Points& p : points) {
-        p.sum = p.gx = p.gy = p.gz = hn::Zero(d);
-        p.best = hn::Set(d, -1.0F);
-        p.best_scale = hn::Set(d, 1.0F);
-        p.share = p.shares[0] = p.shares[1] = p.shares[2] = hn::Zero(d);
-        p.branches[0] = p.branches[1] = p.branches[2] = hn::Set(di, local.branch[0]);
-    }
+    using One = Pack<1, T>;
+    const PackTag<1, T> one_vector;
+    const One root_width = set(one_vector, root), inverse_root = set(one_vector, 1.0F / root);
+    p.sum = p.gx = p.gy = p.gz = hn::Zero(d);
+    p.best = hn::Set(d, -1.0F);
+    p.best_scale = hn::Set(d, 1.0F);
+    p.share = p.shares[0] = p.shares[1] = p.shares[2] = hn::Zero(d);
+    p.branches[0] = p.branches[1] = p.branches[2] = hn::Set(di, local.branch[0]);
     // Segments are in order, and with them those of a branch are together.
-    std::int32_t branch = count > 0 ? local.branch[static_cast<std::size_t>(local.reaching[0] >> 1)] : 0;
+    std::int32_t branch = count > 0 ? local.branch[static_cast<std::size_t>(reaching[0] >> 1)] : 0;
     for (std::size_t r = 0; r < count; ++r) {
-        const Places at = places_of<1>(local, r);
-        const Segments one = broadcast(local, at);
-        const Pack ax = broadcast(local.x, at), ay = broadcast(local.y, at), az = broadcast(local.z, at);
+        const Places at = places_of<1>(reaching + r);
+        const Segments one = broadcast<T>(local, at);
+        const One ax = broadcast<T>(local.x, at), ay = broadcast<T>(local.y, at), az = broadcast<T>(local.z, at);
         const std::int32_t before = std::exchange(branch, local.branch[at.m[0]]);
         for_ends(at.near_ends, [&](auto near) {
-            for (Points& p : points) {
-                const Foot foot =
-                    find_foot(one, root_width, sub(Pack<1>{p.x}, ax), sub(Pack<1>{p.y}, ay), sub(Pack<1>{p.z}, az));
-                const KernelGradient g = kernel_gradient<near.value>(one, foot, inverse_root);
-                const V value = g.value.v[0], radial = g.radial.v[0], axial = g.axial.v[0];
-                p.sum = hn::Add(p.sum, value);
-                p.gx = hn::MulAdd(radial, foot.qx.v[0], hn::MulAdd(axial, one.ux.v[0], p.gx));
-                p.gy = hn::MulAdd(radial, foot.qy.v[0], hn::MulAdd(axial, one.uy.v[0], p.gy));
-                p.gz = hn::MulAdd(radial, foot.qz.v[0], hn::MulAdd(axial, one.uz.v[0], p.gz));
-                const M stronger = hn::Gt(value, p.best);
-                p.best = hn::IfThenElse(stronger, value, p.best);
-                p.best_scale = hn::IfThenElse(stronger, foot.scale.v[0], p.best_scale);
-                if (branch != before) end_branch(p, before);
-                p.share = hn::Add(p.share, value);
-            }
+            const Foot foot = find_foot(one, root_width, sub(One{p.x}, ax), sub(One{p.y}, ay), sub(One{p.z}, az));
+            const KernelGradient g = kernel_gradient<near.value>(one, foot, inverse_root);
+            const auto value = g.value.v[0], radial = g.radial.v[0], axial = g.axial.v[0];
+            p.sum = hn::Add(p.sum, value);
+            p.gx = hn::MulAdd(radial, foot.qx.v[0], hn::MulAdd(axial, one.ux.v[0], p.gx));
+            p.gy = hn::MulAdd(radial, foot.qy.v[0], hn::MulAdd(axial, one.uy.v[0], p.gy));
+            p.gz = hn::MulAdd(radial, foot.qz.v[0], hn::MulAdd(axial, one.uz.v[0], p.gz));
+            const auto stronger = hn::Gt(value, p.best);
+            p.best = hn::IfThenElse(stronger, value, p.best);
+            p.best_scale = hn::IfThenElse(stronger, foot.scale.v[0], p.best_scale);
+            if (branch != before) end_branch(p, before);
+            p.share = hn::Add(p.share, value);
         });
     }
-    for (Points& p : points) end_branch(p, branch);
+    end_branch(p, branch);
 }
 
 // One step of Newton's method on phi = sqrt(-ln F), which is linear in the distance from a straight vessel's axis, so
 // that one step is exact there. Returns how far phi was off, at most; phi counts in r / sqrt(w).
-HWY_INLINE V step(D d, Points& p, float root, const Projection& bounds, std::size_t n) {
-    const V one = hn::Set(d, 1.0F);
+template <class T, class V = hn::Vec<T>>
+HWY_INLINE V step(T d, Points<T>& p, float root, const Projection& bounds, std::size_t n) {
     const V tiny = hn::Set(d, 1e-30F);
     const V f = hn::Max(hn::Min(p.sum, hn::Set(d, 0.999F)), hn::Set(d, 1e-7F));
-    const V phi = hn::Sqrt(hn::Neg(hn::Log(d, f)));
+    const V phi2 = hn::Mul(log2_of(d, f), hn::Set(d, -kNaturalLog));
+    const V phi = hn::Mul(phi2, reciprocal_root(d, phi2));
     const V off = hn::Sub(phi, hn::Set(d, root)); // phi on the surface: -ln(isovalue) = w
-    // grad phi = -grad F / (2 F phi), so the Newton step is (target - phi) grad phi / |grad phi|^2.
+    // grad phi = -grad F / (2 F phi), so the Newton step is (target - phi) grad phi / |grad phi|^2. Of what is left
+    // after it a quick reciprocal's error is nothing.
     const V g2 = hn::Max(hn::MulAdd(p.gz, p.gz, hn::MulAdd(p.gy, p.gy, hn::Mul(p.gx, p.gx))), tiny);
-    const V amount = hn::Div(hn::Mul(hn::Mul(off, hn::Set(d, 2.0F)), hn::Mul(f, phi)), g2);
+    const V unit = hn::ApproximateReciprocalSqrt(g2);
+    const V amount = hn::Mul(hn::Mul(hn::Mul(off, hn::Set(d, 2.0F)), hn::Mul(f, phi)), unit); // mm
     // A step never exceeds the reach: the gradient is small on the axis and says little there.
     const V reach = hn::LoadU(d, bounds.reach.data() + n);
-    const V length = hn::Mul(hn::Abs(amount), hn::Sqrt(g2));
-    const V move = hn::Mul(amount, hn::Min(one, hn::Div(reach, hn::Max(length, tiny))));
+    const V move = hn::Mul(hn::Max(hn::Min(amount, reach), hn::Neg(reach)), unit);
     const auto moved = [&](V at, V gradient, const std::vector<float>& centre) {
         const V middle = hn::LoadU(d, centre.data() + n);
         return hn::Max(hn::Min(hn::MulAdd(move, gradient, at), hn::Add(middle, reach)), hn::Sub(middle, reach));
@@ -116,23 +115,15 @@ HWY_INLINE V step(D d, Points& p, float root, const Projection& bounds, std::siz
 // always.
 constexpr float kShortStep = 0.10F;
 
-// The box that the points of N vectors may move in.
-template <std::size_t N> HWY_INLINE Box box_of(const Projection& projection, std::size_t n) {
-    const D d;
-    const std::size_t lanes = hn::Lanes(d);
+// The box that a vector of points may move in.
+template <class T> HWY_INLINE Box box_of(T d, const Projection& projection, std::size_t n) {
+    const auto reach = hn::LoadU(d, projection.reach.data() + n);
     glm::vec3 low;
     glm::vec3 high;
     const auto range = [&](const std::vector<float>& centre, float& lowest, float& highest) {
-        V least = hn::Set(d, 3e38F);
-        V most = hn::Set(d, -3e38F);
-        for (std::size_t v = 0; v < N; ++v) {
-            const V middle = hn::LoadU(d, centre.data() + n + v * lanes);
-            const V reach = hn::LoadU(d, projection.reach.data() + n + v * lanes);
-            least = hn::Min(least, hn::Sub(middle, reach));
-            most = hn::Max(most, hn::Add(middle, reach));
-        }
-        lowest = hn::GetLane(hn::MinOfLanes(d, least));
-        highest = hn::GetLane(hn::MaxOfLanes(d, most));
+        const auto middle = hn::LoadU(d, centre.data() + n);
+        lowest = hn::GetLane(hn::MinOfLanes(d, hn::Sub(middle, reach)));
+        highest = hn::GetLane(hn::MaxOfLanes(d, hn::Add(middle, reach)));
     };
     range(projection.cx, low.x, high.x);
     range(projection.cy, low.y, high.y);
@@ -141,17 +132,18 @@ template <std::size_t N> HWY_INLINE Box box_of(const Projection& projection, std
 }
 
 // Writes one vector of points; what lies beyond the last point is overwritten by the next.
-HWY_INLINE void write(D d, const Points& p, float root_width, const glm::dvec3& origin, const SurfacePoints& to,
+template <class T, class V = hn::Vec<T>>
+HWY_INLINE void write(T d, const Points<T>& p, float root_width, const glm::dvec3& origin, const SurfacePoints& to,
                       std::size_t at) {
-    const DI di;
+    const hn::RebindToSigned<T> di;
 #if HWY_TARGET == HWY_SCALAR
     const auto place = [&](V value, double corner) {
         return hn::Set(d, static_cast<float>(static_cast<double>(hn::GetLane(value)) + corner));
     };
 #else
     // Far from the origin only double precision holds the sum.
-    const hn::Repartition<double, D> dd;
-    const hn::Half<D> dh;
+    const hn::Repartition<double, T> dd;
+    const hn::Half<T> dh;
     const auto place = [&](V value, double corner) {
         const auto to = hn::Set(dd, corner);
         const auto lower = hn::Add(hn::PromoteTo(dd, hn::LowerHalf(dh, value)), to);
@@ -161,15 +153,16 @@ HWY_INLINE void write(D d, const Points& p, float root_width, const glm::dvec3& 
 #endif
     hn::StoreInterleaved3(place(p.x, origin.x), place(p.y, origin.y), place(p.z, origin.z), d, &to.positions[at].x);
     const V g2 = hn::MulAdd(p.gz, p.gz, hn::MulAdd(p.gy, p.gy, hn::Mul(p.gx, p.gx)));
-    const V unit = hn::Div(hn::Set(d, -1.0F), hn::Sqrt(hn::Max(g2, hn::Set(d, 1e-30F))));
+    const V unit = hn::Neg(reciprocal_root(d, hn::Max(g2, hn::Set(d, 1e-30F))));
     hn::StoreInterleaved3(hn::Mul(p.gx, unit), hn::Mul(p.gy, unit), hn::Mul(p.gz, unit), d, &to.normals[at].x);
     hn::StoreU(hn::Div(hn::Set(d, root_width), p.best_scale), d, to.radii + at);
     hn::StoreU(p.branches[0], di, to.branches + at);
-    const hn::Rebind<std::uint8_t, D> du8;
+    const hn::Rebind<std::uint8_t, T> du8;
     const V tiny = hn::Set(d, 1e-30F);
+    const V first = hn::Max(p.shares[0], tiny);
     const auto lead = [&](V share) {
-        const V scaled = hn::Mul(hn::Log(d, hn::Div(hn::Max(p.shares[0], tiny), hn::Max(share, tiny))),
-                                 hn::Set(d, static_cast<float>(255.0 / kLargestLead)));
+        const V ratio = hn::Mul(first, hn::ApproximateReciprocal(hn::Max(share, tiny)));
+        const V scaled = hn::Mul(log2_of(d, ratio), hn::Set(d, static_cast<float>(kNaturalLog * 255.0 / kLargestLead)));
         return hn::DemoteTo(du8, hn::NearestInt(hn::Min(scaled, hn::Set(d, 255.0F))));
     };
     const auto rival = [&](int rank) { // none where nothing is added, whoever was looked at
@@ -179,39 +172,50 @@ HWY_INLINE void write(D d, const Points& p, float root_width, const glm::dvec3& 
     hn::StoreInterleaved4(lead(p.shares[1]), lead(p.shares[2]), rival(1), rival(2), du8, to.leads[at].over.data());
 }
 
-// N vectors of points from the n-th on. Returns the number of kernels evaluated.
-template <std::size_t N>
-HWY_INLINE std::uint64_t project_block(const LocalSegments& local, float root, const Projection& projection,
-                                       std::size_t n, const SurfacePoints& to) {
-    const D d;
-    const std::size_t lanes = hn::Lanes(d);
-    Points points[N];
-    for (std::size_t v = 0; v < N; ++v) {
-        points[v].x = hn::LoadU(d, projection.x.data() + n + v * lanes);
-        points[v].y = hn::LoadU(d, projection.y.data() + n + v * lanes);
-        points[v].z = hn::LoadU(d, projection.z.data() + n + v * lanes);
-    }
-    const std::size_t count = find_reaching(local, root, box_of<N>(projection, n));
+// A vector of points from the n-th on, with the segments that reach them. Returns the number of kernels evaluated.
+template <class T>
+HWY_INLINE std::uint64_t project_vector(T d, const LocalSegments& local, const std::int32_t* reaching,
+                                        std::size_t count, const Projection& projection, std::size_t n,
+                                        const SurfacePoints& to) {
+    const auto root = static_cast<float>(local.field->kernel().sqrt_w);
+    Points<T> p;
+    p.x = hn::LoadU(d, projection.x.data() + n);
+    p.y = hn::LoadU(d, projection.y.data() + n);
+    p.z = hn::LoadU(d, projection.z.data() + n);
     std::uint64_t steps = 0;
     for (bool more = true; more && steps < kProjectionSteps; ++steps) {
-        evaluate(local, count, points);
-        V off = hn::Zero(d);
-        for (std::size_t v = 0; v < N; ++v) off = hn::Max(off, step(d, points[v], root, projection, n + v * lanes));
-        more = !hn::AllTrue(d, hn::Lt(off, hn::Set(d, kShortStep)));
+        evaluate(d, local, reaching, count, p);
+        more = !hn::AllTrue(d, hn::Lt(step(d, p, root, projection, n), hn::Set(d, kShortStep)));
     }
-    const auto root_width = static_cast<float>(local.field->kernel().root_width);
-    for (std::size_t v = 0; v < N; ++v) write(d, points[v], root_width, local.axes.corner(), to, n + v * lanes);
-    return steps * count * N * lanes;
+    write(d, p, static_cast<float>(local.field->kernel().root_width), local.axes.corner(), to, n);
+    return steps * count * hn::Lanes(d);
 }
 
 std::uint64_t Project(const LocalSegments& local, const Projection& projection, const SurfacePoints& to) {
-    const D d;
-    const std::size_t lanes = hn::Lanes(d);
+    const D wide;
+    const hn::CappedTag<float, 8> narrow;
+    const std::size_t lanes = hn::Lanes(wide);
     const auto root = static_cast<float>(local.field->kernel().sqrt_w);
+    const std::size_t size = projection.size();
     std::uint64_t kernels = 0;
+    // A last vector that would be half empty is a narrow one, which costs half.
+    const auto last = [&](std::size_t n, std::size_t part, std::size_t count) {
+        const std::int32_t* reaching = local.reaching_part(part);
+        kernels += size - n <= hn::Lanes(narrow) ? project_vector(narrow, local, reaching, count, projection, n, to)
+                                                 : project_vector(wide, local, reaching, count, projection, n, to);
+    };
     std::size_t n = 0;
-    for (; n + lanes < projection.size(); n += 2 * lanes) kernels += project_block<2>(local, root, projection, n, to);
-    if (n < projection.size()) kernels += project_block<1>(local, root, projection, n, to);
+    for (; n + lanes < size; n += 2 * lanes) {
+        std::size_t count[2];
+        find_reaching(local, root, {box_of(wide, projection, n), box_of(wide, projection, n + lanes)}, count);
+        kernels += project_vector(wide, local, local.reaching_part(0), count[0], projection, n, to);
+        last(n + lanes, 1, count[1]);
+    }
+    if (n < size) {
+        std::size_t count[1];
+        find_reaching(local, root, {box_of(wide, projection, n)}, count);
+        last(n, 0, count[0]);
+    }
     return kernels;
 }
 

@@ -58,55 +58,76 @@ HWY_INLINE V look_up(D d, const float* table, const std::int32_t* index) {
 #endif
 }
 
-std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
+// The values of one group, from the segments that reach it.
+HWY_INLINE void sample_group(const LocalSegments& local, std::size_t group, const std::int32_t* reaching,
+                             std::size_t count, GridGroups& samples) {
     const D d;
     const std::size_t lanes = hn::Lanes(d);
-    const auto root = static_cast<float>(local.field->kernel().sqrt_w);
     const auto root_width = static_cast<float>(local.field->kernel().root_width);
     const V isovalue = hn::Set(d, static_cast<float>(local.field->kernel().isovalue));
-    const auto cell = static_cast<float>(local.axes.x[1] - local.axes.x[0]);
-    std::uint64_t kernels = 0;
-    for (; groups != 0; groups &= groups - 1) {
-        const auto group = static_cast<std::size_t>(std::countr_zero(groups));
-        const GroupBox& box = kGroupBoxes[group];
-        const std::size_t count = choice == Choice::kReaching
-                                      ? find_reaching(local, root, {box.middle * cell, box.half * (cell * 1.0001F)})
-                                      : list_all(local);
-        kernels += count * kGroupPoints;
-        std::uint32_t inside = 0;
-        for (std::size_t n = 0; n < kGroupPoints; n += lanes) {
-            const std::int32_t* i = kGroupLanes.i + kGroupPoints * group + n;
-            const std::int32_t* j = kGroupLanes.j + kGroupPoints * group + n;
-            const std::int32_t* k = kGroupLanes.k + kGroupPoints * group + n;
-            V sum = hn::Zero(d);
-            const auto add_pack = [&](auto width, std::size_t r) {
-                constexpr std::size_t kPack = width.value;
-                const Places at = places_of<kPack>(local, r);
-                const Segments pack = broadcast(local, at);
-                const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
-                    return each<kPack>([&](std::size_t s) {
-                        return look_up(d, local.tables.data() + LocalSegments::kTableStride * at.m[s] + 8 * axis,
-                                       index);
-                    });
-                };
-                const Foot foot = find_foot(pack, set(PackTag<kPack>(), root_width), coordinate(0, i), coordinate(1, j),
-                                            coordinate(2, k));
-                for_ends(at.near_ends, [&](auto near) {
-                    const Pack value = kernel_value<near.value>(pack, foot);
-                    for (const V& of : value.v) sum = hn::Add(sum, of);
+    std::uint32_t inside = 0;
+    for (std::size_t n = 0; n < kGroupPoints; n += lanes) {
+        const std::int32_t* i = kGroupLanes.i + kGroupPoints * group + n;
+        const std::int32_t* j = kGroupLanes.j + kGroupPoints * group + n;
+        const std::int32_t* k = kGroupLanes.k + kGroupPoints * group + n;
+        V sum = hn::Zero(d);
+        const auto add_pack = [&](auto width, std::size_t r) {
+            constexpr std::size_t kPack = width.value;
+            const Places at = places_of<kPack>(reaching + r);
+            const Segments pack = broadcast(local, at);
+            const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
+                return each<kPack>([&](std::size_t s) {
+                    return look_up(d, local.tables.data() + LocalSegments::kTableStride * at.m[s] + 8 * axis, index);
                 });
             };
-            std::size_t r = 0;
-            for (; r + 2 <= count; r += 2) add_pack(std::integral_constant<std::size_t, 2>(), r);
-            if (r < count) add_pack(std::integral_constant<std::size_t, 1>(), r);
-            hn::Store(sum, d, samples.value[group].data() + n);
-            HWY_ALIGN std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, hn::Ge(sum, isovalue), bits);
-            const std::uint32_t word = bits[0] | static_cast<std::uint32_t>(bits[1]) << 8;
-            inside |= (word & ((std::uint32_t{1} << lanes) - 1)) << n;
-        }
-        samples.inside[group] = static_cast<std::uint16_t>(inside);
+            const Foot foot = find_foot(pack, set(PackTag<kPack>(), root_width), coordinate(0, i), coordinate(1, j),
+                                        coordinate(2, k));
+            for_ends(at.near_ends, [&](auto near) {
+                const Pack value = kernel_value<near.value>(pack, foot);
+                for (const V& of : value.v) sum = hn::Add(sum, of);
+            });
+        };
+        std::size_t r = 0;
+        for (; r + 2 <= count; r += 2) add_pack(std::integral_constant<std::size_t, 2>(), r);
+        if (r < count) add_pack(std::integral_constant<std::size_t, 1>(), r);
+        hn::Store(sum, d, samples.value[group].data() + n);
+        HWY_ALIGN std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, hn::Ge(sum, isovalue), bits);
+        const std::uint32_t word = bits[0] | static_cast<std::uint32_t>(bits[1]) << 8;
+        inside |= (word & ((std::uint32_t{1} << lanes) - 1)) << n;
     }
+    samples.inside[group] = static_cast<std::uint16_t>(inside);
+}
+
+// N groups from the first on. Returns the number of kernels evaluated.
+template <std::size_t N>
+HWY_INLINE std::uint64_t sample_together(const LocalSegments& local, std::size_t first, GridGroups& samples,
+                                         Choice choice) {
+    const auto cell = static_cast<float>(local.axes.x[1] - local.axes.x[0]);
+    Box boxes[N];
+    for (std::size_t n = 0; n < N; ++n)
+        boxes[n] = {kGroupBoxes[first + n].middle * cell, kGroupBoxes[first + n].half * (cell * 1.0001F)};
+    std::size_t count[N];
+    if (choice == Choice::kReaching)
+        find_reaching(local, static_cast<float>(local.field->kernel().sqrt_w), boxes, count);
+    else
+        for (std::size_t n = 0; n < N; ++n) count[n] = list_all(local, local.reaching_part(n));
+    std::uint64_t kernels = 0;
+    for (std::size_t n = 0; n < N; ++n) {
+        sample_group(local, first + n, local.reaching_part(n), count[n], samples);
+        kernels += count[n] * kGroupPoints;
+    }
+    return kernels;
+}
+
+std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
+    std::uint64_t kernels = 0;
+    if ((groups & kOwnGroups) == kOwnGroups) {
+        kernels += sample_together<4>(local, 0, samples, choice);
+        groups &= ~kOwnGroups;
+    }
+    for (; groups != 0; groups &= groups - 1)
+        kernels += sample_together<1>(local, static_cast<std::size_t>(std::countr_zero(groups)), samples, choice);
     return kernels;
 }
 
@@ -134,10 +155,11 @@ std::uint64_t SampleLattice(const LocalSegments& local, const LatticeAxes& axes,
             sum[n] = 0.0F;
         }
         const Box box{0.5F * quarter * glm::vec3(low + high), 0.5001F * quarter * glm::vec3(high - low)};
-        const std::size_t count = find_reaching(local, root, box);
-        kernels += count * kGroupPoints;
-        for (std::size_t r = 0; r < count; ++r) {
-            const Places at = places_of<1>(local, r);
+        std::size_t count[1];
+        find_reaching(local, root, {box}, count);
+        kernels += count[0] * kGroupPoints;
+        for (std::size_t r = 0; r < count[0]; ++r) {
+            const Places at = places_of<1>(local.reaching_part(0) + r);
             const FieldSegment& segment = segments[local.list[at.m[0]]];
             alignas(64) float table[3][kLatticeStride];
             subtract(axes.x, segment.ax, table[0]);
