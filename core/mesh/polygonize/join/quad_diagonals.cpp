@@ -33,25 +33,43 @@ HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
             hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
-// What the corners of a vector of quads are, four numbers a vertex, the fourth of which is of no account: one load each
-// and a transposition, which is several times as fast as gathering on processors that gather element by element.
-struct Corners {
-    alignas(64) float of[4][4 * HWY_MAX_BYTES / 4];
-
-    // `Numbers` of each vertex: 4 is one load, and one beyond the vertex; 3 keeps within it.
-    template <std::size_t Numbers>
-    HWY_INLINE void read(const glm::vec3* values, const std::uint32_t* quads, std::size_t lanes) {
-        for (std::size_t i = 0; i < lanes; ++i)
-            for (std::size_t c = 0; c < 4; ++c)
-                __builtin_memcpy(of[c] + 4 * i, values + quads[4 * i + c], Numbers * sizeof(float));
-    }
-    [[nodiscard]] HWY_INLINE Vector3 corner(D d, std::size_t c) const {
-        Vector3 v;
-        V nothing;
-        hn::LoadInterleaved4(d, of[c], v.x, v.y, v.z, nothing);
-        return v;
-    }
-};
+// The vectors of the c-th vertices of as many quads as there are lanes. `Numbers` of each vertex are read: 4 is one
+// load, and one number beyond the vertex; 3 keeps within it. One load each and a transposition is several times as fast
+// as gathering on processors that gather element by element.
+template <std::size_t Numbers>
+HWY_INLINE Vector3 read_corner(D d, const glm::vec3* values, const std::uint32_t* quads, std::size_t c) {
+    const auto at = [&](std::size_t i) { return &values[quads[4 * i + c]].x; };
+#if HWY_TARGET == HWY_SCALAR
+    return {hn::Set(d, at(0)[0]), hn::Set(d, at(0)[1]), hn::Set(d, at(0)[2])};
+#else
+    const hn::CappedTag<float, 4> block;
+    const auto vertex = [&](std::size_t i) {
+        if constexpr (Numbers == 4) return hn::LoadU(block, at(i));
+        HWY_ALIGN float copy[4] = {at(i)[0], at(i)[1], at(i)[2], 0.0F};
+        return hn::Load(block, copy);
+    };
+    // Every fourth vertex from the i-th on, a block each.
+    const auto blocks = [&](std::size_t i) {
+        if constexpr (HWY_MAX_BYTES == 64) {
+            const hn::CappedTag<float, 8> half;
+            return hn::Combine(d, hn::Combine(half, vertex(i + 12), vertex(i + 8)),
+                               hn::Combine(half, vertex(i + 4), vertex(i)));
+        } else if constexpr (HWY_MAX_BYTES == 32) {
+            return hn::Combine(d, vertex(i + 4), vertex(i));
+        } else {
+            return vertex(i);
+        }
+    };
+    const hn::RepartitionToWide<D> pair;
+    const V v0 = blocks(0), v1 = blocks(1), v2 = blocks(2), v3 = blocks(3);
+    const auto xy01 = hn::BitCast(pair, hn::InterleaveLower(d, v0, v1)),
+               xy23 = hn::BitCast(pair, hn::InterleaveLower(d, v2, v3));
+    const auto z01 = hn::BitCast(pair, hn::InterleaveUpper(d, v0, v1)),
+               z23 = hn::BitCast(pair, hn::InterleaveUpper(d, v2, v3));
+    return {hn::BitCast(d, hn::InterleaveLower(pair, xy01, xy23)),
+            hn::BitCast(d, hn::InterleaveUpper(pair, xy01, xy23)), hn::BitCast(d, hn::InterleaveLower(pair, z01, z23))};
+#endif
+}
 
 // Is the diagonal from the first vertex to the third the better one? None of its triangles may face away from the
 // surface, and then the one that stays closer to it wins. A chord's distance from the surface is its length times the
@@ -90,7 +108,6 @@ void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t c
     const glm::vec3* positions = vertices.positions.data();
     const glm::vec3* normals = vertices.normals.data();
     const auto last_vertex = hn::Set(du, static_cast<std::uint32_t>(vertices.size() - 1));
-    Corners at{}, facing{};
     HWY_ALIGN std::uint32_t buffer[6 * HWY_MAX_BYTES / 4];
     for (std::size_t q = 0; q < count; q += lanes) {
         const std::size_t valid = std::min(lanes, count - q);
@@ -105,18 +122,12 @@ void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t c
         hn::Vec<DU> v[4];
         hn::LoadInterleaved4(du, from, v[0], v[1], v[2], v[3]);
         const auto last = hn::Max(hn::Max(v[0], v[1]), hn::Max(v[2], v[3]));
-        if (hn::AllTrue(du, hn::Lt(last, last_vertex))) {
-            at.read<4>(positions, from, lanes);
-            facing.read<4>(normals, from, lanes);
-        } else {
-            at.read<3>(positions, from, lanes);
-            facing.read<3>(normals, from, lanes);
-        }
         Vector3 p[4];
         Vector3 n[4];
+        const bool room = hn::AllTrue(du, hn::Lt(last, last_vertex));
         for (std::size_t c = 0; c < 4; ++c) {
-            p[c] = at.corner(d, c);
-            n[c] = facing.corner(d, c);
+            p[c] = room ? read_corner<4>(d, positions, from, c) : read_corner<3>(d, positions, from, c);
+            n[c] = room ? read_corner<4>(d, normals, from, c) : read_corner<3>(d, normals, from, c);
         }
         const auto first = hn::RebindMask(du, prefers_first(d, p, n));
         const auto a = hn::IfThenElse(first, v[0], v[1]);
