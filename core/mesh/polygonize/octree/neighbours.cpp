@@ -1,5 +1,7 @@
 #include "core/mesh/polygonize/octree/neighbours.h"
 
+#include "core/mesh/polygonize/octree/brick_neighbours.h"
+
 #include <algorithm>
 #include <oneapi/tbb/parallel_for.h>
 #include <vector>
@@ -7,36 +9,6 @@
 namespace ramus::mesh::bricks {
 
 namespace {
-
-// The 27 places around a cube, itself in the middle. A brick that is larger than the cube stands in all the places it
-// covers.
-using Places = std::array<OctreePlace, kDirections>;
-
-// Along one axis the children around a child lie in the parent's places -1, 0 and 1, as child 0 or 1.
-struct Step {
-    int place, child;
-};
-constexpr std::array<Step, 4> kSteps{Step{0, 1}, Step{1, 0}, Step{1, 1}, Step{2, 0}};
-
-// The 4 x 4 x 4 places at the size of the parent's children: around all eight of them.
-using Block = std::array<OctreePlace, 64>;
-
-Block places_around_children(const Octree& octree, const Places& around) {
-    Block block;
-    std::size_t n = 0;
-    for (const Step z : kSteps) {
-        for (const Step y : kSteps) {
-            for (const Step x : kSteps) {
-                const OctreePlace place = around[static_cast<std::size_t>(x.place + 3 * y.place + 9 * z.place)];
-                block[n++] =
-                    place.is_node()
-                        ? octree.nodes[place.index()][static_cast<std::size_t>(x.child + 2 * y.child + 4 * z.child)]
-                        : place;
-            }
-        }
-    }
-    return block;
-}
 
 template <class Value>
 std::array<Value, kDirections> around_child(const std::array<Value, 64>& block, std::size_t child) {
@@ -49,32 +21,7 @@ std::array<Value, kDirections> around_child(const std::array<Value, 64>& block, 
     return around;
 }
 
-Neighbourhood describe(const Octree& octree, const Places& around) {
-    Neighbourhood described;
-    described.same = described.coarser = described.finer = described.full = 0;
-    const int level = octree.bricks[around[kSelf].index()].level;
-    for (std::size_t d = 0; d < kDirections; ++d) {
-        const OctreePlace place = around[d];
-        const std::uint32_t bit = std::uint32_t{1} << d;
-        if (place.is_node()) described.finer |= bit;
-        if (place.is_full()) described.full |= bit;
-        if (!place.is_brick()) continue;
-        described.brick[d] = place.index();
-        (octree.bricks[place.index()].level == level ? described.same : described.coarser) |= bit;
-    }
-    return described;
-}
-
-void walk(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found) {
-    const OctreePlace self = around[kSelf];
-    if (self.is_brick()) found[self.index()] = describe(octree, around);
-    if (!self.is_node()) return;
-    const Block block = places_around_children(octree, around);
-    for (std::size_t child = 0; child < field::kChildren; ++child)
-        if (!octree.nodes[self.index()][child].is_empty()) walk(octree, around_child(block, child), found);
-}
-
-// The same for what owns the places: codes of UpperNode::children, of which tiles' insides inherit their tile's.
+// What owns the places: codes of UpperNode::children, of which tiles' insides inherit their tile's.
 constexpr std::uint32_t kChangedNothing = 0xFFFFFFFEU; // nothing now, but something before
 
 struct Surroundings {
@@ -92,7 +39,7 @@ public:
     void walk() {
         Surroundings root;
         root.owners.fill(UpperNode::kNothing);
-        root.places[kSelf] = OctreePlace::node(octree_.upper[0].node);
+        root.places.at[kSelf] = OctreePlace::node(octree_.upper[0].node);
         root.owners[kSelf] = UpperNode::node_code(0);
         walk(root);
     }
@@ -108,12 +55,12 @@ private:
     }
 
     void walk(const Surroundings& around) {
-        const Block block = places_around_children(octree_, around.places);
+        const ChildPlaces places = places_of_children(octree_, around.places);
         std::array<std::uint32_t, 64> owners;
         std::size_t n = 0;
-        for (const Step z : kSteps)
-            for (const Step y : kSteps)
-                for (const Step x : kSteps)
+        for (const ChildStep z : kChildSteps)
+            for (const ChildStep y : kChildSteps)
+                for (const ChildStep x : kChildSteps)
                     owners[n++] =
                         owner_of_child(around.owners[static_cast<std::size_t>(x.place + 3 * y.place + 9 * z.place)],
                                        static_cast<std::size_t>(x.child + 2 * y.child + 4 * z.child));
@@ -121,7 +68,7 @@ private:
         for (std::size_t child = 0; child < field::kChildren; ++child) {
             if (self.children[child] == UpperNode::kNothing) continue;
             Surroundings next;
-            next.places = around_child(block, child);
+            next.places = places_of_child(places, child);
             next.owners = around_child(owners, child);
             if (UpperNode::is_tile(self.children[child]))
                 visit_(self.children[child], next);
@@ -161,7 +108,7 @@ void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles,
         return wanted.below[UpperNode::node_of(around_node.owners[kSelf])] != 0;
     };
     UpperWalk(octree, nullptr, leads_on, collect).walk();
-    tbb::parallel_for(std::size_t{0}, around.size(), [&](std::size_t i) { walk(octree, around[i], found); });
+    tbb::parallel_for(std::size_t{0}, around.size(), [&](std::size_t i) { describe_bricks(octree, around[i], found); });
 }
 
 std::vector<std::uint32_t> tiles_beside(const Octree& octree, const OctreeChanges& changes) {

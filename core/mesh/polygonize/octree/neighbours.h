@@ -3,6 +3,7 @@
 
 #include "core/base/chunked_array.h"
 #include "core/mesh/polygonize/octree/octree.h"
+#include "core/mesh/polygonize/octree/places.h"
 
 #include <array>
 #include <cstdint>
@@ -13,9 +14,6 @@
 namespace ramus::mesh::bricks {
 
 // Directions: one of -1, 0, 1 along every axis.
-constexpr int direction_index(int x, int y, int z) { return (x + 1) + 3 * (y + 1) + 9 * (z + 1); }
-inline constexpr int kDirections = 27;
-inline constexpr int kSelf = 13;
 
 // Absent: free of surface. Finer: smaller bricks are there, though some, or all that touch, may be free of surface.
 enum class Neighbour : std::uint8_t { kAbsent, kSame, kCoarser, kFiner };

@@ -65,14 +65,14 @@ SurfaceStream::End SurfaceStream::place_vertices(std::span<const std::uint32_t> 
 }
 
 SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t> tiles) {
-    struct Places {
+    struct First {
         std::size_t added, triangle;
     };
-    std::vector<Places> places(tiles.size());
+    std::vector<First> first(tiles.size());
     std::size_t added = vertex_count_;
     std::size_t triangles = 0;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
-        places[t] = {added, triangles};
+        first[t] = {added, triangles};
         added += joined_[t].added.count;
         triangles += joined_[t].triangle_count();
     }
@@ -81,8 +81,8 @@ SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t>
     const VertexSpan vertices = store_.vertices();
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
         const JoinedTile& joined = joined_[t];
-        store_.put_vertices(places[t].added, joined.added, 0, joined.added.count);
-        joined.write_triangles(vertices, places[t].added, out.subspan(places[t].triangle, joined.triangle_count()));
+        store_.put_vertices(first[t].added, joined.added, 0, joined.added.count);
+        joined.write_triangles(vertices, first[t].added, out.subspan(first[t].triangle, joined.triangle_count()));
     });
     return End::kDone;
 }

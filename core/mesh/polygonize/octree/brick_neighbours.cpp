@@ -1,0 +1,76 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/mesh/polygonize/octree/brick_neighbours.cpp"
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
+#include "core/mesh/polygonize/octree/brick_neighbours.h"
+
+#include <bit>
+#include <cstring>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::mesh::bricks::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+HWY_INLINE void describe(const Places& around, Neighbourhood& described) {
+    const hn::CappedTag<std::int32_t, 16> d;
+    constexpr std::size_t kPlaces = 32;
+    static_assert(sizeof(around.at) == kPlaces * sizeof(std::int32_t));
+    // As signed numbers bricks are above all others, and nodes below nothing and all.
+    const auto full = hn::Set(d, std::bit_cast<std::int32_t>(OctreePlace::full()));
+    HWY_ALIGN std::array<std::int32_t, kPlaces> codes;
+    std::memcpy(codes.data(), around.at.data(), sizeof(codes));
+    std::uint64_t bricks = 0;
+    std::uint64_t nodes = 0;
+    std::uint64_t filled = 0;
+    for (std::size_t n = 0; n < kPlaces; n += hn::Lanes(d)) {
+        const auto code = hn::Load(d, codes.data() + n);
+        const auto bits = [&](auto mask) {
+            HWY_ALIGN std::uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, mask, bytes);
+            const std::uint64_t word = bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8;
+            return (word & ((std::uint64_t{1} << hn::Lanes(d)) - 1)) << n;
+        };
+        bricks |= bits(hn::Gt(code, hn::Set(d, -1)));
+        nodes |= bits(hn::Lt(code, full));
+        filled |= bits(hn::Eq(code, full));
+    }
+    constexpr std::uint32_t kAll = (std::uint32_t{1} << kDirections) - 1;
+    std::memcpy(described.brick.data(), codes.data(), sizeof(described.brick));
+    described.same = static_cast<std::uint32_t>(bricks) & kAll & ~around.larger;
+    described.coarser = static_cast<std::uint32_t>(bricks) & around.larger;
+    described.finer = static_cast<std::uint32_t>(nodes) & kAll;
+    described.full = static_cast<std::uint32_t>(filled) & kAll;
+}
+
+void DescribeBricks(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found) {
+    const OctreePlace self = around.at[kSelf];
+    if (self.is_brick()) describe(around, found[self.index()]);
+    if (!self.is_node()) return;
+    const ChildPlaces children = places_of_children(octree, around);
+    for (std::size_t child = 0; child < field::kChildren; ++child) {
+        const OctreePlace place = octree.nodes[self.index()][child];
+        if (place.is_empty()) continue;
+        const Places next = places_of_child(children, child);
+        if (place.is_brick())
+            describe(next, found[place.index()]);
+        else
+            DescribeBricks(octree, next, found);
+    }
+}
+
+} // namespace ramus::mesh::bricks::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ramus::mesh::bricks {
+
+HWY_EXPORT(DescribeBricks);
+
+void describe_bricks(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found) {
+    HWY_DYNAMIC_DISPATCH(DescribeBricks)(octree, around, found);
+}
+
+} // namespace ramus::mesh::bricks
+#endif
