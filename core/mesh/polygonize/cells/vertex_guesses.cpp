@@ -60,6 +60,32 @@ HWY_INLINE void add_crossings(D d, const std::array<V, 8>& depth, const std::arr
     add_crossing<Axis, 3>(d, depth, outside, sums);
 }
 
+// The depths at a brick's grid points, to be looked up by the point's number.
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3 // in registers: gathering takes these processors several times as long
+struct Depths {
+    __m512 part[8];
+    HWY_INLINE explicit Depths(const float* depths) {
+        for (std::size_t n = 0; n < 8; ++n) part[n] = _mm512_load_ps(depths + 16 * n);
+    }
+    [[nodiscard]] HWY_INLINE V at(VI point) const {
+        const auto quarter = [&](std::size_t n) { // of which the lowest five bits choose
+            return _mm512_permutex2var_ps(part[2 * n], point.raw, part[2 * n + 1]);
+        };
+        const __mmask16 odd = _mm512_test_epi32_mask(point.raw, _mm512_set1_epi32(32));
+        const __mmask16 upper = _mm512_test_epi32_mask(point.raw, _mm512_set1_epi32(64));
+        const __m512 low = _mm512_mask_mov_ps(quarter(0), odd, quarter(1));
+        const __m512 high = _mm512_mask_mov_ps(quarter(2), odd, quarter(3));
+        return V{_mm512_mask_mov_ps(low, upper, high)};
+    }
+};
+#else
+struct Depths {
+    const float* depths;
+    HWY_INLINE explicit Depths(const float* from) : depths(from) {}
+    [[nodiscard]] HWY_INLINE V at(VI point) const { return hn::GatherIndex(D(), depths, point); }
+};
+#endif
+
 void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const std::uint8_t* corners, std::size_t count,
                       float cell_mm, std::size_t first, field::Projection& points) {
     const D d;
@@ -69,7 +95,10 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
     const V iso = hn::Set(d, isovalue);
     // sqrt(-ln F) is linear in the distance from a straight vessel's axis, so linear interpolation in it lands on the
     // surface, nearly. Relative to the isovalue, with the sign that the value itself has.
-    const auto depth = [&](V value) { return hn::Sqrt(hn::Max(hn::Neg(rough_log2(d, value)), zero)); };
+    const auto depth = [&](V value) {
+        const V square = hn::Max(hn::Neg(rough_log2(d, value)), hn::Set(d, 1e-12F));
+        return hn::Mul(square, hn::ApproximateReciprocalSqrt(square)); // as rough
+    };
     const V surface = depth(iso);
     alignas(64) float depths[kGridStride];
     for (std::size_t n = 0; n < kGridStride; n += lanes) {
@@ -78,6 +107,7 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
         hn::Store(hn::IfThenElse(hn::Ge(value, iso), hn::Max(inward, zero), hn::Min(inward, hn::Set(d, -1e-6F))), d,
                   depths + n);
     }
+    const Depths all(depths);
     constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
     const hn::Rebind<std::uint8_t, DI> d8;
     const V cell = hn::Set(d, cell_mm);
@@ -88,7 +118,7 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
         std::array<V, 8> depth_at;
         std::array<M, 8> outside;
         for (std::size_t c = 0; c < 8; ++c) {
-            depth_at[c] = hn::GatherIndex(d, depths, hn::Add(corner, hn::Set(di, kCornerOffset[c])));
+            depth_at[c] = all.at(hn::Add(corner, hn::Set(di, kCornerOffset[c])));
             outside[c] = hn::Lt(depth_at[c], zero);
         }
         Sums sums{{zero, zero, zero}, zero};
