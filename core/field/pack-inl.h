@@ -19,6 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
+using Narrow = hn::CappedTag<float, 8>; // for what would leave half of a wide vector empty
 
 // T says how wide the vectors are: as wide as the machine's, or narrower where there is less to do.
 template <std::size_t N, class T = D> struct Pack { hn::Vec<T> v[N]; };

@@ -193,7 +193,7 @@ HWY_INLINE std::uint64_t project_vector(T d, const LocalSegments& local, const s
 
 std::uint64_t Project(const LocalSegments& local, const Projection& projection, const SurfacePoints& to) {
     const D wide;
-    const hn::CappedTag<float, 8> narrow;
+    const Narrow narrow;
     const std::size_t lanes = hn::Lanes(wide);
     const auto root = static_cast<float>(local.field->kernel().sqrt_w);
     const std::size_t size = projection.size();
