@@ -32,6 +32,10 @@ constexpr std::array<GridBits, 8> kBeyond = [] {
     return beyond;
 }();
 
+// Grid points on the lower side across each axis.
+constexpr std::array<GridBits, 3> kLowest{grid_points_below(1, 5, 5), grid_points_below(5, 1, 5),
+                                          grid_points_below(5, 5, 1)};
+
 // An edge is joined by the brick of the lowest cell around it: those that begin off the lower sides along the two other
 // axes. 4 x 4 x 4 for each axis, in the order of their first points.
 constexpr std::array<GridBits, 3> kOwnEdges{kEdgeStarts[0] & ~grid_points_below(5, 1, 5) & ~grid_points_below(5, 5, 1),
@@ -154,17 +158,19 @@ private:
             const auto& of = kAround<Axis>[from_inside >> n & 1];
             *next++ = {at[of[0]], at[of[1]], at[of[2]], at[of[3]]};
         }
-        // On the lower sides the edge is another brick's, unless that is of another size.
-        constexpr std::uint32_t kLower = [] {
-            const auto bit = [](int u, int v) {
-                std::array<int, 3> step{};
-                step[kU] = u, step[kV] = v;
-                return std::uint32_t{1} << direction_index(step[0], step[1], step[2]);
-            };
-            return bit(-1, 0) | bit(0, -1) | bit(-1, -1);
-        }();
         special = crossed & kOwnEdges[Axis] & touched;
-        if ((around.same & kLower) != kLower) special |= crossed & ~kOwnEdges[Axis];
+        if (around.coarser == 0) return next;
+        // On the lower sides an edge is another brick's, unless that is larger: then it may have none there.
+        constexpr auto kBit = [](int u, int v) {
+            std::array<int, 3> step{};
+            step[kU] = u, step[kV] = v;
+            return std::uint32_t{1} << direction_index(step[0], step[1], step[2]);
+        };
+        const GridBits low_u = crossed & kLowest[kU];
+        const GridBits low_v = crossed & kLowest[kV];
+        if ((around.coarser & kBit(-1, 0)) != 0) special |= low_u;
+        if ((around.coarser & kBit(0, -1)) != 0) special |= low_v;
+        if ((around.coarser & kBit(-1, -1)) != 0) special |= low_u & low_v;
         return next;
     }
 

@@ -122,6 +122,14 @@ void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t c
         hn::Vec<DU> v[4];
         hn::LoadInterleaved4(du, from, v[0], v[1], v[2], v[3]);
         const auto last = hn::Max(hn::Max(v[0], v[1]), hn::Max(v[2], v[3]));
+        if (q + 4 * lanes <= count) { // two opposite corners of quads to come: their neighbours lie in the same lines
+            for (const glm::uvec4& ahead : std::span(quads + q + 3 * lanes, lanes)) {
+                for (const std::uint32_t corner : {ahead.x, ahead.z}) {
+                    __builtin_prefetch(positions + corner);
+                    __builtin_prefetch(normals + corner);
+                }
+            }
+        }
         Vector3 p[4];
         Vector3 n[4];
         const bool room = hn::AllTrue(du, hn::Lt(last, last_vertex));
