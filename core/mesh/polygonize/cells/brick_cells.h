@@ -52,10 +52,9 @@ constexpr GridBits grid_points_below(int x_end, int y_end, int z_end) {
             for (int x = 0; x < x_end; ++x) bits |= GridBits{1} << (x + 5 * y + 25 * z);
     return bits;
 }
-// First points of the edges along each axis, and low corners of the cells.
+// First points of the edges along each axis.
 inline constexpr std::array<GridBits, 3> kEdgeStarts{grid_points_below(4, 5, 5), grid_points_below(5, 4, 5),
                                                      grid_points_below(5, 5, 4)};
-inline constexpr GridBits kCellCorners = grid_points_below(4, 4, 4);
 
 struct BrickCells {
     std::array<std::uint16_t, kCellsPerBrick> first; // first vertex of each cell within the brick, or kNoVertex

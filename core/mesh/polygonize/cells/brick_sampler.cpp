@@ -22,13 +22,13 @@ float rough_log2(float value) {
     return exponent + (-0.33333333F * m + 2.0F) * m - 1.66666667F;
 }
 
-// From cell numbers to grid points.
-GridBits spread(std::uint64_t cells) {
-    GridBits bits = 0;
-    for (int z = 0; z < kBrickCells && cells != 0; ++z)
-        for (int y = 0; y < kBrickCells; ++y) bits |= GridBits{cells >> (4 * y + 16 * z) & 15U} << (5 * y + 25 * z);
-    return bits;
-}
+// Of each cell the grid point that is its low corner.
+constexpr std::array<std::uint8_t, kCellsPerBrick> kLowCorners = [] {
+    std::array<std::uint8_t, kCellsPerBrick> corners{};
+    for (unsigned cell = 0; cell < kCellsPerBrick; ++cell)
+        corners[cell] = static_cast<std::uint8_t>((cell & 3) + 5 * (cell >> 2 & 3) + 25 * (cell >> 4));
+    return corners;
+}();
 
 // Of 4 x 4 x 4 bits, x + 4 y + 16 z, those with x = 0 as y + 4 z, and those with y = 0 as x + 4 z.
 constexpr unsigned every_fourth(std::uint64_t b) {
@@ -292,22 +292,29 @@ void BrickSampler::sort_cells(BrickCells& cells) {
     GridBits some = 0;
     GridBits all = ~GridBits{0};
     for (const int shift : {0, 1, 5, 6, 25, 26, 30, 31}) some |= inside >> shift, all &= inside >> shift;
-    const GridBits hanging = finer != 0 ? spread(cells_beside_finer(finer)) : 0;
-    const GridBits crossed = kCellCorners & ((some & ~all) | (half_crossed_ != 0 ? spread(half_crossed_) : 0));
+    const std::uint64_t hanging = finer != 0 ? cells_beside_finer(finer) : 0;
+    std::uint64_t crossed = half_crossed_;
+    for (unsigned row = 0; row < 16; ++row)
+        crossed |= static_cast<std::uint64_t>((some & ~all) >> kLowCorners[4 * row] & 15U) << (4 * row);
+    // Eight bytes from the one with a cell's low corner on hold all its corners.
+    std::array<std::uint8_t, sizeof(inside) + sizeof(std::uint64_t)> bytes;
+    std::memcpy(bytes.data(), &inside, sizeof(inside));
     traced_.clear();
     points_.clear();
     std::size_t plain_count = 0;
-    for (GridBits left = crossed; left != 0; left &= left - 1) {
-        const int n = lowest_bit(left);
-        const auto at = static_cast<unsigned>(inside >> n);
-        const unsigned corner_signs = (at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U);
-        const int z = n / 25;
-        const int y = n / 5 - 5 * z;
-        const int cell = cell_index(n - 5 * y - 25 * z, y, z);
-        if ((hanging >> n & 1) != 0 || !kPlainCells[corner_signs]) {
-            trace(cell, corner_signs, (hanging >> n & 1) != 0 ? finer : 0);
+    for (; crossed != 0; crossed &= crossed - 1) {
+        const auto cell = static_cast<unsigned>(std::countr_zero(crossed));
+        const unsigned n = kLowCorners[cell];
+        std::uint64_t at;
+        std::memcpy(&at, bytes.data() + n / 8, sizeof(at));
+        at >>= n % 8;
+        const auto corner_signs =
+            static_cast<unsigned>((at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U));
+        const bool hangs = (hanging >> cell & 1) != 0;
+        if (hangs || !kPlainCells[corner_signs]) {
+            trace(static_cast<int>(cell), corner_signs, hangs ? finer : 0);
         } else {
-            cells.first[static_cast<std::size_t>(cell)] = static_cast<std::uint16_t>(plain_count);
+            cells.first[cell] = static_cast<std::uint16_t>(plain_count);
             plain_corners_[plain_count++] = static_cast<std::uint8_t>(n);
         }
     }
