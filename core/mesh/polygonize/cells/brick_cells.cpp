@@ -57,6 +57,13 @@ std::uint64_t append_projected(const field::LocalSegments& local, field::Project
 
 namespace {
 
+// Asks for the lines of memory that a value lies in.
+template <class T> void fetch_ahead(const T& value) {
+    constexpr std::size_t kLine = 64;
+    const auto* const begin = reinterpret_cast<const std::byte*>(&value);
+    for (std::size_t at = 0; at < sizeof(T); at += kLine) __builtin_prefetch(begin + at);
+}
+
 // Where tiles' vertices wait for their places: blocks that go back to the system as a whole. One for each thread.
 class VertexBlocks {
 public:
@@ -165,8 +172,15 @@ void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std:
         made.first_vertex = vertices.count;
         sampler.begin(field, octree, tile, surface.neighbours, vertices);
         // Backwards, so that a brick finds its upper neighbours' samples there.
-        for (std::uint32_t n = tile.brick_count; n-- > 0;)
-            sampler.fill(tile.first_brick + n, surface.cells[tile.first_brick + n], made);
+        for (std::uint32_t n = tile.brick_count; n-- > 0;) {
+            const std::uint32_t index = tile.first_brick + n;
+            if (n > 0) {
+                fetch_ahead(surface.neighbours[index - 1]);
+                fetch_ahead(surface.cells[index - 1]);
+                fetch_ahead(octree.lists[octree.bricks[index - 1].list_begin]);
+            }
+            sampler.fill(index, surface.cells[index], made);
+        }
         made.vertex_count = vertices.count - made.first_vertex;
         surface.tiles[tiles[t]] = std::move(made);
         job.report(static_cast<float>(++done) / static_cast<float>(tiles.size()));
