@@ -53,9 +53,11 @@ void* map_large(std::size_t bytes) {
     return reinterpret_cast<void*>(aligned);
 }
 
-// Stretches of large pages that nobody uses now.
+// Stretches of pages that nobody uses now.
 class KeptPages {
 public:
+    explicit KeptPages(double limit_bytes) : limit_(static_cast<std::size_t>(limit_bytes)) {}
+
     // Out of the shortest that is long enough; null: none is.
     void* take(std::size_t bytes) {
         const std::scoped_lock lock(mutex_);
@@ -131,37 +133,44 @@ private:
     std::mutex mutex_;
     std::vector<Stretch> stretches_;
     std::size_t bytes_ = 0;
-    const std::size_t limit_ = static_cast<std::size_t>(0.5 * memory_limit(0.0));
+    const std::size_t limit_;
 };
 
-KeptPages& kept_pages() {
-    static auto* const pages = new KeptPages; // outlives every array
+// Those of large pages, and the others. Both outlive every array.
+KeptPages& kept_large_pages() {
+    static auto* const pages = new KeptPages(0.5 * memory_limit(0.0));
     return *pages;
 }
+KeptPages& kept_small_pages() {
+    static auto* const pages = new KeptPages(64e6);
+    return *pages;
+}
+KeptPages& kept_pages(bool large) { return large ? kept_large_pages() : kept_small_pages(); }
 
 // Before fresh pages come. Few do not count: whole stretches would go for them.
 void make_way_for(std::size_t bytes) {
-    if (has_large_pages(bytes)) kept_pages().release(bytes);
+    if (has_large_pages(bytes)) kept_large_pages().release(bytes);
 }
 
 } // namespace
 
 void* take_pages(std::size_t bytes) {
     const std::size_t size = size_of(bytes);
-    if (!has_large_pages(bytes)) return map(size);
-    void* memory = kept_pages().take(size);
+    const bool large = has_large_pages(bytes);
+    void* memory = kept_pages(large).take(size);
     if (memory == nullptr) {
         make_way_for(size);
-        memory = map_large(size);
+        memory = large ? map_large(size) : map(size);
     }
-    ask_for_large_pages(memory, bytes);
+    if (large) ask_for_large_pages(memory, bytes);
     return memory;
 }
 
 void give_pages_back(void* memory, std::size_t bytes) {
     const std::size_t size = size_of(bytes);
-    if (has_large_pages(bytes) && address(memory) % kLargePage == 0)
-        kept_pages().keep(memory, size);
+    const bool large = has_large_pages(bytes);
+    if (!large || address(memory) % kLargePage == 0)
+        kept_pages(large).keep(memory, size);
     else
         munmap(memory, size);
 }
@@ -198,8 +207,10 @@ void* take_zero_pages(std::size_t bytes) {
 
 void give_zero_pages_back(void* memory, std::size_t bytes) { munmap(memory, size_of(bytes)); }
 
-std::size_t kept_page_bytes() { return kept_pages().resident_bytes(); }
+std::size_t kept_page_bytes() { return kept_large_pages().resident_bytes() + kept_small_pages().resident_bytes(); }
 
-void let_kept_pages_go() { kept_pages().release(std::numeric_limits<std::size_t>::max()); }
+void let_kept_pages_go() {
+    for (const bool large : {false, true}) kept_pages(large).release(std::numeric_limits<std::size_t>::max());
+}
 
 } // namespace ramus
