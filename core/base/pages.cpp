@@ -10,6 +10,7 @@
 #include <mutex>
 #include <new>
 #include <sys/mman.h>
+#include <utility>
 #include <vector>
 
 namespace ramus {
@@ -58,12 +59,16 @@ class KeptPages {
 public:
     explicit KeptPages(double limit_bytes) : limit_(static_cast<std::size_t>(limit_bytes)) {}
 
-    // Out of the shortest that is long enough; null: none is.
+    // Out of the shortest that is long enough; null: none is. What is made anew asks for the lengths that it had
+    // before, and finds the very pages that it wrote then, as long as neighbours are put together only where nothing
+    // else helps.
     void* take(std::size_t bytes) {
         const std::scoped_lock lock(mutex_);
-        auto best = stretches_.end();
-        for (auto s = stretches_.begin(); s != stretches_.end(); ++s)
-            if (s->bytes >= bytes && (best == stretches_.end() || s->bytes < best->bytes)) best = s;
+        auto best = shortest(bytes);
+        if (best == stretches_.end()) {
+            put_neighbours_together();
+            best = shortest(bytes);
+        }
         if (best == stretches_.end()) return nullptr;
         std::byte* memory = best->begin;
         bytes_ -= bytes;
@@ -78,19 +83,11 @@ public:
             munmap(memory, bytes);
             return;
         }
-        Stretch kept{static_cast<std::byte*>(memory), bytes};
-        std::erase_if(stretches_, [&](const Stretch& s) {
-            const bool before = s.begin + s.bytes == kept.begin;
-            const bool behind = kept.begin + kept.bytes == s.begin;
-            if (before) kept.begin = s.begin;
-            if (before || behind) kept.bytes += s.bytes;
-            return before || behind;
-        });
-        stretches_.push_back(kept);
+        stretches_.push_back({static_cast<std::byte*>(memory), bytes});
         bytes_ += bytes;
     }
 
-    // At least so many bytes go back to the system, if there are; the oldest first, whole ones.
+    // At least so many bytes go back to the system, if there are, in whole stretches.
     void release(std::size_t bytes) {
         const std::scoped_lock lock(mutex_);
         std::size_t gone = 0;
@@ -121,6 +118,25 @@ private:
         std::size_t bytes;
     };
 
+    std::vector<Stretch>::iterator shortest(std::size_t bytes) {
+        auto best = stretches_.end();
+        for (auto s = stretches_.begin(); s != stretches_.end(); ++s)
+            if (s->bytes >= bytes && (best == stretches_.end() || s->bytes < best->bytes)) best = s;
+        return best;
+    }
+
+    void put_neighbours_together() {
+        std::ranges::sort(stretches_, {}, &Stretch::begin);
+        std::vector<Stretch> together;
+        for (const Stretch& s : stretches_) {
+            if (!together.empty() && together.back().begin + together.back().bytes == s.begin)
+                together.back().bytes += s.bytes;
+            else
+                together.push_back(s);
+        }
+        stretches_ = std::move(together);
+    }
+
     // The system may take the pages, and they stay as they are until it does.
     static bool lend([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_FREE
@@ -147,10 +163,8 @@ KeptPages& kept_small_pages() {
 }
 KeptPages& kept_pages(bool large) { return large ? kept_large_pages() : kept_small_pages(); }
 
-// Before fresh pages come. Few do not count: whole stretches would go for them.
-void make_way_for(std::size_t bytes) {
-    if (has_large_pages(bytes)) kept_large_pages().release(bytes);
-}
+// Before fresh pages come.
+void make_way_for(std::size_t bytes) { kept_pages(has_large_pages(bytes)).release(bytes); }
 
 } // namespace
 

@@ -1,8 +1,7 @@
 // Whole pages from the system, for arrays of plain values. Long stretches have pages of 2 MB: the first touch of a page
 // costs as much as filling it, and one of these spares 511 of 512. What is given back is kept for what is asked for
 // next, so that a surface made anew is written where the one before it was; the system may take kept pages whenever it
-// is short. Keeping adds nothing to the peak: fresh large pages come only after as many kept ones have gone, and of the
-// others no more than a few are kept.
+// is short. Keeping adds nothing to the peak: fresh pages come only after as many kept ones have gone.
 #pragma once
 
 #include <cstddef>

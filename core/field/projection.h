@@ -50,7 +50,7 @@ struct SurfacePoints {
     Lead* leads;
 };
 
-inline constexpr std::size_t kProjectionPadding = 32; // whole vectors are done, two at a time
+inline constexpr std::size_t kProjectionPadding = 32; // points are read and written by whole vectors, two at most
 inline constexpr int kProjectionSteps = 2;            // at most
 // Moves the points of `points` onto the surface and writes them to `to`. Returns the number of kernels evaluated.
 std::uint64_t project(const LocalSegments& local, Projection& points, const SurfacePoints& to);
