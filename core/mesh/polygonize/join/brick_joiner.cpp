@@ -161,16 +161,13 @@ private:
         special = crossed & kOwnEdges[Axis] & touched;
         if (around.coarser == 0) return next;
         // On the lower sides an edge is another brick's, unless that is larger: then it may have none there.
-        constexpr auto kBit = [](int u, int v) {
+        constexpr auto kBit = [](int along) {
             std::array<int, 3> step{};
-            step[kU] = u, step[kV] = v;
+            step[static_cast<std::size_t>(along)] = -1;
             return std::uint32_t{1} << direction_index(step[0], step[1], step[2]);
         };
-        const GridBits low_u = crossed & kLowest[kU];
-        const GridBits low_v = crossed & kLowest[kV];
-        if ((around.coarser & kBit(-1, 0)) != 0) special |= low_u;
-        if ((around.coarser & kBit(0, -1)) != 0) special |= low_v;
-        if ((around.coarser & kBit(-1, -1)) != 0) special |= low_u & low_v;
+        if ((around.coarser & kBit(kU)) != 0) special |= crossed & kLowest[kU];
+        if ((around.coarser & kBit(kV)) != 0) special |= crossed & kLowest[kV];
         return next;
     }
 
