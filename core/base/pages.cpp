@@ -152,16 +152,12 @@ private:
     const std::size_t limit_;
 };
 
-// Those of large pages, and the others. Both outlive every array.
-KeptPages& kept_large_pages() {
-    static auto* const pages = new KeptPages(0.5 * memory_limit(0.0));
-    return *pages;
+// Those of large pages, and the others. They outlive every array.
+KeptPages& kept_pages(bool large) {
+    static auto* const large_pages = new KeptPages(0.5 * memory_limit(0.0));
+    static auto* const small_pages = new KeptPages(64e6);
+    return large ? *large_pages : *small_pages;
 }
-KeptPages& kept_small_pages() {
-    static auto* const pages = new KeptPages(64e6);
-    return *pages;
-}
-KeptPages& kept_pages(bool large) { return large ? kept_large_pages() : kept_small_pages(); }
 
 // Before fresh pages come.
 void make_way_for(std::size_t bytes) { kept_pages(has_large_pages(bytes)).release(bytes); }
@@ -221,7 +217,7 @@ void* take_zero_pages(std::size_t bytes) {
 
 void give_zero_pages_back(void* memory, std::size_t bytes) { munmap(memory, size_of(bytes)); }
 
-std::size_t kept_page_bytes() { return kept_large_pages().resident_bytes() + kept_small_pages().resident_bytes(); }
+std::size_t kept_page_bytes() { return kept_pages(false).resident_bytes() + kept_pages(true).resident_bytes(); }
 
 void let_kept_pages_go() {
     for (const bool large : {false, true}) kept_pages(large).release(std::numeric_limits<std::size_t>::max());

@@ -111,9 +111,8 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
     // Grid points on each side of a brick.
     static constexpr std::array<GridBits, 6> kSides = [] {
         constexpr GridBits kAll = grid_points_below(5, 5, 5);
-        return std::array<GridBits, 6>{grid_points_below(1, 5, 5), kAll & ~grid_points_below(4, 5, 5),
-                                       grid_points_below(5, 1, 5), kAll & ~grid_points_below(5, 4, 5),
-                                       grid_points_below(5, 5, 1), kAll & ~grid_points_below(5, 5, 4)};
+        return std::array<GridBits, 6>{kLowerSides[0],         kAll & ~kEdgeStarts[0], kLowerSides[1],
+                                       kAll & ~kEdgeStarts[1], kLowerSides[2],         kAll & ~kEdgeStarts[2]};
     }();
     const Tile& t = octree.tiles[tile];
     for (std::uint32_t b = t.first_brick; b < t.first_brick + t.brick_count; ++b) {

@@ -52,6 +52,9 @@ constexpr GridBits grid_points_below(int x_end, int y_end, int z_end) {
             for (int x = 0; x < x_end; ++x) bits |= GridBits{1} << (x + 5 * y + 25 * z);
     return bits;
 }
+// Points on the lower side across each axis.
+inline constexpr std::array<GridBits, 3> kLowerSides{grid_points_below(1, 5, 5), grid_points_below(5, 1, 5),
+                                                     grid_points_below(5, 5, 1)};
 // First points of the edges along each axis.
 inline constexpr std::array<GridBits, 3> kEdgeStarts{grid_points_below(4, 5, 5), grid_points_below(5, 4, 5),
                                                      grid_points_below(5, 5, 4)};

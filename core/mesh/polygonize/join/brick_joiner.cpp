@@ -32,15 +32,11 @@ constexpr std::array<GridBits, 8> kBeyond = [] {
     return beyond;
 }();
 
-// Grid points on the lower side across each axis.
-constexpr std::array<GridBits, 3> kLowest{grid_points_below(1, 5, 5), grid_points_below(5, 1, 5),
-                                          grid_points_below(5, 5, 1)};
-
 // An edge is joined by the brick of the lowest cell around it: those that begin off the lower sides along the two other
 // axes. 4 x 4 x 4 for each axis, in the order of their first points.
-constexpr std::array<GridBits, 3> kOwnEdges{kEdgeStarts[0] & ~grid_points_below(5, 1, 5) & ~grid_points_below(5, 5, 1),
-                                            kEdgeStarts[1] & ~grid_points_below(1, 5, 5) & ~grid_points_below(5, 5, 1),
-                                            kEdgeStarts[2] & ~grid_points_below(1, 5, 5) & ~grid_points_below(5, 1, 5)};
+constexpr std::array<GridBits, 3> kOwnEdges{kEdgeStarts[0] & ~kLowerSides[1] & ~kLowerSides[2],
+                                            kEdgeStarts[1] & ~kLowerSides[2] & ~kLowerSides[0],
+                                            kEdgeStarts[2] & ~kLowerSides[0] & ~kLowerSides[1]};
 constexpr std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> kOwnPlaces = [] {
     std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> places{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -166,8 +162,8 @@ private:
             step[static_cast<std::size_t>(along)] = -1;
             return std::uint32_t{1} << direction_index(step[0], step[1], step[2]);
         };
-        if ((around.coarser & kBit(kU)) != 0) special |= crossed & kLowest[kU];
-        if ((around.coarser & kBit(kV)) != 0) special |= crossed & kLowest[kV];
+        if ((around.coarser & kBit(kU)) != 0) special |= crossed & kLowerSides[kU];
+        if ((around.coarser & kBit(kV)) != 0) special |= crossed & kLowerSides[kV];
         return next;
     }
 

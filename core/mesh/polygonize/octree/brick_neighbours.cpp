@@ -49,15 +49,9 @@ void DescribeBricks(const Octree& octree, const Places& around, ChunkedArray<Nei
     if (self.is_brick()) describe(around, found[self.index()]);
     if (!self.is_node()) return;
     const ChildPlaces children = places_of_children(octree, around);
-    for (std::size_t child = 0; child < field::kChildren; ++child) {
-        const OctreePlace place = octree.nodes[self.index()][child];
-        if (place.is_empty()) continue;
-        const Places next = places_of_child(children, child);
-        if (place.is_brick())
-            describe(next, found[place.index()]);
-        else
-            DescribeBricks(octree, next, found);
-    }
+    for (std::size_t child = 0; child < field::kChildren; ++child)
+        if (!octree.nodes[self.index()][child].is_empty())
+            DescribeBricks(octree, places_of_child(children, child), found);
 }
 
 } // namespace ramus::mesh::bricks::HWY_NAMESPACE
