@@ -8,8 +8,8 @@
 #include "app/picture/fly_along.h"
 #include "app/session/document.h"
 #include "core/base/error.h"
-#include "render/image.h"
-#include "render/renderer.h"
+#include "render/image/image.h"
+#include "render/renderer/renderer.h"
 
 #include <filesystem>
 #include <span>

@@ -4,7 +4,7 @@
 #include "app/session/colour_text.h"
 #include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
-#include "render/bounds.h"
+#include "render/scene/bounds.h"
 
 #include <algorithm>
 #include <charconv>

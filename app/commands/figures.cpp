@@ -1,8 +1,8 @@
 #include "app/commands/figures.h"
 
 #include "app/picture/colouring.h"
-#include "render/overlay.h"
-#include "render/text.h"
+#include "render/image/text.h"
+#include "render/overlay/overlay.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "render/sheet.h"
+#include "render/renderer/sheet.h"
 
 #include <CLI/CLI.hpp>
 #include <string>

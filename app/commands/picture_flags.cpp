@@ -1,6 +1,6 @@
 #include "app/commands/picture_flags.h"
 
-#include "render/renderer.h"
+#include "render/renderer/renderer.h"
 
 #include <charconv>
 #include <cstdint>

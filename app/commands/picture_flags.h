@@ -1,7 +1,7 @@
 // Options of all commands that make pictures.
 #pragma once
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <CLI/CLI.hpp>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "app/commands/surface_flags.h"
 #include "app/picture/compose_sheet.h"
 #include "app/workspace/surface_maker.h"
-#include "render/sheet.h"
+#include "render/renderer/sheet.h"
 
 #include <memory>
 #include <vector>

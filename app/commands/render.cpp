@@ -16,11 +16,11 @@
 #include "core/base/stopwatch.h"
 #include "core/io/output_file.h"
 #include "core/io/tree_reader.h"
-#include "render/egl_context.h"
-#include "render/gl_context.h"
-#include "render/headless_context.h"
-#include "render/perceived.h"
-#include "render/renderer.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/gl_context.h"
+#include "render/gl/headless_context.h"
+#include "render/image/perceived.h"
+#include "render/renderer/renderer.h"
 
 #include <array>
 #include <iostream>

@@ -8,8 +8,8 @@
 #include "app/session/numbers.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
-#include "render/headless_context.h"
-#include "render/renderer.h"
+#include "render/gl/headless_context.h"
+#include "render/renderer/renderer.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "render/sheet.h"
+#include "render/renderer/sheet.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

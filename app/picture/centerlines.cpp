@@ -1,6 +1,6 @@
 #include "app/picture/centerlines.h"
 
-#include "render/bounds.h"
+#include "render/scene/bounds.h"
 
 #include <glm/geometric.hpp>
 #include <mutex>

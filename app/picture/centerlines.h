@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/mesh/surface.h"
-#include "render/centerlines.h"
+#include "render/scene/centerlines.h"
 
 #include <memory>
 

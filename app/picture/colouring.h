@@ -4,7 +4,7 @@
 
 #include "app/session/plan.h"
 #include "app/session/session.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 #include <string>
 #include <vector>

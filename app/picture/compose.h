@@ -4,7 +4,7 @@
 
 #include "app/session/document.h"
 #include "app/session/session.h"
-#include "render/frame.h"
+#include "render/scene/frame.h"
 
 #include <memory>
 #include <optional>

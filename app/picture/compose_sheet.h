@@ -5,7 +5,7 @@
 
 #include "app/picture/compose.h"
 #include "app/workspace/compared_surfaces.h"
-#include "render/sheet.h"
+#include "render/renderer/sheet.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/measure/lesion_distance.h"
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 #include <memory>
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/tree/vessel_tree.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <memory>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "app/session/measured.h"
 #include "app/session/plan.h"
 #include "app/session/session.h"
-#include "render/frame.h"
+#include "render/scene/frame.h"
 
 #include <span>
 

@@ -10,7 +10,7 @@
 #include "app/session/colour_maps.h"
 #include "app/session/comparison.h"
 #include "core/mesh/surface.h"
-#include "render/frame.h"
+#include "render/scene/frame.h"
 
 #include <array>
 #include <filesystem>

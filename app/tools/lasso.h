@@ -4,8 +4,8 @@
 
 #include "app/tools/pixel_polygon.h"
 #include "core/tree/vessel_tree.h"
-#include "render/camera.h"
-#include "render/renderer.h"
+#include "render/renderer/renderer.h"
+#include "render/scene/camera.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 
 #include "app/session/document.h"
 #include "app/tools/viewport_mouse.h"
-#include "render/renderer.h"
+#include "render/renderer/renderer.h"
 
 #include <functional>
 #include <glm/vec2.hpp>

@@ -3,7 +3,7 @@
 // click: it begins when the pointer has moved kDragThreshold. No window, no picking, no clock of its own.
 #pragma once
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 #include <optional>
 

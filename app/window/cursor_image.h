@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/tools/tool.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 #include <glm/vec2.hpp>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "app/window/viewer.h"
 #include "core/base/error.h"
-#include "render/gl_context.h"
+#include "render/gl/gl_context.h"
 
 #include <map>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "app/window/headless_interface.h"
 
 #include "app/window/viewer.h"
-#include "render/gl_objects.h"
+#include "render/gl/gl_objects.h"
 
 #include <chrono>
 #include <imgui.h>

@@ -4,8 +4,8 @@
 
 #include "app/actions/command_table.h"
 #include "app/workspace/workspace.h"
-#include "render/image.h"
-#include "render/renderer.h"
+#include "render/image/image.h"
+#include "render/renderer/renderer.h"
 
 #include <functional>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "render/gl_objects.h"
+#include "render/gl/gl_objects.h"
 
 #include <cstdint>
 #include <imgui.h>

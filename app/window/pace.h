@@ -3,7 +3,7 @@
 // rests. It learns from how long full frames take. No GL.
 #pragma once
 
-#include "render/frame.h"
+#include "render/scene/frame.h"
 
 #include <memory>
 #include <vector>

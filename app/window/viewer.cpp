@@ -1,7 +1,7 @@
 #include "app/window/viewer.h"
 
 #include "app/window/theme.h"
-#include "render/gl_context.h"
+#include "render/gl/gl_context.h"
 
 #include <algorithm>
 #include <glad/gl.h>

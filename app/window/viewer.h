@@ -16,7 +16,7 @@
 #include "app/window/imgui_renderer.h"
 #include "app/window/pace.h"
 #include "app/workspace/workspace.h"
-#include "render/sheet.h"
+#include "render/renderer/sheet.h"
 
 #include <functional>
 #include <memory>

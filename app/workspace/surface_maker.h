@@ -9,7 +9,7 @@
 #include "core/base/job.h"
 #include "core/field/convolution_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
-#include "render/paged_mesh.h"
+#include "render/scene/paged_mesh.h"
 
 #include <cstdint>
 #include <functional>

@@ -6,7 +6,7 @@
 #include "render/caster/blended-inl.h"
 #include "render/caster/cast.h"
 #include "render/caster/cast_block-inl.h"
-#include "render/record_flags.h"
+#include "render/scene/record_flags.h"
 
 #include <algorithm>
 #include <type_traits>

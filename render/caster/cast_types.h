@@ -4,7 +4,7 @@
 // Eye space has depth as +z, mm. Pixels count from the lower left, as OpenGL's do.
 #pragma once
 
-#include "render/layer.h"
+#include "render/scene/layer.h"
 
 #include <cstddef>
 #include <cstdint>

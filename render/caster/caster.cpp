@@ -5,7 +5,7 @@
 #include "render/caster/panes.h"
 #include "render/caster/raster.h"
 #include "render/caster/shade.h"
-#include "render/record_flags.h"
+#include "render/scene/record_flags.h"
 
 #include <algorithm>
 #include <atomic>

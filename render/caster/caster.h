@@ -12,9 +12,9 @@
 #include "render/caster/cast_types.h"
 #include "render/caster/near_segments.h"
 #include "render/caster/triangles.h"
-#include "render/centerlines.h"
-#include "render/frame.h"
-#include "render/layer.h"
+#include "render/scene/centerlines.h"
+#include "render/scene/frame.h"
+#include "render/scene/layer.h"
 
 #include <array>
 #include <cstdint>

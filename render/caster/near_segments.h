@@ -1,7 +1,7 @@
 // Which segments of a tree add to the field on each other's surface: found along the tree, once for all pictures.
 #pragma once
 
-#include "render/centerlines.h"
+#include "render/scene/centerlines.h"
 
 #include <cstdint>
 #include <span>

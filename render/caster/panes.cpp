@@ -7,7 +7,7 @@
 #include "render/caster/meeting-inl.h"
 #include "render/caster/owner-inl.h"
 #include "render/caster/panes.h"
-#include "render/record_flags.h"
+#include "render/scene/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {

@@ -8,7 +8,7 @@
 #endif
 
 #include "render/caster/lanes-inl.h"
-#include "render/record_flags.h"
+#include "render/scene/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {

@@ -2,7 +2,7 @@
 // lies before the eye.
 #include "core/field/convolution_field.h"
 #include "render/caster/caster.h"
-#include "render/record_flags.h"
+#include "render/scene/record_flags.h"
 
 #include <algorithm>
 #include <cmath>

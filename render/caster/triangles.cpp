@@ -1,6 +1,6 @@
 #include "render/caster/triangles.h"
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/caster/cast_types.h"
-#include "render/shape_triangles.h"
+#include "render/gpu/shape_triangles.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>

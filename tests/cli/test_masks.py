@@ -18,7 +18,7 @@ ANISOTROPIC = ((-0.5, 0, 0, 7), (0, 0.5, 0, 8), (0, 0, 2, 9))
 
 
 def block(l, m, n):
-    """Volume, in voxels, of the surface of a block that is l, m, n steps long: derived in tests/core/isosurface_test.cpp."""
+    """Volume, in voxels, of the surface of a block that is l, m, n steps long: derived in tests/core/volume/isosurface_test.cpp."""
     return l * m * n + l * m + m * n + n * l + (l + m + n) / 2 + 1 / 6
 
 

@@ -2,8 +2,8 @@
 // what clear surfaces make of a pixel, reckoned by hand.
 #pragma once
 
-#include "render/colour.h"
-#include "render/renderer.h"
+#include "render/renderer/renderer.h"
+#include "render/scene/colour.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/tube_mesh.h"

@@ -1,7 +1,7 @@
 // Forty vessels that cross each other, and a renderer for them: enough triangles for pictures that take several parts.
 #pragma once
 
-#include "render/renderer.h"
+#include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 

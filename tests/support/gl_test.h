@@ -1,10 +1,10 @@
 // OpenGL in tests: contexts that watch for errors, and pictures that are compared to the byte.
 #pragma once
 
-#include "render/gl_context.h"
-#include "render/gl_objects.h"
-#include "render/image.h"
-#include "render/osmesa_context.h"
+#include "render/gl/gl_context.h"
+#include "render/gl/gl_objects.h"
+#include "render/gl/osmesa_context.h"
+#include "render/image/image.h"
 
 #include <algorithm>
 #include <cstdlib>

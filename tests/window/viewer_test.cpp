@@ -1,6 +1,6 @@
 // The window without a window: what it does where graphics memory runs out, and with several panes.
 #include "app/window/viewer.h"
-#include "render/renderer.h"
+#include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/temporary_folder.h"
 

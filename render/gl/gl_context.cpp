@@ -1,0 +1,106 @@
+#include "render/gl/gl_context.h"
+
+#include "render/gl/gl_floor.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <glad/gl.h>
+#include <string_view>
+#include <utility>
+
+namespace ramus::render {
+
+namespace {
+
+int error_count = 0;
+bool out_of_memory = false;
+int looked_at = 0; // error_count when glGetError() was last asked
+std::string last_error;
+GlVersion found_version;
+GlVersion newest_allowed{99, 0};
+
+void count_error(std::string text) {
+    ++error_count;
+    last_error = std::move(text);
+    std::fprintf(stderr, "ramus: OpenGL: %s\n", last_error.c_str());
+}
+
+void GLAD_API_PTR note_message(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                               const void*) {
+    if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return; // make_program() reports it
+    // Memory that is short is no mistake of the program's: who asked for it reports it.
+    if (std::string_view(message).find("OUT_OF_MEMORY") != std::string_view::npos) return;
+    count_error(message);
+}
+
+} // namespace
+
+Result<void> load_gl(GlLoader loader, const void* context, const std::string& remedy) {
+    const int loaded = gladLoadGL(loader);
+    if (loaded == 0) return fail("OpenGL could not be loaded", {}, "check the graphics driver, or use `ramus render`");
+    found_version = std::min(GlVersion{GLAD_VERSION_MAJOR(loaded), GLAD_VERSION_MINOR(loaded)}, newest_allowed);
+    if (found_version < kOldestGl)
+        return fail("OpenGL " + found_version.text() + " is too old, " + kOldestGl.text() + " is needed",
+                    gl_description(),
+                    remedy.empty() ? "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1" : remedy);
+    install_gl_floor(GLAD_MAKE_VERSION(found_version.major, found_version.minor), context);
+    GLint flags = 0;
+    glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    if (glDebugMessageCallback != nullptr) {
+        glEnable(GL_DEBUG_OUTPUT);
+        if ((flags & GL_CONTEXT_FLAG_DEBUG_BIT) != 0) glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback(note_message, nullptr);
+    }
+    return {};
+}
+
+GlVersion gl_version() { return found_version; }
+void limit_gl_version(GlVersion newest) { newest_allowed = newest; }
+
+namespace {
+
+std::string text_of(GLenum name) {
+    const auto* value = glGetString(name);
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+}
+
+} // namespace
+
+std::string gl_renderer() { return text_of(GL_RENDERER); }
+
+std::string gl_description() { return gl_renderer() + ", OpenGL " + text_of(GL_VERSION); }
+
+bool is_software_rasteriser() {
+    const std::string name = gl_description();
+    for (const char* known : {"llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader"})
+        if (name.find(known) != std::string::npos) return true;
+    return false;
+}
+
+void note_gl_errors(const char* where) {
+    constexpr int kMost = 16; // without a context, or a lost one, it never ends
+    for (int i = 0; i < kMost; ++i) {
+        const GLenum error = glGetError();
+        if (error == GL_NO_ERROR) break;
+        if (error == GL_OUT_OF_MEMORY)
+            out_of_memory = true;
+        else if (error_count == looked_at) // no debug message has told it
+            count_error("error " + std::to_string(error) + " after " + where);
+    }
+    looked_at = error_count;
+}
+
+int gl_error_count() {
+    if (glad_glGetError != nullptr) note_gl_errors("the last call");
+    return error_count;
+}
+
+bool gl_ran_out_of_memory() {
+    note_gl_errors("an allocation");
+    return std::exchange(out_of_memory, false);
+}
+
+const std::string& gl_last_error() { return last_error; }
+
+} // namespace ramus::render

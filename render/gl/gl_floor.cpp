@@ -1,0 +1,350 @@
+#include "render/gl/gl_floor.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+
+namespace ramus::render {
+
+namespace {
+
+// Nobody else binds here: what is bound for a moment need not be bound back.
+constexpr GLenum kBuffer = GL_COPY_WRITE_BUFFER;
+constexpr GLenum kUnit = GL_TEXTURE0 + 31; // 48 are the least that 3.3 has
+
+// 4.5 tells formats of vertices and their buffer apart, in any order; here they are put together.
+struct Attribute {
+    GLint size = 0;
+    GLenum type = 0;
+    GLboolean normalised = GL_FALSE;
+    bool whole = false; // an integer in the shader
+    GLuint offset = 0;
+};
+struct VertexSource {
+    GLuint buffer = 0;
+    GLintptr offset = 0;
+    GLsizei stride = 0;
+    std::array<Attribute, 8> attributes{};
+};
+
+struct Names {
+    std::unordered_map<GLuint, GLenum> targets;       // of textures: a name alone does not tell, and binding asks
+    std::unordered_map<GLuint, VertexSource> sources; // of vertex arrays
+};
+Names* names = nullptr; // of the current context
+
+GLuint bound(GLenum what) {
+    GLint id = 0;
+    glGetIntegerv(what, &id);
+    return static_cast<GLuint>(id);
+}
+
+// Buffers.
+
+void GLAD_API_PTR create_buffers(GLsizei count, GLuint* ids) {
+    glGenBuffers(count, ids);
+    for (GLsizei i = 0; i < count; ++i) glBindBuffer(kBuffer, ids[i]);
+}
+
+void GLAD_API_PTR buffer_storage(GLuint id, GLsizeiptr bytes, const void* data, GLbitfield flags) {
+    glBindBuffer(kBuffer, id);
+    const bool read = (flags & GL_MAP_READ_BIT) != 0, changes = (flags & GL_DYNAMIC_STORAGE_BIT) != 0;
+    glBufferData(kBuffer, bytes, data, read ? GL_STREAM_READ : changes ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+}
+
+void GLAD_API_PTR buffer_sub_data(GLuint id, GLintptr offset, GLsizeiptr bytes, const void* data) {
+    glBindBuffer(kBuffer, id);
+    glBufferSubData(kBuffer, offset, bytes, data);
+}
+
+void GLAD_API_PTR get_buffer_sub_data(GLuint id, GLintptr offset, GLsizeiptr bytes, void* data) {
+    glBindBuffer(kBuffer, id);
+    glGetBufferSubData(kBuffer, offset, bytes, data);
+}
+
+void* GLAD_API_PTR map_buffer_range(GLuint id, GLintptr offset, GLsizeiptr bytes, GLbitfield access) {
+    glBindBuffer(kBuffer, id);
+    return glMapBufferRange(kBuffer, offset, bytes, access);
+}
+
+GLboolean GLAD_API_PTR unmap_buffer(GLuint id) {
+    glBindBuffer(kBuffer, id);
+    return glUnmapBuffer(kBuffer);
+}
+
+void GLAD_API_PTR clear_buffer_sub_data(GLuint id, GLenum inner, GLintptr offset, GLsizeiptr bytes, GLenum format,
+                                        GLenum type, const void* data) {
+    glBindBuffer(kBuffer, id);
+    glClearBufferSubData(kBuffer, inner, offset, bytes, format, type, data); // 4.3, as what calls it
+}
+
+// Textures.
+
+GLenum edit(GLuint id) {
+    const GLenum target = names->targets[id];
+    glActiveTexture(kUnit);
+    glBindTexture(target, id);
+    return target;
+}
+
+void GLAD_API_PTR create_textures(GLenum target, GLsizei count, GLuint* ids) {
+    glGenTextures(count, ids);
+    for (GLsizei i = 0; i < count; ++i) {
+        names->targets[ids[i]] = target;
+        (void)edit(ids[i]);
+    }
+}
+
+void GLAD_API_PTR bind_texture_unit(GLuint unit, GLuint id) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    if (id != 0) {
+        glBindTexture(names->targets[id], id);
+        return;
+    }
+    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BUFFER,
+                                GL_TEXTURE_2D_MULTISAMPLE})
+        glBindTexture(target, 0);
+}
+
+struct PixelFormat {
+    GLenum format, type;
+};
+
+// That goes with an inner format; of no meaning where nothing is sent, but glTexImage wants one that could be.
+PixelFormat pixels_of(GLenum inner) {
+    switch (inner) {
+    case GL_RG32UI:
+        return {GL_RG_INTEGER, GL_UNSIGNED_INT};
+    case GL_DEPTH_COMPONENT32F:
+        return {GL_DEPTH_COMPONENT, GL_FLOAT};
+    case GL_R8:
+    case GL_R32F:
+        return {GL_RED, GL_FLOAT};
+    case GL_RGB16F:
+        return {GL_RGB, GL_FLOAT};
+    default:
+        return {GL_RGBA, GL_FLOAT};
+    }
+}
+
+void GLAD_API_PTR texture_storage_1d(GLuint id, GLsizei, GLenum inner, GLsizei width) {
+    const GLenum target = edit(id);
+    const PixelFormat p = pixels_of(inner);
+    glTexImage1D(target, 0, static_cast<GLint>(inner), width, 0, p.format, p.type, nullptr);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void GLAD_API_PTR texture_storage_2d(GLuint id, GLsizei, GLenum inner, GLsizei width, GLsizei height) {
+    const GLenum target = edit(id);
+    const PixelFormat p = pixels_of(inner);
+    glTexImage2D(target, 0, static_cast<GLint>(inner), width, height, 0, p.format, p.type, nullptr);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void GLAD_API_PTR texture_storage_3d(GLuint id, GLsizei, GLenum inner, GLsizei width, GLsizei height, GLsizei depth) {
+    const GLenum target = edit(id);
+    const PixelFormat p = pixels_of(inner);
+    glTexImage3D(target, 0, static_cast<GLint>(inner), width, height, depth, 0, p.format, p.type, nullptr);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void GLAD_API_PTR texture_storage_multisample(GLuint id, GLsizei samples, GLenum inner, GLsizei width, GLsizei height,
+                                              GLboolean fixed) {
+    glTexImage2DMultisample(edit(id), samples, inner, width, height, fixed);
+}
+
+void GLAD_API_PTR texture_buffer(GLuint id, GLenum inner, GLuint buffer) { glTexBuffer(edit(id), inner, buffer); }
+
+void GLAD_API_PTR texture_parameter(GLuint id, GLenum name, GLint value) { glTexParameteri(edit(id), name, value); }
+
+void GLAD_API_PTR texture_parameters(GLuint id, GLenum name, const GLint* values) {
+    glTexParameteriv(edit(id), name, values);
+}
+
+void GLAD_API_PTR texture_sub_image_1d(GLuint id, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
+                                       const void* data) {
+    glTexSubImage1D(edit(id), level, x, width, format, type, data);
+}
+
+void GLAD_API_PTR texture_sub_image_2d(GLuint id, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
+                                       GLenum format, GLenum type, const void* data) {
+    glTexSubImage2D(edit(id), level, x, y, width, height, format, type, data);
+}
+
+void GLAD_API_PTR texture_sub_image_3d(GLuint id, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
+                                       GLsizei depth, GLenum format, GLenum type, const void* data) {
+    glTexSubImage3D(edit(id), level, x, y, z, width, height, depth, format, type, data);
+}
+
+void GLAD_API_PTR get_texture_image(GLuint id, GLint level, GLenum format, GLenum type, GLsizei, void* data) {
+    glGetTexImage(edit(id), level, format, type, data);
+}
+
+// Framebuffers.
+
+class DrawInto {
+public:
+    explicit DrawInto(GLuint framebuffer) : before_(bound(GL_DRAW_FRAMEBUFFER_BINDING)) {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    }
+    ~DrawInto() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, before_); }
+    DrawInto(const DrawInto&) = delete;
+    DrawInto& operator=(const DrawInto&) = delete;
+
+private:
+    GLuint before_;
+};
+
+void GLAD_API_PTR create_framebuffers(GLsizei count, GLuint* ids) {
+    glGenFramebuffers(count, ids);
+    for (GLsizei i = 0; i < count; ++i) const DrawInto created(ids[i]);
+}
+
+void GLAD_API_PTR framebuffer_texture(GLuint id, GLenum attachment, GLuint texture, GLint level) {
+    const DrawInto here(id);
+    glFramebufferTexture(GL_DRAW_FRAMEBUFFER, attachment, texture, level);
+}
+
+void GLAD_API_PTR framebuffer_texture_layer(GLuint id, GLenum attachment, GLuint texture, GLint level, GLint layer) {
+    const DrawInto here(id);
+    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, attachment, texture, level, layer);
+}
+
+void GLAD_API_PTR framebuffer_draw_buffers(GLuint id, GLsizei count, const GLenum* buffers) {
+    const DrawInto here(id);
+    glDrawBuffers(count, buffers);
+}
+
+GLenum GLAD_API_PTR framebuffer_status(GLuint id, GLenum) {
+    const DrawInto here(id);
+    return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+}
+
+void GLAD_API_PTR blit_framebuffer(GLuint from, GLuint to, GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0,
+                                   GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, GLenum filter) {
+    const GLuint read_before = bound(GL_READ_FRAMEBUFFER_BINDING);
+    const DrawInto here(to);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBlitFramebuffer(x0, y0, x1, y1, to_x0, to_y0, to_x1, to_y1, mask, filter);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, read_before);
+}
+
+// Vertex arrays.
+
+class ArrayBound {
+public:
+    explicit ArrayBound(GLuint array) : before_(bound(GL_VERTEX_ARRAY_BINDING)) { glBindVertexArray(array); }
+    ~ArrayBound() { glBindVertexArray(before_); }
+    ArrayBound(const ArrayBound&) = delete;
+    ArrayBound& operator=(const ArrayBound&) = delete;
+
+private:
+    GLuint before_;
+};
+
+void GLAD_API_PTR create_vertex_arrays(GLsizei count, GLuint* ids) {
+    glGenVertexArrays(count, ids);
+    for (GLsizei i = 0; i < count; ++i) {
+        const ArrayBound created(ids[i]);
+        names->sources[ids[i]] = {};
+    }
+}
+
+void point(const VertexSource& source, GLuint index) {
+    const Attribute& a = source.attributes[index];
+    if (source.buffer == 0 || a.size == 0) return;
+    const auto* place = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(source.offset) + a.offset);
+    glBindBuffer(GL_ARRAY_BUFFER, source.buffer);
+    if (a.whole)
+        glVertexAttribIPointer(index, a.size, a.type, source.stride, place);
+    else
+        glVertexAttribPointer(index, a.size, a.type, a.normalised, source.stride, place);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void GLAD_API_PTR vertex_array_vertex_buffer(GLuint array, GLuint, GLuint buffer, GLintptr offset, GLsizei stride) {
+    const ArrayBound here(array);
+    VertexSource& source = names->sources[array];
+    source.buffer = buffer;
+    source.offset = offset;
+    source.stride = stride;
+    for (GLuint i = 0; i < source.attributes.size(); ++i) point(source, i);
+}
+
+void GLAD_API_PTR vertex_array_element_buffer(GLuint array, GLuint buffer) {
+    const ArrayBound here(array);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+}
+
+void set_format(GLuint array, GLuint index, const Attribute& attribute) {
+    const ArrayBound here(array);
+    VertexSource& source = names->sources[array];
+    source.attributes.at(index) = attribute;
+    point(source, index);
+}
+
+void GLAD_API_PTR vertex_array_format(GLuint array, GLuint index, GLint size, GLenum type, GLboolean normalised,
+                                      GLuint offset) {
+    set_format(array, index, {size, type, normalised, false, offset});
+}
+
+void GLAD_API_PTR vertex_array_integer_format(GLuint array, GLuint index, GLint size, GLenum type, GLuint offset) {
+    set_format(array, index, {size, type, GL_FALSE, true, offset});
+}
+
+void GLAD_API_PTR vertex_array_binding(GLuint, GLuint, GLuint) {} // there is one buffer
+
+void GLAD_API_PTR enable_vertex_array_attribute(GLuint array, GLuint index) {
+    const ArrayBound here(array);
+    glEnableVertexAttribArray(index);
+}
+
+void GLAD_API_PTR clip_control(GLenum, GLenum) {} // shaders see to it
+
+} // namespace
+
+void install_uniform_floor(int version, const void* context); // gl_floor_uniforms.cpp
+
+void install_gl_floor(int version, const void* context) {
+    static std::map<const void*, Names> all;
+    names = &all[context];
+    if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_floor(version, context);
+    glad_glCreateBuffers = create_buffers;
+    glad_glNamedBufferStorage = buffer_storage;
+    glad_glNamedBufferSubData = buffer_sub_data;
+    glad_glGetNamedBufferSubData = get_buffer_sub_data;
+    glad_glMapNamedBufferRange = map_buffer_range;
+    glad_glUnmapNamedBuffer = unmap_buffer;
+    glad_glClearNamedBufferSubData = clear_buffer_sub_data;
+    glad_glCreateTextures = create_textures;
+    glad_glBindTextureUnit = bind_texture_unit;
+    glad_glTextureStorage1D = texture_storage_1d;
+    glad_glTextureStorage2D = texture_storage_2d;
+    glad_glTextureStorage3D = texture_storage_3d;
+    glad_glTextureStorage2DMultisample = texture_storage_multisample;
+    glad_glTextureBuffer = texture_buffer;
+    glad_glTextureParameteri = texture_parameter;
+    glad_glTextureParameteriv = texture_parameters;
+    glad_glTextureSubImage1D = texture_sub_image_1d;
+    glad_glTextureSubImage2D = texture_sub_image_2d;
+    glad_glTextureSubImage3D = texture_sub_image_3d;
+    glad_glGetTextureImage = get_texture_image;
+    glad_glCreateFramebuffers = create_framebuffers;
+    glad_glNamedFramebufferTexture = framebuffer_texture;
+    glad_glNamedFramebufferTextureLayer = framebuffer_texture_layer;
+    glad_glNamedFramebufferDrawBuffers = framebuffer_draw_buffers;
+    glad_glCheckNamedFramebufferStatus = framebuffer_status;
+    glad_glBlitNamedFramebuffer = blit_framebuffer;
+    glad_glCreateVertexArrays = create_vertex_arrays;
+    glad_glVertexArrayVertexBuffer = vertex_array_vertex_buffer;
+    glad_glVertexArrayElementBuffer = vertex_array_element_buffer;
+    glad_glVertexArrayAttribFormat = vertex_array_format;
+    glad_glVertexArrayAttribIFormat = vertex_array_integer_format;
+    glad_glVertexArrayAttribBinding = vertex_array_binding;
+    glad_glEnableVertexArrayAttrib = enable_vertex_array_attribute;
+    glad_glClipControl = clip_control;
+    install_uniform_floor(version, context);
+}
+
+} // namespace ramus::render

@@ -1,0 +1,199 @@
+#include "render/gl/gl_objects.h"
+
+#include "render/gl/gl_context.h"
+#include "render/gl/gl_floor.h"
+#include "render/gl/shader_text.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace ramus::render {
+
+namespace {
+
+int alive = 0;
+std::size_t largest_allocation = std::numeric_limits<std::size_t>::max();
+
+std::size_t texel_bytes(GLenum format) {
+    switch (format) {
+    case GL_R8:
+        return 1;
+    case GL_RG32UI:
+    case GL_RGB16F:
+        return 8;
+    case GL_RGBA32F:
+        return 16;
+    default:
+        return 4;
+    }
+}
+
+// Around an allocation: what went wrong before is not its fault.
+template <class Allocate> void allocate(std::size_t bytes, const Allocate& call) {
+    if (bytes > largest_allocation) throw OutOfGraphicsMemory(bytes);
+    (void)gl_ran_out_of_memory();
+    call();
+    if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(bytes);
+}
+
+std::size_t area(int width, int height) { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+
+struct Shader {
+    GLuint id = 0;
+    ShaderText text;
+    Shader() = default;
+    Shader(Shader&& other) noexcept : id(std::exchange(other.id, 0)), text(std::move(other.text)) {}
+    Shader& operator=(Shader&&) = delete;
+    ~Shader() {
+        if (id != 0) glDeleteShader(id);
+    }
+};
+
+template <class GetLog> std::string log_of(GLuint id, const GetLog& get) {
+    std::string log(8192, '\0');
+    GLsizei length = 0;
+    get(id, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    return log;
+}
+
+Result<Shader> compile(GLenum stage, std::string_view name, std::string_view defines) {
+    const GlVersion version = gl_version();
+    const bool depth_control = version >= GlVersion{4, 5};
+    Shader shader;
+    shader.text = shader_text(name, defines, depth_control ? 450 : gl_has_lists() ? 430 : 330, !depth_control);
+    const char* const pointer = shader.text.glsl.c_str();
+    shader.id = glCreateShader(stage);
+    glShaderSource(shader.id, 1, &pointer, nullptr);
+    glCompileShader(shader.id);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_TRUE) return shader;
+    return fail(
+        "a shader does not compile: " + with_file_names(log_of(shader.id, glGetShaderInfoLog), shader.text.files),
+        std::string(name), "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
+}
+
+} // namespace
+
+OutOfGraphicsMemory::OutOfGraphicsMemory(std::size_t bytes)
+    : std::runtime_error(
+          "out of graphics memory" +
+          (bytes == 0 ? std::string()
+                      : ": " + std::to_string((bytes + (1U << 20) - 1) >> 20) + " MiB more are not to be had")) {}
+
+int gl_objects_alive() { return alive; }
+void count_gl_object(int change) { alive += change; }
+void limit_gl_allocation(std::size_t bytes) { largest_allocation = bytes; }
+
+void Fence::put() {
+    glDeleteSync(sync_);
+    sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+}
+
+bool Fence::passed(double seconds) {
+    if (sync_ == nullptr) return true;
+    constexpr double kLongest = 1e3;
+    const auto nanoseconds = static_cast<GLuint64>(1e9 * std::clamp(seconds, 0.0, kLongest));
+    if (glClientWaitSync(sync_, 0, nanoseconds) == GL_TIMEOUT_EXPIRED) return false;
+    glDeleteSync(std::exchange(sync_, nullptr));
+    return true;
+}
+
+Buffer make_buffer() {
+    GLuint id = 0;
+    glCreateBuffers(1, &id);
+    return Buffer(id);
+}
+
+Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags) {
+    Buffer buffer = make_buffer();
+    allocate(bytes, [&] { glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, flags); });
+    return buffer;
+}
+
+VertexArray make_vertex_array() {
+    GLuint id = 0;
+    glCreateVertexArrays(1, &id);
+    return VertexArray(id);
+}
+
+Texture make_texture(GLenum format, int width, int height, int samples) {
+    GLuint id = 0;
+    glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id);
+    Texture texture(id);
+    if (samples > 0) {
+        allocate(area(width, height) * texel_bytes(format) * static_cast<std::size_t>(samples),
+                 [&] { glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE); });
+    } else {
+        allocate(area(width, height) * texel_bytes(format), [&] { glTextureStorage2D(id, 1, format, width, height); });
+        glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    return texture;
+}
+
+Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth) {
+    GLuint id = 0;
+    glCreateTextures(target, 1, &id);
+    Texture texture(id);
+    allocate(area(width, height) * static_cast<std::size_t>(depth) * texel_bytes(format),
+             [&] { glTextureStorage3D(id, 1, format, width, height, depth); });
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTextureParameteri(id, side, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes) {
+    buffer = make_buffer(bytes, data, GL_DYNAMIC_STORAGE_BIT);
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+    texture = Texture(id);
+    glTextureBuffer(id, format, buffer);
+}
+
+Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth) {
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    std::vector<GLenum> attachments;
+    for (const GLuint texture : colours) {
+        attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
+        glNamedFramebufferTexture(id, attachments.back(), texture, 0);
+    }
+    glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(attachments.size()), attachments.data());
+    if (depth != 0) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
+    return Framebuffer(id);
+}
+
+Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader, std::string_view defines,
+                             std::string_view geometry_shader) {
+    const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, defines);
+    if (!vertex) return tl::unexpected(vertex.error());
+    const auto geometry =
+        geometry_shader.empty() ? Result<Shader>() : compile(GL_GEOMETRY_SHADER, geometry_shader, defines);
+    if (!geometry) return tl::unexpected(geometry.error());
+    const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
+    if (!fragment) return tl::unexpected(fragment.error());
+    Program program(glCreateProgram());
+    glAttachShader(program, vertex->id);
+    if (!geometry_shader.empty()) glAttachShader(program, geometry->id);
+    glAttachShader(program, fragment->id);
+    glLinkProgram(program);
+    for (const GLuint shader : {vertex->id, geometry->id, fragment->id}) // which nothing needs any more
+        if (shader != 0) glDetachShader(program, shader);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked != GL_TRUE)
+        return fail("shaders do not link: " + log_of(program, glGetProgramInfoLog), std::string(fragment_shader),
+                    "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
+    settle_program(program, vertex->text, fragment->text);
+    return program;
+}
+
+} // namespace ramus::render

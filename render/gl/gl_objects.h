@@ -1,0 +1,103 @@
+// Owners of GL objects, their memory, and programs from the embedded shaders. Moving is allowed, copying is not; each
+// must die while its context is current.
+//
+// Graphics memory may run out in any allocation. Functions here then throw OutOfGraphicsMemory, as `new` throws: what
+// was made dies, nothing is used that is not there, and Renderer::draw() returns it as an Error.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstddef>
+#include <glad/gl.h>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace ramus::render {
+
+class OutOfGraphicsMemory : public std::runtime_error {
+public:
+    explicit OutOfGraphicsMemory(std::size_t bytes);
+};
+
+// GL objects that are alive, of all contexts: 0 once everything that draws is gone.
+[[nodiscard]] int gl_objects_alive();
+void count_gl_object(int change);
+
+template <void (*destroy)(GLuint)> class GlObject {
+public:
+    GlObject() = default;
+    explicit GlObject(GLuint id) : id_(id) { count_gl_object(id != 0 ? 1 : 0); }
+    GlObject(GlObject&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    GlObject& operator=(GlObject&& other) noexcept {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+    ~GlObject() {
+        if (id_ == 0) return;
+        destroy(id_);
+        count_gl_object(-1);
+    }
+    operator GLuint() const { return id_; } // NOLINT: it stands for its name
+
+private:
+    GLuint id_ = 0;
+};
+
+inline void delete_buffer(GLuint id) { glDeleteBuffers(1, &id); }
+inline void delete_texture(GLuint id) { glDeleteTextures(1, &id); }
+inline void delete_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
+inline void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
+inline void delete_query(GLuint id) { glDeleteQueries(1, &id); }
+inline void delete_program(GLuint id) { glDeleteProgram(id); }
+
+using Buffer = GlObject<delete_buffer>;
+using Texture = GlObject<delete_texture>;
+using Framebuffer = GlObject<delete_framebuffer>;
+using VertexArray = GlObject<delete_vertex_array>;
+using Query = GlObject<delete_query>;
+using Program = GlObject<delete_program>;
+
+// A place in the stream of commands that the graphics card passes some time.
+class Fence {
+public:
+    Fence() = default;
+    Fence(Fence&& other) noexcept : sync_(std::exchange(other.sync_, nullptr)) {}
+    Fence& operator=(Fence&& other) noexcept {
+        std::swap(sync_, other.sync_);
+        return *this;
+    }
+    ~Fence() { glDeleteSync(sync_); } // none: nothing
+
+    void put(); // here, after what was drawn so far
+    // Whether all before the place is done, after waiting for so long at most; true without a place.
+    [[nodiscard]] bool passed(double seconds);
+
+private:
+    GLsync sync_ = nullptr;
+};
+
+[[nodiscard]] Buffer make_buffer(); // of no size
+// `flags` as of glBufferStorage; `data` may be null.
+[[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);
+[[nodiscard]] VertexArray make_vertex_array();
+// A texture without mipmaps, nearest filtering, of the given internal format; multisampled when samples > 0.
+[[nodiscard]] Texture make_texture(GLenum format, int width, int height, int samples = 0);
+// The same with layers, of GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.
+[[nodiscard]] Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth);
+// A buffer of `bytes` bytes that shaders read texel by texel.
+void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes);
+// A framebuffer that draws into `colours` (attachments 0, 1, ...) and tests against `depth` when it is not 0.
+[[nodiscard]] Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
+
+// What a single buffer or texture may take from now on, in bytes. Tests let memory run out with it.
+void limit_gl_allocation(std::size_t bytes = std::numeric_limits<std::size_t>::max());
+
+// From two or three of the embedded files, for the version of the current context (render/gl/shader_text.h). `defines`
+// goes into all, after their #version lines. A failure names the file and the line.
+[[nodiscard]] Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader,
+                                           std::string_view defines = {}, std::string_view geometry_shader = {});
+
+} // namespace ramus::render

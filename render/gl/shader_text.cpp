@@ -1,0 +1,123 @@
+#include "render/gl/shader_text.h"
+
+#include "render/gl/shader_sources.h"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kDeepestInclude = 8; // a file that includes itself would never end
+
+class Assembler {
+public:
+    Assembler(ShaderText& text, int version) : text_(text), version_(version) {}
+
+    // The file's lines, with those that it includes between. A #version line becomes an empty one: it stands before all
+    // else already.
+    void add(std::string_view name, int depth = 0) {
+        const auto found = kShaderSources.find(name);
+        const std::size_t file = number_of(name);
+        if (found == kShaderSources.end() || depth > kDeepestInclude) {
+            out_ << "#line 1 " << file << "\n#error no shader file of this name\n";
+            return;
+        }
+        out_ << "#line 1 " << file << '\n';
+        std::istringstream lines{std::string(found->second)};
+        int line_number = 1;
+        for (std::string line; std::getline(lines, line); ++line_number) {
+            constexpr std::string_view kInclude = "#include \"";
+            if (line.starts_with(kInclude)) {
+                const std::size_t end = line.find('"', kInclude.size());
+                add(std::string_view(line).substr(kInclude.size(), end - kInclude.size()), depth + 1);
+                out_ << "#line " << line_number + 1 << ' ' << file << '\n';
+            } else if (line.starts_with("#version")) {
+                out_ << '\n';
+            } else {
+                out_ << (version_ < 430 ? without_places(line) : line) << '\n';
+            }
+        }
+    }
+
+    [[nodiscard]] std::string finish() const { return out_.str(); }
+
+private:
+    std::size_t number_of(std::string_view name) {
+        const auto found = std::ranges::find(text_.files, name);
+        if (found != text_.files.end()) return static_cast<std::size_t>(found - text_.files.begin());
+        text_.files.emplace_back(name);
+        return text_.files.size() - 1;
+    }
+
+    std::string without_places(const std::string& line) {
+        static const std::regex kUniform(R"(^layout\(location = (\d+)\) uniform (\w+ (\w+).*)$)");
+        static const std::regex kSampler(R"(^layout\(binding = (\d+)\) uniform (\w+ (\w+).*)$)");
+        static const std::regex kBlock(R"(^layout\(std140, binding = (\d+)\) uniform ((\w+).*)$)");
+        std::smatch match;
+        const auto note = [&](std::vector<ShaderText::Place>& places) {
+            places.push_back({match[3], std::stoi(match[1])});
+        };
+        if (std::regex_match(line, match, kUniform)) {
+            note(text_.uniforms);
+            return "uniform " + match[2].str();
+        }
+        if (std::regex_match(line, match, kSampler)) {
+            note(text_.samplers);
+            return "uniform " + match[2].str();
+        }
+        if (std::regex_match(line, match, kBlock)) {
+            note(text_.blocks);
+            return "layout(std140) uniform " + match[2].str();
+        }
+        return line;
+    }
+
+    ShaderText& text_;
+    int version_;
+    std::ostringstream out_;
+};
+
+} // namespace
+
+ShaderText shader_text(std::string_view name, std::string_view defines, int version, bool full_depth) {
+    ShaderText text;
+    text.files.emplace_back(name); // 0: what a driver says without a number is about this one
+    Assembler assembler(text, version);
+    const bool wrapped = full_depth && name.ends_with(".vert");
+    std::string head = "#version " + std::to_string(version) + " core\n";
+    if (version < 430) head += "#define FLOOR\n";
+    if (full_depth) head += "#define FULL_DEPTH\n";
+    head += defines;
+    if (wrapped) head += "#define main place_vertex\n";
+    if (version < 430) assembler.add("floor.glsl");
+    assembler.add(name);
+    text.glsl = head + assembler.finish();
+    if (wrapped)
+        text.glsl += "#undef main\nvoid main() {\n    place_vertex();\n"
+                     "    gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;\n}\n";
+    return text;
+}
+
+std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
+    // Mesa "2:13(5): error: ...", NVIDIA "2(13) : error C1008: ...", AMD, Intel and Apple "ERROR: 2:13: ...".
+    static const std::regex kPlace(R"(^((?:ERROR: |WARNING: )?)(\d+)(?::(\d+)(?:\((\d+)\))?|\((\d+)\)) ?:)");
+    std::istringstream lines(log);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, kPlace)) {
+            const std::size_t file = match[2].length() < 6 ? std::stoul(match[2]) : files.size();
+            const std::string number = match[3].matched ? match[3] : match[5];
+            if (file < files.size()) line = match[1].str() + files[file] + ":" + number + ":" + match.suffix().str();
+        }
+        if (!result.empty()) result += '\n';
+        result += line;
+    }
+    while (!result.empty() && (result.back() == '\n' || result.back() == '\0')) result.pop_back();
+    return result;
+}
+
+} // namespace ramus::render

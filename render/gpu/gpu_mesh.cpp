@@ -1,0 +1,207 @@
+#include "render/gpu/gpu_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/vec4.hpp>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr std::size_t kVertexPageBytes = sizeof(VertexPage::vertices);
+constexpr std::size_t kTrianglePageBytes = sizeof(TrianglePage::triangles);
+
+std::size_t with_room(std::size_t pages) { return pages + pages / 8 + 1; }
+
+// Outside means: all corners of the box beyond one plane of the clip volume.
+bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4& to_clip) {
+    std::array<int, 4> beyond{};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 p = to_clip * glm::dvec4(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
+                                                  corner & 4 ? upper.z : lower.z, 1.0);
+        beyond[0] += p.x < -p.w ? 1 : 0;
+        beyond[1] += p.x > p.w ? 1 : 0;
+        beyond[2] += p.y < -p.w ? 1 : 0;
+        beyond[3] += p.y > p.w ? 1 : 0;
+    }
+    return std::ranges::none_of(beyond, [](int count) { return count == 8; });
+}
+
+template <class Pages> std::size_t differing(const Pages& have, const Pages& want) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < want.size(); ++i) count += have[i] != want[i] ? 1 : 0;
+    return count;
+}
+
+// Sends pages that differ, in order, until the budget is spent; true: no more differ.
+template <class Pages, class Bytes>
+bool send_pages(GLuint buffer, Pages& have, const Pages& want, std::size_t& budget, const Bytes& bytes) {
+    for (std::size_t i = 0; i < want.size(); ++i) {
+        if (have[i] == want[i]) continue;
+        if (budget == 0) return false;
+        const auto& content = bytes(*want[i]);
+        glNamedBufferSubData(buffer, static_cast<GLintptr>(i * sizeof content), sizeof content, content.data());
+        have[i] = want[i];
+        budget -= std::min(budget, sizeof content);
+    }
+    return true;
+}
+
+} // namespace
+
+// Neighbours are joined.
+void GpuMesh::Ranges::add(std::size_t first, std::size_t count) {
+    constexpr std::size_t kPart = std::size_t{1} << 15; // triangles
+    while (count > 0) {
+        if (part_begins_.empty() || in_part_ == kPart) {
+            part_begins_.push_back(counts_.size());
+            in_part_ = 0;
+        }
+        const std::size_t now = std::min(count, kPart - in_part_);
+        if (in_part_ > 0 && end_ == first) {
+            counts_.back() += static_cast<GLsizei>(3 * now);
+        } else {
+            counts_.push_back(static_cast<GLsizei>(3 * now));
+            offsets_.push_back(reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first * sizeof(glm::uvec3))));
+        }
+        first += now;
+        count -= now;
+        in_part_ += now;
+        triangles_ += now;
+        end_ = first;
+    }
+}
+
+GpuMesh::Copy::Copy(const PagedMesh& mesh)
+    : vertex_array(make_vertex_array()), vertex_pages(with_room(mesh.vertex_pages().size())),
+      triangle_pages(with_room(mesh.triangle_pages().size())) {
+    vertices = make_buffer(vertex_pages.size() * kVertexPageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    triangles = make_buffer(triangle_pages.size() * kTrianglePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glVertexArrayVertexBuffer(vertex_array, 0, vertices, 0, sizeof(GpuVertex));
+    glVertexArrayElementBuffer(vertex_array, triangles);
+    glVertexArrayAttribFormat(vertex_array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
+    glVertexArrayAttribFormat(vertex_array, 1, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
+    glVertexArrayAttribIFormat(vertex_array, 2, 1, GL_INT, offsetof(GpuVertex, branch));
+    glVertexArrayAttribIFormat(vertex_array, 3, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, lead));
+    for (GLuint i = 0; i < 4; ++i) {
+        glVertexArrayAttribBinding(vertex_array, i, 0);
+        glEnableVertexArrayAttrib(vertex_array, i);
+    }
+}
+
+std::size_t GpuMesh::Copy::bytes() const {
+    return vertex_pages.size() * kVertexPageBytes + triangle_pages.size() * kTrianglePageBytes;
+}
+
+std::size_t GpuMesh::bytes_of(const PagedMesh& mesh) {
+    return with_room(mesh.vertex_pages().size()) * kVertexPageBytes +
+           with_room(mesh.triangle_pages().size()) * kTrianglePageBytes;
+}
+
+std::size_t GpuMesh::bytes() const { return (drawn_ ? drawn_->bytes() : 0) + (coming_ ? coming_->bytes() : 0); }
+
+bool GpuMesh::Copy::has_room(const PagedMesh& mesh) const {
+    return mesh.vertex_pages().size() <= vertex_pages.size() && mesh.triangle_pages().size() <= triangle_pages.size();
+}
+
+std::size_t GpuMesh::Copy::missing(const PagedMesh& mesh) const {
+    return differing(vertex_pages, mesh.vertex_pages()) * kVertexPageBytes +
+           differing(triangle_pages, mesh.triangle_pages()) * kTrianglePageBytes;
+}
+
+bool GpuMesh::Copy::send(const PagedMesh& mesh, std::size_t& budget) {
+    return send_pages(
+               vertices, vertex_pages, mesh.vertex_pages(), budget,
+               [](const VertexPage& page) -> const auto& { return page.vertices; }) &&
+           send_pages(
+               triangles, triangle_pages, mesh.triangle_pages(), budget,
+               [](const TrianglePage& page) -> const auto& { return page.triangles; });
+}
+
+void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& budget) {
+    if (mesh == shown_) {
+        coming_.reset();
+        return;
+    }
+    if (!mesh || (shown_ && shown_->origin() != mesh->origin())) {
+        drawn_.reset();
+        coming_.reset();
+        shown_.reset();
+        if (!mesh) return;
+    }
+    if (drawn_ && drawn_->has_room(*mesh) && drawn_->missing(*mesh) <= budget) {
+        (void)drawn_->send(*mesh, budget);
+        coming_.reset();
+        shown_ = mesh;
+        return;
+    }
+    if (!coming_ || !coming_->has_room(*mesh)) coming_ = std::make_unique<Copy>(*mesh);
+    if (!coming_->send(*mesh, budget)) return;
+    drawn_ = std::move(coming_);
+    shown_ = mesh;
+}
+
+GpuMesh::Ranges GpuMesh::choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
+    Ranges ranges;
+    if (!shown_) return ranges;
+    const bool all_opaque = std::ranges::all_of(layers, [](Layer l) { return l == Layer::kOpaque; });
+    if (all_opaque && layer != Layer::kOpaque) return ranges;
+    const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const TrianglePage& page = *pages[i];
+        if (page.count == 0 || !in_picture(page.lower, page.upper, to_clip)) continue;
+        const std::size_t first = i * TrianglePage::kSize;
+        if (all_opaque) {
+            ranges.add(first, page.first_border);
+            continue;
+        }
+        for (const TrianglePage::Run& run : page.runs) {
+            const auto branch = static_cast<std::size_t>(run.branch);
+            if ((branch < layers.size() ? layers[branch] : Layer::kOpaque) == layer)
+                ranges.add(first + run.first, run.count);
+        }
+    }
+    return ranges;
+}
+
+GpuMesh::Ranges GpuMesh::choose_borders(const std::vector<Layer>& layers, Layer layer,
+                                        const glm::dmat4& to_clip) const {
+    Ranges ranges;
+    if (!shown_) return ranges;
+    const auto is_wanted = [&](std::int32_t branch) {
+        const auto at = static_cast<std::size_t>(branch);
+        return (at < layers.size() ? layers[at] : Layer::kOpaque) == layer;
+    };
+    const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const TrianglePage& page = *pages[i];
+        if (page.count == page.first_border || !in_picture(page.lower, page.upper, to_clip)) continue;
+        if (std::ranges::any_of(page.borders,
+                                [&](const auto& pair) { return is_wanted(pair[0]) || is_wanted(pair[1]); }))
+            ranges.add(i * TrianglePage::kSize + page.first_border, page.count - page.first_border);
+    }
+    return ranges;
+}
+
+void GpuMesh::draw_part(const Ranges& ranges, std::size_t part) const {
+    const std::size_t begin = ranges.part_begins_[part];
+    const std::size_t end = part + 1 < ranges.parts() ? ranges.part_begins_[part + 1] : ranges.counts_.size();
+    glBindVertexArray(drawn_->vertex_array);
+    glMultiDrawElements(GL_TRIANGLES, &ranges.counts_[begin], GL_UNSIGNED_INT, &ranges.offsets_[begin],
+                        static_cast<GLsizei>(end - begin));
+}
+
+std::uint64_t GpuMesh::draw(const Ranges& ranges) const {
+    for (std::size_t part = 0; part < ranges.parts(); ++part) draw_part(ranges, part);
+    return ranges.triangles();
+}
+
+std::uint64_t GpuMesh::triangles_in_picture(const glm::dmat4& to_clip) const {
+    std::uint64_t count = 0;
+    if (shown_)
+        for (const auto& page : shown_->triangle_pages())
+            if (page->count > 0 && in_picture(page->lower, page->upper, to_clip)) count += page->count;
+    return count;
+}
+
+} // namespace ramus::render

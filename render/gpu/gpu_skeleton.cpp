@@ -1,0 +1,128 @@
+#include "render/gpu/gpu_skeleton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixel where it fills the window
+
+Layer layer_of(const std::vector<Layer>& layers, std::int32_t branch) {
+    const auto index = static_cast<std::size_t>(branch);
+    return index < layers.size() ? layers[index] : Layer::kOpaque;
+}
+
+} // namespace
+
+std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
+    std::vector<SkeletonRing> rings;
+    for (std::size_t branch = 0; branch < lines.runs.size(); ++branch) {
+        const Centerlines::Run run = lines.runs[branch];
+        if (run.count < 2) continue;
+        const auto point = [&](std::uint32_t i) { return glm::vec3(lines.points[run.first + i]); };
+        const auto radius = [&](std::uint32_t i) { return 0.5 * lines.details[run.first + i].diameter_mm; };
+        std::vector<double> along(run.count, 0.0);
+        double area = 0.0; // between the line and its radius
+        for (std::uint32_t i = 1; i < run.count; ++i) {
+            const double length = glm::distance(point(i - 1), point(i));
+            along[i] = along[i - 1] + length;
+            area += 0.5 * length * (radius(i - 1) + radius(i));
+        }
+        const double length = along.back(), mean = length > 0.0 ? area / length : 0.0;
+        if (!(mean > 0.0) || length < mean) continue;
+        const int count = std::max(1, static_cast<int>(length / (kRingSpacing * mean)));
+        std::uint32_t segment = 1;
+        for (int i = 0; i < count; ++i) {
+            const double at = length * (i + 0.5) / count;
+            while (segment + 1 < run.count && along[segment] < at) ++segment;
+            const double step = along[segment] - along[segment - 1];
+            const auto share = static_cast<float>(step > 0.0 ? (at - along[segment - 1]) / step : 0.0);
+            // The way on over a radius before and behind: voxel-long segments turn at every step.
+            std::uint32_t from = segment - 1, to = segment;
+            while (from > 0 && along[from] > at - mean) --from;
+            while (to + 1 < run.count && along[to] < at + mean) ++to;
+            glm::vec3 axis = point(to) - point(from);
+            if (!(glm::length(axis) > 0.0F)) axis = point(segment) - point(segment - 1);
+            if (!(glm::length(axis) > 0.0F)) continue;
+            rings.push_back(
+                {glm::mix(point(segment - 1), point(segment), share),
+                 glm::mix(static_cast<float>(radius(segment - 1)), static_cast<float>(radius(segment)), share),
+                 glm::normalize(axis), static_cast<std::int32_t>(branch)});
+        }
+    }
+    return rings;
+}
+
+void GpuSkeleton::Lines::send(const Centerlines& lines) {
+    std::vector<glm::vec4> places;
+    std::vector<std::uint32_t> owners;
+    for (std::size_t i = 0; i < lines.points.size(); ++i) {
+        places.emplace_back(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
+        owners.push_back(static_cast<std::uint32_t>(lines.details[i].branch));
+    }
+    runs = lines.runs;
+    make_buffer_texture(point_buffer, points, GL_RGBA32F, places.data(), places.size() * sizeof places[0]);
+    make_buffer_texture(branch_buffer, branches, GL_R32UI, owners.data(), owners.size() * sizeof owners[0]);
+}
+
+void GpuSkeleton::follow(const std::shared_ptr<const Centerlines>& lines) {
+    if (lines == shown_) return;
+    shown_ = lines && !lines->points.empty() ? lines : nullptr;
+    all_.clear();
+    if (!shown_) return;
+    whole_.send(*shown_);
+    thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
+    all_ = skeleton_rings(*shown_);
+    std::vector<glm::vec4> rings;
+    for (const SkeletonRing& ring : all_) {
+        rings.emplace_back(ring.centre, ring.radius_mm);
+        rings.emplace_back(ring.axis, 0.0F);
+    }
+    if (!rings.empty())
+        make_buffer_texture(ring_buffer_, ring_texture_, GL_RGBA32F, rings.data(), rings.size() * sizeof rings[0]);
+}
+
+void GpuSkeleton::Lines::draw(const std::vector<Layer>& layers) const {
+    // Neighbouring runs are drawn as one: the step from a branch to the next is no segment, which the shader sees.
+    std::vector<GLint> firsts;
+    std::vector<GLsizei> counts;
+    std::uint32_t end = 0;
+    for (std::size_t branch = 0; branch < runs.size(); ++branch) {
+        const Centerlines::Run run = runs[branch];
+        if (layer_of(layers, static_cast<std::int32_t>(branch)) == Layer::kNone || run.count < 2) continue;
+        if (!counts.empty() && end == run.first)
+            counts.back() += static_cast<GLsizei>(6 * run.count);
+        else
+            firsts.push_back(static_cast<GLint>(6 * run.first)), counts.push_back(static_cast<GLsizei>(6 * run.count));
+        end = run.first + run.count;
+    }
+    for (GLsizei& count : counts) count -= 6; // the last point begins no segment
+    if (!counts.empty())
+        glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(counts.size()));
+}
+
+GpuSkeleton::Seen GpuSkeleton::seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const {
+    Seen seen;
+    if (!shown_) return seen;
+    const Projector project(camera, size);
+    const double in_focus = mm_per_pixel(camera, size);
+    const double focus_mm = glm::distance(camera.position, camera.focal_point);
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        const SkeletonRing& ring = all_[i];
+        if (layer_of(layers, ring.branch) == Layer::kNone) continue;
+        const auto at = project(shown_->origin + glm::dvec3(ring.centre));
+        if (!at) continue;
+        const double mm_per_px = camera.orthographic ? in_focus : in_focus * at->z / focus_mm;
+        const double pixels = ring.radius_mm / mm_per_px, reach = 1.5 * pixels + 4.0;
+        if (pixels < kLeastRingPixels || at->x < -reach || at->y < -reach || at->x > size.x + reach ||
+            at->y > size.y + reach)
+            continue;
+        (pixels < kLargeRingPixels ? seen.small : seen.large).push_back(static_cast<std::uint32_t>(i));
+    }
+    return seen;
+}
+
+} // namespace ramus::render

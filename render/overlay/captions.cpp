@@ -1,0 +1,74 @@
+#include "render/overlay/captions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace ramus::render {
+
+Image haloed(const Coverage& ink, int halo) {
+    Image image(ink.width, ink.height);
+    for (int y = 0; y < ink.height; ++y)
+        for (int x = 0; x < ink.width; ++x) {
+            int around = 0;
+            for (int dy = -halo; dy <= halo; ++dy)
+                for (int dx = -halo; dx <= halo; ++dx) around = std::max<int>(around, ink.at(x + dx, y + dy));
+            const double light = ink.at(x, y) / 255.0, dark = 0.55 * around / 255.0;
+            const double alpha = light + dark * (1.0 - light);
+            if (alpha <= 0.0) continue;
+            std::uint8_t* out = image.pixel(x, y);
+            for (int k = 0; k < 3; ++k)
+                out[k] = static_cast<std::uint8_t>(std::lround((light * 226.0 + (1.0 - light) * dark * 10.0) / alpha));
+            out[3] = static_cast<std::uint8_t>(std::lround(255.0 * alpha));
+        }
+    return image;
+}
+
+std::string orientation_letters(const glm::dvec3& direction) {
+    constexpr std::array<std::array<char, 2>, 3> kLetters{{{'R', 'L'}, {'A', 'P'}, {'S', 'I'}}};
+    std::array<int, 3> order{0, 1, 2};
+    std::ranges::sort(order, [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+    std::string letters;
+    for (const int axis : order)
+        if (std::abs(direction[axis]) > 0.34)
+            letters += kLetters[static_cast<std::size_t>(axis)][direction[axis] < 0.0];
+    return letters;
+}
+
+Image paint_caption(const std::string& text, double pixel_ratio, int width, const std::string& font) {
+    const double capital = 10.0 * pixel_ratio;
+    const int halo = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    std::vector<Coverage> lines;
+    std::istringstream words(text);
+    std::string line;
+    for (std::string word; words >> word;) {
+        const std::string longer = line.empty() ? word : line + ' ' + word;
+        if (!line.empty() && draw_text(longer, capital, font).width > width) {
+            lines.push_back(draw_text(line, capital, font));
+            line = word;
+        } else {
+            line = longer;
+        }
+    }
+    if (!line.empty()) lines.push_back(draw_text(line, capital, font));
+    Coverage sheet;
+    for (const Coverage& one : lines) {
+        sheet.width = std::max(sheet.width, one.width + 2 * halo);
+        sheet.height += one.height;
+    }
+    sheet.height += 2 * halo;
+    sheet.values.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height), 0);
+    int top = halo;
+    for (const Coverage& one : lines) {
+        for (int y = 0; y < one.height; ++y)
+            for (int x = 0; x < one.width; ++x)
+                sheet.values[static_cast<std::size_t>(top + y) * static_cast<std::size_t>(sheet.width) +
+                             static_cast<std::size_t>(halo + x)] = one.at(x, y);
+        top += one.height;
+    }
+    return haloed(sheet, halo);
+}
+
+} // namespace ramus::render

@@ -1,0 +1,89 @@
+#include "render/overlay/legend.h"
+
+#include "render/overlay/plate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <vector>
+
+namespace ramus::render {
+
+namespace {
+
+glm::vec3 at(const std::vector<glm::vec3>& bar, double t) {
+    const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(bar.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(place), bar.size() > 1 ? bar.size() - 2 : 0);
+    const auto above = std::min(below + 1, bar.size() - 1);
+    return glm::mix(bar[below], bar[above], static_cast<float>(place - static_cast<double>(below)));
+}
+
+// Diagonal stripes, as what is lost is drawn.
+void hatch(Plate& plate, int left, int top, int width, int height, double period, const glm::vec3& srgb) {
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double phase = (x - y) / period - std::floor((x - y) / period);
+            plate.fill(left + x, top + y, 1, 1, glm::min(srgb * (phase < 0.45 ? 1.3F : 0.62F), 1.0F));
+        }
+}
+
+} // namespace
+
+Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const std::string& font) {
+    const auto pixels = [&](double points) { return std::max(1, static_cast<int>(std::lround(points * pixel_ratio))); };
+    const auto text = [&](const std::string& words, double size = 8.0) {
+        return draw_text(words, size * pixel_ratio, font);
+    };
+    const int margin = pixels(8), gap = pixels(6), row = pixels(17), patch = pixels(11), bar_width = pixels(12);
+    const Coverage title = text(legend.title, 8.5);
+    const int head = margin + title.height + pixels(3);
+
+    int width = title.width, height = head + margin;
+    std::vector<Coverage> ticks, labels;
+    int bar_height = 0, tick_room = 0;
+    if (!legend.bar.empty()) {
+        for (const Legend::Tick& tick : legend.ticks) ticks.push_back(text(tick.text));
+        for (const Coverage& tick : ticks)
+            width = std::max(width, bar_width + gap + tick.width), tick_room = std::max(tick_room, tick.height / 2);
+        bar_height = std::clamp(most.y - head - margin - 2 * tick_room, pixels(40), pixels(130));
+        height += bar_height + 2 * tick_room;
+    }
+    const std::size_t room = static_cast<std::size_t>(std::max(1, (most.y - height) / row));
+    const std::size_t shown = legend.swatches.size() <= room ? legend.swatches.size() : room - 1;
+    for (std::size_t i = 0; i < shown; ++i) labels.push_back(text(legend.swatches[i].text));
+    if (shown < legend.swatches.size())
+        labels.push_back(text("and " + std::to_string(legend.swatches.size() - shown) + " more"));
+    for (const Coverage& label : labels) width = std::max(width, patch + gap + label.width);
+    height += row * static_cast<int>(labels.size());
+
+    Plate plate(std::min(width + 2 * margin, most.x), height, 4.0 * pixel_ratio, 0.66);
+    plate.write(title, margin, margin - pixels(2), kPlateInk);
+    int top = head;
+    if (!legend.bar.empty()) {
+        top += tick_room;
+        for (int y = 0; y < bar_height; ++y)
+            plate.fill(margin, top + y, bar_width, 1, at(legend.bar, 1.0 - (y + 0.5) / bar_height));
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            const double y = top + (1.0 - std::clamp(legend.ticks[i].at, 0.0, 1.0)) * bar_height;
+            const double line = std::max(1.0, std::round(pixel_ratio));
+            plate.fill(margin + bar_width, std::round(y - 0.5 * line), pixels(3), line, kQuietInk);
+            plate.write(ticks[i], margin + bar_width + gap, static_cast<int>(std::lround(y)) - ticks[i].height / 2,
+                        kPlateInk);
+        }
+        top += bar_height + tick_room;
+    }
+    for (std::size_t i = 0; i < labels.size(); ++i, top += row) {
+        const int middle = top + row / 2;
+        if (i < shown) {
+            const Legend::Swatch& swatch = legend.swatches[i];
+            if (swatch.hatched)
+                hatch(plate, margin, middle - patch / 2, patch, patch, 4.5 * pixel_ratio, swatch.colour);
+            else
+                plate.fill(margin, middle - patch / 2, patch, patch, swatch.colour);
+        }
+        plate.write(labels[i], margin + patch + gap, middle - labels[i].height / 2, i < shown ? kPlateInk : kQuietInk);
+    }
+    return std::move(plate).take();
+}
+
+} // namespace ramus::render

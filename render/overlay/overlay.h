@@ -1,0 +1,58 @@
+// The small pictures that lie over the tree: the orientation cube with its letters, the scale bar, the legend, the
+// labels of lines, the caption. Painted without GL, so that they are the same bytes in the window and without one, and
+// can be tested alone.
+#pragma once
+
+#include "render/image/image.h"
+#include "render/scene/camera.h"
+#include "render/scene/frame.h"
+
+#include <string>
+#include <vector>
+
+namespace ramus::render {
+
+struct Sprite {
+    Image image;
+    glm::ivec2 corner{0}; // top left, in pixels of the picture
+};
+
+// A length of 1, 2 or 5 times a power of ten, at most `longest_mm`.
+[[nodiscard]] double scale_bar_length_mm(double longest_mm);
+// "500 um" (with the micro sign in Latin-1), "20 mm", "20 cm".
+[[nodiscard]] std::string scale_bar_label(double length_mm);
+
+// A cube seen from the camera's direction, one letter a face (R L A P S I), `side` pixels.
+[[nodiscard]] Image paint_orientation_cube(const Camera& camera, int side, const std::string& font);
+[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio,
+                                    const std::string& font);
+
+// All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
+struct SpriteSource {
+    Camera camera;
+    glm::ivec2 size{0};
+    float pixel_ratio = 0.0F;
+    Overlays overlays;
+    std::vector<MarkLabel> labels;
+    explicit SpriteSource(const Frame& frame)
+        : camera(frame.camera), size(frame.size), pixel_ratio(frame.pixel_ratio), overlays(frame.overlays),
+          labels(frame.labels) {}
+    bool operator==(const SpriteSource&) const = default;
+};
+
+// Where the caption ends, pixels from the top; 0 where there is none.
+[[nodiscard]] int caption_bottom(const SpriteSource& frame, const std::string& font);
+
+// Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
+[[nodiscard]] Image paint_heading(const std::string& text, const SpriteSource& frame, const std::string& font);
+
+// What `frame` shows over the tree; nothing where the picture is too small to read it.
+[[nodiscard]] std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font);
+[[nodiscard]] inline std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
+    return overlays_of(SpriteSource(frame), font);
+}
+[[nodiscard]] inline int caption_bottom(const Frame& frame, const std::string& font) {
+    return caption_bottom(SpriteSource(frame), font);
+}
+
+} // namespace ramus::render

@@ -1,0 +1,26 @@
+// Box: an axis-aligned box in mm (RAS), for fitting cameras and placing planes. An empty box contains nothing; every
+// question it answers then has the answer of a unit box at the origin, so that an empty scene still has a picture.
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+#include "render/scene/centerlines.h"
+
+#include <glm/vec3.hpp>
+
+namespace ramus::render {
+
+struct Box {
+    glm::dvec3 lower{1.0};
+    glm::dvec3 upper{-1.0};
+
+    [[nodiscard]] bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+    [[nodiscard]] glm::dvec3 centre() const;
+    [[nodiscard]] double radius() const; // of the sphere around the box, never 0
+    void include(const glm::dvec3& point);
+    bool operator==(const Box&) const = default;
+};
+
+[[nodiscard]] Box bounds_of(const mesh::TriangleMesh& mesh);
+[[nodiscard]] Box bounds_of(const Centerlines& lines); // the vessels, balls around every point
+
+} // namespace ramus::render

@@ -1,0 +1,300 @@
+#include "render/scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr double kMargin = 1.06;             // of fitted(): room around the tree
+constexpr double kDegreesPerPicture = 200.0; // 3D Slicer's rotation, over one picture width
+constexpr double kSmallestDistance = 1e-6;   // mm, eye to focal point
+
+double tan_half_angle(const Camera& camera) { return std::tan(glm::radians(0.5 * camera.view_angle)); }
+
+// Half the height in mm of what the picture shows in the plane through the focal point.
+double half_height_mm(const Camera& camera) {
+    if (camera.orthographic) return camera.scale;
+    return glm::distance(camera.position, camera.focal_point) * tan_half_angle(camera);
+}
+
+double aspect(glm::ivec2 size) { return double(std::max(size.x, 1)) / double(std::max(size.y, 1)); }
+
+glm::dvec3 rotate_about(const glm::dvec3& v, const glm::dvec3& axis, double angle_deg) {
+    return glm::angleAxis(glm::radians(angle_deg), axis) * v;
+}
+
+// The point under `pixel` in the plane through the focal point.
+glm::dvec3 focal_plane_point(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel) {
+    return unproject(camera, size, pixel, glm::distance(camera.position, camera.focal_point));
+}
+
+} // namespace
+
+CameraAxes axes_of(const Camera& camera) {
+    glm::dvec3 forward = camera.focal_point - camera.position;
+    const double distance = glm::length(forward);
+    forward = distance > 0.0 ? forward / distance : glm::dvec3(0.0, -1.0, 0.0);
+    glm::dvec3 right = glm::cross(forward, camera.view_up);
+    if (glm::length(right) <
+        1e-9 * std::max(1e-300, glm::length(camera.view_up))) // looking along view-up: any right will do
+        right = glm::cross(forward, std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
+    right = glm::normalize(right);
+    return {right, glm::cross(right, forward), forward};
+}
+
+glm::dmat4 view_matrix(const Camera& camera) {
+    const CameraAxes axes = axes_of(camera);
+    glm::dmat4 view(1.0);
+    for (int i = 0; i < 3; ++i) {
+        view[i][0] = axes.right[i];
+        view[i][1] = axes.up[i];
+        view[i][2] = -axes.forward[i];
+    }
+    view[3][0] = -glm::dot(axes.right, camera.position);
+    view[3][1] = -glm::dot(axes.up, camera.position);
+    view[3][2] = glm::dot(axes.forward, camera.position);
+    return view;
+}
+
+glm::dmat4 projection_matrix(const Camera& camera, glm::ivec2 size, double near_mm, double far_mm) {
+    if (camera.orthographic) {
+        const double h = camera.scale, w = h * aspect(size);
+        return glm::ortho(-w, w, -h, h, near_mm, far_mm);
+    }
+    return glm::perspective(glm::radians(camera.view_angle), aspect(size), near_mm, far_mm);
+}
+
+double mm_per_pixel(const Camera& camera, glm::ivec2 size) {
+    return 2.0 * half_height_mm(camera) / std::max(size.y, 1);
+}
+
+Projector::Projector(const Camera& camera, glm::ivec2 size)
+    : axes_(axes_of(camera)), position_(camera.position), half_width_px_(0.5 * size.x), half_height_px_(0.5 * size.y),
+      half_height_mm_(camera.orthographic ? camera.scale : tan_half_angle(camera)), orthographic_(camera.orthographic) {
+}
+
+std::optional<glm::dvec3> Projector::operator()(const glm::dvec3& point) const {
+    const glm::dvec3 v = point - position_;
+    const double depth = glm::dot(v, axes_.forward);
+    if (!orthographic_ && depth <= 0.0) return std::nullopt;
+    const double half = orthographic_ ? half_height_mm_ : depth * half_height_mm_;
+    const double pixels_per_mm = half_height_px_ / half;
+    return glm::dvec3(half_width_px_ + glm::dot(v, axes_.right) * pixels_per_mm,
+                      half_height_px_ - glm::dot(v, axes_.up) * pixels_per_mm, depth);
+}
+
+std::optional<glm::dvec3> project(const Camera& camera, glm::ivec2 size, const glm::dvec3& point) {
+    return Projector(camera, size)(point);
+}
+
+glm::dvec3 unproject(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel, double depth_mm) {
+    const CameraAxes axes = axes_of(camera);
+    const double half = camera.orthographic ? camera.scale : depth_mm * tan_half_angle(camera);
+    const double mm = 2.0 * half / std::max(size.y, 1);
+    return camera.position + depth_mm * axes.forward + (pixel.x - 0.5 * size.x) * mm * axes.right +
+           (0.5 * size.y - pixel.y) * mm * axes.up;
+}
+
+std::string_view name_of(View view) {
+    switch (view) {
+    case View::kAnterior:
+        return "anterior";
+    case View::kPosterior:
+        return "posterior";
+    case View::kLeft:
+        return "left";
+    case View::kRight:
+        return "right";
+    case View::kSuperior:
+        return "superior";
+    case View::kInferior:
+        return "inferior";
+    }
+    return "";
+}
+
+std::optional<View> view_named(std::string_view name) {
+    for (const View view : kViews)
+        if (name_of(view) == name) return view;
+    return std::nullopt;
+}
+
+Camera looking(const Camera& camera, View view) {
+    // RAS: +x is the patient's right, +y anterior, +z superior.
+    glm::dvec3 toward_viewer(0.0), up(0.0, 0.0, 1.0);
+    switch (view) {
+    case View::kAnterior:
+        toward_viewer.y = 1.0;
+        break;
+    case View::kPosterior:
+        toward_viewer.y = -1.0;
+        break;
+    case View::kLeft:
+        toward_viewer.x = -1.0;
+        break;
+    case View::kRight:
+        toward_viewer.x = 1.0;
+        break;
+    case View::kSuperior:
+        toward_viewer.z = 1.0, up = {0.0, 1.0, 0.0};
+        break;
+    case View::kInferior:
+        toward_viewer.z = -1.0, up = {0.0, 1.0, 0.0};
+        break;
+    }
+    Camera result = camera;
+    const double distance = std::max(kSmallestDistance, glm::distance(camera.position, camera.focal_point));
+    result.position = camera.focal_point + distance * toward_viewer;
+    result.view_up = up;
+    return result;
+}
+
+Camera fitted(const Camera& camera, std::span<const glm::vec3> points, glm::ivec2 size) {
+    Box box;
+    for (const glm::vec3& point : points) box.include(glm::dvec3(point));
+    const CameraAxes axes = axes_of(camera);
+    const glm::dvec3 centre = box.centre();
+    const double radius = box.radius(), t = tan_half_angle(camera) / kMargin, wide = aspect(size);
+
+    // A point at (x, y) across and z along the line of sight from the centre is in the picture of an eye at (cx, cy,
+    // -d) when |x - cx| <= t wide (z + d) and |y - cy| <= t (z + d): every side of the picture asks for one maximum.
+    constexpr double kNone = std::numeric_limits<double>::lowest();
+    double right = kNone, left = kNone, top = kNone, bottom = kNone;
+    for (const glm::vec3& point : points) {
+        const glm::dvec3 v = glm::dvec3(point) - centre;
+        const double x = glm::dot(v, axes.right), y = glm::dot(v, axes.up);
+        const double z = camera.orthographic ? 0.0 : t * glm::dot(v, axes.forward);
+        right = std::max(right, x - wide * z);
+        left = std::max(left, -x - wide * z);
+        top = std::max(top, y - z);
+        bottom = std::max(bottom, -y - z);
+    }
+    if (points.empty()) right = left = top = bottom = 0.5;
+    // Half the height of what is seen in the plane through the centre.
+    const double half = std::max({0.5 * (top + bottom), 0.5 * (right + left) / wide, 0.05 * radius});
+    Camera result = camera;
+    result.scale = kMargin * half;
+    result.focal_point = centre + 0.5 * (right - left) * axes.right + 0.5 * (top - bottom) * axes.up;
+    double distance = half / t;
+    if (camera.orthographic)
+        distance = std::max(distance, 1.5 * radius); // outside the tree, should the projection change
+    result.position = result.focal_point - distance * axes.forward;
+    result.view_up = axes.up;
+    return result;
+}
+
+Camera fitted(const Camera& camera, const Box& box, glm::ivec2 size) {
+    const glm::vec3 lower(box.empty() ? glm::dvec3(-0.5) : box.lower), upper(box.empty() ? glm::dvec3(0.5) : box.upper);
+    std::array<glm::vec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z};
+    return fitted(camera, std::span<const glm::vec3>(corners), size);
+}
+
+Camera camera_for(std::span<const glm::vec3> points, View view, glm::ivec2 size, bool orthographic) {
+    Camera camera;
+    camera.orthographic = orthographic;
+    return fitted(looking(camera, view), points, size);
+}
+
+Camera camera_for(const Box& box, View view, glm::ivec2 size, bool orthographic) {
+    Camera camera;
+    camera.orthographic = orthographic;
+    return fitted(looking(camera, view), box, size);
+}
+
+Camera with_projection(const Camera& camera, bool orthographic) {
+    if (camera.orthographic == orthographic) return camera;
+    Camera result = camera;
+    const double half = half_height_mm(camera);
+    result.orthographic = orthographic;
+    result.scale = half;
+    if (!orthographic) result.position = camera.focal_point - half / tan_half_angle(camera) * axes_of(camera).forward;
+    return result;
+}
+
+Camera turned(const Camera& camera, double azimuth_deg, double elevation_deg) {
+    const CameraAxes axes = axes_of(camera);
+    glm::dvec3 offset = camera.position - camera.focal_point;
+    offset = rotate_about(offset, axes.up, azimuth_deg);
+    const glm::dvec3 right = rotate_about(axes.right, axes.up, azimuth_deg);
+    Camera result = camera;
+    result.position = camera.focal_point + rotate_about(offset, right, -elevation_deg);
+    result.view_up = glm::normalize(rotate_about(axes.up, right, -elevation_deg));
+    return result;
+}
+
+Camera rotated(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
+    const glm::dvec2 moved = to - from;
+    return turned(camera, -kDegreesPerPicture * moved.x / std::max(size.x, 1),
+                  kDegreesPerPicture * moved.y / std::max(size.y, 1));
+}
+
+Camera panned(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
+    const glm::dvec3 shift = focal_plane_point(camera, size, from) - focal_plane_point(camera, size, to);
+    Camera result = camera;
+    result.position += shift;
+    result.focal_point += shift;
+    return result;
+}
+
+Camera zoomed(const Camera& camera, double factor) {
+    if (!(factor > 0.0) || !std::isfinite(factor)) return camera;
+    Camera result = camera;
+    const CameraAxes axes = axes_of(camera);
+    const double distance = glm::distance(camera.position, camera.focal_point);
+    if (camera.orthographic)
+        result.scale = std::max(camera.scale / factor, kSmallestDistance);
+    else
+        result.position = camera.focal_point - std::max(distance / factor, kSmallestDistance) * axes.forward;
+    return result;
+}
+
+Camera zoomed_by_drag(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
+    return zoomed(camera, std::pow(1.1, 10.0 * (from.y - to.y) / std::max(0.5 * size.y, 1.0)));
+}
+
+Camera zoomed_to(const Camera& camera, glm::ivec2 size, glm::dvec2 cursor, double factor) {
+    const Camera nearer = zoomed(camera, factor);
+    const glm::dvec3 shift = focal_plane_point(camera, size, cursor) - focal_plane_point(nearer, size, cursor);
+    Camera result = nearer;
+    result.position += shift;
+    result.focal_point += shift;
+    return result;
+}
+
+Camera centred_on(const Camera& camera, const glm::dvec3& point) {
+    Camera result = camera;
+    result.position += point - camera.focal_point;
+    result.focal_point = point;
+    return result;
+}
+
+Camera interpolated(const Camera& from, const Camera& to, double t) {
+    if (t <= 0.0) return from;
+    if (t >= 1.0) return to;
+    const auto orientation = [](const Camera& camera) {
+        const CameraAxes axes = axes_of(camera);
+        return glm::quat_cast(glm::dmat3(axes.right, axes.up, -axes.forward));
+    };
+    const auto geometric = [t](double a, double b) { return std::exp(glm::mix(std::log(a), std::log(b), t)); };
+    const glm::dquat turn = glm::slerp(orientation(from), orientation(to), t);
+    Camera result = to;
+    result.view_angle = glm::mix(from.view_angle, to.view_angle, t);
+    result.scale = geometric(from.scale, to.scale);
+    result.focal_point = glm::mix(from.focal_point, to.focal_point, t);
+    const double distance = geometric(std::max(kSmallestDistance, glm::distance(from.position, from.focal_point)),
+                                      std::max(kSmallestDistance, glm::distance(to.position, to.focal_point)));
+    result.position = result.focal_point + distance * (turn * glm::dvec3(0.0, 0.0, 1.0));
+    result.view_up = turn * glm::dvec3(0.0, 1.0, 0.0);
+    return result;
+}
+
+} // namespace ramus::render

@@ -1,0 +1,199 @@
+#include "render/scene/paged_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/parallel_for.h>
+#include <utility>
+
+namespace ramus::render {
+
+namespace {
+
+std::int16_t normalised(float v) {
+    const float scaled = std::clamp(v, -1.0F, 1.0F) * 32767.0F;
+    return static_cast<std::int16_t>(scaled + (scaled < 0.0F ? -0.5F : 0.5F));
+}
+
+// Area-weighted vertex normals for a mesh that came without.
+LargeArray<glm::vec3> normals_of(const mesh::TriangleMesh& mesh) {
+    LargeArray<glm::vec3> normals(mesh.positions.size(), glm::vec3(0.0F));
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::vec3 n =
+            glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+        for (int i = 0; i < 3; ++i) normals[t[i]] += n;
+    }
+    for (glm::vec3& n : normals) n = glm::length(n) > 0.0F ? glm::normalize(n) : glm::vec3(0, 0, 1);
+    return normals;
+}
+
+// What pages are made from.
+struct Source {
+    const mesh::TriangleMesh& mesh;
+    const LargeArray<glm::vec3>& normals;
+    glm::dvec3 origin;
+
+    [[nodiscard]] std::int32_t branch(std::size_t vertex) const {
+        return mesh.branches.empty() ? 0 : std::max(mesh.branches[vertex], 0);
+    }
+    [[nodiscard]] field::Lead lead(std::size_t vertex) const {
+        return mesh.leads.empty() ? field::Lead{{255, 255}, {0, 0}} : mesh.leads[vertex];
+    }
+    [[nodiscard]] glm::vec3 position(std::size_t vertex) const { return {glm::dvec3(mesh.positions[vertex]) - origin}; }
+};
+
+std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::size_t page) {
+    const auto made = std::make_shared_for_overwrite<VertexPage>();
+    const std::size_t first = page * VertexPage::kSize;
+    const std::size_t count = std::min(VertexPage::kSize, source.mesh.positions.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3& n = source.normals[first + i];
+        made->vertices[i] = {source.position(first + i),
+                             source.branch(first + i),
+                             source.lead(first + i),
+                             {normalised(n.x), normalised(n.y), normalised(n.z), 0}};
+    }
+    std::fill(made->vertices.begin() + static_cast<std::ptrdiff_t>(count), made->vertices.end(), GpuVertex{});
+    return made;
+}
+
+// Notes which branches meet in a triangle; none where its corners have the same one.
+void note_borders(const glm::ivec3& branches, std::vector<std::array<std::int32_t, 2>>& borders) {
+    for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(branches[k], branches[(k + 1) % 3]);
+        const std::array pair{low, high};
+        if (low != high && std::ranges::find(borders, pair) == borders.end()) borders.push_back(pair);
+    }
+}
+
+std::shared_ptr<const TrianglePage> make_triangle_page(const Source& source, std::size_t page) {
+    const auto made = std::make_shared_for_overwrite<TrianglePage>();
+    const std::size_t first = page * TrianglePage::kSize;
+    const std::size_t end = std::min(first + TrianglePage::kSize, source.mesh.triangles.size());
+    std::array<glm::uvec3, TrianglePage::kSize> whole, on_border; // NOLINT: written as far as they are read
+    std::array<std::uint32_t, TrianglePage::kSize> run_of;        // NOLINT
+    std::vector<TrianglePage::Run>& runs = made->runs;
+    std::uint32_t run = 0, border_count = 0;
+    for (std::size_t i = first; i < end; ++i) {
+        const glm::uvec3& t = source.mesh.triangles[i];
+        if (t.x == t.y) continue; // a gap
+        for (int corner = 0; corner < 3; ++corner) {
+            const glm::vec3 p = source.position(t[corner]);
+            const bool first_corner = made->first_border + border_count == 0 && corner == 0;
+            made->lower = first_corner ? p : glm::min(made->lower, p);
+            made->upper = first_corner ? p : glm::max(made->upper, p);
+        }
+        const glm::ivec3 branches(source.branch(t.x), source.branch(t.y), source.branch(t.z));
+        if (branches.x != branches.y || branches.y != branches.z) {
+            note_borders(branches, made->borders);
+            on_border[border_count++] = t;
+            continue;
+        }
+        const std::int32_t branch = branches.x;
+        // Triangles come in stretches of one branch, and a page has few branches.
+        if (run >= runs.size() || runs[run].branch != branch) {
+            run =
+                static_cast<std::uint32_t>(std::ranges::find(runs, branch, &TrianglePage::Run::branch) - runs.begin());
+            if (run == runs.size()) runs.push_back({branch, 0, 0});
+        }
+        ++runs[run].count;
+        whole[made->first_border] = t;
+        run_of[made->first_border++] = run;
+    }
+    // A counting sort keeps the triangles' order within each branch, and with it the vertices' locality.
+    std::uint32_t next = 0;
+    for (TrianglePage::Run& r : runs) {
+        r.first = next;
+        next += std::exchange(r.count, 0);
+    }
+    for (std::uint32_t i = 0; i < made->first_border; ++i) {
+        TrianglePage::Run& r = runs[run_of[i]];
+        made->triangles[r.first + r.count++] = whole[i];
+    }
+    std::copy_n(on_border.begin(), border_count, made->triangles.begin() + made->first_border);
+    made->count = made->first_border + border_count;
+    std::fill(made->triangles.begin() + made->count, made->triangles.end(), glm::uvec3(0));
+    return made;
+}
+
+std::size_t pages_for(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
+
+// Numbers of the pages that the ranges touch, ascending.
+std::vector<std::size_t> touched(std::span<const mesh::SlotRange> ranges, std::size_t size, std::size_t page_count) {
+    std::vector<std::uint8_t> marked(page_count, 0);
+    for (const mesh::SlotRange& range : ranges)
+        for (std::size_t page = range.first / size; page * size < range.first + range.count && page < page_count;
+             ++page)
+            marked[page] = 1;
+    std::vector<std::size_t> pages;
+    for (std::size_t page = 0; page < page_count; ++page)
+        if (marked[page] != 0) pages.push_back(page);
+    return pages;
+}
+
+} // namespace
+
+PagedMesh::PagedMesh(const mesh::TriangleMesh& mesh) : PagedMesh(mesh, bounds_of(mesh).centre()) {}
+
+PagedMesh::PagedMesh(const mesh::TriangleMesh& mesh, const glm::dvec3& origin) : origin_(origin) {
+    mesh::SurfaceEdit all;
+    all.whole = true;
+    *this = edited(mesh, all);
+}
+
+PagedMesh PagedMesh::edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceEdit& edit) const {
+    PagedMesh next;
+    next.origin_ = origin_;
+    if (!edit.whole) next.vertex_pages_ = vertex_pages_, next.triangle_pages_ = triangle_pages_;
+    next.vertex_pages_.resize(pages_for(mesh.positions.size(), VertexPage::kSize));
+    next.triangle_pages_.resize(pages_for(mesh.triangles.size(), TrianglePage::kSize));
+    const mesh::SlotRange everything{0, std::max(mesh.positions.size(), mesh.triangles.size())};
+    const std::span whole(&everything, 1);
+    const auto vertices =
+        touched(edit.whole ? whole : std::span(edit.vertices), VertexPage::kSize, next.vertex_pages_.size());
+    const auto triangles =
+        touched(edit.whole ? whole : std::span(edit.triangles), TrianglePage::kSize, next.triangle_pages_.size());
+    const bool has_normals = mesh.normals.size() == mesh.positions.size();
+    const LargeArray<glm::vec3> computed = has_normals ? LargeArray<glm::vec3>() : normals_of(mesh);
+    const Source source{mesh, has_normals ? mesh.normals : computed, origin_};
+    tbb::parallel_for(std::size_t{0}, vertices.size() + triangles.size(), [&](std::size_t i) {
+        if (i < vertices.size())
+            next.vertex_pages_[vertices[i]] = make_vertex_page(source, vertices[i]);
+        else
+            next.triangle_pages_[triangles[i - vertices.size()]] =
+                make_triangle_page(source, triangles[i - vertices.size()]);
+    });
+    next.summarise();
+    return next;
+}
+
+void PagedMesh::summarise() {
+    for (const auto& page : triangle_pages_) {
+        triangle_count_ += page->count;
+        for (const TrianglePage::Run& run : page->runs) branch_count_ = std::max(branch_count_, run.branch + 1);
+        for (const auto& pair : page->borders) branch_count_ = std::max(branch_count_, pair[1] + 1);
+        if (page->count == 0) continue;
+        bounds_.include(origin_ + glm::dvec3(page->lower));
+        bounds_.include(origin_ + glm::dvec3(page->upper));
+    }
+}
+
+std::vector<glm::vec3> PagedMesh::positions(const std::function<bool(int)>& wanted) const {
+    std::vector<bool> taken(vertex_pages_.size() * VertexPage::kSize, false);
+    std::vector<glm::vec3> found;
+    for (const auto& page : triangle_pages_) {
+        for (std::uint32_t i = 0; i < page->count; ++i) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t v = page->triangles[i][corner];
+                if (taken[v]) continue;
+                taken[v] = true;
+                const GpuVertex& vertex = vertex_pages_[v / VertexPage::kSize]->vertices[v % VertexPage::kSize];
+                if (!wanted || wanted(vertex.branch)) found.emplace_back(origin_ + glm::dvec3(vertex.position));
+            }
+        }
+    }
+    return found;
+}
+
+} // namespace ramus::render

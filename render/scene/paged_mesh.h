@@ -1,0 +1,86 @@
+// PagedMesh: a surface as the graphics card takes it, cut into pages. An immutable value: a changed surface is another
+// PagedMesh that shares every page which did not change. So earlier ones (the picture on the screen, undo) stay whole,
+// any thread may read any of them, and a copy on the graphics card follows by comparing pointers.
+//
+// It may be made from a mesh with gaps: triangles without area are left out, and vertices that no triangle uses
+// influence nothing. Positions are single precision relative to `origin`.
+#pragma once
+
+#include "core/mesh/surface_edit.h"
+#include "core/mesh/triangle_mesh.h"
+#include "render/scene/bounds.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ramus::render {
+
+struct GpuVertex {
+    glm::vec3 position;
+    std::int32_t branch;
+    field::Lead lead;                   // of the branch over others
+    std::array<std::int16_t, 4> normal; // signed normalised; the last is nothing
+};
+static_assert(sizeof(GpuVertex) == 28);
+
+// Pages are small enough to follow a change closely and to tell what the view leaves out, and large enough that a
+// surface has some hundred of them.
+struct VertexPage {
+    static constexpr std::size_t kSize = 2048;
+    std::array<GpuVertex, kSize> vertices;
+};
+
+// Triangles sorted by branch, so that hiding a branch or looking past one is a matter of which are drawn: those whose
+// corners have one branch, and then those on borders between branches, which run through them.
+struct TrianglePage {
+    static constexpr std::size_t kSize = 2048;
+    struct Run {
+        std::int32_t branch;
+        std::uint32_t first, count;
+    };
+    std::vector<Run> runs;
+    std::uint32_t first_border = 0, count = 0;        // triangles
+    std::vector<std::array<std::int32_t, 2>> borders; // branches that meet, each pair once, the lower first
+    glm::vec3 lower{0.0F}, upper{0.0F};               // relative to origin
+    std::array<glm::uvec3, kSize> triangles;
+};
+
+class PagedMesh {
+public:
+    using VertexPages = std::vector<std::shared_ptr<const VertexPage>>;
+    using TrianglePages = std::vector<std::shared_ptr<const TrianglePage>>;
+
+    PagedMesh() = default;
+    // Relative to the middle of its bounds, or to a given point: surfaces of one tree shall have the same.
+    explicit PagedMesh(const mesh::TriangleMesh& mesh);
+    PagedMesh(const mesh::TriangleMesh& mesh, const glm::dvec3& origin);
+    // What `mesh` has become: this is what it was before `edit`.
+    [[nodiscard]] PagedMesh edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceEdit& edit) const;
+
+    [[nodiscard]] const Box& bounds() const { return bounds_; }
+    [[nodiscard]] const glm::dvec3& origin() const { return origin_; }
+    [[nodiscard]] int branch_count() const { return branch_count_; } // largest branch id + 1
+    [[nodiscard]] std::uint64_t triangle_count() const { return triangle_count_; }
+    [[nodiscard]] const VertexPages& vertex_pages() const { return vertex_pages_; }
+    [[nodiscard]] const TrianglePages& triangle_pages() const { return triangle_pages_; }
+
+    // Positions in mm of the vertices that triangles use, of the branches that `wanted` accepts. Takes a few
+    // milliseconds for a million triangles.
+    [[nodiscard]] std::vector<glm::vec3> positions(const std::function<bool(int)>& wanted = {}) const;
+
+private:
+    void summarise();
+
+    VertexPages vertex_pages_;
+    TrianglePages triangle_pages_;
+    Box bounds_;
+    glm::dvec3 origin_{0.0};
+    int branch_count_ = 0;
+    std::uint64_t triangle_count_ = 0;
+};
+
+} // namespace ramus::render

@@ -1,0 +1,285 @@
+// What is shown beside the tree: commands that add, change and remove it, what is read of it and when, and what the
+// picture gets.
+#include "app/picture/compose.h"
+#include "app/session/colour_text.h"
+#include "app/session/context_shapes.h"
+#include "app/session/session_file.h"
+#include "app/workspace/workspace.h"
+#include "core/io/mesh_writer.h"
+#include "render/scene/bounds.h"
+#include "tests/support/command_stage.h"
+#include "tests/support/icosphere.h"
+#include "tests/support/nifti_file.h"
+#include "tests/support/settle.h"
+#include "tests/support/temporary_folder.h"
+
+#include <chrono>
+#include <doctest/doctest.h>
+#include <fstream>
+#include <thread>
+
+using namespace ramus;
+using namespace ramus::app;
+using ramus::test::settle;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
+
+struct Stage {
+    TemporaryFolder folder;
+    fs::path tree = write("fork.swc", kFork);
+    test::CommandStage commands{io::read_tree(tree).value()};
+
+    fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder.path() / name, std::ios::binary) << text;
+        return folder.path() / name;
+    }
+    [[nodiscard]] std::string ball(const std::string& name, glm::dvec3 centre = {0, 0, 15}, int level = 3) const {
+        auto mesh = test::icosphere(level, centre, 12.0);
+        mesh.radii.resize(mesh.positions.size(), 1.0F);
+        mesh.branches.resize(mesh.positions.size(), 0);
+        REQUIRE(io::write_mesh(mesh, folder.path() / name));
+        return (folder.path() / name).string();
+    }
+    // Two blocks: label 1 from x = 0 to 4 mm, label 2 from 10 to 18.
+    [[nodiscard]] std::string mask(const std::string& name) const {
+        test::NiftiFile file;
+        file.dim = {3, 10, 4, 6, 1, 1, 1, 1};
+        file.rows = {2, 0, 0, 1, 0, 1, 0, 0, 0, 0, 3, 0}; // voxels of 2 x 1 x 3 mm, the first one's middle at x = 1
+        std::vector<std::uint8_t> values;
+        for (int k = 0; k < 6; ++k)
+            for (int j = 0; j < 4; ++j)
+                for (int i = 0; i < 10; ++i) values.push_back(i < 2 ? 1 : i >= 5 && i < 9 ? 2 : 0);
+        file.put(values);
+        return test::write_plain(folder.path() / name, file.bytes()).string();
+    }
+    [[nodiscard]] const std::vector<ContextItem>& context() const { return commands.marks().context; }
+    [[nodiscard]] std::vector<render::ContextMesh> drawn() const {
+        return compose(commands.document, nullptr, {}).context;
+    }
+};
+
+} // namespace
+
+TEST_CASE("context is added, changed, hidden and taken away by commands, each a step of undo") {
+    Stage stage;
+    const std::string file = stage.ball("organ.stl");
+    CHECK(stage.commands.good("context \"" + file + "\"").find("1,280 triangles") != std::string::npos);
+    REQUIRE(stage.context().size() == 1);
+    CHECK(stage.context()[0].file == file);
+    CHECK(stage.context()[0].opacity == 0.25);
+    REQUIRE(stage.drawn().size() == 1);
+    CHECK(stage.drawn()[0].mesh->triangles.size() == 1280);
+    CHECK(stage.drawn()[0].clear());
+    stage.commands.good("context \"" + file + "\" --wireframe --colour 20ff80");
+    REQUIRE(stage.context().size() == 2);
+    CHECK(stage.context()[1].wireframe);
+    CHECK(stage.context()[1].opacity == 1.0);
+    CHECK(stage.context()[1].colour == std::array<std::uint8_t, 3>{0x20, 0xff, 0x80});
+    CHECK(stage.context()[0].colour != stage.context()[1].colour);
+
+    stage.commands.good("context-opacity 1 0.6");
+    CHECK(stage.drawn()[0].opacity == 0.6F);
+    stage.commands.good("context-colour 1 \"#102030\"");
+    CHECK(stage.context()[0].colour == std::array<std::uint8_t, 3>{16, 32, 48});
+    CHECK(stage.drawn()[0].colour.z == doctest::Approx(48.0 / 255.0));
+    stage.commands.good("context-style 2 surface");
+    CHECK_FALSE(stage.drawn()[1].wireframe);
+    CHECK(stage.drawn()[0].mesh == stage.drawn()[1].mesh); // read once
+    stage.commands.good("context-hide 1");
+    CHECK(stage.drawn().size() == 1);
+    CHECK(stage.context().size() == 2);
+    stage.commands.good("context-show 1");
+    CHECK(stage.drawn().size() == 2);
+    stage.commands.good("context-remove 1");
+    REQUIRE(stage.context().size() == 1);
+    CHECK_FALSE(stage.context()[0].wireframe);
+    stage.commands.good("context-clear");
+    CHECK(stage.drawn().empty());
+    for (int i = 0; i < 6; ++i) stage.commands.good("undo");
+    REQUIRE(stage.context().size() == 2);
+    CHECK(stage.context()[0].opacity == 0.6);
+    CHECK(stage.context()[0].colour == std::array<std::uint8_t, 3>{201, 130, 104});
+    CHECK(stage.drawn().size() == 2);
+    stage.commands.good("undo\nundo\nundo");
+    CHECK(stage.context().empty());
+    stage.commands.good("redo");
+    CHECK(stage.drawn().size() == 1);
+}
+
+TEST_CASE("what cannot be context is refused, and changes nothing") {
+    Stage stage;
+    const std::string good = stage.ball("good.ply");
+    stage.commands.good("context \"" + good + "\"");
+    const auto path = [&](const char* name) {
+        return std::string("\"") + (stage.folder.path() / name).string() + "\"";
+    };
+    stage.write("broken.stl", "solid nothing\nendsolid nothing\n");
+    stage.write("broken.nii", std::string(100, 'x'));
+    const std::string mask = stage.mask("mask.nii");
+    const std::pair<std::string, const char*> cases[] = {
+        {"context \"" + good + "\"", "already"},
+        {"context " + path("gone.stl"), "gone.stl"},
+        {"context " + path("gone.nii.gz"), "gone.nii.gz"},
+        {"context " + path("broken.stl"), "broken.stl"},
+        {"context " + path("broken.nii"), "broken.nii"},
+        {"context " + path("fork.swc"), "neither a mask nor a mesh"},
+        {"context \"" + good + "\" --label 1", "no labels"},
+        {"context \"" + mask + "\" --label 7", "7"},
+        {"context \"" + mask + "\" --label 0", "--label"},
+        {"context \"" + mask + "\" --label", "--label"},
+        {"context \"" + mask + "\" --colour red", "--colour"},
+        {"context \"" + mask + "\" --opacity 1.5", "--opacity"},
+        {"context \"" + mask + "\" --nonsense", "context FILE"},
+        {"context \"" + mask + "\" \"" + good + "\"", "context FILE"},
+        {"context --wireframe", "context takes a file"},
+        {"context", "FILE"},
+        {"context-remove 2", "from 1 to 1"},
+        {"context-remove", "number"},
+        {"context-opacity 1 2", "0 to 1"},
+        {"context-opacity 1", "number"},
+        {"context-colour 1 12345", "colour"},
+        {"context-style 1 dotted", "dotted"},
+        {"context-hide 0", "from 1 to 1"},
+    };
+    for (const auto& [line, says] : cases) {
+        CAPTURE(line);
+        const std::string message = stage.commands.bad(line);
+        CAPTURE(message);
+        CHECK(message.find(says) != std::string::npos);
+    }
+}
+
+TEST_CASE("a mask's surface lies in the patient's coordinates, of one label or of all") {
+    Stage stage;
+    const std::string file = stage.mask("organ.nii");
+    stage.commands.good("context \"" + file + "\" --label 2 --exact\ncontext \"" + file +
+                        "\" --opacity 1 --exact\ncontext \"" + file + "\" --label 2");
+    const auto drawn = stage.drawn();
+    REQUIRE(drawn.size() == 3);
+    CHECK(drawn[2].mesh != drawn[0].mesh); // relaxed
+    CHECK(drawn[2].mesh->triangles.size() == drawn[0].mesh->triangles.size());
+    const render::Box one = render::bounds_of(*drawn[0].mesh), all = render::bounds_of(*drawn[1].mesh);
+    // Midway between voxels: label 2 are those with middles at x = 11 to 17, and half a voxel more.
+    CHECK(one.lower.x == doctest::Approx(10.0));
+    CHECK(one.upper.x == doctest::Approx(18.0));
+    CHECK(all.lower.x == doctest::Approx(0.0));
+    CHECK(all.upper.z == doctest::Approx(16.5));
+    CHECK(drawn[1].solid());
+    CHECK(drawn[0].mesh->normals.size() == drawn[0].mesh->positions.size());
+}
+
+TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it is told") {
+    Stage stage;
+    stage.write("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+    CHECK(stage.commands.good("context \"" + (stage.folder.path() / "open.obj").string() + "\"").find("1 triangle") !=
+          std::string::npos);
+    const std::string said = stage.commands.good("context \"" + stage.ball("far.stl", {0, 0, 530}) + "\"");
+    CHECK(said.find("same coordinates") != std::string::npos);
+    CHECK(said.find("488 mm") != std::string::npos); // 530 - 12 from the centerlines' end at 30
+    CHECK(stage.commands.good("context \"" + stage.ball("near.stl") + "\"").find("coordinates") == std::string::npos);
+}
+
+TEST_CASE("large context has a coarser stand-in for while the view moves") {
+    Stage stage;
+    stage.commands.good("context \"" + stage.ball("small.ply") + "\"\ncontext \"" +
+                        stage.ball("large.ply", {0, 0, 15}, 7) + "\"");
+    const auto drawn = stage.drawn();
+    REQUIRE(drawn.size() == 2);
+    CHECK(drawn[0].preview == nullptr);
+    REQUIRE(drawn[1].preview != nullptr);
+    CHECK(drawn[1].mesh->triangles.size() == 327680);
+    CHECK(drawn[1].preview->triangles.size() < 60000);
+    CHECK(drawn[1].preview->triangles.size() > 20000);
+}
+
+TEST_CASE("a session names its context, and the window reads it behind its back") {
+    Stage stage;
+    const std::string file = stage.ball("organ.stl"), mask = stage.mask("mask.nii");
+    stage.commands.good("context \"" + mask + "\" --label 1 --opacity 0.5\ncontext \"" + file +
+                        "\" --colour 00ff10\ncontext-hide 2");
+    Session session = stage.commands.document.session();
+    session.tree.path = stage.tree;
+    ContextItem gone;
+    gone.file = (stage.folder.path() / "gone.stl").string();
+    session.marks.context.push_back(gone);
+    const fs::path saved = stage.folder.path() / "plan.ramus.json";
+    REQUIRE(write_session(session, saved));
+    keep_context_shapes({}); // as in another run
+    CHECK(context_shape_read_before({mask, 1, false}) == nullptr);
+
+    Workspace workspace({});
+    workspace.open(saved);
+    REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value(); }));
+    CHECK(workspace.document.marks().context == session.marks.context);
+    REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
+    CHECK(compose(workspace.document, nullptr, {}).context.size() == 1);
+    CHECK(context_shape_read_before({file, 0, false}) == nullptr); // hidden
+    // What is not there is said once, and not tried again and again.
+    const auto error = workspace.take_error();
+    REQUIRE(error.has_value());
+    CHECK(error->message().find("gone.stl") != std::string::npos);
+    CHECK(context_trouble({gone.file, 0, false}).has_value());
+    workspace.update();
+    CHECK_FALSE(workspace.context.busy());
+    CHECK_FALSE(workspace.take_error().has_value());
+    // Shown again, it is read.
+    Marks marks = workspace.document.marks();
+    marks.context[1].visible = true;
+    workspace.document.change(marks);
+    REQUIRE(settle(workspace, [&] { return compose(workspace.document, nullptr, {}).context.size() == 2; }));
+    // Headless pictures fail instead of leaving it out.
+    Job job;
+    const auto read = read_context(marks.context, job);
+    REQUIRE_FALSE(read);
+    CHECK(read.error().message().find("gone.stl") != std::string::npos);
+    marks.context.pop_back();
+    CHECK(read_context(marks.context, job));
+}
+
+TEST_CASE("a command's file is read for it, and the command goes on") {
+    Stage stage;
+    const std::string file = stage.ball("organ.stl");
+    Workspace workspace({});
+    workspace.open(stage.tree);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    workspace.context.read({file, 0, true}, {file, "--wireframe"});
+    CHECK(workspace.busy());
+    std::optional<std::vector<std::string>> ready;
+    REQUIRE(settle(workspace, [&] { return (ready = workspace.context.take_ready()).has_value(); }));
+    CHECK(*ready == std::vector<std::string>{file, "--wireframe"});
+    CHECK(context_shape_read_before({file, 0, true}) != nullptr);
+    CHECK_FALSE(workspace.context.take_ready());
+}
+
+TEST_CASE("reading that was cancelled is not taken up again until somebody asks") {
+    Stage stage;
+    const std::string file = stage.ball("organ.ply", {0, 0, 15}, 6);
+    Workspace workspace({});
+    workspace.open(stage.tree);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready() && !workspace.busy(); }));
+    Marks marks = workspace.document.marks();
+    ContextItem item;
+    item.file = file;
+    marks.context = {item};
+    workspace.document.change(marks);
+    workspace.update();
+    REQUIRE(workspace.context.busy());
+    workspace.cancel_work();
+    for (int i = 0; i < 20; ++i) workspace.update();
+    CHECK_FALSE(workspace.context.busy());
+    CHECK(workspace.context.gave_up({file, 0, false}));
+    CHECK(compose(workspace.document, nullptr, {}).context.empty());
+    workspace.context.retry();
+    REQUIRE(settle(workspace, [&] { return compose(workspace.document, nullptr, {}).context.size() == 1; }));
+}
+
+TEST_CASE("colours are written as #RRGGBB and read with or without the sign") {
+    CHECK(colour_text({1, 171, 255}) == "#01abff");
+    CHECK(colour_in("#01aBff") == std::array<std::uint8_t, 3>{1, 171, 255});
+    CHECK(colour_in("01abff") == std::array<std::uint8_t, 3>{1, 171, 255});
+    for (const char* wrong : {"", "#", "red", "#01abf", "01abff0", "#0x1122", "-1-1-1", "zzzzzz"})
+        CHECK_FALSE(colour_in(wrong).has_value());
+}

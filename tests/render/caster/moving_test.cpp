@@ -1,0 +1,395 @@
+// What stands in for the surface while the view moves: round cones along the centerlines, found by a ray a pixel.
+#include "render/gl/gl_context.h"
+#include "render/renderer/renderer.h"
+#include "render/scene/centerlines.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/tube_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <random>
+#include <string>
+
+using namespace ramus::render;
+using ramus::mesh::TriangleMesh;
+using ramus::test::add_capsule;
+
+namespace {
+
+struct Vessel {
+    glm::vec3 from, to;
+    float first, last; // radii
+};
+// None begins just where another ends: those would be one vessel, smooth at their joint.
+const std::array<Vessel, 4> kVessels{{{{0, 0, -30}, {0, 0, 10}, 5.0F, 5.0F},
+                                      {{0, 0, 10.001F}, {-25, 0, 30}, 4.0F, 4.0F},
+                                      {{0, 0, 10.002F}, {22, 10, 28}, 2.0F, 2.0F},
+                                      {{-20, 12, -14}, {20, 14, -10}, 1.0F, 1.0F}}};
+
+// The cones' own surface, finely.
+struct Scene {
+    ramus::test::WatchedContext context;
+    std::unique_ptr<Renderer> renderer = Renderer::create().value();
+    Frame frame;
+
+    explicit Scene(bool orthographic) {
+        TriangleMesh mesh;
+        auto lines = std::make_shared<Centerlines>();
+        for (std::size_t i = 0; i < kVessels.size(); ++i) {
+            const Vessel& v = kVessels[i];
+            add_capsule(mesh, v.from, v.to, v.first, v.last, static_cast<int>(i), 160);
+            lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
+            for (const auto& [place, radius] : {std::pair{v.from, v.first}, {v.to, v.last}}) {
+                lines->points.emplace_back(place, glm::distance(place, v.from));
+                lines->details.push_back({2.0F * radius, static_cast<std::int32_t>(i)});
+            }
+        }
+        frame.mesh = std::make_shared<const PagedMesh>(mesh);
+        frame.centerlines = lines;
+        frame.beyond_ends = 1.0F; // as the capsules do
+        frame.size = {640, 480};
+        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, orthographic);
+        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+        frame.states.assign(kVessels.size(), BranchState::kNormal);
+        frame.quality = Quality::kInteractive;
+    }
+    ~Scene() {
+        CHECK(context->make_current()); // there may be another one
+        renderer.reset();
+    }
+    DrawStatistics draw() {
+        REQUIRE(context->make_current());
+        const auto done = renderer->draw(frame);
+        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
+        return *done;
+    }
+};
+
+// Mean of 255, over the pixels of a picture that show vessels.
+double apart_on_vessels(const Image& picture, const Image& other, const BranchPicture& branches, std::size_t& vessels) {
+    double sum = 0.0;
+    vessels = 0;
+    for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+        if (branches.branches[i] == kNoBranch) continue;
+        ++vessels;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(picture.rgba[k] - other.rgba[k]) / 3.0;
+    }
+    return sum / double(vessels);
+}
+
+} // namespace
+
+TEST_CASE("cones stand in for the surface while the view moves, and look like it") {
+    for (const bool orthographic : {false, true}) {
+        CAPTURE(orthographic);
+        Scene still(orthographic), moving(orthographic);
+        still.frame.quality = Quality::kFull;
+        const Camera there = turned(still.frame.camera, 30.0, 20.0);
+        CHECK(moving.draw().triangles > 100'000);
+        moving.frame.camera = still.frame.camera = there;
+        const DrawStatistics turned_by = moving.draw();
+        CHECK(turned_by.cones == kVessels.size());
+        CHECK(turned_by.triangles == 0);
+        const Image cones = moving.renderer->read_image();
+        const BranchPicture cone_branches = moving.renderer->read_branches();
+        const Pick cone_pick = moving.renderer->pick(320, 300);
+        CHECK(still.draw().triangles > 100'000);
+        const Image surface = still.renderer->read_image();
+        const BranchPicture surface_branches = still.renderer->read_branches();
+
+        std::size_t vessels = 0, other_branch = 0;
+        const double apart = apart_on_vessels(cones, surface, surface_branches, vessels);
+        for (std::size_t i = 0; i < surface_branches.branches.size(); ++i)
+            if (surface_branches.branches[i] != kNoBranch)
+                other_branch += cone_branches.branches[i] != surface_branches.branches[i] ? 1 : 0;
+        MESSAGE("mean difference " << apart << " of 255; " << 100.0 * double(other_branch) / double(vessels)
+                                   << " % show another branch");
+        REQUIRE(vessels > 20'000);
+        CHECK(apart < 0.1);
+        CHECK(double(other_branch) < 0.001 * double(vessels));
+        const Pick pick = still.renderer->pick(320, 300);
+        CHECK(cone_pick.branch == pick.branch);
+        CHECK(glm::distance(cone_pick.position, pick.position) < 0.05);
+
+        // It stays until the view rests.
+        moving.frame.hovered = 1;
+        CHECK(moving.draw().cones == kVessels.size());
+        CHECK(moving.renderer->read_image() != cones);
+        moving.frame.hovered = kNoBranch;
+
+        // At rest, and where anything but the camera changes, it is the surface.
+        moving.frame.quality = Quality::kFull;
+        CHECK(moving.draw().triangles > 100'000);
+        moving.frame.quality = Quality::kInteractive;
+        moving.frame.camera = turned(there, 5.0, 0.0);
+        moving.frame.states[3] = BranchState::kHidden;
+        CHECK(moving.draw().triangles > 70'000);
+        moving.frame.camera = there;
+        CHECK(moving.draw().cones == kVessels.size() - 1);
+    }
+}
+
+TEST_CASE("a surface that is not there yet is seen along its centerlines, in the first picture too") {
+    Scene awaiting(false), still(false);
+    still.frame.quality = Quality::kFull;
+    CHECK(still.draw().triangles > 100'000);
+    const Image surface = still.renderer->read_image();
+    const BranchPicture branches = still.renderer->read_branches();
+    const Pick pick = still.renderer->pick(320, 300);
+
+    // What is there is another one's.
+    const auto wanted = awaiting.frame.mesh;
+    TriangleMesh other;
+    add_capsule(other, {0, 0, -10}, {0, 0, 10}, 9.0F, 9.0F, 0);
+    awaiting.frame.mesh = std::make_shared<const PagedMesh>(other);
+    awaiting.frame.surface_awaited = true;
+    const DrawStatistics first = awaiting.draw();
+    CHECK(first.cones == kVessels.size());
+    CHECK(first.triangles == 0);
+    CHECK_FALSE(first.pending); // nothing is sent that nobody will see
+    CHECK(first.uploaded == 0);
+    const auto difference = [&] {
+        std::size_t vessels = 0;
+        return apart_on_vessels(awaiting.renderer->read_image(), surface, branches, vessels);
+    };
+    CHECK(difference() < 0.1);
+    CHECK(awaiting.renderer->pick(320, 300).branch == pick.branch);
+    CHECK_FALSE(awaiting.draw().geometry); // nothing changed
+
+    // It comes, and the picture stays until the view rests.
+    awaiting.frame.mesh = wanted;
+    awaiting.frame.surface_awaited = false;
+    CHECK(awaiting.draw().cones == kVessels.size());
+    CHECK(difference() < 0.1);
+    awaiting.frame.quality = Quality::kFull;
+    CHECK(awaiting.draw().triangles > 100'000);
+    CHECK(difference() == 0.0);
+
+    // In full, and with what cannot be cast, the mesh before is what there is.
+    awaiting.frame.mesh = std::make_shared<const PagedMesh>(other);
+    awaiting.frame.surface_awaited = true;
+    const std::uint64_t before = awaiting.draw().triangles;
+    CHECK(before > 0);
+    CHECK(before < 100'000);
+    awaiting.frame.quality = Quality::kInteractive;
+    awaiting.frame.centerlines = nullptr;
+    CHECK(awaiting.draw().triangles == before);
+}
+
+std::shared_ptr<TriangleMesh> a_mesh(glm::vec3 from, glm::vec3 to, float radius, int around = 60) {
+    auto mesh = std::make_shared<TriangleMesh>();
+    add_capsule(*mesh, from, to, radius, 0.7F * radius, 0, around);
+    return mesh;
+}
+
+TEST_CASE("every look is the same while the view moves") {
+    struct Look {
+        std::string name;
+        std::function<void(Frame&)> put_on;
+    };
+    const std::vector<Look> looks{
+        {"glass", [](Frame& f) { f.states[3] = BranchState::kDefocused; }},
+        {"dense glass, selected",
+         [](Frame& f) {
+             f.states[3] = BranchState::kDefocused;
+             f.selected = {3};
+             f.appearance.glass_opacity = 1.6F;
+         }},
+        {"highlighted and selected",
+         [](Frame& f) {
+             f.states[1] = BranchState::kHighlighted;
+             f.selected = {2};
+         }},
+        {"hidden", [](Frame& f) { f.states[0] = BranchState::kHidden; }},
+        {"hovered",
+         [](Frame& f) {
+             f.hovered = 0;
+             f.hovered_dependents = {1, 2};
+         }},
+        {"own colours",
+         [](Frame& f) {
+             f.colours = {{0.2F, 0.6F, 0.9F}, {0.9F, 0.8F, 0.1F}, {0.1F, 0.9F, 0.3F}};
+         }},
+        {"by diameter",
+         [](Frame& f) {
+             f.scale.value = ColourScale::Value::kDiameter;
+             f.scale.low = 1.0F, f.scale.high = 11.0F;
+             f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.2F, 0.7F, 0.4F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"by diameter, logarithmic",
+         [](Frame& f) {
+             f.scale.value = ColourScale::Value::kDiameter;
+             f.scale.logarithmic = true;
+             f.scale.low = 1.0F, f.scale.high = 11.0F;
+             f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"lost branches",
+         [](Frame& f) {
+             f.states[3] = BranchState::kDefocused;
+             f.lost = {{1, 0.0, 1.0}, {3, 0.0, 1.0}};
+         }},
+        {"cut, with the way to the root",
+         [](Frame& f) {
+             f.lost = {{0, 0.55, 1.0}, {1, 0.0, 1.0}, {3, 0.2, 0.7}};
+             f.scale.value = ColourScale::Value::kRootDistance;
+             f.scale.low = 0.0F, f.scale.high = 60.0F;
+             f.scale.ramp = {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}};
+         }},
+        {"cut, with a line",
+         [](Frame& f) {
+             f.lost = {{2, 0.4, 1.0}};
+             f.lines = {{{{-20, -20, -20}, {20, 18, 25}}, {0.2F, 0.9F, 0.4F}, 2.0F}};
+         }},
+        {"a lesion and its margins",
+         [](Frame& f) {
+             f.lesions.spheres = {{8.0, -6.0, 4.0, 6.0}, {-14.0, 3.0, 20.0, 4.0}};
+             f.margins.bands = {{3.0F, {0.9F, 0.2F, 0.1F}}, {8.0F, {0.9F, 0.8F, 0.2F}}, {15.0F, {0.2F, 0.6F, 0.3F}}};
+         }},
+        {"lesions in glass and behind it",
+         [](Frame& f) {
+             f.states[0] = f.states[3] = BranchState::kDefocused;
+             f.lesions.spheres = {{1.0, 1.0, -12.0, 7.0}, {6.0, 14.0, -8.0, 5.0}};
+         }},
+        {"margins of meshes",
+         [](Frame& f) {
+             auto grid = std::make_shared<DistanceGrid>();
+             grid->size = {40, 36, 44};
+             grid->corner = {-20.0, -18.0, -30.0};
+             for (int i = 0; i < 40 * 36 * 44; ++i) {
+                 const glm::dvec3 at = grid->corner + glm::dvec3(i % 40, i / 40 % 36, i / 1440);
+                 grid->values.push_back(static_cast<float>(glm::distance(at, glm::dvec3(4.0, 2.0, -4.0)) - 6.0));
+             }
+             f.lesions.distances = grid;
+             f.margins.bands = {{2.0F, {0.9F, 0.2F, 0.1F}}, {6.0F, {0.9F, 0.8F, 0.2F}}};
+         }},
+        {"a lesion that is a mesh, in glass",
+         [](Frame& f) {
+             f.states[0] = BranchState::kDefocused;
+             f.lesions.spheres = {{-14.0, 3.0, 20.0, 4.0}};
+             f.lesions.meshes = {a_mesh({2, -4, -14}, {6, 4, -2}, 5.0F)};
+         }},
+        {"clear and opaque context",
+         [](Frame& f) {
+             f.states[3] = BranchState::kDefocused;
+             f.context = {{a_mesh({-20, 6, -12}, {14, -4, 16}, 9.0F), nullptr, {0.8F, 0.6F, 0.5F}, 0.3F, false},
+                          {a_mesh({6, 14, -28}, {20, 12, -6}, 4.0F), nullptr, {0.9F, 0.9F, 0.8F}, 1.0F, false}};
+         }},
+        {"open context, seen from both sides",
+         [](Frame& f) {
+             auto open = std::make_shared<TriangleMesh>(*a_mesh({-16, 6, -12}, {14, -4, 16}, 9.0F));
+             std::erase_if(open->triangles, [&](const glm::uvec3& t) { return open->positions[t.x].y > 4.0F; });
+             f.context = {{open, nullptr, {0.3F, 0.6F, 0.8F}, 0.4F, false}};
+         }},
+        {"context as lines",
+         [](Frame& f) {
+             f.context = {{a_mesh({-20, 6, -12}, {14, -4, 16}, 9.0F, 14), nullptr, {0.6F, 0.9F, 1.0F}, 0.8F, true}};
+         }},
+        {"shadows", [](Frame& f) { f.appearance.shadows = 1.0F; }},
+        {"contours and near red", [](Frame& f) { f.appearance.contours = 1.0F, f.appearance.chromadepth = 1.0F; }},
+        {"halos, no fog", [](Frame& f) { f.appearance.halos = 1.0F, f.appearance.depth_cue = 0.0F; }},
+        {"no occlusion", [](Frame& f) { f.appearance.occlusion = 0.0F; }},
+        {"nothing behind", [](Frame& f) { f.background.transparent = true; }},
+    };
+    for (const bool orthographic : {false, true}) {
+        Scene still(orthographic), moving(orthographic);
+        const Camera there = turned(still.frame.camera, 24.0, 12.0);
+        still.frame.quality = Quality::kFull;
+        for (const Look& look : looks) {
+            CAPTURE(look.name);
+            CAPTURE(orthographic);
+            const Frame plain_still = still.frame, plain_moving = moving.frame;
+            look.put_on(still.frame);
+            look.put_on(moving.frame);
+            moving.draw();
+            moving.frame.camera = still.frame.camera = there;
+            CHECK(moving.draw().cones > 0);
+            const Image cones = moving.renderer->read_image();
+            still.draw();
+            const Image surface = still.renderer->read_image();
+            int pointed_elsewhere = 0;
+            for (int n = 0; n < 108; ++n) {
+                const double x = 53.0 * (n % 12) + 20.0, y = 53.0 * (n / 12) + 20.0;
+                const Pick here = moving.renderer->pick(x, y), there_too = still.renderer->pick(x, y);
+                pointed_elsewhere += here.branch != there_too.branch || here.lesion != there_too.lesion ? 1 : 0;
+            }
+            CHECK(pointed_elsewhere <= 1); // on an edge
+            const BranchPicture branches = still.renderer->read_branches();
+            double sum = 0.0;
+            std::size_t vessels = 0;
+            for (std::size_t i = 0; i < branches.branches.size(); ++i) {
+                if (branches.branches[i] == kNoBranch) continue;
+                ++vessels;
+                for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) sum += std::abs(cones.rgba[k] - surface.rgba[k]) / 4.0;
+            }
+            double everywhere = 0.0;
+            for (std::size_t i = 0; i < surface.rgba.size(); ++i)
+                everywhere += std::abs(cones.rgba[i] - surface.rgba[i]) / double(surface.rgba.size());
+            REQUIRE(vessels > 5'000);
+            MESSAGE(look.name << ": " << sum / double(vessels) << " of 255, " << everywhere << " in all the picture");
+            CHECK(sum / double(vessels) < 0.16);
+            CHECK(everywhere < 0.02);
+            still.frame = plain_still;
+            moving.frame = plain_moving;
+        }
+    }
+}
+
+TEST_CASE("what is around the eye is cut off before it, not left out") {
+    Scene scene(false);
+    scene.draw();
+    scene.frame.camera = turned(scene.frame.camera, 24.0, 12.0);
+    scene.draw();
+    const Image without = scene.renderer->read_image();
+    auto tube = std::make_shared<TriangleMesh>(*a_mesh({-40, -200, 0}, {40, 260, 10}, 60.0F, 10));
+    tube->triangles.pop_back(); // open: it is seen from within
+    scene.frame.context = {{tube, nullptr, {0.3F, 0.6F, 0.8F}, 0.2F, false}};
+    CHECK(scene.draw().cones > 0);
+    const Image within = scene.renderer->read_image();
+    std::size_t veiled = 0;
+    for (std::size_t i = 0; i < within.rgba.size(); i += 4) veiled += within.rgba[i + 2] != without.rgba[i + 2] ? 1 : 0;
+    CHECK(double(veiled) > 0.97 * double(within.rgba.size() / 4)); // but where the hole is
+}
+
+TEST_CASE("thinned centerlines stay near the whole ones, with their ends and branches") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> step(-1.0F, 1.0F);
+    Centerlines lines;
+    for (int branch = 0; branch < 40; ++branch) {
+        const std::uint32_t count = branch == 7 ? 0 : branch == 8 ? 1 : 2 + static_cast<std::uint32_t>(branch) * 5;
+        lines.runs.push_back({static_cast<std::uint32_t>(lines.points.size()), count});
+        glm::vec3 at(10.0F * step(random), 0.0F, 0.0F), way(1.0F, 0.0F, 0.0F);
+        float radius = 2.0F + step(random);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            lines.points.emplace_back(at, float(i));
+            lines.details.push_back({2.0F * radius, branch});
+            way = glm::normalize(way + 0.2F * glm::vec3(step(random), step(random), step(random)));
+            at += 0.5F * way;
+            radius *= 1.0F + 0.02F * step(random);
+        }
+    }
+    const double most = 0.2;
+    const Centerlines fewer = lines.thinned(most);
+    REQUIRE(fewer.runs.size() == lines.runs.size());
+    CHECK(fewer.points.size() < lines.points.size() / 2);
+    for (std::size_t branch = 0; branch < lines.runs.size(); ++branch) {
+        const Centerlines::Run whole = lines.runs[branch], run = fewer.runs[branch];
+        REQUIRE((run.count == 0) == (whole.count == 0));
+        if (whole.count == 0) continue;
+        CHECK(fewer.points[run.first] == lines.points[whole.first]);
+        CHECK(fewer.points[run.first + run.count - 1] == lines.points[whole.first + whole.count - 1]);
+        for (std::uint32_t i = 0; i < whole.count; ++i) {
+            const glm::vec3 p(lines.points[whole.first + i]);
+            double nearest = glm::distance(p, glm::vec3(fewer.points[run.first]));
+            for (std::uint32_t k = 0; k + 1 < run.count; ++k) {
+                const glm::vec3 a(fewer.points[run.first + k]), ab = glm::vec3(fewer.points[run.first + k + 1]) - a;
+                const float t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
+                nearest = std::min(nearest, double(glm::distance(p, a + t * ab)));
+            }
+            CHECK(nearest <= std::min(most, 0.15 * 0.5 * lines.details[whole.first + i].diameter_mm) + 1e-5);
+        }
+        for (std::uint32_t k = 0; k < run.count; ++k) CHECK(fewer.details[run.first + k].branch == int(branch));
+    }
+}

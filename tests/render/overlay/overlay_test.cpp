@@ -1,0 +1,143 @@
+#include "render/image/text.h"
+#include "render/overlay/captions.h"
+#include "render/overlay/overlay.h"
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+using namespace ramus::render;
+
+namespace {
+
+// Bright pixels of the letter as a picture of 0 and 1 (faces are dark, letters light).
+int bright(const Image& image, int x0, int x1, int y0, int y1) {
+    int count = 0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) count += image.pixel(x, y)[1] > 165 ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("scale bars have round lengths that fit") {
+    CHECK(scale_bar_length_mm(9.99) == doctest::Approx(5.0));
+    CHECK(scale_bar_length_mm(10.0) == doctest::Approx(10.0));
+    CHECK(scale_bar_length_mm(49.0) == doctest::Approx(20.0));
+    CHECK(scale_bar_length_mm(0.0031) == doctest::Approx(0.002));
+    CHECK(scale_bar_label(20.0) == "20 mm");
+    CHECK(scale_bar_label(0.5) == "500 \xb5m");
+    CHECK(scale_bar_label(200.0) == "20 cm");
+    CHECK(scale_bar_label(1.0) == "1 mm");
+}
+
+TEST_CASE("the scale bar is as long as it says") {
+    Frame frame;
+    frame.size = {900, 700};
+    frame.camera.orthographic = true;
+    frame.camera.scale = 35.0; // 0.1 mm a pixel: at most 150 pixels, so 10 mm = 100 pixels
+    frame.overlays.orientation_cube = false;
+    const auto sprites = overlays_of(frame, default_font());
+    REQUIRE(sprites.size() == 1);
+    const Image& bar = sprites[0].image;
+    const int row = bar.height - 2; // halo below, then the line
+    int ink = 0;
+    for (int x = 0; x < bar.width; ++x) ink += bar.pixel(x, row)[0] > 200 ? 1 : 0;
+    CHECK(ink == 100);
+}
+
+TEST_CASE("every letter that overlays need has ink in both fonts, and they differ from each other") {
+    for (const std::string& font : {default_font(), std::string(), std::string("/no/such/font.ttf")}) {
+        CAPTURE(font);
+        std::vector<Coverage> drawn;
+        for (const char c : std::string("0123456789.mcn\xb5RLAPSI")) {
+            drawn.push_back(draw_text(std::string(1, c), 24.0, font));
+            CHECK(std::accumulate(drawn.back().values.begin(), drawn.back().values.end(), 0) > 255 * 8);
+        }
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) CHECK(drawn[i].values != drawn[j].values);
+        CHECK(draw_text("20 mm", 10.0, font).width > draw_text("2 mm", 10.0, font).width);
+    }
+}
+
+TEST_CASE("the cube shows one face head-on in an anatomical view, and three from a corner") {
+    for (const std::string& font : {default_font(), std::string()}) {
+        std::vector<Image> faces;
+        for (const View view : kViews) {
+            const Image cube = paint_orientation_cube(looking(Camera{}, view), 96, font);
+            CHECK(bright(cube, 0, 96, 0, 96) > 60);
+            for (const Image& other : faces) CHECK(compare(cube, other, 60)->differing > 40);
+            faces.push_back(cube);
+        }
+        // An L has its foot at the lower right and its stem at the left: neither mirrored nor upside down.
+        const Image left = paint_orientation_cube(looking(Camera{}, View::kLeft), 96, font);
+        CHECK(bright(left, 0, 48, 0, 96) > bright(left, 48, 96, 0, 96));
+        CHECK(bright(left, 0, 96, 48, 96) > bright(left, 0, 96, 0, 48));
+        // A P has its bowl at the upper right.
+        const Image back = paint_orientation_cube(looking(Camera{}, View::kPosterior), 96, font);
+        CHECK(bright(back, 49, 96, 0, 48) > bright(back, 49, 96, 50, 96) + 5);
+    }
+    const Image corner =
+        paint_orientation_cube(turned(looking(Camera{}, View::kAnterior), 35.0, 30.0), 96, default_font());
+    CHECK(corner.pixel(0, 0)[3] == 0); // round about the cube nothing
+    CHECK(corner.pixel(48, 48)[3] > 200);
+}
+
+TEST_CASE("overlays keep clear of the insets and leave small pictures alone") {
+    Frame frame;
+    frame.size = {1000, 800};
+    frame.overlays.inset_left = 200, frame.overlays.inset_right = 150, frame.overlays.inset_bottom = 90;
+    for (const Sprite& sprite : overlays_of(frame, "")) {
+        CHECK(sprite.corner.x >= 200);
+        CHECK(sprite.corner.x + sprite.image.width <= 850);
+        CHECK(sprite.corner.y + sprite.image.height <= 710);
+    }
+    frame.size = {90, 60};
+    frame.overlays = {};
+    CHECK(overlays_of(frame, "").empty());
+}
+
+TEST_CASE("letters say which way of the patient a direction goes, the most first") {
+    CHECK(orientation_letters({1, 0, 0}) == "R");
+    CHECK(orientation_letters({-1, 0.1, 0}) == "L");
+    CHECK(orientation_letters(glm::normalize(glm::dvec3(-1, 0.8, 0.1))) == "LA");
+    CHECK(orientation_letters(glm::normalize(glm::dvec3(0.7, -0.8, -0.9))) == "IPR");
+    Frame frame;
+    frame.size = {600, 400};
+    frame.camera = looking(Camera{}, View::kAnterior);
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    CHECK(overlays_of(frame, default_font()).empty());
+    frame.overlays.orientation_letters = true;
+    CHECK(overlays_of(frame, default_font()).size() == 4);
+    // A caption that is longer than the picture takes more lines, and the letters make way.
+    const int letter_top = overlays_of(frame, default_font())[2].corner.y;
+    frame.overlays.caption = "One line";
+    const auto one = overlays_of(frame, default_font());
+    REQUIRE(one.size() == 5);
+    for (int i = 0; i < 20; ++i) frame.overlays.caption += " and some more words";
+    const auto more = overlays_of(frame, default_font());
+    CHECK(more[0].image.height > 2 * one[0].image.height);
+    CHECK(more[0].corner.x + more[0].image.width <= frame.size.x);
+    CHECK(more[3].corner.y >= more[0].corner.y + more[0].image.height);
+    CHECK(letter_top < one[3].corner.y);
+    // Who draws something below the caption knows where it ends.
+    CHECK(caption_bottom(frame, default_font()) == more[0].corner.y + more[0].image.height);
+    frame.overlays.caption.clear();
+    CHECK(caption_bottom(frame, default_font()) == 0);
+}
+
+TEST_CASE("a heading is as large as a picture has room for") {
+    const std::string words = "Isosurface of the tree's voxels 50 %, truncated cones 50 %";
+    Frame frame;
+    frame.size = {800, 600};
+    const Image large = paint_heading(words, SpriteSource(frame), default_font());
+    CHECK(large.width < 800);
+    frame.size = {300, 200};
+    const Image small = paint_heading(words, SpriteSource(frame), default_font());
+    CHECK(small.width <= 300 - 2 * 6);      // margins of 3 % of the height
+    CHECK(small.height < 2 * large.height); // two lines, of smaller letters
+    frame.overlays.heading = words;
+    const auto sprites = overlays_of(frame, default_font());
+    REQUIRE(sprites.size() == 3);
+    CHECK(sprites[2].image == small);
+}

@@ -1,0 +1,152 @@
+// Pages of a surface, and a copy on the graphics card that follows them.
+#include "core/mesh/polygonize/polygonizer.h"
+#include "core/mesh/surface.h"
+#include "render/gl/gl_context.h"
+#include "render/image/image.h"
+#include "render/renderer/renderer.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/grown_tree.h"
+#include "tests/support/tube_mesh.h"
+
+#include <doctest/doctest.h>
+
+using namespace ramus;
+using namespace ramus::render;
+
+namespace {
+
+// A surface that branches come and go from, and what a viewer sees of it.
+struct Explorer {
+    tree::VesselTree tree = test::grown_tree(300).value();
+    mesh::Polygonizer polygonizer;
+    std::shared_ptr<const PagedMesh> mesh;
+    ramus::test::WatchedContext context;
+    std::unique_ptr<Renderer> renderer = Renderer::create().value();
+    Frame frame;
+
+    Explorer() {
+        update({});
+        frame.size = {320, 240};
+        frame.camera = camera_for(mesh->positions(), View::kAnterior, frame.size);
+        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    }
+    ~Explorer() { renderer.reset(); }
+    void update(const std::vector<std::uint8_t>& hidden) {
+        Job job;
+        REQUIRE(polygonizer.update(mesh::make_field(tree, {}, hidden), {}, job));
+        const mesh::SurfaceEdit edit = polygonizer.take_edit();
+        mesh = std::make_shared<const PagedMesh>(mesh ? mesh->edited(polygonizer.slots(), edit)
+                                                      : PagedMesh(polygonizer.slots()));
+        frame.mesh = mesh;
+    }
+    [[nodiscard]] std::vector<std::uint8_t> without_subtree(int branch) const {
+        std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
+        for (const int below : tree::subtree(tree, branch)) hidden[static_cast<std::size_t>(below)] = 1;
+        return hidden;
+    }
+    // What a renderer that has never seen this tree makes of the surface without gaps.
+    [[nodiscard]] Image from_nothing() const {
+        Frame fresh = frame;
+        fresh.mesh = std::make_shared<const PagedMesh>(polygonizer.compact(), mesh->origin());
+        CHECK(fresh.mesh->bounds() == mesh->bounds());
+        CHECK(fresh.mesh->triangle_count() == mesh->triangle_count());
+        const auto other = Renderer::create().value();
+        REQUIRE(other->draw(fresh));
+        return other->read_image();
+    }
+};
+
+} // namespace
+
+TEST_CASE("after hiding and showing, the picture is the one of a mesh made from nothing") {
+    Explorer explorer;
+    const auto whole = explorer.renderer->draw(explorer.frame).value();
+    CHECK(explorer.renderer->read_image() == explorer.from_nothing());
+    for (const int branch : {280, 150, 40}) {
+        for (const bool hide : {true, false}) {
+            explorer.update(hide ? explorer.without_subtree(branch) : std::vector<std::uint8_t>{});
+            const auto done = explorer.renderer->draw(explorer.frame).value();
+            CHECK(done.geometry);
+            CHECK_FALSE(done.pending);
+            CHECK(explorer.renderer->read_image() == explorer.from_nothing());
+            if (branch == 280) CHECK(4 * done.uploaded < whole.uploaded);
+        }
+    }
+}
+
+TEST_CASE("a large mesh comes over several frames, and the one before is drawn until it is there") {
+    Explorer explorer;
+    REQUIRE(explorer.renderer->draw(explorer.frame));
+    const Image before = explorer.renderer->read_image();
+    explorer.update(explorer.without_subtree(20));
+    const std::size_t budget = 200'000;
+    int frames = 0;
+    DrawStatistics done;
+    for (; frames < 1000; ++frames) {
+        done = explorer.renderer->draw(explorer.frame, budget).value();
+        CHECK(done.uploaded < budget + sizeof(VertexPage));
+        if (!done.pending) break;
+        CHECK_FALSE(done.shaded);
+        CHECK(explorer.renderer->read_image() == before);
+    }
+    CHECK(frames > 2);
+    CHECK(explorer.renderer->read_image() == explorer.from_nothing());
+    // Changing one's mind half-way.
+    const auto without = explorer.mesh;
+    explorer.update({});
+    REQUIRE(explorer.renderer->draw(explorer.frame, budget));
+    explorer.frame.mesh = without;
+    const auto back = explorer.renderer->draw(explorer.frame, budget).value();
+    CHECK_FALSE(back.pending);
+    CHECK_FALSE(back.shaded);
+}
+
+TEST_CASE("another tree leaves nothing of the one before while it comes") {
+    Explorer explorer;
+    REQUIRE(explorer.renderer->draw(explorer.frame));
+    mesh::TriangleMesh tube;
+    test::add_capsule(tube, {1000, 0, 0}, {1000, 0, 50}, 5.0F, 5.0F, 7, 96);
+    explorer.frame.mesh = std::make_shared<const PagedMesh>(tube);
+    explorer.frame.camera = camera_for(explorer.frame.mesh->positions(), View::kAnterior, explorer.frame.size);
+    auto done = explorer.renderer->draw(explorer.frame, 1).value();
+    CHECK(done.pending);
+    CHECK(explorer.renderer->pick(160, 120).branch == kNoBranch);
+    for (int i = 0; i < 100 && done.pending; ++i) done = explorer.renderer->draw(explorer.frame, 1).value();
+    CHECK(explorer.renderer->pick(160, 120).branch == 7);
+}
+
+TEST_CASE("the preview stands in while the view moves, and only then") {
+    Explorer explorer;
+    mesh::TriangleMesh tube;
+    test::add_capsule(tube, {0, 0, -50}, {0, 0, 50}, 5.0F, 5.0F, 7);
+    explorer.frame.preview = std::make_shared<const PagedMesh>(tube, explorer.mesh->origin());
+    auto done = explorer.renderer->draw(explorer.frame).value();
+    CHECK(done.triangles == explorer.mesh->triangle_count());
+    const Image full = explorer.renderer->read_image();
+    explorer.frame.quality = Quality::kInteractive;
+    done = explorer.renderer->draw(explorer.frame).value();
+    CHECK(done.triangles == tube.triangles.size());
+    explorer.frame.quality = Quality::kFull;
+    REQUIRE(explorer.renderer->draw(explorer.frame));
+    CHECK(explorer.renderer->read_image() == full);
+    explorer.frame.preview = nullptr; // it is not looked at
+    CHECK_FALSE(explorer.renderer->draw(explorer.frame)->shaded);
+}
+
+TEST_CASE("what no triangle uses influences nothing") {
+    mesh::TriangleMesh tube;
+    test::add_capsule(tube, {0, 0, 0}, {0, 0, 50}, 5.0F, 5.0F, 2);
+    const PagedMesh plain(tube);
+    mesh::TriangleMesh gappy = tube;
+    gappy.positions.emplace_back(1e6F, 0.0F, 0.0F);
+    gappy.normals.emplace_back(1.0F, 0.0F, 0.0F);
+    gappy.radii.push_back(1.0F);
+    gappy.branches.push_back(99);
+    gappy.triangles.insert(gappy.triangles.begin() + 5, 3, glm::uvec3(0));
+    const PagedMesh gaps(gappy, plain.origin());
+    CHECK(gaps.bounds() == plain.bounds());
+    CHECK(gaps.triangle_count() == plain.triangle_count());
+    CHECK(gaps.branch_count() == 3);
+    CHECK(gaps.positions() == plain.positions());
+    CHECK(gaps.positions([](int branch) { return branch != 2; }).empty());
+}
