@@ -1,9 +1,10 @@
 // One of the views that a fine picture is the mean of, in linear light: the target adds it to those before.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 #include "look.glsl"
 
-layout(binding = 0) uniform sampler2D view; // sRGB, premultiplied
+layout(binding = kUnitImage) uniform sampler2D view; // sRGB, premultiplied
 
 layout(location = 0) out vec4 light;
 

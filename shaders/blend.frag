@@ -1,9 +1,10 @@
 // Two pictures, one fading into the other in linear light; at the ends, and where they agree, they are what they are.
 #version 450 core
+#include "bindings.glsl"
 
-layout(binding = 0) uniform sampler2D first; // sRGB, premultiplied
-layout(binding = 1) uniform sampler2D second;
-layout(location = 0) uniform vec2 share; // of the second; nothing
+layout(binding = kUnitImage) uniform sampler2D first; // sRGB, premultiplied
+layout(binding = kUnitOtherImage) uniform sampler2D second;
+layout(location = kUniformShare) uniform vec2 share; // of the second; nothing
 
 layout(location = 0) out vec4 colour;
 

@@ -1,9 +1,9 @@
 // Triangles where branches meet: says how far behind the leading branch of each corner the three corners' branches are,
-// in logarithms of their shares in the field, which are nearly linear over a triangle. A place belongs to the branch that
+// in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs to the branch that
 // is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
 // triangle to triangle.
 #version 450 core
-// Variant: PANE for glass.
+// Variant: TRANSPARENT for glass.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 
@@ -14,7 +14,7 @@ flat in int corner_branch[];
 out vec3 normal_eye;
 out vec3 shares; // of the corners' branches
 flat out ivec3 branch_ids;
-#ifdef PANE
+#ifdef TRANSPARENT
 noperspective centroid out float depth_value;
 #endif
 
@@ -32,7 +32,7 @@ void main() {
         normal_eye = corner_normal[corner];
         shares = vec3(share(corner, 0), share(corner, 1), share(corner, 2));
         branch_ids = ivec3(corner_branch[0], corner_branch[1], corner_branch[2]);
-#ifdef PANE
+#ifdef TRANSPARENT
 #ifdef FULL_DEPTH
         depth_value = 0.5 * gl_Position.z / gl_Position.w + 0.5;
 #else

@@ -1,11 +1,12 @@
 // Centerlines as stripes of constant width in the picture: two triangles a segment.
 #version 450 core
+#include "bindings.glsl"
 
-layout(binding = 0) uniform samplerBuffer points;
-layout(binding = 1) uniform usamplerBuffer details; // bits of the diameter, branch
+layout(binding = kUnitLinePoints) uniform samplerBuffer points;
+layout(binding = kUnitLineDetails) uniform usamplerBuffer details; // bits of the diameter, branch
 
-layout(location = 0) uniform mat4 to_clip;
-layout(location = 1) uniform vec3 half_picture; // half the size in pixels, half the width of a line
+layout(location = kUniformToClip) uniform mat4 to_clip;
+layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
 
 out vec3 normal_eye;
 flat out int branch_id;

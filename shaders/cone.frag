@@ -1,5 +1,5 @@
 // Where the ray through a pixel meets a round cone: what balls sweep whose centres and radii go evenly from one end to
-// the other. A place x lies on the ball at s where |x - c(s)|^2 = r(s)^2; the hull is where that has one solution in s:
+// the other. A point x lies on the ball at s where |x - c(s)|^2 = r(s)^2; the hull is where that has one solution in s:
 // with A = |x - a|^2 - ra^2, B = (x - a).(b - a) + ra (rb - ra), C = |b - a|^2 - (rb - ra)^2 it is A C = B^2, at
 // s = B / C, a quadratic along the ray. Beyond the ends it is the balls there.
 #version 450 core
@@ -23,7 +23,7 @@ void main() {
     bool flat_view = picture.w > 0.5;
     vec3 eye = flat_view ? vec3(through, 0.0) : vec3(0.0);
     vec3 ray = flat_view ? vec3(0.0, 0.0, 1.0) : normalize(vec3(through, 1.0));
-    // From the place on the ray that is nearest to the cone: small numbers.
+    // From the point of the ray that is nearest to the cone: small numbers.
     float start = dot(0.5 * (from + to) - eye, ray);
     eye += start * ray;
     vec3 axis = to - from, off = eye - from;
@@ -40,12 +40,12 @@ void main() {
     way = side ? way : ball;
     if (way > 1e29) discard;
     s = side ? s : first <= last ? 0.0 : 1.0;
-    vec3 place = eye + way * ray;
+    vec3 hit = eye + way * ray;
     // Upright on the vessel's own way rather than on the segment's: the eye sees no joints.
-    vec3 normal = place - from - s * axis;
+    vec3 normal = hit - from - s * axis;
     vec4 here = mix(from_way, to_way, s);
     if (side || here.w > 0.5) normal -= dot(normal, here.xyz) * here.xyz;
     normal = normalize(normal) * vec3(1.0, 1.0, -1.0);
     surface = uvec2(uint(branch_id + 1), packSnorm2x16(octahedral(normal)));
-    gl_FragDepth = flat_view ? place.z / clip_to_eye.y + clip_to_eye.z : clip_to_eye.z / place.z - clip_to_eye.y;
+    gl_FragDepth = flat_view ? hit.z / clip_to_eye.y + clip_to_eye.z : clip_to_eye.z / hit.z - clip_to_eye.y;
 }

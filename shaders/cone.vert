@@ -1,13 +1,14 @@
 // A rectangle of the picture that holds one segment of a centerline as a round cone: the hull of the two balls at its
 // ends. cone.frag finds where the ray through a pixel meets it. Six corners a segment, without attributes.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 
-layout(binding = 7) uniform samplerBuffer points;
-layout(binding = 8) uniform usamplerBuffer details; // bits of the diameter, branch
+layout(binding = kUnitLinePoints) uniform samplerBuffer points;
+layout(binding = kUnitLineDetails) uniform usamplerBuffer details; // bits of the diameter, branch
 
-layout(location = 0) uniform mat4 to_eye; // the lines' positions to eye space, depth as +z
-layout(location = 1) uniform vec2 zoom;   // eye xy (at depth 1 when perspective) to clip space
+layout(location = kUniformLinesToEye) uniform mat4 to_eye; // the lines' positions to eye space, depth as +z
+layout(location = kUniformZoom) uniform vec2 zoom;        // eye xy (at depth 1 when perspective) to clip space
 
 out vec2 through; // where the ray goes through: eye xy, at depth 1 when perspective
 flat out vec3 from, to;
@@ -15,12 +16,12 @@ flat out vec2 radii;
 flat out vec4 from_way, to_way; // the vessel's direction at both ends; w: 1 where it goes on
 flat out int branch_id;
 
-vec3 place(int point) { return (to_eye * vec4(texelFetch(points, point).xyz, 1.0)).xyz; }
+vec3 position_of(int point) { return (to_eye * vec4(texelFetch(points, point).xyz, 1.0)).xyz; }
 
 // At the joint of two segments the vessel goes half as the one, half as the other.
 vec4 way_at(int joint, int beyond, uint branch, vec3 axis, float outward) {
     if (beyond < 0 || texelFetch(details, beyond).y != branch) return vec4(axis, 0.0);
-    vec3 other = outward * (place(beyond) - place(joint));
+    vec3 other = outward * (position_of(beyond) - position_of(joint));
     return dot(other, other) > 0.0 ? vec4(normalize(axis + normalize(other)), 1.0) : vec4(axis, 1.0);
 }
 
@@ -34,8 +35,8 @@ float outline(vec3 centre, float radius) {
 void main() {
     int segment = gl_VertexID / 6, corner = gl_VertexID % 6;
     uvec2 detail = texelFetch(details, segment).xy, next = texelFetch(details, segment + 1).xy;
-    from = place(segment);
-    to = place(segment + 1);
+    from = position_of(segment);
+    to = position_of(segment + 1);
     vec3 axis = distance(from, to) > 0.0 ? normalize(to - from) : vec3(0.0, 0.0, 1.0);
     int last = textureSize(points) - 1;
     from_way = way_at(segment, segment - 1, detail.y, axis, -1.0);

@@ -1,27 +1,29 @@
-// A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as panes in the lists of glass
-// (pane.frag) or, where there are none, as a layer of it (pane_layer.frag).
+// A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as fragments in the lists
+// of glass (fragment_list.frag) or, where there are none, as a layer of it (fragment_layer.frag).
 #version 450 core
-// Variants: PANE for what is seen through; LINES for the edges of its triangles.
+// Variants: TRANSPARENT for what is seen through; LINES for the edges of its triangles.
+#include "bindings.glsl"
+#include "limits.glsl"
 #include "ids.glsl"
-#include "panes.glsl"
+#include "glass_fragments.glsl"
 #include "octahedral.glsl"
 
 in vec3 normal_eye;
-layout(location = 7) uniform uint number; // of the mesh, from 1; with kLesionPane of the lesion
+layout(location = kUniformNumber) uniform uint number; // of the mesh, from 1; with kLesionFragment of the lesion
 
-#ifdef PANE
+#ifdef TRANSPARENT
 noperspective centroid in float depth_value;
 #ifdef FLOOR
-layout(binding = 5) uniform sampler2DMS opaque_samples;
-layout(binding = 6) uniform sampler2DMS last_layer; // depths
-layout(location = 2) uniform int samples;
-layout(location = 4) uniform int layer; // 0: there is none before
-layout(location = 8) uniform vec2 places[4]; // of the samples, from the pixel's middle
-layout(location = 0) out uvec2 pane;
+layout(binding = kUnitOpaqueSamples) uniform sampler2DMS opaque_samples;
+layout(binding = kUnitLastLayer) uniform sampler2DMS last_layer; // depths
+layout(location = kUniformSamples) uniform int samples;
+layout(location = kUniformLayer) uniform int layer; // 0: there is none before
+layout(location = kUniformSamplePositions) uniform vec2 sample_positions[kMostSamples]; // of the samples, from the pixel's middle
+layout(location = 0) out uvec2 fragment;
 #else
-layout(early_fragment_tests) in; // what opaque surfaces hide is no pane
-layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
-layout(location = 5) uniform uint room;    // panes
+layout(early_fragment_tests) in; // what opaque surfaces hide is no fragment
+layout(location = kUniformBand) uniform ivec2 pixels; // width and first row of the band that the lists are for
+layout(location = kUniformCapacity) uniform uint capacity; // fragments
 #endif
 #else
 layout(location = 0) out uvec2 surface;
@@ -29,7 +31,7 @@ layout(location = 0) out uvec2 surface;
 
 #ifdef LINES
 noperspective in vec3 from_edges;
-layout(location = 12) uniform float half_width; // pixels
+layout(location = kUniformHalfWidth) uniform float half_width; // pixels
 
 // How much of the pixel a line takes. Where triangles are hardly wider than lines, those get fainter: an even tone with
 // what lies behind it still to be seen, instead of a solid wall.
@@ -46,7 +48,7 @@ float line_share() {
 void main() {
     vec3 towards_eye = gl_FrontFacing ? normal_eye : -normal_eye;
     uint normal = packSnorm2x16(octahedral(normalize(towards_eye)));
-#if defined(PANE) && defined(FLOOR)
+#if defined(TRANSPARENT) && defined(FLOOR)
     vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
 #endif
 #ifdef LINES
@@ -58,7 +60,7 @@ void main() {
     if (share < 0.004) return;
 #endif
 #endif
-#ifndef PANE
+#ifndef TRANSPARENT
     surface = uvec2(kSolid | kContext | number, normal);
 #elif defined(FLOOR)
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -66,21 +68,21 @@ void main() {
     uint before = 0u;
     for (int s = 0; s < samples; ++s) {
         if (layer > 0) last = max(last, texelFetch(last_layer, pixel, s).x);
-        float depth = gl_FragCoord.z + dot(places[s], slope);
+        float depth = gl_FragCoord.z + dot(sample_positions[s], slope);
         before |= (depth > texelFetch(opaque_samples, pixel, s).x ? 1u : 0u) << s;
     }
     if (before == 0u || depth_value >= last) discard;
-    pane = uvec2(kContextPane | number | (before << kBeforeShift) | (15u << kGlassShift), normal);
+    fragment = uvec2(kContextFragment | number | (before << kBeforeShift) | (15u << kGlassShift), normal);
     gl_FragDepth = depth_value;
 #else
     int covered = gl_SampleMaskIn[0];
     if (covered == 0) return;
-    uint place = atomicAdd(pane_count, 1u) + 1u;
-    if (place > room) return;
+    uint index = atomicAdd(fragment_count, 1u) + 1u;
+    if (index > capacity) return;
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uint before = atomicExchange(heads[(pixel.y - pixels.y) * pixels.x + pixel.x], place);
+    uint before = atomicExchange(heads[(pixel.y - pixels.y) * pixels.x + pixel.x], index);
     float depth = covered == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
                                          : interpolateAtSample(depth_value, first_sample(covered));
-    panes[place] = Pane(before, kContextPane | number | (uint(covered) << kSampleShift), normal, floatBitsToUint(depth));
+    fragments[index] = GlassFragment(before, kContextFragment | number | (uint(covered) << kSampleShift), normal, floatBitsToUint(depth));
 #endif
 }

@@ -1,14 +1,15 @@
 // What context meshes and lesions look like.
-layout(binding = 3) uniform samplerBuffer context_meshes; // linear colour, opacity; negative: lines
+#include "bindings.glsl"
+layout(binding = kUnitContext) uniform samplerBuffer context_meshes; // linear colour, opacity; negative: lines
 
-// By an id (ids.glsl) or a pane's (panes.glsl).
-vec4 context_mesh(uint id) { return texelFetch(context_meshes, int(id & 0x003fffffu) - 1); }
+// By an id (ids.glsl) or a fragment's (glass_fragments.glsl).
+vec4 context_mesh(uint id) { return texelFetch(context_meshes, int(id & kNumberBits) - 1); }
 
 #ifdef GLASS
 // A shell of even thickness takes the more light the more aslant it is looked through: clear where it faces the eye,
 // dense at its outline. Premultiplied.
 vec4 context_veil(uint id, uint normal, vec3 position) {
-    vec4 mesh = (id & kLesionPane) != 0u ? lesion_colour : context_mesh(id);
+    vec4 mesh = (id & kLesionFragment) != 0u ? lesion_colour : context_mesh(id);
     float far = clamp((position.z - depth_range.x) / (depth_range.y - depth_range.x), 0.0, 1.0);
     if (mesh.w < 0.0) {
         float share = -mesh.w * uintBitsToFloat(normal);

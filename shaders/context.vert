@@ -1,15 +1,16 @@
 // Context meshes to clip space; positions are relative to the middle of the mesh.
 #version 450 core
-// Variants: PANE for what is seen through; LINES for the edges of its triangles, whose corners then come three by three.
+// Variants: TRANSPARENT for what is seen through; LINES for the edges of its triangles, whose corners then come three by three.
+#include "bindings.glsl"
 
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
+layout(location = kAttributePosition) in vec3 position;
+layout(location = kAttributeNormal) in vec3 normal;
 
-layout(location = 0) uniform mat4 to_clip;
-layout(location = 1) uniform mat3 to_eye; // rotation only
+layout(location = kUniformToClip) uniform mat4 to_clip;
+layout(location = kUniformToEye) uniform mat3 to_eye; // rotation only
 
 out vec3 normal_eye;
-#ifdef PANE
+#ifdef TRANSPARENT
 noperspective centroid out float depth_value;
 #endif
 #ifdef LINES
@@ -19,7 +20,7 @@ noperspective out vec3 from_edges; // the share of the way to the corner across 
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
     normal_eye = to_eye * normal;
-#ifdef PANE
+#ifdef TRANSPARENT
     depth_value = gl_Position.z / gl_Position.w;
 #endif
 #ifdef LINES

@@ -1,7 +1,8 @@
 // The picture from one of half its size: each pixel the mean of the four nearest, the nearer the more.
 #version 450 core
+#include "bindings.glsl"
 
-layout(binding = 0) uniform sampler2D small; // interpolates
+layout(binding = kUnitImage) uniform sampler2D small; // interpolates
 
 layout(location = 0) out vec4 colour;
 

@@ -1,17 +1,18 @@
 // Vessel surface to clip space. Positions are relative to the middle of the mesh, so that single precision is enough
 // wherever the tree lies.
 #version 450 core
-// Variants: PANE for glass; BORDER for triangles where branches meet (border.geom goes on).
+// Variants: TRANSPARENT for glass; BORDER for triangles where branches meet (border.geom goes on).
+#include "bindings.glsl"
 
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in int branch;
+layout(location = kAttributePosition) in vec3 position;
+layout(location = kAttributeNormal) in vec3 normal;
+layout(location = kAttributeBranch) in int branch;
 #ifdef BORDER
-layout(location = 3) in uvec4 lead; // as field::Lead: over two rivals, and their marks
+layout(location = kAttributeLead) in uvec4 lead; // as field::Lead: over two rivals, and their marks
 #endif
 
-layout(location = 0) uniform mat4 to_clip;
-layout(location = 1) uniform mat3 to_eye; // rotation only
+layout(location = kUniformToClip) uniform mat4 to_clip;
+layout(location = kUniformToEye) uniform mat3 to_eye; // rotation only
 
 #ifdef BORDER
 out vec3 corner_normal;
@@ -20,7 +21,7 @@ flat out int corner_branch;
 #else
 out vec3 normal_eye;
 flat out int branch_id;
-#ifdef PANE
+#ifdef TRANSPARENT
 noperspective centroid out float depth_value;
 #endif
 #endif
@@ -34,7 +35,7 @@ void main() {
 #else
     normal_eye = to_eye * normal;
     branch_id = branch;
-#ifdef PANE
+#ifdef TRANSPARENT
     depth_value = gl_Position.z / gl_Position.w;
 #endif
 #endif

@@ -1,7 +1,8 @@
-// The interface: letters and icons are in `image`, plain areas take a white place of it.
+// The interface: letters and icons are in `image`, plain areas take a white spot of it.
 #version 450 core
+#include "bindings.glsl"
 
-layout(binding = 0) uniform sampler2D image;
+layout(binding = kUnitImage) uniform sampler2D image;
 
 in vec2 vertex_uv;
 in vec4 vertex_colour;

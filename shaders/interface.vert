@@ -1,11 +1,12 @@
 // The interface: triangles in its own coordinates, whose origin is at the top left.
 #version 450 core
+#include "bindings.glsl"
 
-layout(location = 0) in vec2 position;
-layout(location = 1) in vec2 uv;
-layout(location = 2) in vec4 colour;
+layout(location = kAttributePosition) in vec2 position;
+layout(location = kAttributeUv) in vec2 uv;
+layout(location = kAttributeColour) in vec4 colour;
 
-layout(location = 0) uniform vec4 window; // x, y, width, height
+layout(location = kUniformWindow) uniform vec4 window; // x, y, width, height
 
 out vec2 vertex_uv;
 out vec4 vertex_colour;

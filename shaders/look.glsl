@@ -1,5 +1,6 @@
 // Colours and lights of the frame, and the way from linear light to the picture's bytes.
-layout(std140, binding = 1) uniform Look {
+#include "bindings.glsl"
+layout(std140, binding = kBlockLook) uniform Look {
     vec4 background_top;    // sRGB; w: 1 when transparent
     vec4 background_bottom; // sRGB; w: depth cue
     vec4 glass_colour;      // linear; w: 1 when there is any glass

@@ -1,9 +1,10 @@
 // Light lines with a dark edge read over vessels and over any background; fainter where vessels hide them.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 
-layout(binding = 0) uniform sampler2D opaque_depth;
-layout(location = 1) uniform vec2 to_inner; // pixels of the picture to those of what was drawn
+layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
+layout(location = kUniformToInner) uniform vec2 to_inner; // pixels of the picture to those of what was drawn
 
 in vec3 at;
 flat in vec3 ink;

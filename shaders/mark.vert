@@ -1,11 +1,12 @@
 // Lines over the picture, as stripes that were laid out in pixels.
 #version 450 core
+#include "bindings.glsl"
 
-layout(location = 0) in vec2 pixel;      // from the lower left
-layout(location = 1) in vec3 stripe;     // pixels across from the middle, half the width, depth (its inverse in perspective)
-layout(location = 2) in vec3 srgb;
+layout(location = kAttributePixel) in vec2 pixel;  // from the lower left
+layout(location = kAttributeStripe) in vec3 stripe; // pixels across from the middle, half the width, depth (its inverse in perspective)
+layout(location = kAttributeInk) in vec3 srgb;
 
-layout(location = 0) uniform vec2 size; // of the picture in pixels
+layout(location = kUniformSize) uniform vec2 size; // of the picture in pixels
 
 out vec3 at;
 flat out vec3 ink;

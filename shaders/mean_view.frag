@@ -1,10 +1,11 @@
 // The picture that is the mean of several views. They have noise against banding already.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 #include "look.glsl"
 
-layout(binding = 0) uniform sampler2D sum; // linear light, premultiplied
-layout(location = 0) uniform float share;  // that each view has
+layout(binding = kUnitImage) uniform sampler2D sum; // linear light, premultiplied
+layout(location = kUniformShare) uniform float share;      // that each view has
 
 layout(location = 0) out vec4 colour;
 

@@ -2,12 +2,13 @@
 // Alchemy's estimator (McGuire et al., 2011) on a spiral of taps, turned in sixteen ways within every four by four
 // pixels: the blur, two boxes of four one after the other, takes their mean.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 
-layout(binding = 0) uniform usampler2D id_normal;
-layout(binding = 1) uniform sampler2D opaque_depth;
-layout(location = 0) uniform int taps;
-layout(location = 1) uniform float turned; // all of them, of a sixteenth of the way around
+layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
+layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
+layout(location = kUniformTaps) uniform int taps;
+layout(location = kUniformTurned) uniform float turned; // all of them, of a sixteenth of the way around
 
 layout(location = 0) out float occlusion;
 

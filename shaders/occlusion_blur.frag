@@ -1,10 +1,11 @@
 // Removes the occlusion's noise along one axis without crossing from one vessel to another behind it.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 
-layout(binding = 0) uniform sampler2D occlusion;
-layout(binding = 1) uniform sampler2D opaque_depth;
-layout(location = 0) uniform ivec2 along;
+layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
+layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
+layout(location = kUniformAlong) uniform ivec2 along;
 
 layout(location = 0) out float blurred;
 

@@ -1,8 +1,9 @@
 // A small picture (straight alpha) laid over the picture, pixel on pixel.
 #version 450 core
+#include "bindings.glsl"
 
-layout(binding = 0) uniform sampler2D sprite;
-layout(location = 0) uniform ivec2 origin; // lower left corner in pixels
+layout(binding = kUnitImage) uniform sampler2D sprite;
+layout(location = kUniformOrigin) uniform ivec2 origin; // lower left corner in pixels
 
 layout(location = 0) out vec4 colour;
 

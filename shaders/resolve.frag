@@ -5,53 +5,54 @@
 #version 450 core
 // Variants: GLASS when anything is defocused or context is clear or there are lesions; with LESIONS the layers below are
 // those of lesions, which go over what was there (FLOOR).
+#include "bindings.glsl"
 #include "view.glsl"
 #include "ids.glsl"
 #ifdef GLASS
-#include "panes.glsl"
+#include "glass_fragments.glsl"
 #ifdef FLOOR
-layout(binding = 2) uniform usampler2DMS first_panes; // as pane_layer.frag leaves them
-layout(binding = 3) uniform sampler2DMS first_depths;
-layout(binding = 4) uniform sampler2DMS context_depths; // of the nearest that is clear and no vessel
+layout(binding = kUnitFirstFragments) uniform usampler2DMS first_fragments; // as fragment_layer.frag leaves them
+layout(binding = kUnitFirstDepths) uniform sampler2DMS first_depths;
+layout(binding = kUnitContextDepths) uniform sampler2DMS context_depths; // of the nearest that is clear and no vessel
 #else
-layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+layout(location = kUniformBand) uniform ivec2 pixels; // width and first row of the band that the lists are for
 #endif
 #endif
 
-layout(binding = 0) uniform usampler2DMS surface_samples;
-layout(binding = 1) uniform sampler2DMS depth_samples;
+layout(binding = kUnitSurface) uniform usampler2DMS surface_samples;
+layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
 
-layout(location = 0) out uvec2 id_normal; // the normal is the opaque surface's
-layout(location = 1) out float opaque_depth; // for the occlusion: opaque surfaces only
-layout(location = 2) out float picked_depth; // of id_normal
+layout(location = kTargetIdNormal) out uvec2 id_normal; // the normal is the opaque surface's
+layout(location = kTargetOpaqueDepth) out float opaque_depth; // for the occlusion: opaque surfaces only
+layout(location = kTargetPickedDepth) out float picked_depth; // of id_normal
 
 #if defined(GLASS) && !defined(FLOOR)
 // Any order will do where depths are the same, if only it is always the same one.
-bool before(Pane a, Pane b) {
+bool before(GlassFragment a, GlassFragment b) {
     float da = uintBitsToFloat(a.depth), db = uintBitsToFloat(b.depth);
     if (da != db) return da > db;
     if (a.id_and_samples != b.id_and_samples) return a.id_and_samples < b.id_and_samples;
     return a.normal < b.normal;
 }
 
-// The first pane of the list, sorted by insertion.
+// The first fragment of the list, sorted by insertion.
 uint sorted(uint head) {
     uint first = 0u;
     while (head != 0u) {
-        Pane pane = panes[head];
+        GlassFragment fragment = fragments[head];
         uint previous = 0u, after = first;
         while (after != 0u) {
-            Pane other = panes[after];
-            if (before(pane, other)) break;
+            GlassFragment other = fragments[after];
+            if (before(fragment, other)) break;
             previous = after;
             after = other.next;
         }
-        panes[head].next = after;
+        fragments[head].next = after;
         if (previous == 0u)
             first = head;
         else
-            panes[previous].next = head;
-        head = pane.next;
+            fragments[previous].next = head;
+        head = fragment.next;
     }
     return first;
 }
@@ -90,30 +91,30 @@ void main() {
     }
 #ifdef LESIONS
     if (first <= nearest) discard;
-    id_normal.x = kSolid | (texelFetch(first_panes, pixel, seen).x & kNumberBits);
+    id_normal.x = kSolid | (texelFetch(first_fragments, pixel, seen).x & kNumberBits);
     picked_depth = eye_depth(first);
 #else
     if (first > 0.0 && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
-        id_normal.x = texelFetch(first_panes, pixel, seen).x & kIdBits;
+        id_normal.x = texelFetch(first_fragments, pixel, seen).x & kIdBits;
         picked_depth = eye_depth(first);
     }
 #endif
     if (max(first, context) > 0.0) nearest = max(nearest, 1e-30);
 #else
-    int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
-    uint first = sorted(heads[place]);
-    heads[place] = first;
+    int index = (pixel.y - pixels.y) * pixels.x + pixel.x;
+    uint first = sorted(heads[index]);
+    heads[index] = first;
     uint vessel = first, lesion = first;
-    while (vessel != 0u && (panes[vessel].id_and_samples & kContextPane) != 0u) vessel = panes[vessel].next;
-    const uint kLesion = kContextPane | kLesionPane;
-    while (lesion != 0u && (panes[lesion].id_and_samples & kLesion) != kLesion) lesion = panes[lesion].next;
-    float lesion_depth = lesion == 0u ? 0.0 : uintBitsToFloat(panes[lesion].depth);
+    while (vessel != 0u && (fragments[vessel].id_and_samples & kContextFragment) != 0u) vessel = fragments[vessel].next;
+    const uint kLesion = kContextFragment | kLesionFragment;
+    while (lesion != 0u && (fragments[lesion].id_and_samples & kLesion) != kLesion) lesion = fragments[lesion].next;
+    float lesion_depth = lesion == 0u ? 0.0 : uintBitsToFloat(fragments[lesion].depth);
     if (lesion_depth > nearest) {
-        id_normal.x = kSolid | (panes[lesion].id_and_samples & kNumberBits);
+        id_normal.x = kSolid | (fragments[lesion].id_and_samples & kNumberBits);
         picked_depth = eye_depth(lesion_depth);
     } else if (vessel != 0u && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
-        id_normal.x = panes[vessel].id_and_samples & kIdBits;
-        picked_depth = eye_depth(uintBitsToFloat(panes[vessel].depth));
+        id_normal.x = fragments[vessel].id_and_samples & kIdBits;
+        picked_depth = eye_depth(uintBitsToFloat(fragments[vessel].depth));
     }
     // What is only covered by glass is covered: full-screen passes must not skip it.
     if (first != 0u) nearest = max(nearest, 1e-30);

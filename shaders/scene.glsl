@@ -1,25 +1,22 @@
-// What a place on the surface means: how far it is from the lesions, how wide its vessel is there, before or behind a
+// What a point of the surface means: how far it is from the lesions, how wide its vessel is there, before or behind a
 // cut. Eye space with depth as +z, mm.
-layout(std140, binding = 2) uniform Scene {
-    mat4 eye_to_lines;  // eye space to the centerlines' own
-    mat4 eye_to_grid;   // eye space to the distance grid's texture coordinates
-    vec4 counts;        // lesions that are spheres, parts that are lost, margins, 1 with a grid
-    vec4 scale;         // low, 1 / (high - low), 1 when logarithmic, 1 for the distance from the root
-    vec4 beyond;        // linear colour beyond the last margin
-    vec4 margins[16];   // linear colour, and up to where in mm
+#include "bindings.glsl"
+#include "limits.glsl"
+layout(std140, binding = kBlockScene) uniform Scene {
+#include "scene_block.glsl"
 };
 
-layout(binding = 7) uniform samplerBuffer line_points;    // position, mm from the root
-layout(binding = 8) uniform usamplerBuffer line_details;  // bits of the diameter, branch
-layout(binding = 9) uniform usamplerBuffer line_runs;     // first point, count
-layout(binding = 10) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
-layout(binding = 11) uniform samplerBuffer cut_places;    // five texels a part that is lost, see behind_cut()
-layout(binding = 12) uniform sampler1D ramp;              // sRGB
-layout(binding = 13) uniform sampler3D lesion_distances;  // mm
+layout(binding = kUnitLinePoints) uniform samplerBuffer line_points;     // position, mm from the root
+layout(binding = kUnitLineDetails) uniform usamplerBuffer line_details;  // bits of the diameter, branch
+layout(binding = kUnitLineRuns) uniform usamplerBuffer line_runs;     // first point, count
+layout(binding = kUnitLesions) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
+layout(binding = kUnitCuts) uniform samplerBuffer cut_places;    // five texels a part that is lost, see behind_cut()
+layout(binding = kUnitRamp) uniform sampler1D ramp;              // sRGB
+layout(binding = kUnitDistances) uniform sampler3D lesion_distances;  // mm
 
 #if defined(SCALE) || defined(CUTS)
-// The nearest place on the branch's centerline: mm from the root, diameter. Long runs are looked at in some 24 steps.
-vec2 place_along(int branch, vec3 position) {
+// The nearest point of the branch's centerline: mm from the root, diameter. Long runs are looked at in some 24 steps.
+vec2 point_along(int branch, vec3 position) {
     vec3 p = (eye_to_lines * vec4(position, 1.0)).xyz;
     uvec2 run = texelFetch(line_runs, branch).xy;
     int first = int(run.x), last = first + int(run.y) - 1, stride = max(1, (int(run.y) + 22) / 24);
@@ -48,8 +45,8 @@ vec2 place_along(int branch, vec3 position) {
 // Linear. Branches without a centerline have their own colour.
 vec3 colour_on_scale(int branch, vec3 position, vec3 otherwise) {
     if (texelFetch(line_runs, branch).y < 2u) return otherwise;
-    vec2 place = place_along(branch, position);
-    float value = scale.w > 0.5 ? place.x : place.y;
+    vec2 point = point_along(branch, position);
+    float value = scale.w > 0.5 ? point.x : point.y;
     value = scale.z > 0.5 ? log(max(value, 1e-12)) : value;
     return to_linear(texture(ramp, clamp((value - scale.x) * scale.y, 0.0, 1.0)).rgb);
 }
@@ -98,7 +95,7 @@ float outward_of(int texel, float from_root, vec3 position) {
 // How far inside the lost part of its branch, in mm; negative outside.
 float behind_cut(int branch, vec3 position) {
     float inside = -1e30;
-    float from_root = place_along(branch, position).x;
+    float from_root = point_along(branch, position).x;
     for (int i = 0; i < int(counts.y); ++i) {
         vec4 part = texelFetch(cut_places, 5 * i);
         if (int(part.x) != branch) continue;

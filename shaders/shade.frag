@@ -6,35 +6,32 @@
 // and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what tells near from far, CONTEXT when
 // there are context meshes or lesions. LAYER lays one layer of glass onto those before it, where there are no lists
 // (FLOOR).
+#include "bindings.glsl"
 #include "view.glsl"
 #include "ids.glsl"
 #include "look.glsl"
 #include "scene.glsl"
 
-layout(binding = 0) uniform usampler2DMS surface_samples;
-layout(binding = 1) uniform sampler2DMS depth_samples;
-layout(binding = 2) uniform sampler2D opaque_depth;
-layout(binding = 4) uniform usampler2D id_normal;
-layout(binding = 5) uniform sampler2D occlusion;
-layout(binding = 6) uniform usamplerBuffer branches; // linear colour of 65535, and in alpha the flags below
+layout(binding = kUnitSurface) uniform usampler2DMS surface_samples;
+layout(binding = kUnitDepth) uniform sampler2DMS depth_samples;
+layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
+layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
+layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
+layout(binding = kUnitBranches) uniform usamplerBuffer branches; // linear colour of 65535, and in alpha the flags of ids.glsl
 
 #ifdef GLASS
-#include "panes.glsl"
+#include "glass_fragments.glsl"
 #ifdef FLOOR
-layout(binding = 14) uniform sampler2DArray fronts_of_samples; // what layer.glsl made of the glass, a layer a sample
-layout(binding = 15) uniform sampler2DMS opaque_samples;
+layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // what glass_layer.glsl made of the glass, a layer a sample
+layout(binding = kUnitOpaqueSamples) uniform sampler2DMS opaque_samples;
 #else
-layout(location = 4) uniform ivec2 pixels; // width and first row of the band that the lists are for
+layout(location = kUniformBand) uniform ivec2 pixels; // width and first row of the band that the lists are for
 #endif
-const int kMostSamples = 4;
 #endif
 
 #ifndef LAYER
 layout(location = 0) out vec4 colour;
 #endif
-
-const uint kCalm = 1u, kHighlighted = 2u, kHovered = 4u, kSelected = 8u, kLost = 16u, kCut = 32u, kGlowing = 64u,
-           kChanged = 128u;
 
 struct Light {
     float diffuse;
@@ -225,10 +222,10 @@ vec4 glass(uint id, vec3 n, vec3 position) {
     return vec4(radiance * veil + shine, clamp(veil + shine, 0.0, 1.0));
 }
 
-// Of a pane as the lists and layers have it.
+// Of a fragment as the lists and layers have it.
 vec4 veil_of(uint id, uint normal, vec3 position) {
 #ifdef CONTEXT
-    if ((id & kContextPane) != 0u) return context_veil(id, normal, position);
+    if ((id & kContextFragment) != 0u) return context_veil(id, normal, position);
 #endif
     return glass(id & kIdBits, unpack_normal(normal), position);
 }
@@ -262,7 +259,7 @@ float outline(ivec2 pixel) {
 #endif
 
 #ifdef LAYER
-#include "layer.glsl"
+#include "glass_layer.glsl"
 #else
 // Software rasterisers execute both sides of a branch, but leave a loop early: pixels inside one surface go round once,
 // pixels on an edge once a sample.
@@ -270,16 +267,16 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z);
 #if defined(GLASS) && !defined(FLOOR)
-    int place = (pixel.y - pixels.y) * pixels.x + pixel.x;
+    int index = (pixel.y - pixels.y) * pixels.x + pixel.x;
 #endif
 #ifdef CHANGED
     // Pixels without a sample of what changed go round no loop below, and stay as they are.
     bool changed = false;
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
 #if defined(GLASS) && !defined(FLOOR)
-    for (uint number = heads[place]; number != 0u && !changed; number = panes[number].next)
-        changed = (panes[number].id_and_samples & kContextPane) == 0u &&
-                  has_changed(panes[number].id_and_samples & kIdBits);
+    for (uint number = heads[index]; number != 0u && !changed; number = fragments[number].next)
+        changed = (fragments[number].id_and_samples & kContextFragment) == 0u &&
+                  has_changed(fragments[number].id_and_samples & kIdBits);
 #endif
     samples = changed ? samples : 0;
 #endif
@@ -300,7 +297,7 @@ void main() {
     mean_depth /= float(samples);
 
 #ifdef GLASS
-    // Front to back, each sample by itself: a pane veils what lies behind it. Its light is reckoned once for all of them.
+    // Front to back, each sample by itself: a fragment veils what lies behind it. Its light is reckoned once for all of them.
     float opaque_values[kMostSamples];
     vec4 front[kMostSamples]; // premultiplied
     bool empty = true;
@@ -313,17 +310,17 @@ void main() {
     for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
 #else
     float clear = 1.0;
-    for (uint number = heads[place]; number != 0u && clear > 1e-3;) {
-        Pane pane = panes[number];
-        float value = uintBitsToFloat(pane.depth);
-        vec4 veil = veil_of(pane.id_and_samples, pane.normal, eye_position(gl_FragCoord.xy, eye_depth(value)));
+    for (uint number = heads[index]; number != 0u && clear > 1e-3;) {
+        GlassFragment fragment = fragments[number];
+        float value = uintBitsToFloat(fragment.depth);
+        vec4 veil = veil_of(fragment.id_and_samples, fragment.normal, eye_position(gl_FragCoord.xy, eye_depth(value)));
         clear = 0.0;
         for (int s = 0; s < kMostSamples; ++s) {
-            bool hit = ((pane.id_and_samples >> (kSampleShift + s)) & 1u) != 0u && value > opaque_values[s];
+            bool hit = ((fragment.id_and_samples >> (kSampleShift + s)) & 1u) != 0u && value > opaque_values[s];
             front[s] += hit ? (1.0 - front[s].a) * veil : vec4(0.0);
             clear = max(clear, 1.0 - front[s].a);
         }
-        number = pane.next;
+        number = fragment.next;
     }
 #endif
     vec4 mean_front = vec4(0.0);

@@ -1,11 +1,12 @@
 // The skeleton over the picture: light lines with a dark edge; fainter inside their own vessel, faint behind another.
 #version 450 core
+#include "bindings.glsl"
 #include "view.glsl"
 
-layout(binding = 2) uniform sampler2D opaque_depth;
-layout(location = 1) uniform vec3 half_picture; // half the size in pixels, half the width of a line
-layout(location = 3) uniform vec4 tint;         // sRGB; how much is left of it inside its vessel
-layout(location = 5) uniform vec2 to_inner;     // pixels of the picture to those of what was drawn
+layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
+layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
+layout(location = kUniformTint) uniform vec4 tint;         // sRGB; how much is left of it inside its vessel
+layout(location = kUniformToInner) uniform vec2 to_inner;     // pixels of the picture to those of what was drawn
 
 in vec2 at;
 in vec2 behind;

@@ -1,19 +1,20 @@
 // Centerlines, and with RINGS the circles of the radius around them, as stripes of constant width in the picture: two
-// triangles a segment, joined by mitres so that no place is drawn twice.
+// triangles a segment, joined by mitres so that no pixel is drawn twice.
 #version 450 core
+#include "bindings.glsl"
 
 #ifdef RINGS
-layout(binding = 0) uniform samplerBuffer rings;  // centre and radius; axis
-layout(binding = 1) uniform usamplerBuffer seen;  // which of them
-layout(location = 4) uniform vec2 ring_steps;     // corners of a ring; pixels below which it fades
+layout(binding = kUnitRings) uniform samplerBuffer rings;  // centre and radius; axis
+layout(binding = kUnitSeenRings) uniform usamplerBuffer seen; // which of them
+layout(location = kUniformRingSteps) uniform vec2 ring_steps;     // corners of a ring; pixels below which it fades
 #else
-layout(binding = 0) uniform samplerBuffer points;    // position, radius
-layout(binding = 1) uniform usamplerBuffer branches; // of the same points
+layout(binding = kUnitSkeletonPoints) uniform samplerBuffer points;    // position, radius
+layout(binding = kUnitSkeletonOwners) uniform usamplerBuffer branches; // of the same points
 #endif
 
-layout(location = 0) uniform mat4 to_clip;
-layout(location = 1) uniform vec3 half_picture; // half the size in pixels, half the width of a line
-layout(location = 2) uniform vec4 to_depth;     // from mm to mm along the line of sight
+layout(location = kUniformToClip) uniform mat4 to_clip;
+layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
+layout(location = kUniformToDepth) uniform vec4 to_depth;     // from mm to mm along the line of sight
 
 out vec2 at;    // pixels across from the middle, mm along the line of sight
 out vec2 behind; // mm behind a surface that it still lies on it, and that it still lies in its own vessel
@@ -52,7 +53,7 @@ void main() {
     vec2 on = vec2(here.x * one.x - here.y * one.y, here.y * one.x + here.x * one.y);
     vec4 centre = to_clip * vec4(circle.xyz, 1.0);
     vec4 right = to_clip * vec4(circle.w * u, 0.0), up = to_clip * vec4(circle.w * v, 0.0);
-    vec3 place = circle.xyz + circle.w * (here.x * u + here.y * v);
+    vec3 position = circle.xyz + circle.w * (here.x * u + here.y * v);
     before = centre + back.x * right + back.y * up;
     own = centre + here.x * right + here.y * up;
     after = centre + on.x * right + on.y * up;
@@ -69,13 +70,13 @@ void main() {
     // The near plane cuts what reaches behind it.
     float before_a = a.w - a.z, before_b = b.w - b.z;
     there = branch == texelFetch(branches, segment + 1).x && (before_a > 0.0 || before_b > 0.0);
-    vec3 place = second ? to.xyz : from.xyz;
+    vec3 position = second ? to.xyz : from.xyz;
     if (before_a < 0.0) {
         a = mix(a, b, before_a / (before_a - before_b));
-        if (!second) place = mix(from.xyz, to.xyz, before_a / (before_a - before_b));
+        if (!second) position = mix(from.xyz, to.xyz, before_a / (before_a - before_b));
     } else if (before_b < 0.0) {
         b = mix(b, a, before_b / (before_b - before_a));
-        if (second) place = mix(to.xyz, from.xyz, before_b / (before_b - before_a));
+        if (second) position = mix(to.xyz, from.xyz, before_b / (before_b - before_a));
     }
     own = second ? b : a;
     int neighbour = clamp(second ? segment + 2 : segment - 1, 0, last);
@@ -86,7 +87,7 @@ void main() {
     behind = vec2(0.0, 1.4 * (second ? to.w : from.w));
     ink = 1.0;
 #endif
-    at = vec2(side * (half_picture.z + 2.0), dot(to_depth, vec4(place, 1.0)));
+    at = vec2(side * (half_picture.z + 2.0), dot(to_depth, vec4(position, 1.0)));
     gl_Position = own;
     gl_Position.xy += at.x * across(pixel_of(before), pixel_of(own), pixel_of(after)) / half_picture.xy * own.w;
     gl_Position.z = 0.5 * own.w; // nothing tests it

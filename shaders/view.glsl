@@ -1,9 +1,7 @@
 // What every full-screen pass knows of the view. Eye space looks along -z; depth is positive, in mm.
-layout(std140, binding = 0) uniform View {
-    vec4 clip_to_eye;   // depth buffer to depth: perspective z / (w + y), orthographic (value - z) * y
-    vec4 pixel_to_eye;  // eye xy = (pixel - xy) * z (times depth when perspective)
-    vec4 depth_range;   // near and far end of the tree in mm along the line of sight, occlusion radius in pixels, in mm
-    vec4 picture;       // width, height, samples, 1 when orthographic
+#include "bindings.glsl"
+layout(std140, binding = kBlockView) uniform View {
+#include "view_block.glsl"
 };
 
 const float kNothing = 1e30;

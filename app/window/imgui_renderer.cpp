@@ -1,5 +1,7 @@
 #include "app/window/imgui_renderer.h"
 
+#include "render/gl/bindings.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,9 +33,9 @@ Result<std::unique_ptr<ImguiRenderer>> ImguiRenderer::create() {
                                   static_cast<unsigned>(offset));
         glVertexArrayAttribBinding(renderer->vertex_array_, index, 0);
     };
-    attribute(0, 2, GL_FLOAT, false, offsetof(ImDrawVert, pos));
-    attribute(1, 2, GL_FLOAT, false, offsetof(ImDrawVert, uv));
-    attribute(2, 4, GL_UNSIGNED_BYTE, true, offsetof(ImDrawVert, col));
+    attribute(render::kAttributePosition, 2, GL_FLOAT, false, offsetof(ImDrawVert, pos));
+    attribute(render::kAttributeUv, 2, GL_FLOAT, false, offsetof(ImDrawVert, uv));
+    attribute(render::kAttributeColour, 4, GL_UNSIGNED_BYTE, true, offsetof(ImDrawVert, col));
     renderer->upload_fonts();
     return renderer;
 }
@@ -81,7 +83,7 @@ void ImguiRenderer::draw(const ImDrawData& data) {
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glUseProgram(program_);
-    glUniform4f(0, data.DisplayPos.x, data.DisplayPos.y, data.DisplaySize.x, data.DisplaySize.y);
+    glUniform4f(render::kUniformWindow, data.DisplayPos.x, data.DisplayPos.y, data.DisplaySize.x, data.DisplaySize.y);
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(ImDrawVert));
     glVertexArrayElementBuffer(vertex_array_, indices_);
     glBindVertexArray(vertex_array_);
@@ -108,7 +110,8 @@ void ImguiRenderer::draw(const ImDrawData& data) {
             const int bottom = std::min(pixel(command.ClipRect.w, data.DisplayPos.y, data.FramebufferScale.y), height);
             if (right <= left || bottom <= top) continue;
             glScissor(left, height - bottom, right - left, bottom - top);
-            glBindTextureUnit(0, static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+            glBindTextureUnit(render::kUnitImage,
+                              static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
             const auto offset = (first_index + command.IdxOffset) * static_cast<std::int64_t>(sizeof(ImDrawIdx));
             glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<int>(command.ElemCount),
                                      sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,

@@ -1,7 +1,8 @@
 // gl_floor: OpenGL 4.5's way of speaking on older contexts, from 3.3 on. The passes are written once, against 4.5:
 // objects are named in calls instead of bound, uniforms have fixed locations. Where the context is older, load_gl()
 // puts functions of the same names here, which bind, do and bind back. Not here, because 3.3 cannot do it at all: lists
-// of panes (see gl_has_lists) and glClipControl, in whose place shaders change their depths (render/gl/shader_text.h).
+// of fragments (see gl_has_lists) and glClipControl, in whose place shaders change their depths
+// (render/gl/shader_text.h).
 #pragma once
 
 #include "render/gl/shader_text.h"
@@ -14,7 +15,7 @@ namespace ramus::render {
 // apart that live at the same time: their names are the same numbers.
 void install_gl_floor(int version, const void* context);
 
-// Gives a linked program the places that its text could not say. Nothing to do from 4.3 on.
-void settle_program(GLuint program, const ShaderText& vertex, const ShaderText& fragment);
+// Gives a linked program the numbers that its text could not say. Nothing to do from 4.3 on.
+void number_program(GLuint program, const ShaderText& vertex, const ShaderText& fragment);
 
 } // namespace ramus::render

@@ -1,5 +1,6 @@
-// The half of gl_floor that gives uniforms, samplers and blocks their places. Below 4.3 the linker chooses locations:
+// The half of gl_floor that gives uniforms, samplers and blocks their numbers. Below 4.3 the linker chooses locations:
 // calls name those of the shader files, and are sent on to the ones that were chosen.
+#include "render/gl/bindings.h"
 #include "render/gl/gl_floor.h"
 
 #include <array>
@@ -11,8 +12,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr std::size_t kMostUniforms = 16; // locations in the shader files
-using Locations = std::array<GLint, kMostUniforms>;
+using Locations = std::array<GLint, kUniforms>; // by those of the shader files
 
 std::unordered_map<GLuint, Locations>* programs = nullptr; // of the current context; null: it needs none of this
 
@@ -129,7 +129,7 @@ void install_uniform_floor(int version, const void* context) {
     glad_glGetNamedBufferSubData = nullptr;
 }
 
-void settle_program(GLuint program, const ShaderText& vertex, const ShaderText& fragment) {
+void number_program(GLuint program, const ShaderText& vertex, const ShaderText& fragment) {
     if (programs == nullptr) return;
     Locations& locations = (*programs)[program];
     locations.fill(-1);

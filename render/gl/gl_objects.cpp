@@ -192,7 +192,7 @@ Result<Program> make_program(std::string_view vertex_shader, std::string_view fr
     if (linked != GL_TRUE)
         return fail("shaders do not link: " + log_of(program, glGetProgramInfoLog), std::string(fragment_shader),
                     "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
-    settle_program(program, vertex->text, fragment->text);
+    number_program(program, vertex->text, fragment->text);
     return program;
 }
 

@@ -3,6 +3,7 @@
 #include "render/gl/shader_sources.h"
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -37,7 +38,9 @@ public:
             } else if (line.starts_with("#version")) {
                 out_ << '\n';
             } else {
-                out_ << (version_ < 430 ? without_places(line) : line) << '\n';
+                note_constant(line);
+                if (line.starts_with("layout(")) line = with_number(line);
+                out_ << (version_ < 430 ? without_number(line) : line) << '\n';
             }
         }
     }
@@ -52,13 +55,29 @@ private:
         return text_.files.size() - 1;
     }
 
-    std::string without_places(const std::string& line) {
+    // "const int kName = 7;"
+    void note_constant(const std::string& line) {
+        constexpr std::string_view kBegins = "const int ", kIs = " = ";
+        const std::size_t is = line.find(kIs);
+        if (line.starts_with(kBegins) && is != std::string::npos)
+            constants_.try_emplace(line.substr(kBegins.size(), is - kBegins.size()),
+                                   line.substr(is + kIs.size(), line.find(';') - is - kIs.size()));
+    }
+
+    // "layout(binding = kName)..." with the number in place of the name: not every version takes a constant there.
+    [[nodiscard]] std::string with_number(const std::string& line) const {
+        const std::size_t end = line.find(')'), is = line.rfind(' ', end) + 1;
+        const auto found = constants_.find(line.substr(is, end - is));
+        return found == constants_.end() ? line : line.substr(0, is) + found->second + line.substr(end);
+    }
+
+    std::string without_number(const std::string& line) {
         static const std::regex kUniform(R"(^layout\(location = (\d+)\) uniform (\w+ (\w+).*)$)");
         static const std::regex kSampler(R"(^layout\(binding = (\d+)\) uniform (\w+ (\w+).*)$)");
         static const std::regex kBlock(R"(^layout\(std140, binding = (\d+)\) uniform ((\w+).*)$)");
         std::smatch match;
-        const auto note = [&](std::vector<ShaderText::Place>& places) {
-            places.push_back({match[3], std::stoi(match[1])});
+        const auto note = [&](std::vector<ShaderText::Numbered>& named) {
+            named.push_back({match[3], std::stoi(match[1])});
         };
         if (std::regex_match(line, match, kUniform)) {
             note(text_.uniforms);
@@ -77,6 +96,7 @@ private:
 
     ShaderText& text_;
     int version_;
+    std::map<std::string, std::string> constants_; // by name, of the files so far
     std::ostringstream out_;
 };
 
@@ -103,12 +123,12 @@ ShaderText shader_text(std::string_view name, std::string_view defines, int vers
 
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
     // Mesa "2:13(5): error: ...", NVIDIA "2(13) : error C1008: ...", AMD, Intel and Apple "ERROR: 2:13: ...".
-    static const std::regex kPlace(R"(^((?:ERROR: |WARNING: )?)(\d+)(?::(\d+)(?:\((\d+)\))?|\((\d+)\)) ?:)");
+    static const std::regex kPosition(R"(^((?:ERROR: |WARNING: )?)(\d+)(?::(\d+)(?:\((\d+)\))?|\((\d+)\)) ?:)");
     std::istringstream lines(log);
     std::string result;
     for (std::string line; std::getline(lines, line);) {
         std::smatch match;
-        if (std::regex_search(line, match, kPlace)) {
+        if (std::regex_search(line, match, kPosition)) {
             const std::size_t file = match[2].length() < 6 ? std::stoul(match[2]) : files.size();
             const std::string number = match[3].matched ? match[3] : match[5];
             if (file < files.size()) line = match[1].str() + files[file] + ":" + number + ":" + match.suffix().str();

@@ -1,7 +1,8 @@
 // ShaderText: a shader file as a driver gets it, for the version of GLSL that the driver has. Files are written once,
-// for `#version 450 core`; `#include "name"` lines are replaced by the file of that name, and compilers' messages are
-// turned back to files and lines. Below 4.30 a shader cannot say where its uniforms, samplers and blocks lie: that is
-// taken out of the text and told, for the program to be given it when it is linked (render/gl/gl_floor.h).
+// for `#version 450 core`; `#include "name"` lines are replaced by the file of that name, names of
+// shaders/bindings.glsl in layout(...) by their numbers, and compilers' messages are turned back to files and lines.
+// Below 4.30 a shader cannot say where its uniforms, samplers and blocks lie: that is taken out of the text and told,
+// for the program to be given it when it is linked (render/gl/gl_floor.h).
 #pragma once
 
 #include <string>
@@ -15,11 +16,11 @@ struct ShaderText {
     std::vector<std::string> files; // by the number that #line directives, and so the driver's messages, have for them
 
     // What `layout(...)` said, below 4.30.
-    struct Place {
+    struct Numbered {
         std::string name;
         int number = 0;
     };
-    std::vector<Place> uniforms, samplers, blocks;
+    std::vector<Numbered> uniforms, samplers, blocks;
 };
 
 // The embedded file `name`. `defines` goes after the #version line. `version` is 450, 430 or 330; at 330 FLOOR is

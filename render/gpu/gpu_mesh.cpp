@@ -1,5 +1,7 @@
 #include "render/gpu/gpu_mesh.h"
 
+#include "render/gl/bindings.h"
+
 #include <algorithm>
 #include <array>
 #include <glm/vec4.hpp>
@@ -79,11 +81,11 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
     triangles = make_buffer(triangle_pages.size() * kTrianglePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     glVertexArrayVertexBuffer(vertex_array, 0, vertices, 0, sizeof(GpuVertex));
     glVertexArrayElementBuffer(vertex_array, triangles);
-    glVertexArrayAttribFormat(vertex_array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
-    glVertexArrayAttribFormat(vertex_array, 1, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
-    glVertexArrayAttribIFormat(vertex_array, 2, 1, GL_INT, offsetof(GpuVertex, branch));
-    glVertexArrayAttribIFormat(vertex_array, 3, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, lead));
-    for (GLuint i = 0; i < 4; ++i) {
+    glVertexArrayAttribFormat(vertex_array, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
+    glVertexArrayAttribFormat(vertex_array, kAttributeNormal, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
+    glVertexArrayAttribIFormat(vertex_array, kAttributeBranch, 1, GL_INT, offsetof(GpuVertex, branch));
+    glVertexArrayAttribIFormat(vertex_array, kAttributeLead, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, lead));
+    for (const GLuint i : {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeLead}) {
         glVertexArrayAttribBinding(vertex_array, i, 0);
         glEnableVertexArrayAttrib(vertex_array, i);
     }

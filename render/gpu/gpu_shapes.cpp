@@ -1,5 +1,7 @@
 #include "render/gpu/gpu_shapes.h"
 
+#include "render/gl/bindings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -60,9 +62,9 @@ Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(mesh), as_(as) {
         vertices_ = make_buffer(made_of_.vertices.size() * sizeof(Vertex), made_of_.vertices.data());
     }
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(Vertex));
-    glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
-    glVertexArrayAttribFormat(vertex_array_, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normal));
-    for (GLuint i = 0; i < 2; ++i) {
+    glVertexArrayAttribFormat(vertex_array_, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
+    glVertexArrayAttribFormat(vertex_array_, kAttributeNormal, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normal));
+    for (const GLuint i : {kAttributePosition, kAttributeNormal}) {
         glVertexArrayAttribBinding(vertex_array_, i, 0);
         glEnableVertexArrayAttrib(vertex_array_, i);
     }

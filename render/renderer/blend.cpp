@@ -1,5 +1,6 @@
 #include "render/renderer/blend.h"
 
+#include "render/gl/bindings.h"
 #include "render/renderer/finished_picture.h"
 
 namespace ramus::render {
@@ -31,9 +32,9 @@ void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size,
     glViewport(0, 0, size.x, size.y);
     glBindVertexArray(no_vertices_);
     glUseProgram(mix_);
-    glUniform2f(0, static_cast<float>(share), 0.0F);
-    glBindTextureUnit(0, first);
-    glBindTextureUnit(1, second);
+    glUniform2f(kUniformShare, static_cast<float>(share), 0.0F);
+    glBindTextureUnit(kUnitImage, first);
+    glBindTextureUnit(kUnitOtherImage, second);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (heading.width > 0) {
         const glm::ivec2 at((size.x - heading.width) / 2, size.y - top - heading.height);
@@ -46,15 +47,15 @@ void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size,
         glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         glEnable(GL_SCISSOR_TEST);
         glScissor(at.x, at.y, heading.width, heading.height);
-        glBindTextureUnit(0, sprite);
-        glProgramUniform2i(overlay_, 0, at.x, at.y);
+        glBindTextureUnit(kUnitImage, sprite);
+        glProgramUniform2i(overlay_, kUniformOrigin, at.x, at.y);
         glUseProgram(overlay_);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glDisable(GL_SCISSOR_TEST);
         glDisable(GL_BLEND);
     }
-    glBindTextureUnit(0, 0);
-    glBindTextureUnit(1, 0);
+    glBindTextureUnit(kUnitImage, 0);
+    glBindTextureUnit(kUnitOtherImage, 0);
     glBindVertexArray(0);
     glUseProgram(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/caster/caster.h"
+#include "render/gl/bindings.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/gl_objects.h"
 #include "render/gpu/gpu_lines.h"
@@ -12,6 +13,7 @@
 #include "render/overlay/overlay.h"
 #include "render/renderer/in_parts.h"
 #include "render/renderer/renderer.h"
+#include "render/renderer/uniform_blocks.h"
 #include "render/scene/record_flags.h"
 
 #include <array>
@@ -25,22 +27,12 @@
 
 namespace ramus::render {
 
-// The uniform block of view.glsl.
-struct ViewBlock {
-    glm::vec4 clip_to_eye{0.0F}, pixel_to_eye{0.0F}, depth_range{0.0F}, picture{0.0F};
-};
-
-inline constexpr int kMostSamples = 4; // a pixel; as in shade.frag
-
 // The uniform block of look.glsl.
 struct LookBlock {
     glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
         lesion_colour, lost_colour, far_colour, cues;
 };
 static_assert(sizeof(LookBlock) == sizeof(caster::Look));
-
-// Of the uniform block of scene.glsl, in bytes.
-inline constexpr GLsizeiptr kSceneBlockBytes = 2 * 64 + 3 * 16 + 16 * static_cast<GLsizeiptr>(Margins::kMost);
 
 // Ids less 1, as in ids.glsl: those of lesions are beyond every branch, those of context beyond every lesion.
 inline constexpr int kFirstSolid = int{record::kSolid}, kFirstContext = int{record::kSolid | record::kContext};
@@ -79,7 +71,7 @@ struct Passes {
     std::array<Texture, 2> layer_depths_;
     std::array<Framebuffer, 2> layer_targets_;
     Framebuffer fronts_target_;
-    ViewBlock view_;
+    ViewBlock view_{};
     glm::dmat4 projection_{1.0}, mesh_to_clip_{1.0}; // of the last look_at()
     int shift_ = 0;                                  // which of kShifts the view is off by
 };
@@ -213,9 +205,9 @@ private:
     Window pick_window(double x, double y) const;
     Pick nearest_in(const Window& window, const std::uint32_t* ids, const float* depths, const Camera& camera) const;
 
-    Program geometry_, border_, cone_, pane_, border_pane_, centerline_, resolve_, resolve_glass_, resolve_lesions_,
-        occlude_, blur_, background_, enlarge_, overlay_, mark_, context_, context_pane_, context_lines_,
-        skeleton_line_, skeleton_ring_;
+    Program geometry_, border_, cone_, fragment_, border_fragment_, centerline_, resolve_, resolve_glass_,
+        resolve_lesions_, occlude_, blur_, background_, enlarge_, overlay_, mark_, context_, clear_context_,
+        context_lines_, skeleton_line_, skeleton_ring_;
     std::map<unsigned, Program> shade_;                 // by variant, made when needed
     std::vector<std::array<std::uint16_t, 4>> records_; // of the last picture's branches
     glm::ivec2 region_at_{0}, region_size_{0};          // that is shaded, of `inner_`, in GL's sense of y

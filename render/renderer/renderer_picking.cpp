@@ -63,9 +63,9 @@ Pick Renderer::Impl::pick(double x, double y) {
     }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + kTargetIdNormal);
     glReadPixels(window.x, window.y, window.width, window.height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
-    glReadBuffer(GL_COLOR_ATTACHMENT2);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + kTargetPickedDepth);
     glReadPixels(window.x, window.y, window.width, window.height, GL_RED, GL_FLOAT, depths.data());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     return nearest_in(window, ids.data(), depths.data(), last_->camera);
@@ -89,7 +89,7 @@ BranchPicture Renderer::Impl::read_branches() {
     std::vector<std::uint32_t> ids(inner_width * inner_height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + kTargetIdNormal);
     glReadPixels(0, 0, inner_.x, inner_.y, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     picture.width = size_.x;
@@ -131,10 +131,10 @@ void Renderer::Impl::request_pick(double x, double y) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, resolve_target_);
         glBindBuffer(GL_PIXEL_PACK_BUFFER, pick_buffer_);
         glPixelStorei(GL_PACK_ALIGNMENT, 4);
-        glReadBuffer(GL_COLOR_ATTACHMENT0);
+        glReadBuffer(GL_COLOR_ATTACHMENT0 + kTargetIdNormal);
         glReadPixels(pick_window_.x, pick_window_.y, pick_window_.width, pick_window_.height, GL_RED_INTEGER,
                      GL_UNSIGNED_INT, nullptr);
-        glReadBuffer(GL_COLOR_ATTACHMENT2);
+        glReadBuffer(GL_COLOR_ATTACHMENT0 + kTargetPickedDepth);
         glReadPixels(pick_window_.x, pick_window_.y, pick_window_.width, pick_window_.height, GL_RED, GL_FLOAT,
                      reinterpret_cast<void*>(static_cast<std::uintptr_t>(bytes)));
         glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);

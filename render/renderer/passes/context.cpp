@@ -11,13 +11,11 @@ namespace ramus::render {
 
 namespace {
 
-constexpr GLuint kLesionPane = 0x00400000; // as in panes.glsl
-
 // `about` goes from mm about the middle of the shape's bounds to clip space.
 void place(const Shape& shape, GLuint number, const glm::dmat4& about, const Camera& camera) {
-    glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(about)));
-    glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(camera))));
-    glUniform1ui(7, number);
+    glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(about)));
+    glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(camera))));
+    glUniform1ui(kUniformNumber, number);
     if (shape.closed())
         glEnable(GL_CULL_FACE);
     else
@@ -58,10 +56,10 @@ std::uint64_t Renderer::Impl::draw_clear_context(const Frame& frame, const Prepa
     for (std::size_t i = 0; i < frame.context.size(); ++i) {
         const Shape* shape = shapes_.of(frame.context[i], quick);
         if (shape == nullptr || !frame.context[i].clear()) continue;
-        const Program& program = shape->lines() ? context_lines_ : context_pane_;
+        const Program& program = shape->lines() ? context_lines_ : clear_context_;
         glUseProgram(program);
         prepare(program);
-        if (shape->lines()) glUniform1f(12, 0.5F * kContextLineWidth * point);
+        if (shape->lines()) glUniform1f(kUniformHalfWidth, 0.5F * kContextLineWidth * point);
         const glm::dmat4 to_clip = projection_ * (shape->lines() ? off : glm::dmat4(1.0)) * view;
         place(*shape, number_of(i), glm::translate(to_clip, shape->bounds().centre()), frame.camera);
         triangles += shape->draw();
@@ -75,10 +73,10 @@ std::uint64_t Renderer::Impl::draw_lesions(const Frame& frame, const Prepare& pr
     std::uint64_t triangles = 0;
     std::size_t index = 0;
     const glm::dmat4 to_clip = projection_ * view_matrix(frame.camera);
-    glUseProgram(context_pane_);
-    prepare(context_pane_);
+    glUseProgram(clear_context_);
+    prepare(clear_context_);
     const auto draw = [&](const Shape* shape, const glm::dvec3& centre, double scale) {
-        const GLuint number = kLesionPane | number_of(index++);
+        const GLuint number = record::kLesionFragment | number_of(index++);
         if (shape == nullptr) return;
         place(*shape, number, glm::scale(glm::translate(to_clip, centre), glm::dvec3(scale)), frame.camera);
         triangles += shape->draw();
@@ -95,18 +93,18 @@ std::uint64_t Renderer::Impl::draw_lesions(const Frame& frame, const Prepare& pr
 std::uint64_t Renderer::Impl::list_clear_panes(const Frame& frame, Band band) const {
     return draw_clear(frame, Clear::kAll, [&](const Program& program) {
         bind_panes(program, band);
-        glUniform1ui(5, static_cast<GLuint>(pane_room_));
+        glUniform1ui(kUniformCapacity, static_cast<GLuint>(pane_room_));
     });
 }
 
 // What draw_layer() draws of what is clear.
 std::uint64_t Renderer::Impl::draw_clear_layer(const Frame& frame, Clear what, int layer) const {
     return draw_clear(frame, what, [&](const Program&) {
-        glUniform1i(2, static_cast<GLint>(view_.picture.z));
-        glUniform1i(4, layer);
-        glUniform2fv(8, kMostSamples, &sample_places_[0].x);
-        glBindTextureUnit(5, depth_);
-        glBindTextureUnit(6, layer == 0 ? 0 : GLuint(layer_depths_.at(std::size_t(1 - layer % 2))));
+        glUniform1i(kUniformSamples, static_cast<GLint>(view_.picture.z));
+        glUniform1i(kUniformLayer, layer);
+        glUniform2fv(kUniformSamplePositions, kMostSamples, &sample_places_[0].x);
+        glBindTextureUnit(kUnitOpaqueSamples, depth_);
+        glBindTextureUnit(kUnitLastLayer, layer == 0 ? 0 : GLuint(layer_depths_.at(std::size_t(1 - layer % 2))));
     });
 }
 

@@ -64,7 +64,7 @@ glm::dmat4 Renderer::Impl::look_at(const Frame& frame, const Box& box) {
     view_.depth_range = {middle - depth, middle + depth, reach, reach * mm_at_unit_depth};
     view_.picture = {size.x, size.y, view_.picture.z, flat ? 1.0F : 0.0F};
     glNamedBufferSubData(view_block_, 0, sizeof view_, &view_);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
     return projection * view_matrix(camera);
 }
 
@@ -131,11 +131,11 @@ InParts<Result<std::uint64_t>> Renderer::Impl::draw_geometry(const Frame& frame,
     if (has_glass_ && lines_.shown() != nullptr) {
         glUseProgram(centerline_);
         glBindVertexArray(no_vertices_);
-        glBindTextureUnit(0, lines_.textures().points);
-        glBindTextureUnit(1, lines_.textures().details);
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(relative_to(lines_.shown()->origin))));
+        glBindTextureUnit(kUnitLinePoints, lines_.textures().points);
+        glBindTextureUnit(kUnitLineDetails, lines_.textures().details);
+        glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(relative_to(lines_.shown()->origin))));
         const float pixels = kCenterlineWidth * frame.pixel_ratio * float(inner_.y) / float(size_.y);
-        glUniform3f(1, 0.5F * float(inner_.x), 0.5F * float(inner_.y), 0.5F * std::max(pixels, 1.0F));
+        glUniform3f(kUniformHalfPicture, 0.5F * float(inner_.x), 0.5F * float(inner_.y), 0.5F * std::max(pixels, 1.0F));
         lines_.draw(layers, Layer::kGlass);
     }
     if (!has_glass_) {
@@ -164,8 +164,8 @@ InParts<std::uint64_t> Renderer::Impl::draw_surface(const Frame& frame, const Gp
         glBindFramebuffer(GL_FRAMEBUFFER, geometry_target_);
         take_front_faces(true);
         glUseProgram(program);
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
-        glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+        glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
+        glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
     };
     std::vector<Layer> closed = layers, open;
     const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
@@ -198,7 +198,7 @@ InParts<std::uint64_t> Renderer::Impl::draw_surface(const Frame& frame, const Gp
     for (std::size_t part = 0; part < borders.parts(); ++part) {
         use(border_);
         if (any_glass) glDisable(GL_CULL_FACE);
-        glBindTextureUnit(7, layer_texture_);
+        glBindTextureUnit(kUnitLayers, layer_texture_);
         draw_by_sample(border_, [&] { mesh.draw_part(borders, part); });
         end_borders();
         co_await kPartEnds;
@@ -214,10 +214,11 @@ std::uint64_t Renderer::Impl::draw_cones(const Frame& frame, const std::vector<L
     const glm::dmat4 projection = projection_matrix(frame.camera, frame.size, 1.0, 2.0);
     glUseProgram(cone_);
     glBindVertexArray(no_vertices_);
-    glBindTextureUnit(7, lines_.thinned().points);
-    glBindTextureUnit(8, lines_.thinned().details);
-    glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(glm::translate(to_eye, lines_.shown()->origin))));
-    glUniform2f(1, static_cast<float>(projection[0][0]), static_cast<float>(projection[1][1]));
+    glBindTextureUnit(kUnitLinePoints, lines_.thinned().points);
+    glBindTextureUnit(kUnitLineDetails, lines_.thinned().details);
+    glUniformMatrix4fv(kUniformLinesToEye, 1, GL_FALSE,
+                       glm::value_ptr(glm::mat4(glm::translate(to_eye, lines_.shown()->origin))));
+    glUniform2f(kUniformZoom, static_cast<float>(projection[0][0]), static_cast<float>(projection[1][1]));
     glDisable(GL_CULL_FACE);
     const std::uint64_t segments = lines_.draw_thinned(layers, Layer::kOpaque);
     glEnable(GL_CULL_FACE);
@@ -230,13 +231,13 @@ void Renderer::Impl::resolve_by(const Program& program, Band band) {
     glBindFramebuffer(GL_FRAMEBUFFER, resolve_target_);
     glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
     glEnable(GL_DEPTH_TEST);
-    glBindTextureUnit(0, surface_);
-    glBindTextureUnit(1, depth_);
+    glBindTextureUnit(kUnitSurface, surface_);
+    glBindTextureUnit(kUnitDepth, depth_);
     if (has_glass_ && gl_has_lists()) bind_panes(program, band);
     if (has_glass_ && !gl_has_lists()) {
-        glBindTextureUnit(2, layer_panes_);
-        glBindTextureUnit(3, layer_depths_[0]);
-        glBindTextureUnit(4, layer_depths_[1]);
+        glBindTextureUnit(kUnitFirstFragments, layer_panes_);
+        glBindTextureUnit(kUnitFirstDepths, layer_depths_[0]);
+        glBindTextureUnit(kUnitContextDepths, layer_depths_[1]);
     }
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, band.first, inner_.x, band.count);
@@ -246,16 +247,16 @@ void Renderer::Impl::resolve_by(const Program& program, Band band) {
 }
 
 void Renderer::Impl::draw_occlusion(const Frame& frame) {
-    glBindTextureUnit(0, id_normal_);
-    glBindTextureUnit(1, opaque_depth_);
+    glBindTextureUnit(kUnitIdNormal, id_normal_);
+    glBindTextureUnit(kUnitOpaqueDepth, opaque_depth_);
     glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
-    glProgramUniform1i(occlude_, 0, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
-    glProgramUniform1f(occlude_, 1, static_cast<float>(shift_) / float{kFineViews});
+    glProgramUniform1i(occlude_, kUniformTaps, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
+    glProgramUniform1f(occlude_, kUniformTurned, static_cast<float>(shift_) / float{kFineViews});
     fullscreen(occlude_, Pixels::kCovered);
     for (const bool across : {true, false}) {
-        glBindTextureUnit(0, across ? occlusion_ : half_blurred_);
+        glBindTextureUnit(kUnitOcclusion, across ? occlusion_ : half_blurred_);
         glBindFramebuffer(GL_FRAMEBUFFER, across ? half_blur_target_ : blur_target_);
-        glProgramUniform2i(blur_, 0, across ? 1 : 0, across ? 0 : 1);
+        glProgramUniform2i(blur_, kUniformAlong, across ? 1 : 0, across ? 0 : 1);
         fullscreen(blur_, Pixels::kCovered);
     }
 }

@@ -37,10 +37,10 @@ bool Renderer::Impl::make_room_for_panes(std::size_t wanted) {
 }
 
 void Renderer::Impl::bind_panes(const Program& program, Band band) const {
-    glProgramUniform2i(program, 4, inner_.x, band.first);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, pane_heads_);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, panes_);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, pane_count_);
+    glProgramUniform2i(program, kUniformBand, inner_.x, band.first);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageHeads, pane_heads_);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageFragments, panes_);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageCount, pane_count_);
 }
 
 // Lists the panes of a band's pixels, in no order, and tells how many there are: more than there was room for means
@@ -68,22 +68,22 @@ InParts<std::size_t> Renderer::Impl::list_panes(const Frame& frame, const GpuMes
     const auto use = [&](const Program& program) {
         begin();
         glUseProgram(program);
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
-        glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+        glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
+        glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
         bind_panes(program, band);
-        glUniform1ui(5, static_cast<GLuint>(pane_room_));
+        glUniform1ui(kUniformCapacity, static_cast<GLuint>(pane_room_));
     };
     const GpuMesh::Ranges panes = mesh.choose(layers_, Layer::kGlass, mesh_to_clip_);
     for (std::size_t part = 0; part < panes.parts(); ++part) {
-        use(pane_);
+        use(fragment_);
         mesh.draw_part(panes, part);
         co_await kPartEnds;
     }
     const GpuMesh::Ranges borders = mesh.choose_borders(layers_, Layer::kGlass, mesh_to_clip_);
     for (std::size_t part = 0; part < borders.parts(); ++part) {
-        use(border_pane_);
-        glUniform1i(2, static_cast<GLint>(view_.picture.z));
-        glBindTextureUnit(7, layer_texture_);
+        use(border_fragment_);
+        glUniform1i(kUniformSamples, static_cast<GLint>(view_.picture.z));
+        glBindTextureUnit(kUnitLayers, layer_texture_);
         mesh.draw_part(borders, part);
         end_borders();
         co_await kPartEnds;

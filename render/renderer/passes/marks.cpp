@@ -80,19 +80,19 @@ void Renderer::Impl::draw_marks(const Frame& frame) {
     const Buffer buffer = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
     const VertexArray array = make_vertex_array();
     glVertexArrayVertexBuffer(array, 0, buffer, 0, sizeof(MarkVertex));
-    glVertexArrayAttribFormat(array, 0, 2, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, pixel));
-    glVertexArrayAttribFormat(array, 1, 3, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, stripe));
-    glVertexArrayAttribFormat(array, 2, 3, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, srgb));
-    for (GLuint i = 0; i < 3; ++i) {
+    glVertexArrayAttribFormat(array, kAttributePixel, 2, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, pixel));
+    glVertexArrayAttribFormat(array, kAttributeStripe, 3, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, stripe));
+    glVertexArrayAttribFormat(array, kAttributeInk, 3, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, srgb));
+    for (const GLuint i : {kAttributePixel, kAttributeStripe, kAttributeInk}) {
         glVertexArrayAttribBinding(array, i, 0);
         glEnableVertexArrayAttrib(array, i);
     }
     glBindVertexArray(array);
     glUseProgram(mark_);
-    glUniform2f(0, float(size_.x), float(size_.y));
-    glUniform2f(1, float(inner_.x) / float(size_.x), float(inner_.y) / float(size_.y));
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
-    glBindTextureUnit(0, opaque_depth_);
+    glUniform2f(kUniformSize, float(size_.x), float(size_.y));
+    glUniform2f(kUniformToInner, float(inner_.x) / float(size_.x), float(inner_.y) / float(size_.y));
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
+    glBindTextureUnit(kUnitOpaqueDepth, opaque_depth_);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
 }
 

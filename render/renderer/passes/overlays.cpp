@@ -18,7 +18,7 @@ void Renderer::Impl::draw_overlays(const Frame& frame, const std::vector<Layer>&
         glBlitNamedFramebuffer(lit_target_, picture_target_, region_at_.x, region_at_.y, end.x, end.y, region_at_.x,
                                region_at_.y, end.x, end.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     } else {
-        glBindTextureUnit(0, lit_);
+        glBindTextureUnit(kUnitImage, lit_);
         fullscreen(enlarge_);
     }
     glEnable(GL_BLEND);
@@ -43,8 +43,8 @@ void Renderer::Impl::draw_overlays(const Frame& frame, const std::vector<Layer>&
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
         glTextureSubImage2D(texture, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
         glScissor(from.x, from.y, to.x - from.x, to.y - from.y);
-        glBindTextureUnit(0, texture);
-        glProgramUniform2i(overlay_, 0, x, y);
+        glBindTextureUnit(kUnitImage, texture);
+        glProgramUniform2i(overlay_, kUniformOrigin, x, y);
         fullscreen(overlay_);
     }
     glDisable(GL_BLEND);

@@ -60,7 +60,8 @@ void Renderer::Impl::draw_by_sample(const Program& program, const std::function<
     glEnable(GL_SAMPLE_MASK);
     for (int s = 0; s < static_cast<int>(view_.picture.z); ++s) {
         glSampleMaski(0, GLbitfield{1} << s);
-        glProgramUniform2f(program, 6, sample_places_.at(std::size_t(s)).x, sample_places_.at(std::size_t(s)).y);
+        glProgramUniform2f(program, kUniformSamplePosition, sample_places_.at(std::size_t(s)).x,
+                           sample_places_.at(std::size_t(s)).y);
         draw();
     }
     glSampleMaski(0, ~GLbitfield{0});
@@ -75,19 +76,19 @@ bool Renderer::Impl::draw_layer(const Frame& frame, const GpuMesh& mesh, int lay
     clear_samples();
     const auto use = [&](const Program& program) {
         glUseProgram(program);
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
-        glUniformMatrix3fv(1, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
-        glUniform1i(2, static_cast<GLint>(view_.picture.z));
-        glUniform1i(4, layer);
-        glUniform2fv(8, kMostSamples, &sample_places_[0].x);
-        glBindTextureUnit(5, depth_);
-        glBindTextureUnit(6, layer_depths_.at(std::size_t(1 - layer % 2)));
+        glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(mesh_to_clip_)));
+        glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(glm::mat3(view_matrix(frame.camera))));
+        glUniform1i(kUniformSamples, static_cast<GLint>(view_.picture.z));
+        glUniform1i(kUniformLayer, layer);
+        glUniform2fv(kUniformSamplePositions, kMostSamples, &sample_places_[0].x);
+        glBindTextureUnit(kUnitOpaqueSamples, depth_);
+        glBindTextureUnit(kUnitLastLayer, layer_depths_.at(std::size_t(1 - layer % 2)));
     };
     glBeginQuery(GL_ANY_SAMPLES_PASSED, layer_query_);
-    use(pane_);
+    use(fragment_);
     triangles += mesh.draw(mesh.choose(layers_, Layer::kGlass, mesh_to_clip_));
-    use(border_pane_);
-    glBindTextureUnit(7, layer_texture_);
+    use(border_fragment_);
+    glBindTextureUnit(kUnitLayers, layer_texture_);
     triangles += mesh.draw(mesh.choose_borders(layers_, Layer::kGlass, mesh_to_clip_));
     end_borders();
     if (what == LayerOf::kEverything) triangles += draw_clear_layer(frame, Clear::kAll, layer);
@@ -125,18 +126,18 @@ Result<void> Renderer::Impl::peel(const Frame& frame, const GpuMesh& mesh, unsig
     for (int layer = 0; layer < kMostLayers && draw_layer(frame, mesh, layer, LayerOf::kEverything, triangles);
          ++layer) {
         glBindFramebuffer(GL_FRAMEBUFFER, fronts_target_);
-        glBindTextureUnit(0, layer_panes_);
-        glBindTextureUnit(1, layer_depths_.at(std::size_t(layer % 2)));
-        glBindTextureUnit(3, context_texture_);
-        glBindTextureUnit(6, branch_texture_);
-        glBindTextureUnit(15, depth_);
+        glBindTextureUnit(kUnitSurface, layer_panes_);
+        glBindTextureUnit(kUnitDepth, layer_depths_.at(std::size_t(layer % 2)));
+        glBindTextureUnit(kUnitContext, context_texture_);
+        glBindTextureUnit(kUnitBranches, branch_texture_);
+        glBindTextureUnit(kUnitOpaqueSamples, depth_);
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
         fullscreen(**program, Pixels::kCovered);
         glDisable(GL_BLEND);
     }
-    glBindTextureUnit(14, fronts_);
+    glBindTextureUnit(kUnitFronts, fronts_);
     return {};
 }
 

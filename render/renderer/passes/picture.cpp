@@ -38,13 +38,13 @@ Result<void> Renderer::Impl::initialise() {
                                              {&mark_, "mark.vert", "mark.frag"},
                                              {&context_, "context.vert", "context.frag"}})
         if (auto made = make(*program, vertex, fragment); !made) return made;
-    const char* const pane = gl_has_lists() ? "pane.frag" : "pane_layer.frag";
+    const char* const glass = gl_has_lists() ? "fragment_list.frag" : "fragment_layer.frag";
     for (auto [program, vertex, fragment, defines, geometry] :
          {std::tuple{&border_, "geometry.vert", "geometry.frag", "#define BORDER\n", "border.geom"},
-          {&pane_, "geometry.vert", pane, "#define PANE\n", ""},
-          {&border_pane_, "geometry.vert", pane, "#define PANE\n#define BORDER\n", "border.geom"},
-          {&context_pane_, "context.vert", "context.frag", "#define PANE\n", ""},
-          {&context_lines_, "context.vert", "context.frag", "#define PANE\n#define LINES\n", ""},
+          {&fragment_, "geometry.vert", glass, "#define TRANSPARENT\n", ""},
+          {&border_fragment_, "geometry.vert", glass, "#define TRANSPARENT\n#define BORDER\n", "border.geom"},
+          {&clear_context_, "context.vert", "context.frag", "#define TRANSPARENT\n", ""},
+          {&context_lines_, "context.vert", "context.frag", "#define TRANSPARENT\n#define LINES\n", ""},
           {&resolve_glass_, "fullscreen.vert", "resolve.frag", "#define GLASS\n", ""},
           {&centerline_, "centerline.vert", "geometry.frag", "#define LINE\n", ""}})
         if (auto made = make(*program, vertex, fragment, defines, geometry); !made) return made;
@@ -55,7 +55,7 @@ Result<void> Renderer::Impl::initialise() {
     no_vertices_ = make_vertex_array();
     view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     look_block_ = make_buffer(sizeof(LookBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    scene_block_ = make_buffer(kSceneBlockBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    scene_block_ = make_buffer(sizeof(SceneBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     return {};
 }
 
@@ -84,7 +84,7 @@ void Renderer::Impl::restore_state() const {
     glDepthFunc(GL_LESS);
     glBindVertexArray(0);
     glUseProgram(0);
-    for (GLuint unit = 0; unit < 16; ++unit) glBindTextureUnit(unit, 0);
+    for (GLuint unit = 0; unit < kUnits; ++unit) glBindTextureUnit(unit, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
@@ -136,7 +136,7 @@ void Renderer::Impl::begin_state() const {
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glViewport(0, 0, inner_.x, inner_.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
 }
 
 // Parts of an unfinished picture, one at least, until the time is over; true: only the shading is left, and the time

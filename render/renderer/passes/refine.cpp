@@ -15,7 +15,7 @@ void Renderer::Impl::add_to_sum() {
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
-    glBindTextureUnit(0, lit_);
+    glBindTextureUnit(kUnitImage, lit_);
     fullscreen(add_view_);
     glDisable(GL_BLEND);
     ++refinement_->views;
@@ -99,8 +99,8 @@ Refined Renderer::Impl::refine(double seconds) {
     if (done.changed) {
         glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
         glViewport(0, 0, inner_.x, inner_.y);
-        glBindTextureUnit(0, refinement_->sum);
-        glProgramUniform1f(mean_view_, 0, 1.0F / static_cast<float>(refinement_->views));
+        glBindTextureUnit(kUnitImage, refinement_->sum);
+        glProgramUniform1f(mean_view_, kUniformShare, 1.0F / static_cast<float>(refinement_->views));
         fullscreen(mean_view_);
         lit_is_mean_ = true;
         region_at_ = glm::ivec2(0);

@@ -12,13 +12,7 @@ namespace ramus::render {
 
 namespace {
 
-// The uniform block of scene.glsl.
-struct SceneBlock {
-    glm::mat4 eye_to_lines{1.0F}, eye_to_grid{1.0F};
-    glm::vec4 counts{0.0F}, scale{0.0F}, beyond{0.0F};
-    std::array<glm::vec4, Margins::kMost> margins{};
-};
-static_assert(sizeof(SceneBlock) == kSceneBlockBytes);
+static_assert(std::size_t{kMostMargins} == Margins::kMost);
 
 // Fills a texture of few texels; room for more is made as it is needed.
 void send_texels(Buffer& buffer, Texture& texture, std::size_t& capacity, const std::vector<glm::vec4>& texels) {
@@ -83,7 +77,7 @@ std::vector<glm::vec4> context_colours(const Frame& frame) {
 
 unsigned Renderer::Impl::send_scene(const Frame& frame) {
     unsigned variant = 0;
-    SceneBlock scene;
+    SceneBlock scene{};
     const glm::dmat4 eye = eye_matrix(frame.camera), from_eye = glm::inverse(eye);
     const Lesions& lesions = frame.lesions;
 
@@ -108,17 +102,17 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
             scene.eye_to_grid = glm::mat4(
                 glm::translate(glm::scale(glm::dmat4(1.0), 1.0 / extent), 0.5 * grid.step_mm - grid.corner) * from_eye);
             scene.counts.w = 1.0F;
-            glBindTextureUnit(13, distance_texture_);
+            glBindTextureUnit(kUnitDistances, distance_texture_);
         }
-        glBindTextureUnit(10, lesion_texture_);
+        glBindTextureUnit(kUnitLesions, lesion_texture_);
     }
 
     const Centerlines* lines = lines_.shown();
     if (lines != nullptr) {
         scene.eye_to_lines = glm::mat4(glm::translate(glm::dmat4(1.0), -lines->origin) * from_eye);
-        glBindTextureUnit(7, lines_.textures().points);
-        glBindTextureUnit(8, lines_.textures().details);
-        glBindTextureUnit(9, lines_.textures().runs);
+        glBindTextureUnit(kUnitLinePoints, lines_.textures().points);
+        glBindTextureUnit(kUnitLineDetails, lines_.textures().details);
+        glBindTextureUnit(kUnitLineRuns, lines_.textures().runs);
         const ColourScale& scale = frame.scale;
         if (scale.value != ColourScale::Value::kNone && !scale.ramp.empty() && frame.margins.bands.empty()) {
             variant |= kScale;
@@ -127,19 +121,19 @@ unsigned Renderer::Impl::send_scene(const Frame& frame) {
             scene.scale = {low, high > low ? 1.0F / (high - low) : 0.0F, log ? 1.0F : 0.0F,
                            scale.value == ColourScale::Value::kRootDistance ? 1.0F : 0.0F};
             ramp_texture_ = ramp_texture(scale.ramp);
-            glBindTextureUnit(12, ramp_texture_);
+            glBindTextureUnit(kUnitRamp, ramp_texture_);
         }
         const std::vector<glm::vec4> cuts = cut_places(frame.lost, *lines, eye);
         send_texels(cut_buffer_, cut_texture_, cut_capacity_, cuts);
         scene.counts.y = static_cast<float>(cuts.size() / 5);
-        if (!cuts.empty()) glBindTextureUnit(11, cut_texture_);
+        if (!cuts.empty()) glBindTextureUnit(kUnitCuts, cut_texture_);
     }
     std::vector<glm::vec4> context = context_colours(frame);
     if (context.empty() && has_lesions(frame)) context.emplace_back(0.0F); // what the variant reads is there
     send_texels(context_buffer_, context_texture_, context_capacity_, context);
     if (!context.empty()) variant |= kContext;
     glNamedBufferSubData(scene_block_, 0, sizeof scene, &scene);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 2, scene_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockScene, scene_block_);
     return variant;
 }
 

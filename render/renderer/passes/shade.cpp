@@ -163,8 +163,8 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
     glNamedBufferSubData(look_block_, 0, sizeof look, &look);
     const auto program = shading(variant);
     if (!program) return tl::unexpected(program.error());
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockLook, look_block_);
     if (has_glass_ && !gl_has_lists())
         if (auto peeled = peel(frame, mesh != nullptr ? *mesh : no_mesh_, variant); !peeled) return peeled;
     glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
@@ -174,10 +174,13 @@ Result<void> Renderer::Impl::shade(const Frame& frame, const GpuMesh* mesh, Exte
         const int last = std::min(region_at_.y + region_size_.y, band.first + band.count);
         if (first >= last) return;
         glBindFramebuffer(GL_FRAMEBUFFER, lit_target_);
-        GLuint unit = 0;
-        for (const GLuint texture : {GLuint(surface_), GLuint(depth_), GLuint(opaque_depth_), GLuint(context_texture_),
-                                     GLuint(id_normal_), GLuint(blurred_), GLuint(branch_texture_)})
-            glBindTextureUnit(unit++, texture);
+        glBindTextureUnit(kUnitSurface, surface_);
+        glBindTextureUnit(kUnitDepth, depth_);
+        glBindTextureUnit(kUnitOpaqueDepth, opaque_depth_);
+        glBindTextureUnit(kUnitContext, context_texture_);
+        glBindTextureUnit(kUnitIdNormal, id_normal_);
+        glBindTextureUnit(kUnitOcclusion, blurred_);
+        glBindTextureUnit(kUnitBranches, branch_texture_);
         if (has_glass_ && gl_has_lists()) bind_panes(**program, band);
         glEnable(GL_SCISSOR_TEST);
         glScissor(region_at_.x, first, region_size_.x, last - first);

@@ -42,19 +42,19 @@ void Renderer::Impl::draw_skeleton(const Frame& frame, const std::vector<Layer>&
     const glm::vec4 to_depth(glm::vec3(axes.forward),
                              static_cast<float>(glm::dot(axes.forward, lines.origin - frame.camera.position)));
     glBindVertexArray(no_vertices_);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view_block_);
-    glBindTextureUnit(2, opaque_depth_);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
+    glBindTextureUnit(kUnitOpaqueDepth, opaque_depth_);
     const auto use = [&](const Program& program, float points, const glm::vec3& colour, float hidden) {
         glUseProgram(program);
         const float half = 0.5F * std::max(1.0F, points * frame.pixel_ratio);
-        glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(to_clip));
-        glUniform3f(1, 0.5F * float(size_.x), 0.5F * float(size_.y), half);
-        glUniform4f(2, to_depth.x, to_depth.y, to_depth.z, to_depth.w);
-        glUniform4f(3, colour.x, colour.y, colour.z, hidden);
-        glUniform2f(5, float(inner_.x) / float(size_.x), float(inner_.y) / float(size_.y));
+        glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(to_clip));
+        glUniform3f(kUniformHalfPicture, 0.5F * float(size_.x), 0.5F * float(size_.y), half);
+        glUniform4f(kUniformToDepth, to_depth.x, to_depth.y, to_depth.z, to_depth.w);
+        glUniform4f(kUniformTint, colour.x, colour.y, colour.z, hidden);
+        glUniform2f(kUniformToInner, float(inner_.x) / float(size_.x), float(inner_.y) / float(size_.y));
     };
     use(skeleton_ring_, kRingWidth, kRingColour, kHiddenRing);
-    glBindTextureUnit(0, skeleton_.rings());
+    glBindTextureUnit(kUnitRings, skeleton_.rings());
     const GpuSkeleton::Seen seen = skeleton_.seen(frame.camera, frame.size, layers);
     const bool moving = frame.quality == Quality::kInteractive;
     for (const auto& [rings, steps] : {std::pair{&seen.small, moving ? kMovingRingSteps : kSmallRingSteps},
@@ -63,14 +63,14 @@ void Renderer::Impl::draw_skeleton(const Frame& frame, const std::vector<Layer>&
         Buffer buffer;
         Texture texture;
         make_buffer_texture(buffer, texture, GL_R32UI, rings->data(), rings->size() * sizeof(std::uint32_t));
-        glBindTextureUnit(1, texture);
-        glUniform2f(4, float(steps), float(kLeastRingPixels));
+        glBindTextureUnit(kUnitSeenRings, texture);
+        glUniform2f(kUniformRingSteps, float(steps), float(kLeastRingPixels));
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * rings->size() * static_cast<std::size_t>(steps)));
     }
     use(skeleton_line_, kCenterlineWidth, kLineColour, kHiddenLine);
     const GpuSkeleton::Lines& drawn = skeleton_.lines(moving);
-    glBindTextureUnit(0, drawn.points);
-    glBindTextureUnit(1, drawn.branches);
+    glBindTextureUnit(kUnitSkeletonPoints, drawn.points);
+    glBindTextureUnit(kUnitSkeletonOwners, drawn.branches);
     drawn.draw(layers);
 }
 

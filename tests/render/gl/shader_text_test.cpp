@@ -1,10 +1,12 @@
 // Shaders as drivers get them, and their complaints as people do: with our files and lines.
+#include "render/gl/bindings.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/shader_sources.h"
 #include "render/gl/shader_text.h"
 #include "tests/support/gl_test.h"
 
 #include <doctest/doctest.h>
+#include <map>
 
 using namespace ramus::render;
 using ramus::test::WatchedContext;
@@ -63,21 +65,41 @@ TEST_CASE("logs of all drivers are turned to files and lines") {
         CHECK(turned(other) == other);
 }
 
-TEST_CASE("below 4.30 the text has no places, and tells them") {
+TEST_CASE("below 4.30 the text has no numbers, and tells them") {
     const ShaderText floor = shader_text("shade.frag", "#define GLASS\n", 330);
     CHECK(floor.glsl.starts_with("#version 330 core\n#define FLOOR\n#define GLASS\n"));
     for (const char* newer :
-         {"#version 450", "\n#include", "layout(location = 0) uniform", "layout(binding = 5) uniform"})
+         {"#version 450", "\n#include", "layout(location = k", "layout(binding = ", "layout(std140, binding"})
         CHECK(floor.glsl.find(newer) == std::string::npos);
-    const auto place = [](const std::vector<ShaderText::Place>& places, std::string_view name) {
-        for (const auto& one : places)
+    const auto number = [](const std::vector<ShaderText::Numbered>& named, std::string_view name) {
+        for (const auto& one : named)
             if (one.name == name) return one.number;
         return -1;
     };
-    CHECK(place(floor.samplers, "occlusion") == 5);
-    CHECK(place(floor.blocks, "Scene") == 2);
-    CHECK(place(shader_text("pane_layer.frag", {}, 330).uniforms, "places") == 8);
+    CHECK(number(floor.samplers, "occlusion") == kUnitOcclusion);
+    CHECK(number(floor.blocks, "Scene") == kBlockScene);
+    CHECK(number(shader_text("fragment_layer.frag", {}, 330).uniforms, "sample_positions") == kUniformSamplePositions);
     CHECK(shader_text("shade.frag", {}, 450).samplers.empty());
     const std::string vertex = shader_text("mark.vert", {}, 330, true).glsl;
     CHECK(vertex.find("2.0 * gl_Position.z - gl_Position.w") != std::string::npos);
+}
+
+TEST_CASE("every layout says its number, and no two of a program's have the same") {
+    for (const auto& [file, source] : kShaderSources) {
+        if (file.ends_with(".glsl")) continue;
+        CAPTURE(file);
+        const std::string glsl = shader_text(file, {}, 450).glsl;
+        CHECK(glsl.find("binding = k") == std::string::npos);
+        CHECK(glsl.find("location = k") == std::string::npos);
+        const ShaderText floor = shader_text(file, {}, 330);
+        std::map<int, std::string> samplers, uniforms;
+        for (const auto& [name, number] : floor.samplers) {
+            CHECK(number < kUnits);
+            CHECK(samplers.try_emplace(number, name).first->second == name);
+        }
+        for (const auto& [name, number] : floor.uniforms) {
+            CHECK(number < kUniforms);
+            CHECK(uniforms.try_emplace(number, name).first->second == name);
+        }
+    }
 }

@@ -1,0 +1,90 @@
+// Where programs find what C++ gives them: texture units, blocks, uniforms, vertex attributes, render targets. The one
+// place for these numbers; C++ reads them by render/gl/bindings.h. A unit's or uniform's number has one
+// meaning in all programs. shader_text.cpp puts numbers in place of these names in layout(...).
+#ifndef BINDINGS
+#define BINDINGS
+
+// Texture units. OpenGL 3.3 promises 48, and 16 of them to each stage.
+const int kUnitSurface = 0;         // multisampled: id and normal of the nearest opaque surface, or of a layer of glass
+const int kUnitDepth = 1;           // multisampled: its depth
+const int kUnitOpaqueDepth = 2;     // a pixel: mm along the line of sight
+const int kUnitContext = 3;         // of context meshes: colour, opacity
+const int kUnitIdNormal = 4;        // a pixel
+const int kUnitOcclusion = 5;       // a pixel
+const int kUnitBranches = 6;        // of branches: colour, flags
+const int kUnitLinePoints = 7;      // of centerlines
+const int kUnitLineDetails = 8;     // of their points: diameter, branch
+const int kUnitLineRuns = 9;        // of branches: which points
+const int kUnitLesions = 10;        // spheres
+const int kUnitCuts = 11;           // parts of branches that are lost
+const int kUnitRamp = 12;           // colours of a scale
+const int kUnitDistances = 13;      // to lesions, in space
+const int kUnitFronts = 14;         // of each sample: the glass before it
+const int kUnitOpaqueSamples = 15;  // multisampled: depth of the nearest opaque surface
+const int kUnitLayers = 16;         // of branches: opaque, glass or neither
+const int kUnitLastLayer = 17;      // multisampled: depth of the layer of glass before
+const int kUnitFirstFragments = 18; // multisampled: nearest layer of glass
+const int kUnitFirstDepths = 19;    // multisampled: its depth
+const int kUnitContextDepths = 20;  // multisampled: depth of the nearest that is clear and no vessel
+const int kUnitImage = 21;          // that a full-screen pass reads
+const int kUnitOtherImage = 22;     // that it mixes with
+const int kUnitSkeletonPoints = 23; // position, radius
+const int kUnitSkeletonOwners = 24; // of the same points: the branch
+const int kUnitRings = 25;          // of the skeleton: centre, radius, axis
+const int kUnitSeenRings = 26;      // which of them
+const int kUnits = 27;
+
+// Uniform blocks.
+const int kBlockView = 0;
+const int kBlockLook = 1;
+const int kBlockScene = 2;
+
+// Storage blocks: the lists of glass.
+const int kStorageHeads = 0;
+const int kStorageFragments = 1;
+const int kStorageCount = 2;
+
+// Uniforms. gl_floor keeps a table of kUniforms a program.
+const int kUniformToClip = 0;          // mat4
+const int kUniformToEye = 1;           // mat3, rotation only
+const int kUniformSamples = 2;         // int: of a pixel
+const int kUniformLayer = 3;           // int: of glass
+const int kUniformBand = 4;            // ivec2: width and first row of the band that the lists are for
+const int kUniformCapacity = 5;        // uint: of the lists, fragments
+const int kUniformSamplePosition = 6;  // vec2: from the pixel's middle, pixels
+const int kUniformNumber = 7;          // uint: of a context mesh or lesion
+const int kUniformSamplePositions = 8; // vec2[4]: takes four
+const int kUniformHalfWidth = 12;      // float: of a line, pixels
+const int kUniformHalfPicture = 13;    // vec3: half the size in pixels, half the width of a line
+const int kUniformLinesToEye = 14;     // mat4
+const int kUniformZoom = 15;           // vec2: eye xy (at depth 1 when perspective) to clip space
+const int kUniformToDepth = 16;        // vec4: from mm to mm along the line of sight
+const int kUniformTint = 17;           // vec4: sRGB; how much is left of it inside its vessel
+const int kUniformRingSteps = 18;      // vec2: corners of a ring; pixels below which it fades
+const int kUniformToInner = 19;        // vec2: pixels of the picture to those of what was drawn
+const int kUniformSize = 20;           // vec2: of the picture, pixels
+const int kUniformShare = 21;          // float: of one image in a mean
+const int kUniformTaps = 22;           // int: of the occlusion
+const int kUniformTurned = 23;         // float: all of them, of a sixteenth of the way around
+const int kUniformAlong = 24;          // ivec2: axis of the blur
+const int kUniformOrigin = 25;         // ivec2: lower left corner, pixels
+const int kUniformWindow = 26;         // vec4: of the interface: x, y, width, height
+const int kUniforms = 27;
+
+// Vertex attributes: of meshes, of marks, of the interface.
+const int kAttributePosition = 0;
+const int kAttributeNormal = 1;
+const int kAttributeBranch = 2;
+const int kAttributeLead = 3;
+const int kAttributePixel = 0;
+const int kAttributeStripe = 1;
+const int kAttributeInk = 2;
+const int kAttributeUv = 1;
+const int kAttributeColour = 2;
+
+// Targets of resolve.frag.
+const int kTargetIdNormal = 0;
+const int kTargetOpaqueDepth = 1;
+const int kTargetPickedDepth = 2;
+
+#endif

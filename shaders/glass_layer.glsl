@@ -1,0 +1,33 @@
+// One layer of glass onto those before it, each sample by itself: what shade.frag does with a list, a fragment at a time.
+// The pixel's fragments come in the order of their depths, so a sample waits while one before it is another sample's.
+layout(location = 0) out vec4 fronts[kMostSamples]; // premultiplied; blended behind what is there
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int samples = int(picture.z);
+    float nearest = 0.0;
+    for (int s = 0; s < samples; ++s) nearest = max(nearest, texelFetch(depth_samples, pixel, s).x);
+    if (nearest == 0.0) discard;
+    uvec2 fragments[kMostSamples];
+    bool hit[kMostSamples];
+    uint covered = 0u, before = 0u;
+    for (int s = 0; s < kMostSamples; ++s) {
+        hit[s] = s < samples && texelFetch(depth_samples, pixel, s).x == nearest;
+        fragments[s] = hit[s] ? texelFetch(surface_samples, pixel, s).xy : uvec2(0u);
+        covered |= (hit[s] ? 1u : 0u) << s;
+        before |= fragments[s].x >> kBeforeShift;
+    }
+    // Hidden by what is opaque wherever it covers a sample: no fragment.
+    if ((covered & before & 15u) == 0u) discard;
+    vec3 position = eye_position(gl_FragCoord.xy, eye_depth(nearest));
+    uvec2 last = uvec2(0u);
+    vec4 veil = vec4(0.0);
+    for (int s = 0; s < kMostSamples; ++s) {
+        hit[s] = hit[s] && ((fragments[s].x >> (kGlassShift + s)) & 1u) != 0u && nearest > texelFetch(opaque_samples, pixel, s < samples ? s : 0).x;
+        if (hit[s] && fragments[s] != last) {
+            last = fragments[s];
+            veil = veil_of(last.x, last.y, position);
+        }
+        fronts[s] = hit[s] ? veil : vec4(0.0);
+    }
+}
