@@ -4,7 +4,7 @@
 
 layout(binding = kUnitImage) uniform sampler2D first; // sRGB, premultiplied
 layout(binding = kUnitOtherImage) uniform sampler2D second;
-layout(location = kUniformShare) uniform vec2 share; // of the second; nothing
+layout(location = kUniformShare) uniform float share; // of the second
 
 layout(location = 0) out vec4 colour;
 
@@ -21,10 +21,10 @@ vec4 from_light(vec4 c) {
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 a = texelFetch(first, at, 0), b = texelFetch(second, at, 0);
-    if (share.x <= 0.0 || a == b)
+    if (share <= 0.0 || a == b)
         colour = a;
-    else if (share.x >= 1.0)
+    else if (share >= 1.0)
         colour = b;
     else
-        colour = from_light(mix(to_light(a), to_light(b), share.x));
+        colour = from_light(mix(to_light(a), to_light(b), share));
 }

@@ -5,8 +5,10 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "render/gl/gl_objects.h"
+#include "render/gl/fullscreen.h"
 #include "render/image/image.h"
+
+#include <glm/vec2.hpp>
 
 namespace ramus::render {
 
@@ -21,8 +23,7 @@ public:
     void present(unsigned framebuffer, int x, int y) const; // as Renderer::present()
 
 private:
-    Program mix_, overlay_;
-    VertexArray no_vertices_;
+    Fullscreen mix_, overlay_;
     glm::ivec2 size_{0};
     Texture picture_;
     Framebuffer target_;

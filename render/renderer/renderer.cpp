@@ -1,5 +1,6 @@
 #include "render/renderer/renderer.h"
 
+#include "render/renderer/finished_picture.h"
 #include "render/renderer/renderer_impl.h"
 
 #include <algorithm>
@@ -32,9 +33,11 @@ Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_bud
 }
 Refined Renderer::refine(double seconds) { return impl_->refine(seconds); }
 std::size_t Renderer::surface_bytes() const { return impl_->surface_bytes(); }
-unsigned Renderer::texture() const { return impl_->texture(); }
-Image Renderer::read_image() { return impl_->read_image(); }
-void Renderer::present(unsigned framebuffer, int x, int y) { impl_->present(framebuffer, x, y); }
+unsigned Renderer::texture() const { return impl_->picture().colour; }
+Image Renderer::read_image() { return read_picture(impl_->picture().colour, impl_->picture().size); }
+void Renderer::present(unsigned framebuffer, int x, int y) {
+    present_picture(impl_->picture().framebuffer, impl_->picture().size, framebuffer, x, y);
+}
 BranchPicture Renderer::read_branches() { return impl_->read_branches(); }
 Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
 void Renderer::request_pick(double x, double y) {

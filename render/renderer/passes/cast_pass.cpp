@@ -1,6 +1,7 @@
-// The picture while it moves, where OpenGL is software: made by the caster, then sent as it is.
-#include "render/renderer/renderer_impl.h"
+#include "render/renderer/look.h"
+#include "render/renderer/passes/picture_passes.h"
 #include "render/scene/colour.h"
+#include "render/scene/record_flags.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,10 +18,10 @@ template <std::size_t N> void put(float (&to)[N], const glm::vec4& from) {
     for (std::size_t i = 0; i < N; ++i) to[i] = from[static_cast<glm::length_t>(i)];
 }
 
-// What send_scene() tells OpenGL. Points into the frame.
+// What SceneTables tells OpenGL. Points into the frame.
 caster::Meaning meaning_of(const Frame& frame, const glm::dmat4& eye) {
     caster::Meaning meaning;
-    meaning.cuts = cut_places(frame.lost, *frame.centerlines, eye);
+    meaning.cuts = cut_ends(frame.lost, *frame.centerlines, eye);
     for (const glm::dvec4& s : frame.lesions.spheres)
         meaning.lesions.emplace_back(glm::dvec3(eye * glm::dvec4(glm::dvec3(s), 1.0)), s.w);
     if (frame.margins.bands.empty()) return meaning;
@@ -45,52 +46,67 @@ caster::Meaning meaning_of(const Frame& frame, const glm::dmat4& eye) {
     return meaning;
 }
 
-} // namespace
-
-void Renderer::Impl::add_bodies(const Frame& frame, caster::Meaning& meaning) const {
+void add_bodies(const Frame& frame, const GpuShapes& shapes, caster::Meaning& meaning) {
     meaning.context = context_colours(frame);
     const float point = frame.pixel_ratio;
     for (std::size_t i = 0; i < frame.context.size(); ++i) {
-        const Shape* shape = shapes_.of(frame.context[i], true);
+        const Shape* shape = shapes.of(frame.context[i], true);
         if (shape == nullptr) continue;
         meaning.bodies.push_back({&shape->made_of(), record::kSolid | record::kContext | number_of(i),
                                   frame.context[i].clear(), shape->lines() ? 0.5F * kContextLineWidth * point : 0.0F});
     }
     std::size_t index = frame.lesions.spheres.size();
     for (const auto& lesion : frame.lesions.meshes)
-        if (const Shape* shape = shapes_.of(lesion); shape != nullptr)
+        if (const Shape* shape = shapes.of(lesion); shape != nullptr)
             meaning.bodies.push_back({&shape->made_of(), record::kSolid | number_of(index++), true, 0.0F});
         else
             ++index;
 }
 
-std::uint64_t Renderer::Impl::cast(const Frame& frame, const std::vector<Layer>& layers) {
+caster::View view_of(const Frame& frame, const ViewSetup& from) {
+    constexpr int kAcross = caster::kTile * caster::kOccludedTiles;
+    caster::View view;
+    view.width = from.picture.x;
+    view.height = from.picture.y;
+    view.stride = (from.picture.x + kAcross - 1) / kAcross * kAcross;
+    view.centre_x = from.block.pixel_to_eye.x;
+    view.centre_y = from.block.pixel_to_eye.y;
+    view.mm_a_pixel = from.block.pixel_to_eye.z;
+    view.flat = frame.camera.orthographic;
+    view.near_mm = from.block.depth_range.x;
+    view.far_mm = from.block.depth_range.y;
+    view.reach_pixels = from.block.depth_range.z;
+    view.reach_mm = from.block.depth_range.w;
+    view.taps = frame.appearance.occlusion > 0.0F ? kTaps : 0;
+    return view;
+}
+
+} // namespace
+
+std::uint64_t CastPass::draw(const Subject& subject, const ViewSetup& view, BranchRecords& records) {
+    const Frame& frame = subject.frame;
     const glm::dmat4 eye = eye_matrix(frame.camera);
     caster::Meaning meaning = meaning_of(frame, eye);
-    add_bodies(frame, meaning);
+    add_bodies(frame, subject.scene.shapes(), meaning);
     caster_.follow(frame.centerlines, frame.width > 0.0F);
-    (void)look_at(frame, drawn_ != nullptr ? drawn_->shown()->bounds() : lines_.bounds());
-    has_glass_ = std::ranges::find(layers, Layer::kGlass) != layers.end();
-    const unsigned variant = send_records(frame, drawn_, Extent::kAll);
-    const bool outlined = (variant & kOutline) != 0;
-    caster::View view;
-    view.width = size_.x;
-    view.height = size_.y;
-    constexpr int kAcross = caster::kTile * caster::kOccludedTiles;
-    view.stride = (size_.x + kAcross - 1) / kAcross * kAcross;
-    view.centre_x = view_.pixel_to_eye.x;
-    view.centre_y = view_.pixel_to_eye.y;
-    view.mm_a_pixel = view_.pixel_to_eye.z;
-    view.flat = frame.camera.orthographic;
-    view.near_mm = view_.depth_range.x;
-    view.far_mm = view_.depth_range.y;
-    view.reach_pixels = view_.depth_range.z;
-    view.reach_mm = view_.depth_range.w;
-    view.taps = frame.appearance.occlusion > 0.0F ? kTaps : 0;
-    const LookBlock block = look_of(frame, outlined);
+    const bool outlined = records.send(subject, false).any_selected;
+    const bool glass = std::ranges::find(subject.layers, Layer::kGlass) != subject.layers.end();
+    const LookBlock block = look_of(frame, view, glass, outlined);
     caster::Look look;
+    static_assert(sizeof look == sizeof block);
     std::memcpy(&look, &block, sizeof look);
-    return caster_.draw(frame, view, eye, look, outlined, layers, records_, meaning);
+    return caster_.draw(frame, view_of(frame, view), eye, look, outlined, subject.layers, records.records(), meaning);
+}
+
+void CastPass::send_picture(const PictureTarget& to) const {
+    glTextureSubImage2D(to.colour, 0, 0, 0, to.size.x, to.size.y, GL_RGBA, GL_UNSIGNED_BYTE, caster_.rgba());
+}
+
+void CastPass::send_depths(const PictureTarget& picture, const ResolvedTarget& to) const {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, caster_.stride());
+    glTextureSubImage2D(to.opaque_depth, 0, 0, 0, picture.size.x, picture.size.y, GL_RED, GL_FLOAT, caster_.depths());
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 } // namespace ramus::render

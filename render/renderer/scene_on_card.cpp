@@ -1,6 +1,8 @@
-// Which surface a picture is made of, and what of it the graphics card holds.
+#include "render/renderer/scene_on_card.h"
+
+#include "render/caster/caster.h"
 #include "render/gl/graphics_memory.h"
-#include "render/renderer/renderer_impl.h"
+#include "render/scene/record_flags.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +11,20 @@
 
 namespace ramus::render {
 
-std::size_t Renderer::Impl::most_surface_bytes() {
+namespace {
+
+std::size_t most_surface_bytes() {
     constexpr double kShare = 0.75; // of the graphics card's memory
     const double bytes = kShare * graphics_memory_bytes();
     return std::isinf(bytes) ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(bytes);
 }
 
-// The frame as it can be drawn now: its mesh is the one that the graphics card has and that its quality asks for. The
-// preview is sent first, and stands in until the mesh has come: drawing the mesh before it in full would be in vain.
-Result<Frame> Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
+} // namespace
+
+SceneOnCard::SceneOnCard(std::size_t surface_bytes)
+    : surface_bytes_(surface_bytes == kMostOfGraphicsMemory ? most_surface_bytes() : surface_bytes) {}
+
+Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budget, DrawStatistics& done) {
     lines_.follow(wanted.centerlines);
     shapes_.follow(wanted.context, wanted.lesions);
     if (wanted.surface_awaited && wanted.quality == Quality::kInteractive && casts(wanted)) {
@@ -54,7 +61,7 @@ Result<Frame> Renderer::Impl::take_up(const Frame& wanted, std::size_t upload_bu
 }
 
 // Whether the mesh does. Its preview has to.
-Result<bool> Renderer::Impl::fits(const Frame& wanted) const {
+Result<bool> SceneOnCard::fits(const Frame& wanted) const {
     const auto bytes = [](const auto& mesh) { return mesh ? GpuMesh::bytes_of(*mesh) : 0; };
     if (bytes(wanted.mesh) + bytes(wanted.preview) <= surface_bytes_) return true;
     if (wanted.preview && bytes(wanted.preview) <= surface_bytes_) return false;
@@ -66,38 +73,54 @@ Result<bool> Renderer::Impl::fits(const Frame& wanted) const {
                 {}, "lower --detail, hide or prune branches, or raise --graphics-memory");
 }
 
-bool Renderer::Impl::casts(const Frame& frame) const {
+bool SceneOnCard::casts(const Frame& frame) const {
     constexpr std::size_t kMostAtOnce = 300'000; // points; of more, what the caster begins with takes too long
     if (lines_.shown() == nullptr || !caster::Caster::draws(frame)) return false;
     return !frame.surface_awaited || lines_.shown()->points.size() <= kMostAtOnce;
 }
 
-// After memory has run out.
-void Renderer::Impl::let_go() {
-    restore_state();
-    last_.reset();
-    unfinished_.reset();
-    refinement_.reset();
-    holds_last_ = false;
+void SceneOnCard::let_go() {
     drawn_ = nullptr;
-    wanted_mesh_ = nullptr;
     mesh_ = {};
     preview_ = {};
     lines_ = {};
     skeleton_ = {};
     shapes_ = {};
-    branch_buffer_ = {};
-    lesion_buffer_ = {};
-    cut_buffer_ = {};
-    layer_buffer_ = {};
-    context_buffer_ = {};
-    branch_capacity_ = lesion_capacity_ = cut_capacity_ = layer_capacity_ = context_capacity_ = 0;
-    distances_.reset();
-    distance_texture_ = {};
-    has_glass_ = false;
-    static_cast<Passes&>(*this) = {}; // what the picture was drawn into is made anew
-    picture_ = {};
-    size_ = inner_ = glm::ivec2(0);
+    branch_layers_ = {};
+}
+
+std::vector<ViewSetup::Ball> SceneOnCard::beside_tree(const Frame& frame) const {
+    std::vector<ViewSetup::Ball> balls;
+    for (const glm::dvec4& sphere : frame.lesions.spheres) balls.push_back({glm::dvec3(sphere), sphere.w});
+    const auto add = [&](const Box& box) {
+        if (!box.empty()) balls.push_back({box.centre(), box.radius()});
+    };
+    for (const auto& lesion : frame.lesions.meshes)
+        if (const Shape* shape = shapes_.of(lesion); shape != nullptr) add(shape->bounds());
+    add(shapes_.bounds(frame.context));
+    return balls;
+}
+
+bool Subject::has_glass_vessels() const {
+    return has_mesh() && std::ranges::find(layers, Layer::kGlass) != layers.end();
+}
+
+bool Subject::has_glass() const {
+    return has_glass_vessels() || has_lesions() || std::ranges::any_of(frame.context, &ContextMesh::clear);
+}
+
+glm::dmat4 Subject::mesh_to_clip(const ViewSetup& view) const {
+    return has_mesh() ? view.clip_from(mesh.shown()->origin()) : glm::dmat4(1.0);
+}
+
+void BranchLayers::send(const PagedMesh& mesh, const std::vector<Layer>& layers) {
+    all = layers;
+    all.resize(static_cast<std::size_t>(mesh.branch_count()), Layer::kOpaque);
+    table.send(all);
+}
+
+std::uint32_t number_of(std::size_t index) {
+    return static_cast<std::uint32_t>(std::min(index + 1, std::size_t{record::kNumberBits}));
 }
 
 } // namespace ramus::render

@@ -1,5 +1,4 @@
-// Lines over the picture: laid out in pixels here, joined without gaps or overlaps, drawn with soft edges.
-#include "render/renderer/renderer_impl.h"
+#include "render/renderer/passes/overlay_passes.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +26,8 @@ glm::dvec2 across(const glm::dvec2& from, const glm::dvec2& to) {
 }
 
 // The stripe of a run of points that are before the eye.
-void lay_out(const std::vector<Seen>& run, const MarkLine& line, double half, bool flat, std::vector<MarkVertex>& out) {
+void lay_out_run(const std::vector<Seen>& run, const MarkLine& line, double half, bool flat,
+                 std::vector<MarkVertex>& out) {
     if (run.size() < 2) return;
     const double reach = half + 2.0; // with the dark edge
     const bool closed = run.size() > 3 && glm::distance(run.front().pixel, run.back().pixel) < 1e-6;
@@ -56,26 +56,31 @@ void lay_out(const std::vector<Seen>& run, const MarkLine& line, double half, bo
             out.push_back(vertex);
 }
 
+// In as many runs as there are between points that lie behind the eye.
+void lay_out(const MarkLine& line, const Frame& frame, std::vector<MarkVertex>& out) {
+    std::vector<Seen> run;
+    const double half = 0.5 * std::max(1.0, double(line.width) * double(frame.pixel_ratio));
+    const auto end_run = [&] {
+        lay_out_run(run, line, half, frame.camera.orthographic, out);
+        run.clear();
+    };
+    for (const glm::dvec3& point : line.points) {
+        const auto at = project(frame.camera, frame.size, point);
+        if (at)
+            run.push_back({{at->x, frame.size.y - at->y}, at->z});
+        else
+            end_run();
+    }
+    end_run();
+}
+
 } // namespace
 
-void Renderer::Impl::draw_marks(const Frame& frame) {
+Result<void> MarkPass::make() { return make_programs({{&program_, "mark.vert", "mark.frag"}}); }
+
+void MarkPass::draw(const Frame& frame, const ViewSetup& view, GLuint opaque_depth) const {
     std::vector<MarkVertex> vertices;
-    for (const MarkLine& line : frame.lines) {
-        std::vector<Seen> run;
-        const double half = 0.5 * std::max(1.0, double(line.width) * double(frame.pixel_ratio));
-        const auto end_run = [&] {
-            lay_out(run, line, half, frame.camera.orthographic, vertices);
-            run.clear();
-        };
-        for (const glm::dvec3& point : line.points) {
-            const auto at = project(frame.camera, frame.size, point);
-            if (at)
-                run.push_back({{at->x, frame.size.y - at->y}, at->z});
-            else
-                end_run();
-        }
-        end_run();
-    }
+    for (const MarkLine& line : frame.lines) lay_out(line, frame, vertices);
     if (vertices.empty()) return;
     const Buffer buffer = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
     const VertexArray array = make_vertex_array();
@@ -87,12 +92,12 @@ void Renderer::Impl::draw_marks(const Frame& frame) {
         glVertexArrayAttribBinding(array, i, 0);
         glEnableVertexArrayAttrib(array, i);
     }
+    const glm::vec2 to_inner = view.to_inner();
     glBindVertexArray(array);
-    glUseProgram(mark_);
-    glUniform2f(kUniformSize, float(size_.x), float(size_.y));
-    glUniform2f(kUniformToInner, float(inner_.x) / float(size_.x), float(inner_.y) / float(size_.y));
-    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
-    glBindTextureUnit(kUnitOpaqueDepth, opaque_depth_);
+    glUseProgram(program_);
+    glUniform2f(kUniformSize, float(view.picture.x), float(view.picture.y));
+    glUniform2f(kUniformToInner, to_inner.x, to_inner.y);
+    glBindTextureUnit(kUnitOpaqueDepth, opaque_depth);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
 }
 

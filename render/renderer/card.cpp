@@ -1,0 +1,100 @@
+#include "render/renderer/card.h"
+
+#include "render/gl/gl_context.h"
+#include "render/renderer/passes/gl_state.h"
+
+namespace ramus::render {
+
+namespace {
+
+constexpr std::uint64_t kMostMovingTriangles = 40'000; // more are drawn as cones while the view moves
+
+} // namespace
+
+Result<void> Passes::make() {
+    view_block_ = make_buffer(sizeof(ViewBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    const auto make_all = [](auto&... passes) {
+        Result<void> made;
+        (void)((made = passes.make()) && ...);
+        return made;
+    };
+    const auto made = make_all(surface, centerlines, context, resolve, occlusion, shade, mean, copy, marks, sprites);
+    if (!made) return made;
+    return gl_has_lists() ? lists.make() : layers.make();
+}
+
+void Passes::send(const ViewSetup& view) const {
+    glNamedBufferSubData(view_block_, 0, sizeof view.block, &view.block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kBlockView, view_block_);
+}
+
+void Passes::begin(const ViewSetup& view) const {
+    begin_passes(view.size);
+    send(view);
+}
+
+InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& targets, bool moving) const {
+    const Frame& frame = subject.frame;
+    SceneOnCard& scene = subject.scene;
+    ViewSetup& view = targets.view;
+    view.look(frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : scene.shapes().bounds(frame.context),
+              scene.beside_tree(frame));
+    send(view);
+    targets.has_glass = subject.has_glass();
+    if (subject.has_mesh()) scene.branch_layers().send(*subject.mesh.shown(), subject.layers);
+
+    std::uint64_t triangles = 0;
+    draw_opaque_into(targets.samples);
+    clear_samples();
+    const bool has_lines = scene.lines().shown() != nullptr;
+    const bool as_cones = moving && subject.has_mesh() && has_lines && !subject.has_glass_vessels() &&
+                          subject.mesh.triangles_in_picture(subject.mesh_to_clip(view)) > kMostMovingTriangles;
+    if (as_cones) {
+        triangles += centerlines.draw_cones(subject);
+    } else if (subject.has_mesh()) {
+        InParts<std::uint64_t> vessels = surface.draw(subject, view, targets.samples);
+        while (vessels.resume()) co_await kPartEnds;
+        triangles += vessels.result();
+    }
+    draw_opaque_into(targets.samples);
+    triangles += context.draw_opaque(subject, view);
+    glDisable(GL_CULL_FACE);
+    if (targets.has_glass && has_lines) centerlines.draw_lines(subject, view);
+
+    if (!targets.has_glass) {
+        co_await kPartEnds;
+        resolve.draw(ResolvePass::What::kOpaque, targets, {0, view.size.y});
+    } else if (gl_has_lists()) {
+        InParts<Result<std::uint64_t>> glass = lists.draw(subject, targets);
+        while (glass.resume()) co_await kPartEnds;
+        if (!glass.result()) co_return glass.result();
+        triangles += *glass.result();
+    } else {
+        triangles += layers.draw_first(subject, targets);
+    }
+    co_await kPartEnds;
+    note_gl_errors("drawing surfaces");
+    if (frame.appearance.occlusion > 0.0F) occlusion.draw(view, targets.resolved, targets.occlusion, frame.quality);
+    note_gl_errors("the occlusion");
+    co_return triangles;
+}
+
+void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
+                           const Region& region) {
+    const GLuint depth = targets.resolved.opaque_depth;
+    begin_blending(Blending::kOver);
+    skeleton.draw(subject, targets.view, depth);
+    marks.draw(subject.frame, targets.view, depth);
+    sprites.draw(subject.frame, targets.view.enlarged() ? Region{glm::ivec2(0), to.size} : region);
+    glDisable(GL_BLEND);
+}
+
+void Card::let_go() {
+    end_passes();
+    scene.let_go();
+    passes.shade.let_go();
+    targets = {};
+    picture = {};
+}
+
+} // namespace ramus::render

@@ -1,0 +1,70 @@
+// Card: all that a Renderer has on the graphics card, by owner. What is of one picture's size names its bytes a pixel
+// in its own header; `s` is the number of samples, 4 at rest.
+//
+// | owner                     | what                                                   | bytes | | Passes | programs,
+// some twenty; shade_pass.h one a variant      | the driver's                   | | SceneOnCard (surfaces)    | pages
+// of vertices and triangles, of mesh and preview   | GpuMesh::bytes(), surface_bytes| | SceneOnCard (the rest)    |
+// centerlines, skeleton, context and lesions             | 24 a point; 24 a vertex,       | | | | 12 a triangle | |
+// ShadePass                 | records of branches, cuts, lesions, ramp, distances    | 8 a branch; 4 a grid's sample  |
+// | ViewTargets               | samples, resolved, occlusion, lit: targets.h           | 12 s + 27 a pixel | |
+// ViewTargets.lists         | glass from OpenGL 4.3 on                               | 4 a pixel + 16 a fragment,     |
+// |                           |                                                        | kGlassBytes at most | |
+// ViewTargets.layers        | glass before that                                      | 16 s + 64 a pixel              |
+// | PictureTarget             | the picture                                            | 4 a pixel | | Refinement |
+// ViewTargets once more, and MeanTarget                  | 8 a pixel beside               | | PickRequest | what a pick
+// reads back                                 | some KB                        |
+//
+// Memory may run out in any allocation: let_go() then leaves nothing of the picture and of what was sent for it.
+#pragma once
+
+#include "render/renderer/passes/overlay_passes.h"
+#include "render/renderer/passes/picture_passes.h"
+#include "render/renderer/passes/surface_pass.h"
+
+namespace ramus::render {
+
+// The passes, in the order in which they draw.
+struct Passes {
+    explicit Passes(std::size_t glass_bytes)
+        : lists(context, resolve, glass_bytes), layers(context, resolve), shade(lists, layers) {}
+    [[nodiscard]] Result<void> make();
+
+    // Before passes of a view, whatever others have left.
+    void begin(const ViewSetup& view) const;
+    // A view up to its occlusion. `moving`: cones may stand for the surface. Returns the number of triangles.
+    [[nodiscard]] InParts<Result<std::uint64_t>> draw_view(Subject subject, ViewTargets& targets, bool moving) const;
+    // What lies over the picture, as far as `region` shows what is new.
+    void draw_overlays(const Subject& subject, const ViewTargets& targets, const PictureTarget& to,
+                       const Region& region);
+
+    CastPass cast; // in place of all up to the shading
+    SurfacePass surface;
+    CenterlinePass centerlines;
+    ContextPass context;
+    ResolvePass resolve;
+    FragmentListPass lists; // one of these two, by the version of OpenGL
+    LayerPass layers;
+    OcclusionPass occlusion;
+    ShadePass shade;
+    MeanPass mean;
+    CopyPass copy;
+    SkeletonPass skeleton;
+    MarkPass marks;
+    SpritePass sprites;
+
+private:
+    void send(const ViewSetup& view) const;
+    Buffer view_block_;
+};
+
+struct Card {
+    Card(std::size_t glass_bytes, std::size_t surface_bytes) : passes(glass_bytes), scene(surface_bytes) {}
+    void let_go(); // after memory has run out: of all but programs
+
+    Passes passes;
+    SceneOnCard scene;
+    ViewTargets targets;
+    PictureTarget picture;
+};
+
+} // namespace ramus::render

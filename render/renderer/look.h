@@ -1,0 +1,16 @@
+// The uniform block of look.glsl, from a frame: colours and lights, for shaders and for the caster.
+#pragma once
+
+#include "render/renderer/view_setup.h"
+
+namespace ramus::render {
+
+struct LookBlock {
+    glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
+        lesion_colour, lost_colour, far_colour, cues;
+};
+
+// `outlined`: something is selected.
+[[nodiscard]] LookBlock look_of(const Frame& frame, const ViewSetup& view, bool has_glass, bool outlined);
+
+} // namespace ramus::render

@@ -1,0 +1,69 @@
+#include "render/renderer/passes/resolve_pass.h"
+
+#include "render/gl/gl_context.h"
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kTaps = 20, kInteractiveTaps = 7;
+
+} // namespace
+
+void bind_lists(GLuint program, const ViewTargets& targets, Band band) {
+    glProgramUniform2i(program, kUniformBand, targets.view.size.x, band.first);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageHeads, targets.lists.heads);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageFragments, targets.lists.fragments);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kStorageCount, targets.lists.count);
+}
+
+Result<void> ResolvePass::make() {
+    if (auto made = opaque_.make("resolve.frag"); !made) return made;
+    if (auto made = glass_.make("resolve.frag", "#define GLASS\n"); !made) return made;
+    if (gl_has_lists()) return {};
+    return lesions_.make("resolve.frag", "#define GLASS\n#define LESIONS\n");
+}
+
+void ResolvePass::draw(What what, ViewTargets& targets, Band band) const {
+    const Fullscreen& program = what == What::kOpaque ? opaque_ : what == What::kGlass ? glass_ : lesions_;
+    const bool lists = what != What::kOpaque && gl_has_lists();
+    glBindFramebuffer(GL_FRAMEBUFFER, targets.resolved.framebuffer);
+    glDepthFunc(GL_ALWAYS); // writes the covered pixels' depth
+    glEnable(GL_DEPTH_TEST);
+    glBindTextureUnit(kUnitSurface, targets.samples.id_normal);
+    glBindTextureUnit(kUnitDepth, targets.samples.depth);
+    if (lists) bind_lists(program, targets, band);
+    if (what != What::kOpaque && !lists) {
+        glBindTextureUnit(kUnitFirstFragments, targets.layers.fragments);
+        glBindTextureUnit(kUnitFirstDepths, targets.layers.depths[0]);
+        glBindTextureUnit(kUnitContextDepths, targets.layers.depths[1]);
+    }
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, band.first, targets.view.size.x, band.count);
+    program.draw();
+    glDisable(GL_SCISSOR_TEST);
+    if (lists) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+Result<void> OcclusionPass::make() {
+    if (auto made = taps_.make("occlusion.frag"); !made) return made;
+    return blur_.make("occlusion_blur.frag");
+}
+
+void OcclusionPass::draw(const ViewSetup& view, const ResolvedTarget& from, const OcclusionTarget& to,
+                         Quality quality) const {
+    glBindTextureUnit(kUnitIdNormal, from.id_normal);
+    glBindTextureUnit(kUnitOpaqueDepth, from.opaque_depth);
+    glBindFramebuffer(GL_FRAMEBUFFER, to.raw_target);
+    glProgramUniform1i(taps_, kUniformTaps, quality == Quality::kFull ? kTaps : kInteractiveTaps);
+    glProgramUniform1f(taps_, kUniformTurned, static_cast<float>(view.shift) / float{kFineViews});
+    taps_.draw(Fullscreen::Pixels::kCovered);
+    for (const bool across : {true, false}) {
+        glBindTextureUnit(kUnitOcclusion, across ? to.raw : to.half_blurred);
+        glBindFramebuffer(GL_FRAMEBUFFER, across ? to.half_target : to.blurred_target);
+        glProgramUniform2i(blur_, kUniformAlong, across ? 1 : 0, across ? 0 : 1);
+        blur_.draw(Fullscreen::Pixels::kCovered);
+    }
+}
+
+} // namespace ramus::render

@@ -1,0 +1,47 @@
+// SurfacePass: the triangles of opaque vessels, id and normal a sample. CenterlinePass: the same vessels as round cones
+// where that is faster, and the centerlines inside of glass.
+#pragma once
+
+#include "render/renderer/in_parts.h"
+#include "render/renderer/scene_on_card.h"
+#include "render/renderer/targets.h"
+
+#include <functional>
+
+namespace ramus::render {
+
+class SurfacePass {
+public:
+    [[nodiscard]] Result<void> make();
+    // In parts of a few milliseconds, each of which begins with all the state that it needs: others may draw in
+    // between. Returns the number of triangles.
+    [[nodiscard]] InParts<std::uint64_t> draw(const Subject& subject, const ViewSetup& view,
+                                              const SampleTarget& to) const;
+
+private:
+    void draw_by_sample(const ViewSetup& view, const SampleTarget& to, const std::function<void()>& draw) const;
+
+    Program triangles_, borders_;
+};
+
+class CenterlinePass {
+public:
+    [[nodiscard]] Result<void> make();
+    // What moves fast enough that nobody sees the difference: a rectangle a segment takes a software rasteriser a tenth
+    // of the time that its triangles do. Returns the number of triangles.
+    std::uint64_t draw_cones(const Subject& subject) const;
+    // Of branches of glass: seen through it, and hidden by what is opaque.
+    void draw_lines(const Subject& subject, const ViewSetup& view) const;
+
+private:
+    Program cones_, lines_;
+    VertexArray no_vertices_;
+};
+
+// Begins with `program`, one of geometry.vert.
+void use_for_vessels(const Program& program, const Subject& subject, const ViewSetup& view);
+// After programs with a geometry shader: Mesa holds on to the program that comes right after one, and would keep it for
+// good.
+void end_borders();
+
+} // namespace ramus::render

@@ -1,0 +1,41 @@
+#include "render/renderer/refinement.h"
+
+#include "core/base/stopwatch.h"
+
+namespace ramus::render {
+
+Refinement::Refinement(Card& card, const Frame& frame, const std::vector<Layer>& layers)
+    : card_(card), frame_(frame), layers_(layers) {
+    targets_.view = card.targets.view;
+    mean_.make(targets_.view.size);
+    card.passes.mean.add(targets_.view, card.targets.lit, mean_);
+}
+
+Result<bool> Refinement::add_view(double seconds) {
+    if (!targets_.fit(targets_.view.size, targets_.view.samples)) targets_.make(targets_.view.samples);
+    card_.passes.begin(targets_.view);
+    if (!next_) {
+        targets_.view.shift = mean_.views;
+        next_ = std::make_unique<PartialView>(card_.passes, card_.scene, targets_, frame_, layers_, false);
+    }
+    if (!next_->draw_on(seconds)) return false;
+    if (const auto& drawn = next_->triangles(); !drawn) return tl::unexpected(drawn.error());
+    const auto shaded = card_.passes.shade.draw(next_->subject(), targets_, ShadePass::Extent::kAll);
+    if (!shaded) return tl::unexpected(shaded.error());
+    card_.passes.mean.add(targets_.view, targets_.lit, mean_);
+    next_.reset();
+    return true;
+}
+
+Result<bool> Refinement::add_views(double seconds) {
+    const Stopwatch watch;
+    bool any = false;
+    do {
+        const auto added = add_view(seconds - watch.seconds());
+        if (!added) return added;
+        any |= *added;
+    } while (!whole() && watch.seconds() < seconds);
+    return any;
+}
+
+} // namespace ramus::render

@@ -1,0 +1,317 @@
+// From one frame's picture to the next one's: which passes run, and what state that leaves.
+#include "core/base/stopwatch.h"
+#include "render/gl/gl_context.h"
+#include "render/renderer/passes/gl_state.h"
+#include "render/renderer/renderer_impl.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace ramus::render {
+
+namespace {
+
+constexpr int kInteractiveDivisor = 2; // of width and height
+
+std::vector<Layer> layers_of(const std::vector<BranchState>& states) {
+    std::vector<Layer> layers(states.size());
+    std::ranges::transform(states, layers.begin(), [](BranchState state) {
+        if (state == BranchState::kHidden) return Layer::kNone;
+        return state == BranchState::kDefocused ? Layer::kGlass : Layer::kOpaque;
+    });
+    while (!layers.empty() && layers.back() == Layer::kOpaque) layers.pop_back();
+    return layers;
+}
+
+bool differs_in_hover_only(const Frame& before, const Frame& after) {
+    Frame same = before;
+    same.hovered = after.hovered;
+    same.hovered_dependents = after.hovered_dependents;
+    return same == after;
+}
+
+// Colours, and how clear what is clear is, only shade.
+bool same_shapes(const std::vector<ContextMesh>& a, const std::vector<ContextMesh>& b) {
+    const auto shape = [](const ContextMesh& m) {
+        return std::tuple(m.shown() ? m.mesh : nullptr, m.shown() ? m.preview : nullptr, m.clear(), m.wireframe);
+    };
+    return std::ranges::equal(a, b, {}, shape, shape);
+}
+
+// Whether the passes up to the occlusion would make the same of both, where all else is the same.
+bool same_geometry(const Frame& a, const Frame& b, bool has_glass) {
+    return a.mesh == b.mesh && a.camera == b.camera && a.size == b.size && a.quality == b.quality &&
+           a.lesions == b.lesions && same_shapes(a.context, b.context) && a.pixel_ratio == b.pixel_ratio &&
+           (!has_glass || a.centerlines == b.centerlines) &&
+           (a.appearance.occlusion > 0.0F || !(b.appearance.occlusion > 0.0F));
+}
+
+int most_samples() {
+    GLint integer_samples = 0;
+    glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer_samples);
+    return std::clamp(integer_samples, 1, kMostSamples);
+}
+
+} // namespace
+
+// Memory may run out in any pass: then nothing is kept of the picture and of what was sent for it, so that the next
+// draw(), perhaps of less, begins with what was there before the first.
+Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
+    if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
+    try {
+        return draw_all(wanted, upload_budget, seconds);
+    } catch (const OutOfGraphicsMemory& error) {
+        let_go();
+        return fail(error.what(), {}, "give a smaller size or a coarser --detail");
+    }
+}
+
+// The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the view rests
+// it stays with them.
+bool Renderer::Impl::moves(const Frame& wanted, const Frame& frame) const {
+    return frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
+           last_->states == frame.states && (state_.by_caster() || last_->camera != frame.camera);
+}
+
+Renderer::Impl::Plan Renderer::Impl::plan_for(const Frame& wanted, const Frame& frame,
+                                              const std::vector<Layer>& layers) const {
+    // With what is under its pixels, or it is made anew for that.
+    if (last_ && *last_ == frame && state_.answers()) return Plan::kNothing;
+    if (unfinished_ && unfinished_->view.layers() == layers &&
+        same_geometry(unfinished_->view.frame(), frame, unfinished_->view.subject().has_glass()))
+        return Plan::kGoOn;
+    const bool may_cast = frame.quality == Quality::kInteractive && card_.scene.mesh().shown() != nullptr &&
+                          (moves(wanted, frame) || (state_.by_caster() && last_));
+    if (frame.surface_awaited || (may_cast && card_.scene.casts(frame))) return Plan::kCast;
+    if (state_.held() && last_layers_ == layers && same_geometry(*last_, frame, card_.targets.has_glass))
+        return Plan::kShade;
+    return Plan::kDraw;
+}
+
+// Most that passes draw into is made when the first of them draws: a window's first picture is the caster's, and comes
+// that much sooner.
+Result<void> Renderer::Impl::resize(const Frame& frame, Plan plan) {
+    const bool full = plan == Plan::kCast || frame.quality == Quality::kFull;
+    const int divisor = full ? 1 : kInteractiveDivisor, samples = full ? most_samples() : 1;
+    const bool reads_depths = frame.skeleton || !frame.lines.empty();
+    ViewTargets& targets = card_.targets;
+    targets.view.picture = frame.size;
+    targets.view.size = (frame.size + divisor - 1) / divisor;
+    const bool passes = plan == Plan::kDraw || reads_depths;
+    const bool make_targets = passes && !targets.fit(targets.view.size, samples);
+    if (card_.picture.size == frame.size && !make_targets) return {};
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (std::max(frame.size.x, frame.size.y) > largest)
+        return fail("this graphics driver draws at most " + std::to_string(largest) + " pixels a side", {},
+                    "give a smaller size");
+    if (make_targets) targets.make(samples);
+    if (card_.picture.size != frame.size) card_.picture.make(frame.size);
+    const GLuint drawn = passes ? targets.samples.framebuffer : card_.picture.framebuffer;
+    if (glCheckNamedFramebufferStatus(drawn, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        let_go();
+        return fail("this graphics driver cannot draw a picture of " + std::to_string(frame.size.x) + "x" +
+                        std::to_string(frame.size.y) + " pixels",
+                    gl_description(), "give a smaller size, or use another driver: ramus render --backend osmesa");
+    }
+    return {};
+}
+
+std::uint64_t Renderer::Impl::cast(const Subject& subject) {
+    ViewSetup& view = card_.targets.view;
+    view.look(subject.frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : card_.scene.lines().bounds(),
+              card_.scene.beside_tree(subject.frame));
+    card_.passes.begin(view);
+    return card_.passes.cast.draw(subject, view, card_.passes.shade.records());
+}
+
+// Draws on at what is on its way; true: its geometry is whole.
+Result<bool> Renderer::Impl::draw_parts(double seconds, DrawStatistics& done) {
+    const Stopwatch watch;
+    if (!unfinished_->view.draw_on(seconds)) return false;
+    const auto& triangles = unfinished_->view.triangles();
+    if (!triangles) return tl::unexpected(triangles.error());
+    done.triangles = *triangles;
+    done.geometry = true;
+    done.seconds = unfinished_->seconds;
+    return true;
+}
+
+Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
+    const Stopwatch watch;
+    DrawStatistics done;
+    const auto taken = card_.scene.take_up(wanted, upload_budget, done);
+    if (!taken) {
+        give_up();
+        return tl::unexpected(taken.error());
+    }
+    const Frame& frame = *taken;
+    std::vector<Layer> layers = layers_of(frame.states);
+    const Plan plan = plan_for(wanted, frame, layers);
+    if (plan == Plan::kGoOn) {
+        unfinished_->wanted = wanted;
+        unfinished_->view.shade_as(frame);
+    } else if (plan != Plan::kNothing || state_.partial()) {
+        give_up();
+    }
+    if (plan == Plan::kNothing) return done;
+    if (plan == Plan::kCast || plan == Plan::kDraw) {
+        const bool other_size = card_.picture.size != frame.size;
+        if (auto resized = resize(frame, plan); !resized) return failed(resized.error());
+        if (plan == Plan::kDraw) begin(wanted, frame, layers);
+        if (!last_ || other_size) seconds = kUntilDone; // there is no picture meanwhile
+    }
+    card_.passes.begin(card_.targets.view);
+    const Subject subject = subject_of(frame, layers);
+    Region region{glm::ivec2(0), card_.targets.view.size};
+    if (plan == Plan::kCast) {
+        done.cones = cast(subject);
+        done.geometry = true;
+        state_.cast();
+    } else {
+        if (unfinished_) {
+            const auto whole = draw_parts(seconds - watch.seconds(), done);
+            if (!whole) return failed(whole.error());
+            if (!*whole) {
+                end_passes();
+                unfinished_->seconds += watch.seconds();
+                done.unfinished = true;
+                return done;
+            }
+            unfinished_.reset();
+        }
+        const auto shaded = shade(subject, plan);
+        if (!shaded) return failed(shaded.error());
+        region = *shaded;
+    }
+    show(subject, region);
+    done.shaded = true;
+    last_ = frame;
+    last_layers_ = std::move(layers);
+    if (gl_ran_out_of_memory()) throw OutOfGraphicsMemory(0); // drivers may say it late
+    done.seconds += watch.seconds();
+    return done;
+}
+
+void Renderer::Impl::begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) {
+    const bool moving = moves(wanted, frame);
+    wanted_mesh_ = wanted.mesh;
+    unfinished_.reset(
+        new Unfinished{wanted, PartialView(card_.passes, card_.scene, card_.targets, frame, layers, moving), 0.0});
+    state_.begin();
+}
+
+Result<Region> Renderer::Impl::shade(const Subject& subject, Plan plan) {
+    // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all. Layers of glass
+    // are not kept.
+    const bool can_change_parts = plan == Plan::kShade && (!card_.targets.has_glass || gl_has_lists());
+    const bool part = can_change_parts && differs_in_hover_only(*last_, subject.frame);
+    const auto extent = part ? ShadePass::Extent::kChanged : ShadePass::Extent::kAll;
+    auto shaded = card_.passes.shade.draw(subject, card_.targets, extent);
+    note_gl_errors("shading");
+    if (!shaded) return shaded;
+    if (state_.partial())
+        state_.finish();
+    else if (part)
+        state_.shade_changed();
+    else
+        state_.shade();
+    return shaded;
+}
+
+// What was lit, or the caster's picture, with what lies over it.
+void Renderer::Impl::show(const Subject& subject, const Region& region) {
+    const ViewTargets& targets = card_.targets;
+    const PictureTarget& picture = card_.picture;
+    picture.bind();
+    if (state_.by_caster()) {
+        card_.passes.cast.send_picture(picture);
+        if (subject.frame.skeleton || !subject.frame.lines.empty())
+            card_.passes.cast.send_depths(picture, targets.resolved);
+    } else {
+        card_.passes.copy.draw(targets.view, targets.lit, picture, region);
+    }
+    card_.passes.draw_overlays(subject, targets, picture, region);
+    note_gl_errors("the overlays");
+    end_passes();
+}
+
+Refined Renderer::Impl::refine(double seconds) {
+    if (!last_ || !state_.can_refine() || last_->quality != Quality::kFull) return {};
+    const auto stop = [&] { // as far as it goes
+        refinement_.reset();
+        state_.end_refining();
+        end_passes();
+        return Refined{};
+    };
+    Refined done;
+    try {
+        if (!refinement_)
+            if (auto begun = begin_refinement(); !begun) return stop();
+        const auto added = refinement_->add_views(seconds);
+        if (!added || gl_ran_out_of_memory()) return stop();
+        done.changed = *added;
+    } catch (const OutOfGraphicsMemory&) {
+        return stop();
+    }
+    if (done.changed) {
+        const ViewSetup& view = card_.targets.view;
+        card_.passes.begin(view);
+        card_.passes.mean.show(view, refinement_->mean(), card_.targets.lit);
+        state_.show_mean();
+        show(subject_of(*last_, last_layers_), {glm::ivec2(0), view.size});
+    } else {
+        end_passes();
+    }
+    if (refinement_->whole()) {
+        refinement_.reset();
+        state_.end_refining();
+    }
+    done.more = state_.can_refine();
+    return done;
+}
+
+// The sum of views begins with the one that is there, all of it.
+Result<void> Renderer::Impl::begin_refinement() {
+    card_.passes.begin(card_.targets.view);
+    if (state_.stage() == PictureState::Stage::kFineInParts) {
+        const Subject subject = subject_of(*last_, last_layers_);
+        const auto shaded = card_.passes.shade.draw(subject, card_.targets, ShadePass::Extent::kAll);
+        if (!shaded) return tl::unexpected(shaded.error());
+    }
+    refinement_ = std::make_unique<Refinement>(card_, *last_, last_layers_);
+    state_.begin_refining();
+    return {};
+}
+
+void Renderer::Impl::finish() {
+    if (!unfinished_) return;
+    const Frame wanted = unfinished_->wanted;
+    (void)draw(wanted, 0, kUntilDone);
+}
+
+void Renderer::Impl::give_up() {
+    unfinished_.reset();
+    refinement_.reset();
+    state_.interrupt();
+}
+
+tl::unexpected<Error> Renderer::Impl::failed(const Error& error) {
+    const tl::unexpected<Error> result(error);
+    give_up();
+    last_.reset();
+    state_.lose();
+    return result;
+}
+
+// After memory has run out.
+void Renderer::Impl::let_go() {
+    give_up();
+    last_.reset();
+    state_.lose();
+    wanted_mesh_ = nullptr;
+    card_.let_go();
+}
+
+} // namespace ramus::render
