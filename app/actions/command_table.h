@@ -1,8 +1,9 @@
 // The table of everything that a user can do: name, key, help and action of each command. Menus, keys, `--commands`
 // files, the help overlay and the tests read this one table.
 //
-// An action works on a Document and, for what only a window or a renderer can do, on a Host. It checks its arguments
-// before it changes anything: a command that fails leaves the document as it was.
+// An action works on a Document, on the assets that belong to it (which it refreshes before it reads them) and, for
+// what only a window or a renderer can do, on a Host. It checks its arguments before it changes anything: a command
+// that fails leaves the document as it was.
 #pragma once
 
 #include "app/picture/fly_along.h"
@@ -21,6 +22,7 @@ namespace ramus::app {
 
 struct Command;
 struct ToolSettings; // app/tools/tool.h
+struct Assets;       // app/assets/assets.h
 
 // What a command needs from its surroundings. The window implements all of it, `ramus render` what makes sense there.
 class Host {
@@ -48,7 +50,7 @@ public:
     virtual Result<void> ask_for_file();
     virtual Result<void> ask_for_lesion_mesh();
     virtual Result<void> ask_for_context();
-    // Whether this surface (app/session/context_shapes.h) is about to be read by somebody else, who then runs `context`
+    // Whether this surface (app/assets/context_shapes.h) is about to be read by somebody else, who then runs `context`
     // with these arguments again.
     virtual bool reads_context(const ContextItem&, std::span<const std::string>) { return false; }
     virtual Result<void> ask_for_mask();
@@ -79,6 +81,7 @@ public:
 struct ActionContext {
     Document& document;
     Host& host;
+    Assets& assets;
 };
 
 using Arguments = std::span<const std::string>;

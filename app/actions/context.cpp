@@ -1,8 +1,8 @@
 // Surfaces beside the tree, in the same coordinates: organs, bones, other surfaces of the same vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/assets/assets.h"
 #include "app/session/colour_text.h"
-#include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
 #include "render/scene/bounds.h"
 
@@ -96,7 +96,7 @@ Result<void> context(ActionContext& context, Arguments arguments) {
     if (std::ranges::any_of(next.context, same)) return fail("this is shown already", item->file);
     if (context.host.reads_context(*item, arguments)) return {};
     Job job;
-    const auto shape = context_shape(source_of(*item), job);
+    const auto shape = load_context_shape(context.assets, source_of(*item), job);
     if (!shape) return tl::unexpected(shape.error());
     context.host.say(std::filesystem::path(item->file).filename().string() + ": " +
                      counted((*shape)->mesh->triangles.size(), "triangle", "triangles") +

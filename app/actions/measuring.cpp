@@ -1,7 +1,7 @@
 // Measurements: taken, told, kept and drawn until they are removed.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/session/measured.h"
+#include "app/assets/measured.h"
 
 #include <algorithm>
 

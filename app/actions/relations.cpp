@@ -1,6 +1,7 @@
 // Selection by what branches are to each other, and by what they are like.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/assets/assets.h"
 #include "app/session/numbers.h"
 
 #include <algorithm>
@@ -115,14 +116,14 @@ Result<void> select_within(ActionContext& context, Arguments arguments) {
         const measure::Lesions place{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
         distances = measure::wall_distances(*document.tree(), place);
     } else {
-        if (!context.host.unhurried() && document.plan_wanted())
+        if (context.host.unhurried()) complete_lesions(context.assets, document);
+        const Plan& plan = refresh_plan(context.assets, document);
+        if (plan.measuring)
             return fail("the distances to the lesions are still being measured", {}, "try again in a moment");
-        const auto plan = document.plan();
-        if (!plan || plan->lesion_distances_mm.empty())
-            return plan && !plan->troubles.empty()
-                       ? fail(plan->troubles.front())
-                       : fail("there is no lesion", {}, "place one first, or give a point X,Y,Z");
-        distances = plan->lesion_distances_mm;
+        if (plan.lesion_distances_mm.empty())
+            return plan.troubles.empty() ? fail("there is no lesion", {}, "place one first, or give a point X,Y,Z")
+                                         : fail(plan.troubles.front());
+        distances = plan.lesion_distances_mm;
     }
     std::vector<int> ids;
     for (std::size_t id = 0; id < distances.size(); ++id)

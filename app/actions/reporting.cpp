@@ -1,6 +1,7 @@
 // Reports: tables as CSV, and everything on one page with pictures.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/assets/assets.h"
 #include "app/reports/report_page.h"
 #include "app/reports/report_tables.h"
 #include "core/io/output_file.h"
@@ -14,16 +15,16 @@ namespace {
 
 struct Kind {
     std::string_view name;
-    Table (*table)(const Document&);
-    bool (*there)(const Document&); // what its rows are about
+    Table (*table)(const Document&, const Assets&);
+    bool (*there)(const Marks&, const Plan&); // what its rows are about
 };
 
 // In the order of what is written when no kind is named.
 constexpr std::array<Kind, 4> kKinds{
-    {{"cuts", cuts_table, [](const Document& d) { return !d.marks().cuts.empty(); }},
-     {"bands", bands_table, [](const Document& d) { return !d.plan()->bands.empty(); }},
-     {"selection", selection_table, [](const Document& d) { return !d.marks().selection.empty(); }},
-     {"measurements", measurements_table, [](const Document& d) { return !d.marks().measurements.empty(); }}}};
+    {{"cuts", cuts_table, [](const Marks& m, const Plan&) { return !m.cuts.empty(); }},
+     {"bands", bands_table, [](const Marks&, const Plan& p) { return !p.bands.empty(); }},
+     {"selection", selection_table, [](const Marks& m, const Plan&) { return !m.selection.empty(); }},
+     {"measurements", measurements_table, [](const Marks& m, const Plan&) { return !m.measurements.empty(); }}}};
 
 std::string now_text() {
     const std::time_t now = std::time(nullptr);
@@ -35,15 +36,17 @@ std::string now_text() {
 
 Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
     const Document& document = context.document;
-    const auto* kind = std::ranges::find_if(
-        kKinds, [&](const Kind& k) { return wanted.empty() ? k.there(document) : k.name == wanted; });
+    const Assets& assets = context.assets;
+    const auto there = [&](const Kind& kind) { return kind.there(document.marks(), *assets.plan); };
+    const auto* kind =
+        std::ranges::find_if(kKinds, [&](const Kind& k) { return wanted.empty() ? there(k) : k.name == wanted; });
     if (kind == kKinds.end())
         return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
                               : fail("a report is of selection, cuts, bands or measurements");
-    if (!kind->there(document))
+    if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
-    if (auto written = io::write_file(path, csv_of(kind->table(document))); !written) return written;
+    if (auto written = io::write_file(path, csv_of(kind->table(document, assets))); !written) return written;
     context.host.say("Report of " + std::string(kind->name) + " saved: " + path.string());
     return {};
 }
@@ -86,6 +89,7 @@ Result<void> report(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to report of");
     std::string extension = path->extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    complete_lesions(context.assets, context.document);
     if (extension == ".csv") return write_csv(context, *path, arguments.size() == 2 ? arguments[1] : "");
     if (extension != ".html" && extension != ".htm")
         return fail("a report is a .csv or an .html file", path->string(), "give the name one of these endings");
@@ -94,7 +98,8 @@ Result<void> report(ActionContext& context, Arguments arguments) {
     if (auto possible = io::check_output(*path); !possible) return possible;
     const auto pictures = take_pictures(context);
     if (!pictures) return tl::unexpected(pictures.error());
-    if (auto written = io::write_file(*path, report_page(context.document, *pictures, now_text())); !written)
+    if (auto written = io::write_file(*path, report_page(context.document, context.assets, *pictures, now_text()));
+        !written)
         return written;
     context.host.say("Report saved: " + path->string());
     return {};

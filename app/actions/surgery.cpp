@@ -1,7 +1,7 @@
 // What a surgeon plans: lesions with their margins, cuts with what they cost, and a look without the thin vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "app/session/lesion_meshes.h"
+#include "app/assets/assets.h"
 #include "app/session/numbers.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ Result<void> lesion_mesh(ActionContext& context, Arguments arguments) {
     if (std::ranges::find(next.lesion_meshes, path.string()) != next.lesion_meshes.end())
         return fail("this lesion is there already", path.string());
     if (context.host.reads_lesion_mesh(path)) return {};
-    const auto mesh = app::lesion_mesh(path);
+    const auto mesh = load_lesion_mesh(context.assets, path.string());
     if (!mesh) return tl::unexpected(mesh.error());
     context.host.say("Lesion of " + counted((*mesh)->mesh.triangles.size(), "triangle", "triangles") + ": " +
                      path.filename().string());
@@ -119,7 +119,7 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     document.change(std::move(next));
     if (added == 1)
         context.host.say("Cut " + std::to_string(before + 1) + ": " +
-                         cost_text(context.document.plan_so_far()->cuts.cuts.back()));
+                         cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back()));
     else
         context.host.say(counted(added, "cut", "cuts"));
     return {};

@@ -3,7 +3,6 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/progress_bar.h"
-#include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
 
 namespace ramus::app {
@@ -27,17 +26,17 @@ Result<void> PictureStage::make_surface() {
 
 Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
-    if (auto read = read_context_meshes(); !read) return tl::unexpected(read.error());
+    if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
     Viewing viewing = viewing_;
     viewing.size = picture_size();
-    return compose(document_, surface_.mesh, viewing);
+    return compose(document_.session(), assets, surface_.mesh, viewing);
 }
 
-Result<void> PictureStage::read_context_meshes() {
+Result<void> PictureStage::complete_assets() {
     Job job;
     auto read = [&] {
         const CancelOnInterrupt cancel(job);
-        return read_context(document_.marks().context, job);
+        return complete(assets, document_, job);
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
     return read;
@@ -65,16 +64,16 @@ Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
 
 Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
-    if (auto read = read_context_meshes(); !read) return tl::unexpected(read.error());
+    if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
     const Marks& marks = document_.marks();
     ShownSurfaces surfaces;
     for (const ComparedRequest& request : compared_requests(marks))
         if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
-    for (const ComparedSurface& one : compared_) surfaces.take(one);
+    for (const ComparedSurface& one : compared_) show(surfaces, one);
     surfaces.set(kind_of(marks.options.method), surface_.mesh, nullptr);
     Viewing viewing = viewing_;
     viewing.size = size;
-    render::Sheet sheet = compose_sheet(document_, surfaces, viewing);
+    render::Sheet sheet = compose_sheet(document_.session(), assets, surfaces, viewing);
     const std::vector<ComparedPane> panes = panes_of(marks, size, viewing.pixel_ratio);
     for (std::size_t i = 0; i < panes.size(); ++i) sheet.panes[i].frame.preview = surfaces.preview_of(panes[i].surface);
     return sheet;

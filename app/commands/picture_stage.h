@@ -3,9 +3,10 @@
 #pragma once
 
 #include "app/actions/command_table.h"
+#include "app/assets/assets.h"
 #include "app/commands/surface_flags.h"
 #include "app/picture/compose_sheet.h"
-#include "app/workspace/surface_maker.h"
+#include "app/workspace/compared_surfaces.h"
 #include "render/renderer/sheet.h"
 
 #include <memory>
@@ -30,6 +31,7 @@ public:
     [[nodiscard]] Result<render::Sheet> sheet(glm::ivec2 size);
     [[nodiscard]] render::SheetRenderer& sheet_renderer() { return *sheet_renderer_; }
     [[nodiscard]] const ReadySurface& surface() const { return surface_; }
+    Assets assets; // the document's, complete whenever a picture is made
 
     // Host
     [[nodiscard]] glm::ivec2 picture_size() const override {
@@ -49,7 +51,7 @@ private:
     std::unique_ptr<render::SheetRenderer> sheet_renderer_;
     ReadySurface surface_;
     std::vector<ComparedSurface> compared_; // one a kind
-    Result<void> read_context_meshes();
+    Result<void> complete_assets();
     Result<void> make_compared_surface(ComparedRequest request);
 };
 

@@ -114,15 +114,14 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
                                      const std::function<Result<void>(ActionContext&)>& run) {
     Workspace workspace({});
     LoadedTree loaded;
-    loaded.tree = document.tree();
-    loaded.facts = document.facts();
+    loaded.assets = stage.assets;
     loaded.session = document.session();
     loaded.has_camera = true;
     loaded.cones = stage.surface();
     loaded.cones.request = surface_request(document.marks());
     workspace.adopt(std::move(loaded), document.session().tree.path);
     return picture_with_interface(workspace, renderer, flags.size, 1.0F, [&](Host& host) {
-        ActionContext context{workspace.document, host};
+        ActionContext context{workspace.document, host, workspace.assets};
         return run(context);
     });
 }
@@ -189,7 +188,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!renderer) return tl::unexpected(renderer.error());
     stage.draw_with(**renderer);
     const auto run = [&](ActionContext& where) { return run_script(where, script, flags.commands); };
-    ActionContext here{document, stage};
+    ActionContext here{document, stage, stage.assets};
     for (const std::string& file : flags.context) {
         const std::array<std::string, 2> words{"context", file};
         if (auto added = run_command(here, words); !added) return tl::unexpected(added.error());

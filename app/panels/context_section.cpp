@@ -1,8 +1,8 @@
 // What is shown beside the tree: a row each to show or hide it, to colour it and to take it away, and how dense it is.
+#include "app/assets/context_shapes.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/session/colour_text.h"
-#include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
 #include "app/window/theme.h"
 
@@ -128,9 +128,10 @@ void draw_opacity(InterfaceContext& context, const ContextItem& item, int number
 void draw_row(InterfaceContext& context, const ContextItem& item, int number, Trial& trial) {
     const std::string n = std::to_string(number);
     const ContextSource source = source_of(item);
-    const auto trouble = item.visible ? context_trouble(source) : std::nullopt;
+    const Assets& assets = context.workspace.assets;
+    const auto trouble = item.visible ? assets.trouble(source) : std::nullopt;
     const bool gave_up = context.workspace.context.gave_up(source);
-    const bool waits = item.visible && !trouble && !gave_up && !context_shape_read_before(source);
+    const bool waits = item.visible && !trouble && !gave_up && !assets.context_shape(source);
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4.0F * theme::scale(), 2.0F * theme::scale()});
     if (icon_button("eye", item.visible, item.visible ? "Hide" : "Show",

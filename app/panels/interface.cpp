@@ -83,7 +83,7 @@ bool Interface::dismiss() {
 }
 
 void InterfaceContext::perform(const Command& command) {
-    ActionContext action{workspace.document, host};
+    ActionContext action{workspace.document, host, workspace.assets};
     if (const auto done = run_entry(action, command); !done) interface.tell(done.error().message(), now, true);
 }
 
@@ -91,7 +91,7 @@ void InterfaceContext::perform(std::string_view name, const std::vector<std::str
     std::vector<std::string> words{std::string(name)};
     words.insert(words.end(), arguments.begin(), arguments.end());
     interface.last_command = words;
-    ActionContext action{workspace.document, host};
+    ActionContext action{workspace.document, host, workspace.assets};
     if (const auto done = run_command(action, words); !done) interface.tell(done.error().message(), now, true);
 }
 

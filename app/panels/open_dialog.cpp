@@ -1,8 +1,8 @@
 #include "app/panels/open_dialog.h"
 
+#include "app/assets/context_shapes.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
-#include "app/session/context_shapes.h"
 #include "app/session/numbers.h"
 #include "app/storage/places.h"
 #include "app/storage/recent_files.h"

@@ -1,5 +1,5 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
-// is Document::plan_so_far(); everything done goes through commands.
+// is Assets::plan; everything done goes through commands.
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -122,7 +122,7 @@ void draw_lesions(InterfaceContext& context) {
             context.perform("lesion-remove", {std::to_string(marks.lesions.size() + i + 1)});
         ImGui::PopID();
     }
-    const auto plan = context.workspace.document.plan_so_far();
+    const auto plan = context.workspace.current_assets().plan;
     if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
     for (const std::string& trouble : plan->troubles) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
@@ -197,7 +197,7 @@ void draw_margins(InterfaceContext& context) {
     bool coloured = marks.colour_by == ColourBy::kLesion;
     if (ImGui::Checkbox("Colour vessels by distance", &coloured))
         context.perform("colour-by", {coloured ? "lesion" : "nothing"});
-    const auto plan = document.plan_so_far();
+    const auto plan = context.workspace.current_assets().plan;
     for (const measure::Band& band : plan->bands) draw_band(context, band);
 }
 
@@ -213,7 +213,7 @@ void draw_cuts(InterfaceContext& context) {
     if (const auto words = entry("##reconstruct", rounded(marks.planning.reconstruct_mm), room); words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
-    const auto plan = document.plan_so_far(); // kept here: removing a cut makes the document another
+    const auto plan = context.workspace.current_assets().plan; // kept here: removing a cut makes the document another
     const measure::CutReport& report = plan->cuts;
     for (std::size_t i = 0; i < std::min(marks.cuts.size(), report.cuts.size()); ++i) {
         const measure::CutFigures& figures = report.cuts[i];
@@ -240,7 +240,6 @@ void draw_cuts(InterfaceContext& context) {
 }
 
 void draw_measurements(InterfaceContext& context) {
-    const Document& document = context.workspace.document;
     switch (widgets::title_row<4>("Measure", {{{"Line", "Distance between two places"},
                                                {"Way", "Way along the vessels between two branches"},
                                                {"\xC3\x98", "Diameter at a place"},
@@ -260,10 +259,10 @@ void draw_measurements(InterfaceContext& context) {
     default:
         break;
     }
-    const auto measurements = document.measurements();
-    for (std::size_t i = 0; i < measurements->size(); ++i) {
+    const auto measurements = context.workspace.current_assets().measurements; // kept here, as above
+    for (std::size_t i = 0; i < measurements->found.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const Result<Measured>& found = (*measurements)[i];
+        const Result<Measured>& found = measurements->found[i];
         std::string details = found ? found->what : found.error().message();
         if (found)
             for (const auto& [name, value] : found->details) details += "\n" + name + ": " + value;

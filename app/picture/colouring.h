@@ -2,7 +2,7 @@
 // lesions, and the legend of it. Derived from a session; the picture, flat pictures of the tree and reports use it.
 #pragma once
 
-#include "app/session/plan.h"
+#include "app/assets/plan.h"
 #include "app/session/session.h"
 #include "render/scene/scene.h"
 
@@ -18,7 +18,7 @@ struct Colouring {
     render::Legend legend;           // without a title when there is nothing to explain
 };
 
-// `plan`: of the same marks (Document::plan()); null: as without lesions and cuts.
+// `plan`: of the same marks (Assets::plan); null: as without lesions and cuts.
 [[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const Marks& marks, const Plan* plan);
 
 // The colour of a margin around lesions, the innermost first; beyond all of them.

@@ -1,10 +1,8 @@
 #include "app/picture/compose.h"
 
-#include "app/picture/centerlines.h"
+#include "app/assets/assets.h"
 #include "app/picture/colouring.h"
-#include "app/picture/distance_grid.h"
 #include "app/picture/marks_drawing.h"
-#include "app/session/context_shapes.h"
 #include "core/field/convolution_field.h"
 
 #include <algorithm>
@@ -14,21 +12,22 @@ namespace ramus::app {
 
 namespace {
 
-void show_plan(render::Frame& frame, const tree::VesselTree& tree, const Marks& marks, const Plan& plan) {
+void show_plan(render::Frame& frame, const Assets& assets, const Marks& marks) {
+    const Plan& plan = *assets.plan;
     for (const auto& [x, y, z, radius] : marks.lesions) frame.lesions.spheres.emplace_back(x, y, z, radius);
     for (const auto& lesion : plan.meshes)
         if (lesion) frame.lesions.meshes.emplace_back(lesion, &lesion->mesh);
-    if (!frame.margins.bands.empty() && !plan.measuring)
-        frame.lesions.distances = distance_grid(plan.lesions, frame.margins.bands.back().within_mm);
-    for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), tree.branches.size()); ++id)
+    if (!frame.margins.bands.empty() && assets.lesion_grid.fits(plan.lesions, widest_margin_mm(marks.planning)))
+        frame.lesions.distances = assets.lesion_grid.grid;
+    for (std::size_t id = 0; id < std::min(plan.cuts.spans.size(), assets.tree->branches.size()); ++id)
         if (const measure::LostSpan& span = plan.cuts.spans[id]; span.any())
             frame.lost.push_back({static_cast<int>(id), span.from, span.to});
 }
 
 // What has been read of it.
-void show_context(render::Frame& frame, const std::vector<ContextItem>& context) {
+void show_context(render::Frame& frame, const Assets& assets, const std::vector<ContextItem>& context) {
     for (const ContextItem& item : context) {
-        const auto shape = item.visible ? context_shape_read_before(source_of(item)) : nullptr;
+        const auto shape = item.visible ? assets.context_shape(source_of(item)) : nullptr;
         if (!shape) continue;
         const glm::vec3 colour(item.colour[0], item.colour[1], item.colour[2]);
         frame.context.push_back(
@@ -38,8 +37,8 @@ void show_context(render::Frame& frame, const std::vector<ContextItem>& context)
 
 } // namespace
 
-render::Frame compose(const Session& session, const std::shared_ptr<const tree::VesselTree>& tree,
-                      std::shared_ptr<const render::PagedMesh> mesh, const Viewing& viewing) {
+render::Frame compose(const Session& session, const Assets& assets, std::shared_ptr<const render::PagedMesh> mesh,
+                      const Viewing& viewing) {
     render::Frame frame;
     frame.mesh = std::move(mesh);
     frame.camera = session.camera;
@@ -49,7 +48,6 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.states = session.marks.states;
     frame.selected = session.marks.selection;
     frame.hovered = viewing.hovered;
-    frame.hovered_dependents.assign(viewing.hovered_dependents.begin(), viewing.hovered_dependents.end());
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
     const auto strength = [&](DepthCue cue) { return session.marks.depth_cues.has(cue) ? 1.0F : 0.0F; };
@@ -63,33 +61,30 @@ render::Frame compose(const Session& session, const std::shared_ptr<const tree::
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
     // A grey with a cool tint, as bright as it says.
     frame.appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
-    show_context(frame, viewing.context ? *viewing.context : session.marks.context);
-    if (!tree) return frame;
+    show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
+    if (!assets.tree) return frame;
+    const tree::VesselTree& tree = *assets.tree;
+    if (viewing.hovered >= 0 && static_cast<std::size_t>(viewing.hovered) < tree.branches.size()) {
+        const auto dependents = assets.facts->dependency.dependents(viewing.hovered);
+        frame.hovered_dependents.assign(dependents.begin(), dependents.end());
+    }
     const Marks& marks = session.marks;
-    const Plan* plan = viewing.plan.get();
-    Colouring colouring = colouring_of(*tree, marks, plan);
+    const Plan* plan = assets.plan.get();
+    Colouring colouring = colouring_of(tree, marks, plan);
     frame.colours = std::move(colouring.branches);
     frame.scale = std::move(colouring.scale);
     frame.margins = std::move(colouring.margins);
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
-    if (plan != nullptr) show_plan(frame, *tree, marks, *plan);
+    if (plan != nullptr) show_plan(frame, assets, marks);
     const mesh::SurfaceOptions& options = viewing.options ? *viewing.options : marks.options;
-    frame.centerlines = centerlines_of(tree, options);
+    frame.centerlines = assets.centerlines.lines;
     if (marks.skeleton) frame.skeleton = frame.centerlines;
     const bool cones = viewing.method.value_or(options.method) == mesh::Method::kTruncatedCones;
     frame.width = cones ? 0.0F : static_cast<float>(options.width);
     frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(options.width));
     draw_cuts(frame, marks, plan);
-    if (viewing.measurements) draw_measurements(frame, *viewing.measurements);
+    if (assets.measurements) draw_measurements(frame, assets.measurements->found);
     return frame;
-}
-
-render::Frame compose(const Document& document, std::shared_ptr<const render::PagedMesh> mesh, Viewing viewing) {
-    viewing.plan = document.plan_so_far();
-    viewing.measurements = document.measurements();
-    if (viewing.hovered >= 0 && viewing.hovered < document.branch_count())
-        viewing.hovered_dependents = document.dependency().dependents(viewing.hovered);
-    return compose(document.session(), document.tree(), std::move(mesh), viewing);
 }
 
 } // namespace ramus::app

@@ -1,5 +1,6 @@
 #include "app/picture/compose_sheet.h"
 
+#include "app/assets/assets.h"
 #include "app/picture/colouring.h"
 
 #include <algorithm>
@@ -67,9 +68,9 @@ std::vector<ComparedPane> panes_of(const Marks& marks, glm::ivec2 size, float pi
     return panes;
 }
 
-render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfaces, const Viewing& viewing,
-                            const SheetViewing& sheet_viewing) {
-    const Marks& marks = document.marks();
+render::Sheet compose_sheet(const Session& session, const Assets& assets, const ShownSurfaces& surfaces,
+                            const Viewing& viewing, const SheetViewing& sheet_viewing) {
+    const Marks& marks = session.marks;
     const Comparison& comparison = marks.comparison;
     const std::vector<ComparedPane> panes = panes_of(marks, viewing.size, viewing.pixel_ratio);
     const bool beside = comparison.mode == Comparison::Mode::kSideBySide;
@@ -84,7 +85,7 @@ render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfa
         own.size = panes[i].size;
         own.method =
             panes[i].surface == SurfaceKind::kCones ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
-        render::Frame frame = compose(document, surfaces.of(panes[i].surface), own);
+        render::Frame frame = compose(session, assets, surfaces.of(panes[i].surface), own);
         if (!panes[i].has_branches) take_branches_away(frame);
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)
             frame.context.push_back({.mesh = surfaces.lines,
@@ -93,7 +94,7 @@ render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfa
                                      .opacity = 0.9F,
                                      .wireframe = true});
         // They are the same in all: panes beside each other share one each.
-        const bool there = document.tree() != nullptr;
+        const bool there = assets.tree != nullptr;
         frame.overlays.orientation_cube = there && (!beside || i + 1 == panes.size());
         frame.overlays.scale_bar = there && (!beside || i == 0);
         if (i != with_legend) frame.overlays.legend = {};
@@ -101,7 +102,7 @@ render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfa
         if (!panes[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
         sheet.panes.push_back({panes[i].at, std::move(frame), panes[i].has_branches});
     }
-    if (comparison.mode == Comparison::Mode::kBlend && document.tree()) {
+    if (comparison.mode == Comparison::Mode::kBlend && assets.tree) {
         sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
         sheet.heading = latin1(blend_heading(panes[0].title, panes[1].title, *sheet.blend));
         sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));

@@ -1,10 +1,10 @@
-// compose_sheet(): the document's picture with what it is compared with: where the panes are, what each of them shows,
+// compose_sheet(): a session's picture with what it is compared with: where the panes are, what each of them shows,
 // and their frames. Nothing is compared: one pane, whose frame is compose()'s. The window, its mouse and pictures
 // without a window share it.
 #pragma once
 
 #include "app/picture/compose.h"
-#include "app/workspace/compared_surfaces.h"
+#include "app/picture/shown_surfaces.h"
 #include "render/renderer/sheet.h"
 
 #include <vector>
@@ -32,7 +32,7 @@ struct SheetViewing {
 };
 
 // `viewing.size` is the whole picture's.
-[[nodiscard]] render::Sheet compose_sheet(const Document& document, const ShownSurfaces& surfaces,
+[[nodiscard]] render::Sheet compose_sheet(const Session& session, const Assets& assets, const ShownSurfaces& surfaces,
                                           const Viewing& viewing, const SheetViewing& sheet_viewing = {});
 
 } // namespace ramus::app

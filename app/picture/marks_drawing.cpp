@@ -1,6 +1,6 @@
 #include "app/picture/marks_drawing.h"
 
-#include "app/session/hoop.h"
+#include "app/assets/ring.h"
 
 namespace ramus::app {
 
@@ -17,7 +17,7 @@ void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
         const auto place = frame.centerlines->at(branch, fraction);
         if (!place || state_of(marks, branch) == render::BranchState::kHidden) continue;
         const bool reconstruct = plan != nullptr && i < plan->cuts.cuts.size() && plan->cuts.cuts[i].reconstruct;
-        frame.lines.push_back({hoop(place->position, place->along, 1.35 * place->radius_mm),
+        frame.lines.push_back({ring_around(place->position, place->along, 1.35 * place->radius_mm),
                                reconstruct ? kReconstructColour : kCutColour, 2.2F});
     }
 }

@@ -1,8 +1,8 @@
-// The lines and labels that a session's marks put into the picture: a hoop around every cut, and what was measured.
+// The lines and labels that a session's marks put into the picture: a ring around every cut, and what was measured.
 #pragma once
 
-#include "app/session/measured.h"
-#include "app/session/plan.h"
+#include "app/assets/measured.h"
+#include "app/assets/plan.h"
 #include "app/session/session.h"
 #include "render/scene/frame.h"
 

@@ -1,5 +1,6 @@
 #include "app/reports/report_page.h"
 
+#include "app/assets/assets.h"
 #include "app/reports/report_tables.h"
 #include "app/session/numbers.h"
 
@@ -128,7 +129,7 @@ Facts option_facts(const Marks& marks) {
     return found;
 }
 
-std::string lesions_html(const Document& document) {
+std::string lesions_html(const Document& document, const Plan& plan) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) return {};
     Table table{
@@ -140,12 +141,12 @@ std::string lesions_html(const Document& document) {
     for (const std::string& mesh : marks.lesion_meshes)
         table.rows.push_back({++number, std::filesystem::path(mesh).filename().string(), "", "", "", ""});
     std::string note;
-    for (const std::string& trouble : document.plan()->troubles) note += trouble + ". ";
+    for (const std::string& trouble : plan.troubles) note += trouble + ". ";
     return table_html(table, note);
 }
 
-std::string cuts_note(const Document& document) {
-    const measure::CutReport& report = document.plan()->cuts;
+std::string cuts_note(const Document& document, const Plan& plan) {
+    const measure::CutReport& report = plan.cuts;
     std::size_t rebuilt = 0;
     for (const measure::CutFigures& cut : report.cuts) rebuilt += cut.reconstruct ? 1 : 0;
     std::string note = counted(rebuilt, "vessel", "vessels") + " of more than " +
@@ -198,7 +199,8 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::string report_page(const Document& document, const std::vector<ReportPicture>& pictures, const std::string& made) {
+std::string report_page(const Document& document, const Assets& assets, const std::vector<ReportPicture>& pictures,
+                        const std::string& made) {
     const std::string name = html_text(document.session().tree.path.filename().string());
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
@@ -213,14 +215,15 @@ std::string report_page(const Document& document, const std::vector<ReportPictur
     if (!pictures.empty()) page += "</div>\n";
     page += "<h2>Tree</h2>\n" + facts_html(tree_facts(document));
     const Marks& marks = document.marks();
-    page += lesions_html(document);
+    const Plan& plan = *assets.plan;
+    page += lesions_html(document, plan);
     if (!marks.cuts.empty())
-        page += table_html(cuts_table(document), cuts_note(document), "must_be_reconstructed", true);
-    if (const Table bands = bands_table(document); !document.plan()->bands.empty())
+        page += table_html(cuts_table(document, assets), cuts_note(document, plan), "must_be_reconstructed", true);
+    if (const Table bands = bands_table(document, assets); !plan.bands.empty())
         page += table_html(bands, bands.rows.empty() ? "No vessel lies within the margins."
                                                      : "From the lesions to the vessels' walls; the thickest first.");
-    if (!marks.measurements.empty()) page += table_html(measurements_table(document), "");
-    if (!marks.selection.empty()) page += table_html(selection_table(document), "");
+    if (!marks.measurements.empty()) page += table_html(measurements_table(document, assets), "");
+    if (!marks.selection.empty()) page += table_html(selection_table(document, assets), "");
     page += "<h2>Options</h2>\n" + facts_html(option_facts(marks)) + "</body>\n</html>\n";
     return page;
 }

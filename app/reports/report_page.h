@@ -10,14 +10,17 @@
 
 namespace ramus::app {
 
+struct Assets; // app/assets/assets.h
+
 struct ReportPicture {
     std::string caption; // "Anterior"
     std::string png;     // the file's bytes
 };
 
-// UTF-8. `made`: when, for the head of the page. The first picture is the large one. The document has a tree.
-[[nodiscard]] std::string report_page(const Document& document, const std::vector<ReportPicture>& pictures,
-                                      const std::string& made);
+// UTF-8. `made`: when, for the head of the page. The first picture is the large one. The document has
+// a tree, and the assets are up to it.
+[[nodiscard]] std::string report_page(const Document& document, const Assets& assets,
+                                      const std::vector<ReportPicture>& pictures, const std::string& made);
 
 [[nodiscard]] std::string html_text(std::string_view text); // with & < > " ' escaped
 [[nodiscard]] std::string base64(std::string_view bytes);   // RFC 4648

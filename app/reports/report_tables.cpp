@@ -1,5 +1,6 @@
 #include "app/reports/report_tables.h"
 
+#include "app/assets/assets.h"
 #include "app/session/labels.h"
 
 #include <charconv>
@@ -35,7 +36,7 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
 
 } // namespace
 
-Table selection_table(const Document& document) {
+Table selection_table(const Document& document, const Assets& assets) {
     Table table{"Selection",
                 {{"branch", "Branch"},
                  {"name", "Name"},
@@ -49,8 +50,8 @@ Table selection_table(const Document& document) {
                  {"state", "State"}},
                 {}};
     table.columns.insert(table.columns.end(), kDependents.begin(), kDependents.end());
-    const auto plan = document.plan();
-    const bool lesions = !plan->lesion_distances_mm.empty();
+    const Plan& plan = *assets.plan;
+    const bool lesions = !plan.lesion_distances_mm.empty();
     if (lesions) table.columns.push_back({"lesion_distance_mm", "To lesion, mm"});
     const Names names(document);
     for (const int id : document.marks().selection) {
@@ -68,13 +69,13 @@ Table selection_table(const Document& document) {
                               branch.strahler,
                               std::string(name_of(state_of(document.marks(), id)))};
         add(row, document.facts()->dependents[index]);
-        if (lesions) row.emplace_back(plan->lesion_distances_mm[index]);
+        if (lesions) row.emplace_back(plan.lesion_distances_mm[index]);
         table.rows.push_back(std::move(row));
     }
     return table;
 }
 
-Table cuts_table(const Document& document) {
+Table cuts_table(const Document& document, const Assets& assets) {
     Table table{"Cuts",
                 {{"cut", "Cut"},
                  {"branch", "Branch"},
@@ -87,11 +88,11 @@ Table cuts_table(const Document& document) {
                  {"lost_volume_mm3", "Lost volume, mm\xC2\xB3"},
                  {"lost_leaves", "Lost ends"}},
                 {}};
-    const auto plan = document.plan();
+    const Plan& plan = *assets.plan;
     const auto& cuts = document.marks().cuts;
     const Names names(document);
     for (std::size_t i = 0; i < cuts.size(); ++i) {
-        const measure::CutFigures& figures = plan->cuts.cuts[i];
+        const measure::CutFigures& figures = plan.cuts.cuts[i];
         std::vector<Cell> row{static_cast<int>(i + 1), cuts[i].first,       names.of(cuts[i].first),
                               cuts[i].second,          figures.diameter_mm, figures.reconstruct ? "yes" : "no"};
         add(row, figures.lost);
@@ -99,13 +100,13 @@ Table cuts_table(const Document& document) {
     }
     if (!cuts.empty()) {
         std::vector<Cell> row{"all", "", "", "", "", ""};
-        add(row, plan->cuts.together);
+        add(row, plan.cuts.together);
         table.rows.push_back(std::move(row));
     }
     return table;
 }
 
-Table bands_table(const Document& document) {
+Table bands_table(const Document& document, const Assets& assets) {
     Table table{"Margins around lesions",
                 {{"from_mm", "From, mm"},
                  {"to_mm", "to, mm"},
@@ -116,8 +117,8 @@ Table bands_table(const Document& document) {
                 {}};
     table.columns.insert(table.columns.end(), kDependents.begin(), kDependents.end());
     const Names names(document);
-    const auto plan = document.plan();
-    for (const measure::Band& band : plan->bands)
+    const Plan& plan = *assets.plan;
+    for (const measure::Band& band : plan.bands)
         for (const measure::BandRow& found : band.rows) {
             std::vector<Cell> row{band.from_mm,           band.to_mm,       found.branch, names.of(found.branch),
                                   found.mean_diameter_mm, found.distance_mm};
@@ -127,7 +128,7 @@ Table bands_table(const Document& document) {
     return table;
 }
 
-Table measurements_table(const Document& document) {
+Table measurements_table(const Document& document, const Assets& assets) {
     Table table{"Measurements",
                 {{"measurement", "No."},
                  {"kind", "Kind"},
@@ -136,9 +137,9 @@ Table measurements_table(const Document& document) {
                  {"unit", "Unit"},
                  {"details", "Details"}},
                 {}};
-    const auto measurements = document.measurements();
-    for (std::size_t i = 0; i < measurements->size(); ++i) {
-        const Result<Measured>& found = (*measurements)[i];
+    const auto& measurements = assets.measurements->found;
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+        const Result<Measured>& found = measurements[i];
         if (!found) {
             table.rows.push_back({static_cast<int>(i + 1), "", found.error().message(), "", "", ""});
             continue;

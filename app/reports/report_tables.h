@@ -12,6 +12,8 @@
 
 namespace ramus::app {
 
+struct Assets; // app/assets/assets.h
+
 struct Column {
     std::string name;    // in CSV, with the unit: "length_mm"
     std::string heading; // for people: "Length, mm"
@@ -32,11 +34,13 @@ struct Table {
     std::vector<std::vector<Cell>> rows; // as long as `columns` each
 };
 
-// The document has a tree.
-[[nodiscard]] Table selection_table(const Document& document);    // a row for each selected branch
-[[nodiscard]] Table cuts_table(const Document& document);         // a row for each cut; all together in the last
-[[nodiscard]] Table bands_table(const Document& document);        // a row for each branch within a margin
-[[nodiscard]] Table measurements_table(const Document& document); // a row for each measurement
+// The document has a tree, and the assets are up to it.
+[[nodiscard]] Table selection_table(const Document& document, const Assets& assets); // a row for each selected branch
+[[nodiscard]] Table cuts_table(const Document& document,
+                               const Assets& assets); // a row for each cut; all together in the last
+[[nodiscard]] Table bands_table(const Document& document,
+                                const Assets& assets); // a row for each branch within a margin
+[[nodiscard]] Table measurements_table(const Document& document, const Assets& assets); // a row for each measurement
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
 [[nodiscard]] std::string csv_of(const Table& table);

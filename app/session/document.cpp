@@ -12,9 +12,6 @@ void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session sessio
     tree_ = std::move(tree);
     facts_ = facts || !tree_ ? std::move(facts) : std::make_shared<const TreeFacts>(facts_of(*tree_));
     session_ = std::move(session);
-    plan_.reset();
-    so_far_.reset();
-    measured_.reset();
     steps_.clear();
     position_ = 0;
     joining_ = false;
@@ -24,56 +21,6 @@ void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session sessio
 const tree::Dependency& Document::dependency() const {
     static const tree::Dependency kNone;
     return facts_ ? facts_->dependency : kNone;
-}
-
-namespace {
-
-void note(Marks& planned, const Marks& marks) {
-    planned.lesions = marks.lesions;
-    planned.lesion_meshes = marks.lesion_meshes;
-    planned.cuts = marks.cuts;
-    planned.planning = marks.planning;
-}
-
-} // namespace
-
-std::shared_ptr<const Plan> Document::plan() const {
-    if (!tree_ || (plan_ && same_plan(planned_, marks()))) return plan_;
-    plan_ = std::make_shared<const Plan>(make_plan(*tree_, *facts_, marks(), plan_.get()));
-    note(planned_, marks());
-    return plan_;
-}
-
-// Cuts alone take no time: distances are taken over.
-bool Document::plan_wanted() const {
-    const Marks& now = marks();
-    return others_plan_ && tree_ && !now.lesion_meshes.empty() &&
-           !(plan_ && planned_.lesions == now.lesions && planned_.lesion_meshes == now.lesion_meshes &&
-             planned_.planning.bands_mm == now.planning.bands_mm);
-}
-
-std::shared_ptr<const Plan> Document::plan_so_far() const {
-    if (!plan_wanted()) return plan();
-    if (!so_far_ || !same_plan(so_far_of_, marks())) {
-        so_far_ = std::make_shared<const Plan>(app::plan_so_far(*tree_, *facts_, marks(), plan_.get()));
-        note(so_far_of_, marks());
-    }
-    return so_far_;
-}
-
-void Document::take_plan(const Marks& of, std::shared_ptr<const Plan> plan) {
-    so_far_.reset();
-    plan_ = std::move(plan);
-    note(planned_, of);
-}
-
-std::shared_ptr<const std::vector<Result<Measured>>> Document::measurements() const {
-    if (measured_ && planned_.measurements == marks().measurements) return measured_;
-    std::vector<Result<Measured>> found;
-    if (tree_)
-        for (const Measurement& measurement : marks().measurements) found.push_back(measured(*tree_, measurement));
-    planned_.measurements = marks().measurements;
-    return measured_ = std::make_shared<const std::vector<Result<Measured>>>(std::move(found));
 }
 
 void Document::change(Marks next) {

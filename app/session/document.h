@@ -6,8 +6,6 @@
 
 #include "app/session/branch_facts.h"
 #include "app/session/marks_change.h"
-#include "app/session/measured.h"
-#include "app/session/plan.h"
 #include "app/session/session.h"
 
 #include <cstdint>
@@ -33,20 +31,6 @@ public:
     [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
     // The session file that it was read from or saved to last; empty: none yet.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-
-    // What follows from lesions, cuts and limits, as they are now: computed when it is first asked for. Null without a
-    // tree.
-    [[nodiscard]] std::shared_ptr<const Plan> plan() const;
-    // The same for who must not wait: while somebody else makes the plan, what is known of it. Somebody else makes
-    // those that take long, because of lesions that are meshes, after let_others_plan(): they look whether
-    // plan_wanted(), and bring the plan of those marks.
-    [[nodiscard]] std::shared_ptr<const Plan> plan_so_far() const;
-    void let_others_plan() { others_plan_ = true; }
-    [[nodiscard]] bool plan_wanted() const;
-    void take_plan(const Marks& of, std::shared_ptr<const Plan> plan);
-
-    // What Marks::measurements say, in their order, or why they say nothing; kept like the plan. Never null.
-    [[nodiscard]] std::shared_ptr<const std::vector<Result<Measured>>> measurements() const;
 
     // Nothing is remembered when nothing differs.
     void change(Marks next);
@@ -91,12 +75,6 @@ private:
     };
     std::shared_ptr<const tree::VesselTree> tree_;
     std::shared_ptr<const TreeFacts> facts_;
-    mutable std::shared_ptr<const Plan> plan_;   // of `planned_`
-    mutable Marks planned_;                      // of these, what plans follow from
-    mutable std::shared_ptr<const Plan> so_far_; // of `so_far_of_`
-    mutable Marks so_far_of_;
-    bool others_plan_ = false;
-    mutable std::shared_ptr<const std::vector<Result<Measured>>> measured_; // of planned_.measurements
     Session session_;
     std::filesystem::path file_;
     Marks saved_;

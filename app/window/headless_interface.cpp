@@ -29,7 +29,8 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     constexpr double kFrameSeconds = 0.2; // the clock goes on, so that a slow picture comes to rest in full
     double now = 0.0;
     const auto settle = [&] {
-        (void)workspace.document.plan(); // waits for what a window would leave to a worker
+        Job job;
+        (void)complete(workspace.assets, workspace.document, job); // waits for what a window leaves to a worker
         for (workspace.update(); workspace.comparing(); workspace.update())
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made

@@ -140,7 +140,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         }
         if (viewer.draw(glfwGetTime(), 0)) window.swap();
         if (script && workspace.surface_ready() && viewer.resting()) {
-            ActionContext context{workspace.document, viewer};
+            ActionContext context{workspace.document, viewer, workspace.assets};
             viewer.set_unattended(true);
             const auto done = run_script(context, *std::exchange(script, std::nullopt), options.commands);
             viewer.set_unattended(false);

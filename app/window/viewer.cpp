@@ -185,7 +185,8 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     SheetViewing sheet_viewing{.blend = interface_.tried_blend};
     if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * scale_));
     const ShownSurfaces surfaces = workspace_.surfaces();
-    render::Sheet sheet = compose_sheet(workspace_.document, surfaces, viewing(), sheet_viewing);
+    render::Sheet sheet =
+        compose_sheet(workspace_.document.session(), workspace_.current_assets(), surfaces, viewing(), sheet_viewing);
     const SurfaceKind own_kind = kind_of(workspace_.document.marks().options.method);
     shown_camera_ = camera_on_its_way();
     render::Frame& frame = sheet.panes.front().frame; // the others are seen as quickly as it is
@@ -291,8 +292,10 @@ std::shared_ptr<const render::PagedMesh> Viewer::picture_mesh() const { return w
 // As `ramus render` draws the session: without what the pointer is doing.
 Result<void> Viewer::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
     Job job;
-    (void)read_context(workspace_.document.marks().context, job); // waits for what a window leaves to a worker
-    render::Frame frame = compose(workspace_.document, picture_mesh(), {.size = size, .pixel_ratio = scale_});
+    (void)load_context(workspace_.assets, workspace_.document.marks(),
+                       job); // waits for what a window leaves to a worker
+    render::Frame frame = compose(workspace_.document.session(), workspace_.current_assets(), picture_mesh(),
+                                  {.size = size, .pixel_ratio = scale_});
     frame.camera = camera;
     if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     shake();
@@ -302,9 +305,10 @@ Result<void> Viewer::draw_for_keeping(const render::Camera& camera, glm::ivec2 s
 
 Result<void> Viewer::write_picture(const std::filesystem::path& path) {
     Job job;
-    (void)read_context(workspace_.document.marks().context, job); // as above
+    (void)load_context(workspace_.assets, workspace_.document.marks(), job); // as above
     const render::Sheet sheet =
-        compose_sheet(workspace_.document, workspace_.surfaces(), {.size = layout_.view_size, .pixel_ratio = scale_});
+        compose_sheet(workspace_.document.session(), workspace_.current_assets(), workspace_.surfaces(),
+                      {.size = layout_.view_size, .pixel_ratio = scale_});
     if (const auto drawn = sheets_.draw(sheet); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = sheets_.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
     shake();

@@ -121,4 +121,11 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
     return made;
 }
 
+void show(ShownSurfaces& shown, const ComparedSurface& surface) {
+    if (surface.request.wire)
+        shown.lines = surface.lines, shown.lines_preview = surface.lines_preview;
+    else
+        shown.set(surface.request.kind, surface.mesh, surface.preview);
+}
+
 } // namespace ramus::app

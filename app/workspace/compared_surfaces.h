@@ -2,6 +2,7 @@
 // and studies alike. A mask's surface has no branches: its mesh calls all of it branch 0.
 #pragma once
 
+#include "app/picture/shown_surfaces.h"
 #include "app/session/comparison.h"
 #include "app/workspace/surface_maker.h"
 
@@ -44,23 +45,7 @@ struct ComparedSurface {
 [[nodiscard]] Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request,
                                                     Job& job);
 
-// The meshes of a picture, by kind; null: not there yet.
-struct ShownSurfaces {
-    using Paged = std::shared_ptr<const render::PagedMesh>;
-    std::array<Paged, kSurfaceKinds.size()> meshes, previews;
-    std::shared_ptr<const mesh::TriangleMesh> lines, lines_preview; // of the one that is superimposed
-    [[nodiscard]] const Paged& of(SurfaceKind kind) const { return meshes[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] const Paged& preview_of(SurfaceKind kind) const { return previews[static_cast<std::size_t>(kind)]; }
-    void set(SurfaceKind kind, Paged mesh, Paged preview) {
-        meshes[static_cast<std::size_t>(kind)] = std::move(mesh);
-        previews[static_cast<std::size_t>(kind)] = std::move(preview);
-    }
-    void take(const ComparedSurface& surface) {
-        if (surface.request.wire)
-            lines = surface.lines, lines_preview = surface.lines_preview;
-        else
-            set(surface.request.kind, surface.mesh, surface.preview);
-    }
-};
+// `surface` in the place of one of its kind.
+void show(ShownSurfaces& shown, const ComparedSurface& surface);
 
 } // namespace ramus::app

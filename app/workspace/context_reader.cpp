@@ -23,24 +23,31 @@ std::optional<Error> ContextReader::take_error() {
     return error;
 }
 
-void ContextReader::start(const ContextSource& source, std::optional<std::vector<std::string>> arguments) {
+void ContextReader::start(const ContextSource& source, std::optional<std::vector<std::string>> arguments,
+                          const Assets& assets) {
     current_ = source;
+    const auto known = assets.context_shapes.find(source);
+    std::optional<Loaded<ContextShape>> before;
+    if (known != assets.context_shapes.end()) before = known->second;
     worker_.start("Reading " + std::filesystem::path(source.file).filename().string(),
-                  [this, source, arguments = std::move(arguments)](Job& job, const Worker::Post& post) {
-                      const auto shape = context_shape(source, job);
+                  [this, source, before, arguments = std::move(arguments)](Job& job, const Worker::Post& post) {
+                      auto shape = read_context_shape(source, before ? &*before : nullptr, job);
                       if (job.cancelled()) return;
-                      post([this, arguments, shape] {
-                          came_ = true;
-                          if (arguments)
-                              ready_.push_back(*arguments); // the command says what is wrong
-                          else if (!shape)
-                              errors_.push_back(shape.error());
-                      });
+                      post([this, read = Read{source, arguments, std::move(shape)}] { read_.push_back(read); });
                   });
 }
 
-bool ContextReader::update(const std::vector<ContextItem>& context) {
+bool ContextReader::update(const std::vector<ContextItem>& context, Assets& assets) {
     worker_.drain();
+    for (Read& read : read_) {
+        if (read.arguments)
+            ready_.push_back(std::move(*read.arguments)); // the command says what is wrong
+        else if (!read.shape.value)
+            errors_.push_back(read.shape.value.error());
+        assets.put(read.source, std::move(read.shape));
+        came_ = true;
+    }
+    read_.clear();
     if (const std::string failure = worker_.take_failure(); !failure.empty()) {
         errors_.push_back({"the file could not be read: " + failure, current_.file, ""});
         given_up_.insert(current_);
@@ -49,14 +56,13 @@ bool ContextReader::update(const std::vector<ContextItem>& context) {
     if (!worker_.busy() && !asked_.empty()) {
         const Asked next = std::move(asked_.front());
         asked_.pop_front();
-        start(next.source, next.arguments);
+        start(next.source, next.arguments, assets);
     }
     for (const ContextItem& item : context) {
         if (worker_.busy()) break;
         const ContextSource source = source_of(item);
-        if (item.visible && !given_up_.contains(source) && !context_shape_read_before(source) &&
-            !context_trouble(source))
-            start(source, std::nullopt);
+        if (item.visible && !given_up_.contains(source) && !assets.context_shapes.contains(source))
+            start(source, std::nullopt, assets);
     }
     working_ = worker_.busy();
     return std::exchange(came_, false);
@@ -72,6 +78,7 @@ void ContextReader::cancel() {
 void ContextReader::forget() {
     worker_.cancel();
     asked_.clear();
+    read_.clear();
     ready_.clear();
     errors_.clear();
     given_up_.clear();

@@ -1,8 +1,8 @@
-// ContextReader: reads what is shown beside the tree (app/session/context_shapes.h) on a worker, one file after the
+// ContextReader: reads what is shown beside the tree (app/assets/context_shapes.h) on a worker, one file after the
 // other: what a command asks for, so that it need not wait, and what a session names. For one thread, its owner's.
 #pragma once
 
-#include "app/session/context_shapes.h"
+#include "app/assets/assets.h"
 #include "core/base/worker.h"
 
 #include <deque>
@@ -22,9 +22,9 @@ public:
     void read(const ContextSource& source, std::vector<std::string> arguments);
     [[nodiscard]] std::optional<std::vector<std::string>> take_ready();
 
-    // Takes what has been read, and starts what comes next: what commands wait for, then what is visible of `context`.
-    // True when something came.
-    bool update(const std::vector<ContextItem>& context);
+    // Puts what has been read among the assets, and starts what comes next: what commands wait for, then what is
+    // visible of `context`. True when something came.
+    bool update(const std::vector<ContextItem>& context, Assets& assets);
     // Why something of the session could not be read, once.
     [[nodiscard]] std::optional<Error> take_error();
 
@@ -43,9 +43,15 @@ private:
         ContextSource source;
         std::vector<std::string> arguments;
     };
-    void start(const ContextSource& source, std::optional<std::vector<std::string>> arguments);
+    struct Read {
+        ContextSource source;
+        std::optional<std::vector<std::string>> arguments; // of the command that asked for it
+        Loaded<ContextShape> shape;
+    };
+    void start(const ContextSource& source, std::optional<std::vector<std::string>> arguments, const Assets& assets);
 
     std::deque<Asked> asked_;
+    std::deque<Read> read_;
     std::deque<std::vector<std::string>> ready_;
     std::deque<Error> errors_;
     std::set<ContextSource> given_up_;

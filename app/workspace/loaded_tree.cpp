@@ -25,9 +25,10 @@ Result<LoadedTree> load_tree_of(Session wanted, const std::string& where, const 
     if (!where.empty())
         if (auto fits = check_against(session, *tree, *checksum, where); !fits) return tl::unexpected(fits.error());
     session.tree.checksum = *checksum;
-    loaded.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
-    loaded.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
-    loaded.maker = std::make_shared<SurfaceMaker>(loaded.tree);
+    Assets& assets = loaded.assets;
+    assets.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
+    assets.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    loaded.maker = std::make_shared<SurfaceMaker>(assets.tree);
     loaded.seconds = watch.seconds();
 
     SurfaceRequest request = surface_request(session.marks);
@@ -38,12 +39,13 @@ Result<LoadedTree> load_tree_of(Session wanted, const std::string& where, const 
     constexpr std::size_t kRoughFrom = 2000; // segments
     constexpr int kRough = 6;
     constexpr double kRoughSpacing = 4.0; // radii
-    const bool rough = loaded.tree->segment_count() > kRoughFrom;
+    const bool rough = assets.tree->segment_count() > kRoughFrom;
     if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
-    auto cones = make_ready(rough ? tree::thinned(*loaded.tree, kRoughSpacing) : *loaded.tree, request, job);
+    auto cones = make_ready(rough ? tree::thinned(*assets.tree, kRoughSpacing) : *assets.tree, request, job);
     if (!cones) return tl::unexpected(cones.error());
     loaded.cones = std::move(*cones);
     loaded.cones.provisional = true;
+    assets.centerlines = centerlines_of(*assets.tree, session.marks.options);
     return loaded;
 }
 

@@ -1,7 +1,7 @@
 // A tree as it comes from a file, a session or a recovery file, with what shows it at once.
 #pragma once
 
-#include "app/session/branch_facts.h"
+#include "app/assets/assets.h"
 #include "app/session/session.h"
 #include "app/storage/autosave.h"
 #include "app/workspace/surface_maker.h"
@@ -16,8 +16,7 @@ namespace ramus::app {
 
 // A tree, read and measured, with its cones for the first picture.
 struct LoadedTree {
-    std::shared_ptr<const tree::VesselTree> tree;
-    std::shared_ptr<const TreeFacts> facts;
+    Assets assets; // the tree and its facts; what else is known already
     Session session;
     bool has_camera = false;
     std::filesystem::path file;                 // the session file that it comes from; empty: none

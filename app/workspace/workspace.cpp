@@ -1,9 +1,5 @@
 #include "app/workspace/workspace.h"
 
-#include "app/picture/centerlines.h"
-#include "app/picture/distance_grid.h"
-#include "app/session/lesion_meshes.h"
-
 #include <chrono>
 #include <oneapi/tbb/task_arena.h>
 
@@ -24,9 +20,7 @@ Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& re
 } // namespace
 
 Workspace::Workspace(std::function<void()> wake)
-    : context(wake), loader_(wake), mesher_(wake), planner_(wake), comparer_(wake) {
-    document.let_others_plan();
-}
+    : context(wake), loader_(wake), mesher_(wake), planner_(wake), comparer_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
     load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
@@ -59,9 +53,8 @@ void Workspace::load_with(const std::filesystem::path& path, std::function<Resul
                           return;
                       }
                       const SurfaceRequest request = surface_request(loaded->session.marks);
-                      (void)centerlines_of(loaded->tree, request.options); // kept: the first picture need not wait
                       const auto maker = loaded->maker;
-                      const std::size_t segments = loaded->tree->segment_count();
+                      const std::size_t segments = loaded->assets.tree->segment_count();
                       // std::function wants something to copy.
                       const auto shared = std::make_shared<LoadedTree>(std::move(*loaded));
                       post([this, path, shared, before] {
@@ -98,13 +91,14 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     meshes_to_read_.clear();
     read_meshes_.clear();
     context.forget();
-    keep_context_shapes(loaded.session.marks.context);
+    keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
+    assets = std::move(loaded.assets);
     wanted_.reset();
     tried_.reset();
     problem_.clear();
     kept_.clear();
-    maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(loaded.tree);
-    document.open(std::move(loaded.tree), std::move(loaded.session), std::move(loaded.facts), std::move(loaded.file));
+    maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(assets.tree);
+    document.open(assets.tree, std::move(loaded.session), assets.facts, std::move(loaded.file));
     if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
     shown_ = std::move(loaded.cones);
     opened_ = Opened{path, loaded.has_camera, loaded.unsaved_changes.has_value()};
@@ -194,40 +188,41 @@ void Workspace::make_next(const SurfaceRequest& request) {
     });
 }
 
-// Meshes are read before distances to them are measured.
+const Assets& Workspace::current_assets() {
+    refresh(assets, document, tried_ ? *tried_ : document.marks().options);
+    return assets;
+}
+
+// What commands wait for is read before distances are measured.
 void Workspace::start_plan() {
     if (planner_.busy()) return;
     if (!meshes_to_read_.empty()) {
         const std::filesystem::path path = meshes_to_read_.front();
         meshes_to_read_.pop_front();
-        planner_.start("Reading " + path.filename().string(), [this, path](Job&, const Worker::Post& post) {
-            (void)lesion_mesh(path);
-            post([this, path] {
-                read_meshes_.push_back(path);
-                changed_ = true;
-            });
-        });
-    } else if (document.plan_wanted()) {
-        planner_.start("Measuring distances", [this, tree = document.tree(), facts = document.facts(),
-                                               marks = document.marks()](Job&, const Worker::Post& post) {
-            const auto plan = std::make_shared<const Plan>(make_plan(*tree, *facts, marks));
-            // The picture's own measure of them is kept where it looks for it.
-            const auto& bands = marks.planning.bands_mm;
-            if (!bands.empty()) {
-                const float widest = static_cast<float>(bands[std::min(bands.size(), render::Margins::kMost) - 1]);
-                (void)distance_grid(plan->lesions, widest); // as pictures ask: in single precision
-            }
-            post([this, tree, marks, plan] {
-                if (document.tree() == tree) document.take_plan(marks, plan);
-                changed_ = true;
-            });
-        });
+        planner_.start("Reading " + path.filename().string(),
+                       [this, path, copy = assets](Job&, const Worker::Post& post) mutable {
+                           (void)load_lesion_mesh(copy, path.string());
+                           post([this, path, copy] {
+                               merge(assets, copy);
+                               read_meshes_.push_back(path);
+                               changed_ = true;
+                           });
+                       });
+    } else if (lesions_awaited(assets, document.marks(), GridIs::kMadeAhead)) {
+        planner_.start("Measuring distances",
+                       [this, copy = assets, marks = document.marks()](Job&, const Worker::Post& post) mutable {
+                           complete_lesions(copy, marks, GridIs::kMadeAhead);
+                           post([this, copy] {
+                               merge(assets, copy);
+                               changed_ = true;
+                           });
+                       });
     }
 }
 
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
-    for (const ComparedSurface& one : compared_) surfaces.take(one);
+    for (const ComparedSurface& one : compared_) show(surfaces, one);
     surfaces.set(kind_of(document.marks().options.method), shown_.mesh, shown_.preview);
     return surfaces;
 }
@@ -329,7 +324,7 @@ bool Workspace::update() {
             }
             changed_ = true;
         }
-    if (document.tree() && context.update(document.marks().context)) changed_ = true;
+    if (document.tree() && context.update(document.marks().context, assets)) changed_ = true;
     while (const auto error = context.take_error()) errors_.push_back(*error);
     start_plan();
     // A picture is drawn before a better one is begun: both want the whole machine.

@@ -4,7 +4,7 @@
 // follows. A file that cannot be read leaves everything as it was. No GL, no window.
 #pragma once
 
-#include "app/session/branch_facts.h"
+#include "app/assets/assets.h"
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
 #include "app/workspace/compared_surfaces.h"
@@ -46,6 +46,9 @@ public:
     bool update();
 
     Document document;
+    // What belongs to the document, as of the last refresh(); and brought up to it, and to the options that are tried.
+    Assets assets;
+    const Assets& current_assets();
 
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return document.facts(); }
     [[nodiscard]] const ReadySurface& shown() const { return shown_; }
@@ -86,7 +89,7 @@ public:
     };
     [[nodiscard]] std::optional<Opened> take_opened() { return std::exchange(opened_, std::nullopt); }
     [[nodiscard]] std::optional<Error> take_error();
-    // Reads it, well or badly, so that app::lesion_mesh() need not wait; then take_read_mesh() names it, once.
+    // Reads it, well or badly, into the assets; then take_read_mesh() names it, once.
     void read_lesion_mesh(const std::filesystem::path& path) { meshes_to_read_.push_back(path); }
     [[nodiscard]] std::optional<std::filesystem::path> take_read_mesh();
     ContextReader context; // what is shown beside the tree

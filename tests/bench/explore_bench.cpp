@@ -2,6 +2,7 @@
 // hiding a subtree of the 1,504-branch tree until its closed surface is there, within 100 ms. Commands run as the
 // window runs them. Exit status 1 when a median is over its limit.
 #include "app/actions/command_table.h"
+#include "app/assets/assets.h"
 #include "app/workspace/surface_maker.h"
 #include "core/base/stopwatch.h"
 #include "core/tree/dependency.h"
@@ -81,7 +82,8 @@ void selecting(int branches, int runs) {
     for (const tree::Point& point : tree->points) box.include(point.position);
     session.camera = render::camera_for(box, render::View::kAnterior, host.picture_size());
     document.open(tree, session);
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     const auto timed = [&](const std::vector<std::string>& words, double limit_ms) {
         std::vector<double> milliseconds;
         for (int i = 0; i < runs; ++i) {

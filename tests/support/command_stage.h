@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 
 #include <doctest/doctest.h>
 #include <memory>
@@ -30,7 +31,8 @@ struct CommandStage {
     }
     app::Document document;
     SpeakingHost host;
-    app::ActionContext context{document, host};
+    app::Assets assets;
+    app::ActionContext context{document, host, assets};
 
     Result<void> run(const std::string& text) {
         const auto lines = app::parse_script(text, "c.txt");
@@ -50,6 +52,12 @@ struct CommandStage {
         return done.error().message();
     }
     [[nodiscard]] const app::Marks& marks() const { return document.marks(); }
+    // What belongs to the document as it is now.
+    const app::Assets& current_assets() {
+        app::complete_lesions(assets, document);
+        return assets;
+    }
+    std::shared_ptr<const app::Plan> plan() { return current_assets().plan; }
 };
 
 } // namespace ramus::test

@@ -107,7 +107,7 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
         }
     };
     settle();
-    app::ActionContext action{workspace.document, **viewer};
+    app::ActionContext action{workspace.document, **viewer, workspace.assets};
     const auto run = [&](std::vector<std::string> words) { REQUIRE(app::run_command(action, words)); };
     run({"compare", "side-by-side", "iso,cones,cs"});
     settle();

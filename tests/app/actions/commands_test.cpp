@@ -1,5 +1,6 @@
 #include "app/actions/keys.h"
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 #include "app/picture/compose.h"
 
 #include <algorithm>
@@ -48,7 +49,8 @@ public:
 struct Stage {
     Document document;
     TestHost host;
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     Stage() { document.open(small_tree(), {}); }
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c.txt");
@@ -186,8 +188,8 @@ TEST_CASE("compose carries the session into the frame") {
     Stage stage;
     stage.good("select 3\nhide\nselect 1\ncolour-by generation");
     const auto mesh = std::make_shared<const render::PagedMesh>();
-    const render::Frame frame =
-        compose(stage.document.session(), stage.document.tree(), mesh, {.size = {40, 30}, .hovered = 2});
+    refresh(stage.assets, stage.document);
+    const render::Frame frame = compose(stage.document.session(), stage.assets, mesh, {.size = {40, 30}, .hovered = 2});
     CHECK(frame.mesh == mesh);
     CHECK(frame.selected == Ids{1});
     CHECK(frame.hovered == 2);

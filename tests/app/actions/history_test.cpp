@@ -1,4 +1,5 @@
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 #include "app/session/document.h"
 #include "core/base/memory.h"
 
@@ -104,7 +105,8 @@ public:
 struct Stage {
     Document document;
     NoHost host;
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     explicit Stage(std::size_t branches) { document.open(tree_of(branches), {}); }
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c");

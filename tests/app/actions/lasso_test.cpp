@@ -1,4 +1,5 @@
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 #include "app/tools/lasso.h"
 #include "app/tools/pixel_polygon.h"
 #include "app/tools/tool.h"
@@ -260,7 +261,8 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
     session.camera.orthographic = true;
     session.camera.scale = 50.0;
     document.open(std::make_shared<const tree::VesselTree>(rods()), session);
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     const auto run = [&](const std::string& line) -> std::string {
         const auto lines = parse_script(line, "c.txt");
         REQUIRE(lines);

@@ -110,7 +110,7 @@ TEST_CASE("any sequence of commands undone to the start equals the start, redone
             if (stage.marks() != before) states.push_back(stage.marks());
         }
         const Marks end = stage.marks();
-        const auto end_plan = *stage.document.plan();
+        const auto end_plan = *stage.plan();
         for (std::size_t i = states.size(); i-- > 1;) {
             REQUIRE(stage.marks() == states[i]); // one step a command, none lost
             REQUIRE(stage.document.undo());
@@ -120,8 +120,8 @@ TEST_CASE("any sequence of commands undone to the start equals the start, redone
         while (stage.document.redo()) {
         }
         CHECK(stage.marks() == end);
-        CHECK(stage.document.plan()->cuts.together == end_plan.cuts.together);
-        CHECK(stage.document.plan()->lesion_distances_mm == end_plan.lesion_distances_mm);
+        CHECK(stage.plan()->cuts.together == end_plan.cuts.together);
+        CHECK(stage.plan()->lesion_distances_mm == end_plan.lesion_distances_mm);
     }
     CHECK(done > 2000);
     CHECK(refused > 100);

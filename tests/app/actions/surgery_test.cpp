@@ -104,30 +104,30 @@ TEST_CASE("in a network only what is reached no other way is selected as depende
     CHECK(stage.document.facts()->branches[0].dependents == 3);
     CHECK(stage.good("cut 1").find("lost: 0 branches") != std::string::npos);
     stage.good("cut 2");
-    CHECK(stage.document.plan()->cuts.together.branches == 3);
+    CHECK(stage.plan()->cuts.together.branches == 3);
 }
 
 TEST_CASE("cuts are placed, told, listed and taken back") {
     Stage stage;
-    CHECK(stage.document.plan()->cuts.cuts.empty());
+    CHECK(stage.plan()->cuts.cuts.empty());
     const std::string said = stage.good("cut 1 0.25");
     CHECK(said.find("Cut 1: 4.00 mm wide; lost: 3 branches, 16.00 mm") == 0);
     CHECK(said.find("2 ends") != std::string::npos);
     CHECK(stage.good("cut 0").find("6.00 mm wide, must be reconstructed") != std::string::npos);
     CHECK(stage.marks().cuts == std::vector<std::pair<int, double>>{{1, 0.25}, {0, 0.5}});
     CHECK(stage.bad("cut 0 0.5").find("already") != std::string::npos);
-    const auto plan = stage.document.plan();
+    const auto plan = stage.plan();
     CHECK(plan->cuts.cuts[1].reconstruct);
     CHECK(plan->cuts.together.length_mm == doctest::Approx(5.0 + 8.0 + 6.0 + 5.0 + 5.0));
-    CHECK(stage.document.plan() == plan); // kept
+    CHECK(stage.plan() == plan); // kept
     stage.good("reconstruct 6");
-    CHECK_FALSE(stage.document.plan()->cuts.cuts[1].reconstruct);
+    CHECK_FALSE(stage.plan()->cuts.cuts[1].reconstruct);
     stage.good("cut-remove 1");
     CHECK(stage.marks().cuts == std::vector<std::pair<int, double>>{{0, 0.5}});
     stage.bad("cut-remove 2");
     stage.good("undo");
     CHECK(stage.marks().cuts.size() == 2);
-    CHECK(stage.document.plan()->cuts.cuts.size() == 2);
+    CHECK(stage.plan()->cuts.cuts.size() == 2);
     stage.good("cut-clear");
     CHECK(stage.marks().cuts.empty());
     for (const char* line : {"cut", "cut 9", "cut 1 1.5", "cut 1 -0.1", "cut 1 x", "cut 1 0.5 2", "cut-remove 1",
@@ -145,27 +145,27 @@ TEST_CASE("the selected are cut where the others depend on them") {
 
 TEST_CASE("lesions are placed, changed and removed; margins follow") {
     Stage stage;
-    CHECK(stage.document.plan()->bands.empty());
+    CHECK(stage.plan()->bands.empty());
     stage.good("lesion 8,12,10,2\nlesion 0,0,-20,1");
     REQUIRE(stage.marks().lesions.size() == 2);
-    auto plan = stage.document.plan();
+    auto plan = stage.plan();
     REQUIRE(plan->bands.size() == 3); // 5, 10, 20
     REQUIRE(plan->bands[0].rows.size() == 1);
     CHECK(plan->bands[0].rows[0].branch == 4);
     CHECK(plan->bands[0].rows[0].distance_mm == doctest::Approx(4.5));
     stage.good("bands 4 30");
-    plan = stage.document.plan();
+    plan = stage.plan();
     REQUIRE(plan->bands.size() == 2);
     CHECK(plan->bands[0].rows.empty());
     CHECK(plan->bands[1].rows.size() == 5);
     CHECK(plan->bands[1].rows[0].branch == 0); // the thickest
     CHECK(plan->bands[1].rows[0].dependents.branches == 4);
     stage.good("lesion-change 1 8,12,10,6");
-    CHECK(stage.document.plan()->lesion_distances_mm[4] == doctest::Approx(0.5));
+    CHECK(stage.plan()->lesion_distances_mm[4] == doctest::Approx(0.5));
     stage.good("lesion-remove 1");
     CHECK(stage.marks().lesions == std::vector<std::array<double, 4>>{{0, 0, -20, 1}});
     stage.good("lesion-clear");
-    CHECK(stage.document.plan()->lesion_distances_mm.empty());
+    CHECK(stage.plan()->lesion_distances_mm.empty());
     for (const char* line : {"lesion", "lesion 1,2,3", "lesion 1,2,3,0", "lesion 1,2,3,-4", "lesion 1,2,3,4,5",
                              "lesion 1,2,3,nan", "lesion 1,2,,4", "lesion-remove 1", "lesion-change 1 1,2,3,4", "bands",
                              "bands 5 5", "bands 10 5", "bands 0", "bands -1", "bands x"})
@@ -182,7 +182,7 @@ TEST_CASE("a lesion may be a closed mesh") {
     Stage stage;
     CHECK(stage.good("lesion-mesh \"" + file + "\"").find("5,120 triangles") != std::string::npos);
     CHECK(stage.marks().lesion_meshes == std::vector<std::string>{file});
-    CHECK(stage.document.plan()->lesion_distances_mm[4] == doctest::Approx(4.5).epsilon(0.01));
+    CHECK(stage.plan()->lesion_distances_mm[4] == doctest::Approx(4.5).epsilon(0.01));
     stage.good("select-within 5");
     CHECK(stage.selection() == Ids{4});
     CHECK(stage.bad("lesion-mesh \"" + file + "\"").find("already") != std::string::npos);
@@ -198,7 +198,7 @@ TEST_CASE("a lesion may be a closed mesh") {
     Session session = stage.document.session();
     std::filesystem::remove(file);
     test::CommandStage again(small_tree(), session);
-    const auto plan = again.document.plan();
+    const auto plan = again.plan();
     REQUIRE(plan->troubles.size() == 1);
     CHECK(plan->troubles[0].find("my tumour.stl") != std::string::npos);
     CHECK(plan->lesion_distances_mm.size() == 5);

@@ -1,9 +1,10 @@
 // What colours say: maps, quantities, legends, and the frame that a session with plans becomes.
 #include "app/actions/script.h"
-#include "app/picture/centerlines.h"
+#include "app/assets/assets.h"
+#include "app/assets/centerlines.h"
+#include "app/assets/measured.h"
 #include "app/picture/colouring.h"
 #include "app/picture/compose.h"
-#include "app/session/measured.h"
 #include "app/session/session_file.h"
 #include "tests/support/grown_tree.h"
 
@@ -32,14 +33,16 @@ public:
 struct Stage {
     Document document;
     NoHost host;
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     explicit Stage(int branches) { document.open(tree_of(branches), {}); }
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c");
         return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
     }
-    [[nodiscard]] render::Frame frame() const {
-        return compose(document, std::make_shared<const render::PagedMesh>(), {.size = {400, 300}});
+    render::Frame frame() {
+        refresh(assets, document);
+        return compose(document.session(), assets, std::make_shared<const render::PagedMesh>(), {.size = {400, 300}});
     }
 };
 
@@ -126,12 +129,12 @@ TEST_CASE("margins follow the session's bands, and a branch has the colour of th
     REQUIRE(frame.overlays.legend.swatches.size() == 3);
     CHECK(frame.overlays.legend.swatches[0].text == "up to 2");
     CHECK(frame.overlays.legend.swatches[2].text == "beyond 30");
-    const auto& distances = stage.document.plan()->lesion_distances_mm;
+    const auto& distances = stage.assets.plan->lesion_distances_mm;
     for (std::size_t id = 0; id < distances.size(); ++id)
         if (distances[id] > 30.0) CHECK(frame.colours[id] == kBeyondMargins);
 }
 
-TEST_CASE("cuts make what lies beyond lost, with a hoop where they are") {
+TEST_CASE("cuts make what lies beyond lost, with a ring where they are") {
     Stage stage(60);
     REQUIRE(stage.run("cut 1 0.25"));
     const render::Frame frame = stage.frame();
@@ -195,12 +198,11 @@ TEST_CASE("glass and colours are commands, undone and saved like everything else
     CHECK(stage.document.marks() == before);
 }
 
-TEST_CASE("centerlines run from root to leaf with the file's lengths, whatever the options, and are made once") {
+TEST_CASE("centerlines run from root to leaf with the file's lengths, whatever the options") {
     const auto tree = tree_of(120);
     for (const mesh::SurfaceOptions& options :
          {mesh::SurfaceOptions{}, mesh::SurfaceOptions{.smooth_passes = 4, .prune_ratio = 0.5}}) {
-        const auto lines = centerlines_of(tree, options);
-        CHECK(centerlines_of(tree, options) == lines);
+        const auto lines = centerlines_of(*tree, options).lines;
         REQUIRE(lines->runs.size() == tree->branches.size());
         std::size_t drawn = 0;
         for (std::size_t id = 0; id < tree->branches.size(); ++id) {

@@ -1,5 +1,6 @@
 // Panes are narrower than the picture: what comparing does to the camera, and how undo takes that back.
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 #include "app/picture/compose_sheet.h"
 #include "app/workspace/surface_maker.h"
 #include "core/tree/build_tree.h"
@@ -49,7 +50,8 @@ struct Stage {
     void run(std::string_view text) {
         const auto lines = parse_script(text, "c.txt");
         REQUIRE(lines);
-        ActionContext context{document, *host};
+        Assets assets;
+        ActionContext context{document, *host, assets};
         const auto done = run_script(context, *lines, "c.txt");
         REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
     }

@@ -1,8 +1,8 @@
 // What is shown beside the tree: commands that add, change and remove it, what is read of it and when, and what the
 // picture gets.
+#include "app/assets/context_shapes.h"
 #include "app/picture/compose.h"
 #include "app/session/colour_text.h"
-#include "app/session/context_shapes.h"
 #include "app/session/session_file.h"
 #include "app/workspace/workspace.h"
 #include "core/io/mesh_writer.h"
@@ -56,10 +56,14 @@ struct Stage {
         return test::write_plain(folder.path() / name, file.bytes()).string();
     }
     [[nodiscard]] const std::vector<ContextItem>& context() const { return commands.marks().context; }
-    [[nodiscard]] std::vector<render::ContextMesh> drawn() const {
-        return compose(commands.document, nullptr, {}).context;
+    std::vector<render::ContextMesh> drawn() {
+        return compose(commands.document.session(), commands.current_assets(), nullptr, {}).context;
     }
 };
+
+std::vector<render::ContextMesh> drawn(Workspace& workspace) {
+    return compose(workspace.document.session(), workspace.current_assets(), nullptr, {}).context;
+}
 
 } // namespace
 
@@ -207,21 +211,19 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     session.marks.context.push_back(gone);
     const fs::path saved = stage.folder.path() / "plan.ramus.json";
     REQUIRE(write_session(session, saved));
-    keep_context_shapes({}); // as in another run
-    CHECK(context_shape_read_before({mask, 1, false}) == nullptr);
 
     Workspace workspace({});
     workspace.open(saved);
     REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value(); }));
     CHECK(workspace.document.marks().context == session.marks.context);
     REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
-    CHECK(compose(workspace.document, nullptr, {}).context.size() == 1);
-    CHECK(context_shape_read_before({file, 0, false}) == nullptr); // hidden
+    CHECK(drawn(workspace).size() == 1);
+    CHECK(workspace.assets.context_shape({file, 0, false}) == nullptr); // hidden
     // What is not there is said once, and not tried again and again.
     const auto error = workspace.take_error();
     REQUIRE(error.has_value());
     CHECK(error->message().find("gone.stl") != std::string::npos);
-    CHECK(context_trouble({gone.file, 0, false}).has_value());
+    CHECK(workspace.assets.trouble({gone.file, 0, false}).has_value());
     workspace.update();
     CHECK_FALSE(workspace.context.busy());
     CHECK_FALSE(workspace.take_error().has_value());
@@ -229,14 +231,14 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     Marks marks = workspace.document.marks();
     marks.context[1].visible = true;
     workspace.document.change(marks);
-    REQUIRE(settle(workspace, [&] { return compose(workspace.document, nullptr, {}).context.size() == 2; }));
+    REQUIRE(settle(workspace, [&] { return drawn(workspace).size() == 2; }));
     // Headless pictures fail instead of leaving it out.
     Job job;
-    const auto read = read_context(marks.context, job);
+    const auto read = load_context(workspace.assets, marks, job);
     REQUIRE_FALSE(read);
     CHECK(read.error().message().find("gone.stl") != std::string::npos);
     marks.context.pop_back();
-    CHECK(read_context(marks.context, job));
+    CHECK(load_context(workspace.assets, marks, job));
 }
 
 TEST_CASE("a command's file is read for it, and the command goes on") {
@@ -250,7 +252,7 @@ TEST_CASE("a command's file is read for it, and the command goes on") {
     std::optional<std::vector<std::string>> ready;
     REQUIRE(settle(workspace, [&] { return (ready = workspace.context.take_ready()).has_value(); }));
     CHECK(*ready == std::vector<std::string>{file, "--wireframe"});
-    CHECK(context_shape_read_before({file, 0, true}) != nullptr);
+    CHECK(workspace.assets.context_shape({file, 0, true}) != nullptr);
     CHECK_FALSE(workspace.context.take_ready());
 }
 
@@ -271,9 +273,9 @@ TEST_CASE("reading that was cancelled is not taken up again until somebody asks"
     for (int i = 0; i < 20; ++i) workspace.update();
     CHECK_FALSE(workspace.context.busy());
     CHECK(workspace.context.gave_up({file, 0, false}));
-    CHECK(compose(workspace.document, nullptr, {}).context.empty());
+    CHECK(drawn(workspace).empty());
     workspace.context.retry();
-    REQUIRE(settle(workspace, [&] { return compose(workspace.document, nullptr, {}).context.size() == 1; }));
+    REQUIRE(settle(workspace, [&] { return drawn(workspace).size() == 1; }));
 }
 
 TEST_CASE("colours are written as #RRGGBB and read with or without the sign") {

@@ -1,4 +1,5 @@
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -28,7 +29,8 @@ public:
 struct Stage {
     Document document;
     ClipboardHost host;
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c");
         return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());

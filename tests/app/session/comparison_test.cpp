@@ -175,7 +175,7 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
     surfaces.lines = std::make_shared<const mesh::TriangleMesh>();
     stage.good("select 1\nhide\nselect 2\ncolour-by diameter\ncut 2\nskeleton on\ncompare side-by-side iso,cones,cs");
     const Viewing viewing{.size = {900, 300}, .hovered = 2};
-    const render::Sheet sheet = compose_sheet(stage.document, surfaces, viewing);
+    const render::Sheet sheet = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     REQUIRE(sheet.panes.size() == 3);
     CHECK_FALSE(sheet.blend);
     int bars = 0, cubes = 0, legends = 0;
@@ -205,26 +205,28 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
     CHECK(legends == 1);
 
     stage.good("compare blend cs,iso\ncompare-blend 0.25");
-    const render::Sheet blend = compose_sheet(stage.document, surfaces, viewing);
+    const render::Sheet blend = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     CHECK(blend.blend == 0.25);
     CHECK(blend.heading == "Convolution surface 75 %, isosurface of the tree's voxels 25 %");
     CHECK(blend.panes[0].frame.overlays == blend.panes[1].frame.overlays); // what lies over both is not faded
     // Fading changes no frame.
-    const render::Sheet tried = compose_sheet(stage.document, surfaces, viewing, {.blend = 0.75});
+    const render::Sheet tried =
+        compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing, {.blend = 0.75});
     CHECK(tried.panes == blend.panes);
     CHECK(tried.blend == 0.75);
 
     stage.good("compare superimposed");
-    const render::Sheet over = compose_sheet(stage.document, surfaces, viewing);
+    const render::Sheet over = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     REQUIRE(over.panes.size() == 1);
     REQUIRE(over.panes[0].frame.context.size() == 1);
     CHECK(over.panes[0].frame.context[0].wireframe);
     CHECK(over.panes[0].frame.context[0].mesh == surfaces.lines);
 
     stage.good("compare off");
-    const render::Sheet plain = compose_sheet(stage.document, surfaces, viewing);
+    const render::Sheet plain = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     REQUIRE(plain.panes.size() == 1);
-    CHECK(plain.panes[0].frame == compose(stage.document, surfaces.of(SurfaceKind::kConvolution), viewing));
+    CHECK(plain.panes[0].frame ==
+          compose(stage.document.session(), stage.current_assets(), surfaces.of(SurfaceKind::kConvolution), viewing));
 }
 
 TEST_CASE("the surfaces that a comparison needs") {

@@ -1,6 +1,7 @@
 // Commands that move the camera to a branch and along the vessels, and those for names and the overview.
 #include "app/actions/command_table.h"
 #include "app/actions/script.h"
+#include "app/assets/assets.h"
 #include "tests/support/grown_tree.h"
 
 #include <doctest/doctest.h>
@@ -36,7 +37,8 @@ public:
 struct Stage {
     Document document;
     TestHost host;
-    ActionContext context{document, host};
+    Assets assets;
+    ActionContext context{document, host, assets};
     Stage() {
         auto tree = test::grown_tree(120);
         REQUIRE(tree);

@@ -1,4 +1,4 @@
-#include "app/session/lesion_meshes.h"
+#include "app/assets/lesion_meshes.h"
 #include "app/session/session_file.h"
 #include "app/storage/tree_source.h"
 #include "app/workspace/workspace.h"
@@ -174,7 +174,7 @@ TEST_CASE("facts of a fork are those of its geometry") {
     Job job;
     const auto loaded = load(folder.write("fork.swc", kFork), {}, {}, job);
     REQUIRE(loaded);
-    const TreeFacts& facts = *loaded->facts;
+    const TreeFacts& facts = *loaded->assets.facts;
     REQUIRE(facts.branches.size() == 3);
     CHECK(facts.branches[0].dependents == 2);
     CHECK(facts.branches[0].length_mm == doctest::Approx(20.0));
@@ -182,7 +182,7 @@ TEST_CASE("facts of a fork are those of its geometry") {
     CHECK(facts.leaves == 2);
     CHECK(facts.generations == 2);
     CHECK(facts.length_mm == doctest::Approx(20.0 + 2.0 * std::sqrt(200.0)));
-    CHECK(path_to(*loaded->tree, 2) == std::vector<int>{0, 2});
+    CHECK(path_to(*loaded->assets.tree, 2) == std::vector<int>{0, 2});
 }
 
 TEST_CASE("distances to lesions that are meshes are measured behind the window's back") {
@@ -198,8 +198,8 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     workspace.read_lesion_mesh(file);
     CHECK(workspace.busy());
     REQUIRE(settle(workspace, [&] { return workspace.take_read_mesh() == file; }));
-    CHECK(lesion_mesh_read_before(file));
-    CHECK_FALSE(lesion_mesh_read_before(folder.path / "other.stl"));
+    CHECK(workspace.assets.lesion_mesh(file.string()));
+    CHECK_FALSE(workspace.assets.lesion_mesh((folder.path / "other.stl").string()));
 
     Document& document = workspace.document;
     Marks marks = document.marks();
@@ -207,31 +207,80 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     marks.cuts = {{0, 0.5}};
     document.change(marks);
     // Who must not wait sees the mesh and the cut at once, but no distances yet.
-    REQUIRE(document.plan_wanted());
-    auto plan = document.plan_so_far();
+    const auto current_plan = [&] { return workspace.current_assets().plan; };
+    const auto awaited = [&] { return lesions_awaited(workspace.assets, document.marks(), GridIs::kMadeAhead); };
+    REQUIRE(awaited());
+    auto plan = current_plan();
     CHECK(plan->measuring);
     CHECK(plan->meshes.size() == 1);
     CHECK(plan->cuts.cuts.size() == 1);
     CHECK(plan->bands.empty());
-    CHECK(document.plan_so_far() == plan);
-    REQUIRE(settle(workspace, [&] { return !document.plan_wanted(); }));
-    plan = document.plan_so_far();
+    CHECK(current_plan() == plan);
+    REQUIRE(settle(workspace, [&] { return !awaited(); }));
+    plan = current_plan();
     CHECK_FALSE(plan->measuring);
     REQUIRE(plan->lesion_distances_mm.size() == 3);
     CHECK(plan->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01)); // 9 - 3 - 2
-    // A cut more takes the distances over; another lesion needs them anew.
+    // What pictures colour by is there before they do.
+    CHECK(workspace.assets.lesion_grid.fits(plan->lesions, 20.0));
+    // A cut more takes the distances over, other margins too; another lesion needs them anew.
     marks.cuts.push_back({1, 0.5});
     document.change(marks);
-    CHECK_FALSE(document.plan_wanted());
-    CHECK(document.plan_so_far()->cuts.cuts.size() == 2);
-    CHECK(document.plan_so_far()->lesion_distances_mm == plan->lesion_distances_mm);
+    CHECK_FALSE(awaited());
+    CHECK(current_plan()->cuts.cuts.size() == 2);
+    CHECK(current_plan()->lesion_distances_mm == plan->lesion_distances_mm);
+    marks.planning.bands_mm = {7.0};
+    document.change(marks);
+    CHECK_FALSE(current_plan()->measuring);
+    CHECK(current_plan()->bands.size() == 1);
+    REQUIRE(awaited());
+    REQUIRE(settle(workspace, [&] { return !awaited(); }));
+    CHECK(workspace.assets.lesion_grid.reach_mm == 7.0);
     marks.lesions = {{0, -9, 5, 3}};
     document.change(marks);
-    CHECK(document.plan_wanted());
-    CHECK(document.plan_so_far()->lesion_distances_mm.size() == 3); // of the sphere alone
+    CHECK(awaited());
+    CHECK(current_plan()->lesion_distances_mm.size() == 3); // of the sphere alone
     // Who asks for all of it waits.
-    CHECK(document.plan()->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01));
-    CHECK_FALSE(document.plan_wanted());
+    complete_lesions(workspace.assets, document);
+    CHECK(current_plan()->lesion_distances_mm[0] == doctest::Approx(4.0).epsilon(0.01));
+    CHECK_FALSE(awaited());
+}
+
+TEST_CASE("a lesion's file that was written since is read again, and distances follow") {
+    const Folder folder;
+    const fs::path file = folder.path / "tumour.stl";
+    const auto write_ball = [&](double radius, int level) {
+        auto ball = test::icosphere(level, {0, 9, 5}, radius);
+        ball.radii.resize(ball.positions.size(), 1.0F);
+        ball.branches.resize(ball.positions.size(), 0);
+        REQUIRE(io::write_mesh(ball, file));
+    };
+    write_ball(3.0, 4);
+    Document document;
+    document.open(std::make_shared<const tree::VesselTree>(io::read_tree(folder.write("fork.swc", kFork)).value()), {});
+    Marks marks = document.marks();
+    marks.lesion_meshes = {file.string()};
+    document.change(marks);
+    Assets assets;
+    refresh(assets, document);
+    CHECK(assets.plan->measuring);
+    complete_lesions(assets, document);
+    CHECK_FALSE(assets.plan->measuring);
+    const auto first = assets.lesion_mesh(file.string());
+    const double distance = assets.plan->lesion_distances_mm[0];
+    // A copy is a value: what it learns, the original learns by merging.
+    Assets copy = assets;
+    write_ball(4.0, 3);
+    complete_lesions(copy, marks, GridIs::kMadeAhead);
+    CHECK(copy.lesion_mesh(file.string()) != first);
+    CHECK(assets.lesion_mesh(file.string()) == first);
+    merge(assets, copy);
+    refresh(assets, document);
+    CHECK_FALSE(assets.plan->measuring);
+    CHECK(assets.plan->lesion_distances_mm[0] == doctest::Approx(distance - 1.0).epsilon(0.02));
+    // Read with nothing written since, it is the same.
+    const auto second = assets.lesion_mesh(file.string());
+    CHECK(*load_lesion_mesh(assets, file.string()) == second);
 }
 
 TEST_CASE("a task that throws ends, and says so") {
@@ -292,7 +341,7 @@ TEST_CASE("lesions on their way do not reach the next tree") {
     for (int i = 0; i < 20; ++i) workspace.read_lesion_mesh(folder.path / ("tumour" + std::to_string(i) + ".stl"));
     workspace.update();
     LoadedTree loaded;
-    loaded.tree = workspace.document.tree();
+    loaded.assets.tree = workspace.document.tree();
     loaded.session = workspace.document.session();
     workspace.adopt(std::move(loaded), "elsewhere.swc");
     REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));

@@ -1,9 +1,8 @@
-#include "app/picture/centerlines.h"
+#include "app/assets/centerlines.h"
 
 #include "render/scene/bounds.h"
 
 #include <glm/geometric.hpp>
-#include <mutex>
 #include <vector>
 
 namespace ramus::app {
@@ -33,8 +32,6 @@ std::vector<Extent> extents_of(const tree::VesselTree& tree) {
     }
     return extents;
 }
-
-} // namespace
 
 render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
     const mesh::PreparedTree prepared = mesh::prepare_tree(tree, options);
@@ -75,22 +72,11 @@ render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::S
     return lines;
 }
 
-std::shared_ptr<const render::Centerlines> centerlines_of(const std::shared_ptr<const tree::VesselTree>& tree,
-                                                          const mesh::SurfaceOptions& options) {
-    static std::mutex mutex;
-    static std::weak_ptr<const tree::VesselTree> of_tree;
-    static mesh::SurfaceOptions of_options;
-    static std::shared_ptr<const render::Centerlines> kept;
-    if (!tree) return nullptr;
-    const std::lock_guard lock(mutex);
-    const bool same = kept && of_tree.lock() == tree && of_options.smooth_passes == options.smooth_passes &&
-                      of_options.prune_ratio == options.prune_ratio;
-    if (!same) {
-        kept = std::make_shared<const render::Centerlines>(make_centerlines(*tree, options));
-        of_tree = tree;
-        of_options = options;
-    }
-    return kept;
+} // namespace
+
+SurfaceCenterlines centerlines_of(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
+    return {options.smooth_passes, options.prune_ratio,
+            std::make_shared<const render::Centerlines>(make_centerlines(tree, options))};
 }
 
 } // namespace ramus::app

@@ -7,6 +7,6 @@
 namespace ramus::app {
 
 // A closed polyline, mm, RAS. `axis`: of unit length.
-[[nodiscard]] std::vector<glm::dvec3> hoop(const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm);
+[[nodiscard]] std::vector<glm::dvec3> ring_around(const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm);
 
 } // namespace ramus::app

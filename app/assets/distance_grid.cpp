@@ -1,17 +1,16 @@
-#include "app/picture/distance_grid.h"
+#include "app/assets/distance_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
-#include <mutex>
 #include <oneapi/tbb/parallel_for.h>
 
 namespace ramus::app {
 
 namespace {
 
-constexpr double kMostSamples = 250'000; // a third of a second on one core for a lesion of ten thousand triangles
+constexpr double kMostSamples = 250'000; // tuned: see distance_grid()
 
 std::shared_ptr<const render::DistanceGrid> make_grid(const measure::Lesions& lesions, double reach_mm) {
     glm::dvec3 least(std::numeric_limits<double>::max()), most(-std::numeric_limits<double>::max());
@@ -39,19 +38,13 @@ std::shared_ptr<const render::DistanceGrid> make_grid(const measure::Lesions& le
 
 } // namespace
 
-std::shared_ptr<const render::DistanceGrid> distance_grid(const measure::Lesions& lesions, double reach_mm) {
-    static std::mutex mutex;
-    static std::vector<std::shared_ptr<const measure::MeshDistance>> of;
-    static double of_reach = 0.0;
-    static std::shared_ptr<const render::DistanceGrid> kept;
-    if (lesions.meshes.empty()) return nullptr;
-    const std::lock_guard lock(mutex);
-    if (!kept || of != lesions.meshes || of_reach != reach_mm) {
-        kept = make_grid(lesions, reach_mm);
-        of = lesions.meshes;
-        of_reach = reach_mm;
-    }
-    return kept;
+double widest_margin_mm(const Planning& planning) {
+    const auto& bands = planning.bands_mm;
+    return bands.empty() ? 0.0 : bands[std::min(bands.size(), render::Margins::kMost) - 1];
+}
+
+LesionGrid distance_grid(const measure::Lesions& lesions, double reach_mm) {
+    return {lesions.meshes, reach_mm, make_grid(lesions, reach_mm)};
 }
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-#include "app/session/hoop.h"
+#include "app/assets/ring.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -6,7 +6,7 @@
 
 namespace ramus::app {
 
-std::vector<glm::dvec3> hoop(const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm) {
+std::vector<glm::dvec3> ring_around(const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm) {
     const glm::dvec3 other = std::abs(axis.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
     constexpr int kSteps = 72;

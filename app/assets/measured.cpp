@@ -1,6 +1,6 @@
-#include "app/session/measured.h"
+#include "app/assets/measured.h"
 
-#include "app/session/hoop.h"
+#include "app/assets/ring.h"
 #include "app/session/numbers.h"
 #include "core/measure/branch_place.h"
 #include "core/measure/tree_measure.h"
@@ -71,7 +71,7 @@ Measured diameter(const tree::VesselTree& tree, const Measurement& m) {
                    .unit = "mm"};
     found.details = {{"cross-section", digits(std::numbers::pi * place.radius_mm * place.radius_mm) + " mm\xC2\xB2"},
                      {"place", place_text(place.position)}};
-    found.lines = {hoop(place.position, place.direction, place.radius_mm)};
+    found.lines = {ring_around(place.position, place.direction, place.radius_mm)};
     found.label = "\xD8 " + found.value_text(); // in the fonts' encoding
     found.label_place = found.lines[0][found.lines[0].size() / 8];
     return found;

@@ -1,4 +1,4 @@
-#include "app/session/context_shapes.h"
+#include "app/assets/context_shapes.h"
 
 #include "core/io/mesh_reader.h"
 #include "core/mesh/coarse_mesh.h"
@@ -9,10 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <map>
-#include <mutex>
 #include <new>
-#include <system_error>
 
 namespace ramus::app {
 
@@ -23,23 +20,6 @@ namespace {
 constexpr std::size_t kPreviewFrom = 80'000, kPreview = 40'000; // triangles; tuned on a software rasteriser
 // Tuned on an organ whose slices are four times as thick as its pixels are wide.
 constexpr int kRelaxPasses = 60, kSmoothPasses = 2;
-
-struct Known {
-    fs::file_time_type written;
-    std::uintmax_t bytes = 0;
-    Result<std::shared_ptr<const ContextShape>> shape;
-};
-
-// Reading goes on outside of the lock: two threads that want the same file at once both read it.
-struct Kept {
-    std::mutex mutex;
-    std::map<ContextSource, Known> shapes;
-};
-
-Kept& kept() {
-    static Kept all;
-    return all;
-}
 
 Result<mesh::TriangleMesh> read_surface(const ContextSource& source, Job& job) {
     if (!volume::names_volume(source.file)) {
@@ -80,53 +60,10 @@ Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& sour
 
 } // namespace
 
-Result<std::shared_ptr<const ContextShape>> context_shape(const ContextSource& source, Job& job) {
-    std::error_code error;
-    const auto written = fs::last_write_time(source.file, error);
-    const auto bytes = error ? std::uintmax_t{0} : fs::file_size(source.file, error);
-    Known now{written, bytes, std::shared_ptr<const ContextShape>()};
-    if (error) {
-        now.shape = fail("the file cannot be read: " + error.message(), source.file, "check the name and the folder");
-    } else {
-        {
-            const std::lock_guard lock(kept().mutex);
-            const auto found = kept().shapes.find(source);
-            if (found != kept().shapes.end() && found->second.written == written && found->second.bytes == bytes)
-                return found->second.shape;
-        }
-        now.shape = read_shape(source, job);
-        if (job.cancelled()) return fail("cancelled");
-    }
-    const std::lock_guard lock(kept().mutex);
-    return kept().shapes.insert_or_assign(source, std::move(now)).first->second.shape;
-}
-
-std::shared_ptr<const ContextShape> context_shape_read_before(const ContextSource& source) {
-    const std::lock_guard lock(kept().mutex);
-    const auto found = kept().shapes.find(source);
-    return found != kept().shapes.end() && found->second.shape ? *found->second.shape : nullptr;
-}
-
-std::optional<Error> context_trouble(const ContextSource& source) {
-    const std::lock_guard lock(kept().mutex);
-    const auto found = kept().shapes.find(source);
-    return found != kept().shapes.end() && !found->second.shape ? std::optional(found->second.shape.error())
-                                                                : std::nullopt;
-}
-
-Result<void> read_context(const std::vector<ContextItem>& context, Job& job) {
-    for (const ContextItem& item : context) {
-        if (!item.visible) continue;
-        if (const auto shape = context_shape(source_of(item), job); !shape) return tl::unexpected(shape.error());
-    }
-    return {};
-}
-
-void keep_context_shapes(const std::vector<ContextItem>& context) {
-    const std::lock_guard lock(kept().mutex);
-    std::erase_if(kept().shapes, [&](const auto& known) {
-        return std::ranges::find(context, known.first, source_of) == context.end();
-    });
+Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loaded<ContextShape>* before, Job& job) {
+    auto loaded = read_if_written(source.file, before, "the file", [&] { return read_shape(source, job); });
+    if (job.cancelled()) loaded.value = fail("cancelled");
+    return loaded;
 }
 
 bool can_be_context(const std::string& file) {

@@ -1,5 +1,5 @@
 // What a kept measurement says: its value with a unit, in words, and what to draw for it. Derived from the tree:
-// measurements hold only what was asked for (app/session/session.h). Document::measurements() keeps what was found.
+// measurements hold only what was asked for (app/session/session.h).
 #pragma once
 
 #include "app/session/session.h"
@@ -31,5 +31,11 @@ struct Measured {
 // branch, 0 being straight on; at a root between it and the first other branch there.
 // Fails when there is no such branch, no such way or no branching.
 [[nodiscard]] Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement);
+
+// A session's measurements and what they say, in their order, or why they say nothing.
+struct Measurements {
+    std::vector<Measurement> of;
+    std::vector<Result<Measured>> found;
+};
 
 } // namespace ramus::app

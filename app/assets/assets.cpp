@@ -1,0 +1,169 @@
+#include "app/assets/assets.h"
+
+#include <algorithm>
+
+namespace ramus::app {
+
+namespace {
+
+template <class Map, class Key> auto* found(Map& map, const Key& key) {
+    const auto at = map.find(key);
+    return at == map.end() ? nullptr : &at->second;
+}
+
+bool grid_wanted(const Marks& marks, GridIs grid) {
+    return !marks.planning.bands_mm.empty() && (grid == GridIs::kMadeAhead || marks.colour_by == ColourBy::kLesion);
+}
+
+void refresh_centerlines(Assets& assets, const mesh::SurfaceOptions& options) {
+    if (!assets.tree)
+        assets.centerlines = {};
+    else if (!assets.centerlines.fits(options))
+        assets.centerlines = centerlines_of(*assets.tree, options);
+}
+
+void refresh_measurements(Assets& assets, const Marks& marks) {
+    if (assets.measurements && assets.measurements->of == marks.measurements) return;
+    Measurements measurements{marks.measurements, {}};
+    if (assets.tree)
+        for (const Measurement& measurement : marks.measurements)
+            measurements.found.push_back(measured(*assets.tree, measurement));
+    assets.measurements = std::make_shared<const Measurements>(std::move(measurements));
+}
+
+void refresh_tree(Assets& assets, const Document& document) {
+    if (assets.tree == document.tree()) return;
+    assets.tree = document.tree();
+    assets.facts = document.facts();
+    assets.lesion_distances = {};
+    assets.plan.reset();
+    assets.measurements.reset();
+    assets.centerlines = {};
+}
+
+} // namespace
+
+std::shared_ptr<const LesionMesh> Assets::lesion_mesh(const std::string& file) const {
+    const auto* loaded = found(lesion_meshes, file);
+    return loaded != nullptr && loaded->value ? *loaded->value : nullptr;
+}
+
+std::shared_ptr<const ContextShape> Assets::context_shape(const ContextSource& source) const {
+    const auto* loaded = found(context_shapes, source);
+    return loaded != nullptr && loaded->value ? *loaded->value : nullptr;
+}
+
+std::optional<Error> Assets::trouble(const ContextSource& source) const {
+    const auto* loaded = found(context_shapes, source);
+    return loaded != nullptr && !loaded->value ? std::optional(loaded->value.error()) : std::nullopt;
+}
+
+void Assets::put(const std::string& lesion_file, Loaded<LesionMesh> loaded) {
+    lesion_meshes.insert_or_assign(lesion_file, std::move(loaded));
+    plan.reset();
+}
+
+void Assets::put(const ContextSource& source, Loaded<ContextShape> loaded) {
+    context_shapes.insert_or_assign(source, std::move(loaded));
+}
+
+void refresh(Assets& assets, const Document& document) { refresh(assets, document, document.marks().options); }
+
+void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options) {
+    refresh_tree(assets, document);
+    if (assets.tree) (void)refresh_plan(assets, document);
+    refresh_measurements(assets, document.marks());
+    refresh_centerlines(assets, options);
+}
+
+const Plan& refresh_plan(Assets& assets, const Document& document) {
+    refresh_tree(assets, document);
+    const Marks& marks = document.marks();
+    if (assets.plan && assets.plan->of == planned(marks)) return *assets.plan;
+    assets.plan = std::make_shared<const Plan>(make_plan(assets, marks));
+    // Measured for spheres alone: what else changes takes them over.
+    if (const Plan& plan = *assets.plan; !plan.measuring && !assets.lesion_distances.fits(plan.lesions))
+        assets.lesion_distances = {plan.lesions, plan.lesion_distances_mm};
+    return *assets.plan;
+}
+
+bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
+    if (!assets.tree || marks.lesion_meshes.empty()) return false;
+    if (!std::ranges::all_of(marks.lesion_meshes,
+                             [&](const auto& file) { return assets.lesion_meshes.contains(file); }))
+        return true;
+    const measure::Lesions lesions = loaded_lesions(assets, marks);
+    if (lesions.meshes.empty()) return false;
+    return !assets.lesion_distances.fits(lesions) ||
+           (grid_wanted(marks, grid) && !assets.lesion_grid.fits(lesions, widest_margin_mm(marks.planning)));
+}
+
+void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
+    for (const std::string& file : marks.lesion_meshes) (void)load_lesion_mesh(assets, file);
+    measure::Lesions lesions = loaded_lesions(assets, marks);
+    if (!assets.tree || lesions.meshes.empty()) return;
+    const double reach = widest_margin_mm(marks.planning);
+    if (grid_wanted(marks, grid) && !assets.lesion_grid.fits(lesions, reach))
+        assets.lesion_grid = distance_grid(lesions, reach);
+    if (assets.lesion_distances.fits(lesions)) return;
+    std::vector<double> mm = measure::wall_distances(*assets.tree, lesions);
+    assets.lesion_distances = {std::move(lesions), std::move(mm)};
+    assets.plan.reset();
+}
+
+void complete_lesions(Assets& assets, const Document& document) {
+    refresh_tree(assets, document);
+    constexpr GridIs kGrid = GridIs::kMadeWhenShown;
+    if (lesions_awaited(assets, document.marks(), kGrid)) complete_lesions(assets, document.marks(), kGrid);
+    refresh(assets, document);
+}
+
+Result<std::shared_ptr<const LesionMesh>> load_lesion_mesh(Assets& assets, const std::string& file) {
+    const Loaded<LesionMesh>* before = found(assets.lesion_meshes, file);
+    Loaded<LesionMesh> loaded = read_lesion_mesh(file, before);
+    if (before == nullptr || before->stamp != loaded.stamp) assets.put(file, loaded);
+    return loaded.value;
+}
+
+Result<std::shared_ptr<const ContextShape>> load_context_shape(Assets& assets, const ContextSource& source, Job& job) {
+    Loaded<ContextShape> loaded = read_context_shape(source, found(assets.context_shapes, source), job);
+    if (!job.cancelled()) assets.put(source, loaded);
+    return loaded.value;
+}
+
+Result<void> load_context(Assets& assets, const Marks& marks, Job& job) {
+    for (const ContextItem& item : marks.context) {
+        if (!item.visible) continue;
+        if (const auto shape = load_context_shape(assets, source_of(item), job); !shape)
+            return tl::unexpected(shape.error());
+    }
+    return {};
+}
+
+Result<void> complete(Assets& assets, const Document& document, Job& job) {
+    complete_lesions(assets, document);
+    return load_context(assets, document.marks(), job);
+}
+
+void merge(Assets& assets, const Assets& from) {
+    const auto take_changed = [&](const auto& known, const auto& offered) {
+        for (const auto& [source, loaded] : offered)
+            if (const auto* mine = found(known, source); mine == nullptr || mine->stamp != loaded.stamp)
+                assets.put(source, loaded);
+    };
+    take_changed(assets.lesion_meshes, from.lesion_meshes);
+    take_changed(assets.context_shapes, from.context_shapes);
+    assets.lesion_grid = from.lesion_grid;
+    if (assets.tree == from.tree) assets.lesion_distances = from.lesion_distances;
+    assets.plan.reset();
+}
+
+void keep_loaded(Assets& assets, Assets before, const Marks& marks) {
+    std::erase_if(before.context_shapes, [&](const auto& known) {
+        return std::ranges::find(marks.context, known.first, source_of) == marks.context.end();
+    });
+    assets.lesion_meshes.merge(before.lesion_meshes);
+    assets.context_shapes.merge(before.context_shapes);
+}
+
+} // namespace ramus::app
