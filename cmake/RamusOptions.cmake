@@ -10,4 +10,13 @@ target_compile_options(ramus_options INTERFACE
   # The same expression must give the same bits wherever it is inlined: samples that two bricks share are computed
   # twice and have to agree.
   -ffp-contract=off)
+option(RAMUS_WERROR "Warnings are errors; scripts/check turns it on" OFF)
+if(RAMUS_WERROR)
+  target_compile_options(ramus_options INTERFACE -Werror)
+endif()
 target_compile_definitions(ramus_options INTERFACE RAMUS_VERSION="${PROJECT_VERSION}")
+
+# For code that runs once and is read by few: the command line and the tests. Most of the time of compiling it would go
+# into optimizing CLI11 and doctest.
+add_library(ramus_lightly_optimized INTERFACE)
+target_compile_options(ramus_lightly_optimized INTERFACE $<$<CONFIG:Release>:-O1>)
