@@ -1,17 +1,16 @@
 #include "core/measure/lesion_distance.h"
 
+#include "core/base/infinity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace ramus::measure {
 
 namespace {
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // The least of |c - p| - r over the segment: convex along it, and least where the wall of the cone that touches all its
 // balls stands square to the way to c.
@@ -58,7 +57,7 @@ double to_mesh(const tree::VesselTree& tree, const tree::Branch& branch, const M
 }
 
 double branch_distance(const tree::VesselTree& tree, const tree::Branch& branch, const Lesions& lesions) {
-    double best = kFar;
+    double best = kInfinity;
     for (std::size_t i = 1; i < branch.points.size() && best > 0.0; ++i)
         for (const auto& [x, y, z, radius] : lesions.spheres)
             best = std::min(best, to_wall({x, y, z}, tree.points[branch.points[i - 1]], tree.points[branch.points[i]]) -
@@ -71,7 +70,7 @@ double branch_distance(const tree::VesselTree& tree, const tree::Branch& branch,
 } // namespace
 
 double lesion_distance(const Lesions& lesions, const glm::dvec3& point) {
-    double best = kFar;
+    double best = kInfinity;
     for (const auto& [x, y, z, radius] : lesions.spheres)
         best = std::min(best, glm::distance(point, glm::dvec3(x, y, z)) - radius);
     for (const auto& mesh : lesions.meshes) best = std::min(best, mesh->distance(point));
@@ -79,7 +78,7 @@ double lesion_distance(const Lesions& lesions, const glm::dvec3& point) {
 }
 
 std::vector<double> wall_distances(const tree::VesselTree& tree, const Lesions& lesions) {
-    std::vector<double> distances(tree.branches.size(), kFar);
+    std::vector<double> distances(tree.branches.size(), kInfinity);
     if (lesions.empty()) return distances;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, distances.size(), 64), [&](const auto& range) {
         for (std::size_t b = range.begin(); b < range.end(); ++b)

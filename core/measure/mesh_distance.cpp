@@ -1,10 +1,11 @@
 #include "core/measure/mesh_distance.h"
 
+#include "core/base/infinity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numeric>
 
 namespace ramus::measure {
@@ -13,7 +14,6 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 using Box = MeshDistance::Box;
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 double square(const glm::dvec3& v) { return glm::dot(v, v); }
 
@@ -112,7 +112,7 @@ void MeshDistance::build(std::vector<Triangle> triangles) {
         if (part.second_of >= 0)
             nodes_[static_cast<std::size_t>(part.second_of)].first = static_cast<std::uint32_t>(nodes_.size());
         Node node;
-        node.box = {glm::dvec3(kFar), glm::dvec3(-kFar)};
+        node.box = {glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
         Box middles = node.box;
         for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
             const Triangle& t = triangles[order[i]];
@@ -146,7 +146,7 @@ void MeshDistance::build(std::vector<Triangle> triangles) {
 }
 
 double MeshDistance::surface_distance(const glm::dvec3& point) const {
-    double best = kFar; // squared
+    double best = kInfinity; // squared
     std::vector<std::pair<std::uint32_t, double>> open{{0, to_box(point, nodes_[0].box)}};
     while (!open.empty()) {
         const auto [at, least] = open.back();

@@ -1,5 +1,6 @@
 #include "core/measure/tree_measure.h"
 
+#include "core/base/infinity.h"
 #include "core/measure/branch_place.h"
 #include "core/tree/network.h"
 
@@ -7,15 +8,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 #include <queue>
 
 namespace ramus::measure {
 
 namespace {
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // The centerline between two fractions, in the order of the way.
 void append_places(const tree::VesselTree& tree, int branch, double from, double to, std::vector<glm::dvec3>& places) {
@@ -69,7 +67,7 @@ std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to)
     const auto n = [](int index) { return static_cast<std::size_t>(index); };
 
     // Dijkstra's way from both ends of the first branch to the nearer end of the other, half of each counted.
-    std::vector<double> best(n(network.node_count()), kFar);
+    std::vector<double> best(n(network.node_count()), kInfinity);
     std::vector<int> through(n(network.node_count()), tree::kNoBranch);
     using Open = std::pair<double, int>;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
@@ -88,7 +86,7 @@ std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to)
     }
     const auto [start, end] = network.ends[n(to)];
     int node = best[n(start)] <= best[n(end)] ? start : end;
-    if (best[n(node)] == kFar) return {};
+    if (best[n(node)] == kInfinity) return {};
     path.length_mm = best[n(node)] + 0.5 * length[n(to)];
 
     std::vector<std::pair<int, double>> back{{to, node == start ? 0.0 : 1.0}}; // and at which end the way enters it
