@@ -1,6 +1,5 @@
 // The flat picture of a tree: nothing overlaps, parents span their children, and its cost is that of its pixels.
 #include "app/picture/overview_layout.h"
-#include "core/base/stopwatch.h"
 #include "tests/support/grown_tree.h"
 
 #include <algorithm>
@@ -156,31 +155,13 @@ TEST_CASE("left in the overview is left in the anterior view") {
     CHECK(two.points[two.branches[static_cast<std::size_t>(beside.order[0])].points.back()].position.x == 50.0);
 }
 
-TEST_CASE("thirty thousand branches are laid out at once, and drawn as few pieces") {
+TEST_CASE("thirty thousand branches are drawn as few pieces") { // how soon: tests/bench/explore_bench.cpp
     const tree::VesselTree tree = grown(30000);
-    const TreeFacts facts = facts_of(tree);
-    double least_ms = 1e9;
-    OverviewLayout layout;
-    for (int i = 0; i < 5; ++i) {
-        const Stopwatch watch;
-        layout = overview_layout(tree, facts, OverviewDepth::kDistance);
-        least_ms = std::min(least_ms, 1000.0 * watch.seconds());
-    }
-    MESSAGE("layout of " << tree.branches.size() << " branches: " << least_ms << " ms");
-    CHECK(least_ms < 20.0);
-
+    const OverviewLayout layout = overview_layout(tree, facts_of(tree), OverviewDepth::kDistance);
     OverviewView view;
     view.pixels = {1200.0, 200.0};
-    least_ms = 1e9;
-    std::vector<OverviewPiece> pieces;
-    for (int i = 0; i < 5; ++i) {
-        const Stopwatch watch;
-        pieces = visible_pieces(layout, view);
-        least_ms = std::min(least_ms, 1000.0 * watch.seconds());
-    }
-    MESSAGE(pieces.size() << " pieces: " << least_ms << " ms");
+    const std::vector<OverviewPiece> pieces = visible_pieces(layout, view);
     CHECK(pieces.size() < 4 * 1200);
-    CHECK(least_ms < 5.0);
     // Every branch is in one of them.
     std::vector<int> covered(layout.order.size(), 0);
     for (const OverviewPiece& piece : pieces) {
