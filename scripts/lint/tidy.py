@@ -63,16 +63,27 @@ def check(build, entry, salt):
     return ""
 
 
+def concerns(entry, part):
+    """Whether the source, or one of the group that it is, has `part` in its path; generated ones are not there yet."""
+    source = pathlib.Path(entry["file"])
+    if source.suffix not in (".cpp", ".cxx") or not source.exists():
+        return False
+    return part in (source.read_text() if source.parent.name == "Unity" else str(source.relative_to(TOP)))
+
+
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     part = sys.argv[2] if len(sys.argv) > 2 else ""
-    entries = [entry for entry in json.loads((build / "compile_commands.json").read_text())
-               if os.path.exists(entry["file"]) and entry["file"].endswith((".cpp", ".cxx")) and part in entry["file"]]
-    salt = output_of(["clang-tidy", "--version"], TOP) + (TOP / ".clang-tidy").read_text() + pathlib.Path(__file__).read_text()
+    entries = [entry for entry in json.loads((build / "compile_commands.json").read_text()) if concerns(entry, part)]
+    salt = output_of(["clang-tidy", "--version"], TOP)
+    salt += (TOP / ".clang-tidy").read_text() + pathlib.Path(__file__).read_text()
+    status = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        findings = [text for text in pool.map(lambda entry: check(build, entry, salt), entries) if text]
-    print("\n".join(findings), end="")
-    return 1 if findings else 0
+        for findings in concurrent.futures.as_completed([pool.submit(check, build, entry, salt) for entry in entries]):
+            if findings.result():
+                print(findings.result(), flush=True)
+                status = 1
+    return status
 
 
 if __name__ == "__main__":
