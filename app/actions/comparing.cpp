@@ -95,7 +95,7 @@ Result<void> skeleton(ActionContext& context, Arguments arguments) {
 template <Mode mode> bool compares(const Document& document) { return document.marks().comparison.mode == mode; }
 bool shows_skeleton(const Document& document) { return document.marks().skeleton; }
 
-template <Mode mode> Command entry(const char* label, const char* help) {
+template <Mode mode> Command mode_entry(const char* label, const char* help) {
     return {"compare", "MODE [SURFACES]", help, "View", label, {}, compare, {std::string(name_of(mode))},
             has_tree,  compares<mode>};
 }
@@ -111,11 +111,12 @@ std::vector<Command> compare_commands() {
          "",
          {},
          compare},
-        entry<Mode::kOff>("One surface", "Compares nothing: one surface fills the picture."),
-        entry<Mode::kSideBySide>("Surfaces side by side", "Compares surfaces in panes that one camera looks into."),
-        entry<Mode::kBlend>("Surfaces blended", "Compares two surfaces: one fades into the other."),
-        entry<Mode::kSuperimposed>("Surfaces superimposed",
-                                   "Compares two surfaces: the second as lines over the first."),
+        mode_entry<Mode::kOff>("One surface", "Compares nothing: one surface fills the picture."),
+        mode_entry<Mode::kSideBySide>("Surfaces side by side",
+                                      "Compares surfaces in panes that one camera looks into."),
+        mode_entry<Mode::kBlend>("Surfaces blended", "Compares two surfaces: one fades into the other."),
+        mode_entry<Mode::kSuperimposed>("Surfaces superimposed",
+                                        "Compares two surfaces: the second as lines over the first."),
         {"compare-blend",
          "SHARE",
          "How much there is of the second surface where two are blended, from 0 to 1.",

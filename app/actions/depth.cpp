@@ -25,7 +25,7 @@ Result<void> depth_cue(ActionContext& context, Arguments arguments) {
 
 template <DepthCue cue> bool shows(const Document& document) { return document.marks().depth_cues.has(cue); }
 
-template <DepthCue cue> Command entry(const char* label, const char* help) {
+template <DepthCue cue> Command cue_entry(const char* label, const char* help) {
     return {"depth-cue", "NAME [on|off]", help, "View", label, {}, depth_cue, {std::string(name_of(cue))},
             has_tree,    shows<cue>};
 }
@@ -41,12 +41,12 @@ std::vector<Command> depth_commands() {
          "",
          {},
          depth_cue},
-        entry<DepthCue::kOcclusion>("Shade in crevices", "Darkens what its surroundings hide from the sky."),
-        entry<DepthCue::kFog>("Fog", "Lets the far end of the tree sink into the background."),
-        entry<DepthCue::kHalos>("Halos", "Draws dark seams around vessels that pass before others."),
-        entry<DepthCue::kContours>("Contours", "Draws the outlines of vessels dark."),
-        entry<DepthCue::kShadows>("Shadows", "Lets vessels throw shadows on others close by."),
-        entry<DepthCue::kChromadepth>("Near red, far blue", "Colours by the distance from the viewer."),
+        cue_entry<DepthCue::kOcclusion>("Shade in crevices", "Darkens what its surroundings hide from the sky."),
+        cue_entry<DepthCue::kFog>("Fog", "Lets the far end of the tree sink into the background."),
+        cue_entry<DepthCue::kHalos>("Halos", "Draws dark seams around vessels that pass before others."),
+        cue_entry<DepthCue::kContours>("Contours", "Draws the outlines of vessels dark."),
+        cue_entry<DepthCue::kShadows>("Shadows", "Lets vessels throw shadows on others close by."),
+        cue_entry<DepthCue::kChromadepth>("Near red, far blue", "Colours by the distance from the viewer."),
     };
 }
 

@@ -38,7 +38,7 @@ Result<void> shot(ActionContext& context, Arguments arguments) {
 }
 
 // The number of an entry in the dialog, 1 and more; 0 for none.
-Result<int> entry(Arguments arguments, const std::string& command) {
+Result<int> number_of_entry(Arguments arguments, const std::string& command) {
     if (arguments.empty()) return 0;
     const auto wanted = arguments.size() == 1 ? number_in(arguments[0], 1.0, 1e6) : std::nullopt;
     if (!wanted || *wanted != static_cast<int>(*wanted)) return fail(command + " takes the number of an entry");
@@ -46,12 +46,12 @@ Result<int> entry(Arguments arguments, const std::string& command) {
 }
 
 Result<void> recover(ActionContext& context, Arguments arguments) {
-    const auto which = entry(arguments, "recover");
+    const auto which = number_of_entry(arguments, "recover");
     return which ? context.host.recover(*which) : tl::unexpected(which.error());
 }
 
 Result<void> discard_recovery(ActionContext& context, Arguments arguments) {
-    const auto which = entry(arguments, "discard-recovery");
+    const auto which = number_of_entry(arguments, "discard-recovery");
     if (!which) return tl::unexpected(which.error());
     return *which > 0 ? context.host.discard_recovery(*which) : fail("discard-recovery takes the number of an entry");
 }

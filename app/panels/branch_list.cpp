@@ -17,7 +17,7 @@ namespace {
 enum Column : ImGuiID { kMark, kId, kName, kGeneration, kStrahler, kDiameter, kLength, kDependents };
 constexpr int kColumns = 8;
 
-std::size_t index(int id) { return static_cast<std::size_t>(id); }
+std::size_t index_of(int id) { return static_cast<std::size_t>(id); }
 
 BranchQuantity quantity_of(ImGuiID column) {
     switch (column) {
@@ -74,8 +74,8 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
         if (list.names.empty()) return;
         // Without a name come last, whichever way the others go.
         std::ranges::stable_sort(list.rows, [&](int a, int b) {
-            const std::string& one = list.names[index(a)];
-            const std::string& other = list.names[index(b)];
+            const std::string& one = list.names[index_of(a)];
+            const std::string& other = list.names[index_of(b)];
             if (one.empty() || other.empty()) return !one.empty() && other.empty();
             return descending ? one > other : one < other;
         });
@@ -83,9 +83,9 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
     }
     const BranchQuantity quantity = quantity_of(column);
     std::vector<double> values(tree.branches.size());
-    for (const int id : list.rows) values[index(id)] = value_of(quantity, tree, facts, id);
+    for (const int id : list.rows) values[index_of(id)] = value_of(quantity, tree, facts, id);
     std::ranges::stable_sort(list.rows, [&](int a, int b) {
-        return descending ? values[index(a)] > values[index(b)] : values[index(a)] < values[index(b)];
+        return descending ? values[index_of(a)] > values[index_of(b)] : values[index_of(a)] < values[index_of(b)];
     });
 }
 
@@ -121,7 +121,7 @@ void draw_mark(const InterfaceContext& context, int id) {
     const Marks& marks = context.workspace.document.marks();
     const render::Appearance appearance;
     const PictureLook& picture = context.interface.picture;
-    glm::vec3 colour = index(id) < picture.colours.size() ? picture.colours[index(id)] : appearance.vessel;
+    glm::vec3 colour = index_of(id) < picture.colours.size() ? picture.colours[index_of(id)] : appearance.vessel;
     const render::BranchState state = state_of(marks, id);
     if (state == render::BranchState::kHighlighted) colour = appearance.highlight;
     if (state == render::BranchState::kDefocused) colour = 0.8F * appearance.glass;
@@ -151,7 +151,7 @@ void number_cell(const std::string& text) {
 void name_cell(InterfaceContext& context, int id) {
     const BranchList& list = context.interface.list;
     if (!ImGui::TableNextColumn() || list.names.empty()) return;
-    const std::string& name = list.names[index(id)];
+    const std::string& name = list.names[index_of(id)];
     const bool own = list.given.contains(id);
     if (!own) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet); // borne from a branch upstream
     const std::string shown = widgets::fitted(name, ImGui::GetContentRegionAvail().x);
@@ -168,8 +168,8 @@ void name_cell(InterfaceContext& context, int id) {
 
 void draw_row(InterfaceContext& context, int id) {
     const Document& document = context.workspace.document;
-    const BranchFacts& facts = context.workspace.facts()->branches[index(id)];
-    const tree::Branch& branch = document.tree()->branches[index(id)];
+    const BranchFacts& facts = context.workspace.facts()->branches[index_of(id)];
+    const tree::Branch& branch = document.tree()->branches[index_of(id)];
     const render::BranchState state = state_of(document.marks(), id);
     const bool lit = state == render::BranchState::kHighlighted;
     const bool faint = state == render::BranchState::kHidden;

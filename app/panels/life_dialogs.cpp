@@ -35,7 +35,7 @@ std::string ago_text(std::chrono::system_clock::duration since) {
 
 namespace {
 
-std::string name_of(const RecoveryDialog::Entry& entry) {
+std::string title_of(const RecoveryDialog::Entry& entry) {
     if (!entry.problem.empty()) return entry.slot.file().filename().string();
     const auto& file = entry.snapshot.file;
     return (file.empty() ? entry.snapshot.session.tree.path : file).filename().string();
@@ -55,7 +55,7 @@ Choice draw_entry(const RecoveryDialog::Entry& entry, float height) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const ImVec2 at = ImGui::GetCursorPos();
     const float text_width = ImGui::GetContentRegionAvail().x - 2.0F * button - 3.0F * gap;
-    ImGui::TextUnformatted(widgets::fitted(name_of(entry), text_width).c_str());
+    ImGui::TextUnformatted(widgets::fitted(title_of(entry), text_width).c_str());
     widgets::tooltip(entry.problem.empty() ? entry.snapshot.session.tree.path.c_str() : entry.slot.file().c_str());
     widgets::quiet(widgets::fitted(about(entry), text_width).c_str());
     const ImVec2 end = ImGui::GetCursorPos();

@@ -19,8 +19,6 @@ using render::BranchState;
 
 std::size_t index(int id) { return static_cast<std::size_t>(id); }
 
-ImU32 packed(glm::vec4 colour) { return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, colour.a}); }
-
 // Everything but where lines are: as in the picture, hidden ones faint.
 void make_looks(Overview& overview, const Document& document, const PictureLook& picture) {
     const Marks& marks = document.marks();
@@ -128,26 +126,26 @@ void draw_piece(const InterfaceContext& context, const Canvas& canvas, const Ove
     const float y1 = std::max(std::round(static_cast<float>(bottom.y)), y0 + 1.0F);
     if (frames) {
         const float edge = std::max(1.0F, std::round(1.2F * theme::scale()));
-        const ImU32 colour = packed({render::Appearance{}.selection, 0.55F});
+        const ImU32 colour = widgets::packed({render::Appearance{}.selection, 0.55F});
         canvas.list->AddRectFilled({x - edge, y0}, {x + width + edge, y1}, colour);
         return;
     }
-    canvas.list->AddRectFilled({x, y0}, {x + width, y1}, packed(look.colour));
+    canvas.list->AddRectFilled({x, y0}, {x + width, y1}, widgets::packed(look.colour));
     const bool cut = !piece.merged && look.lost_from < 1.0F && look.lost_to - look.lost_from < 1.0F;
     if (cut) { // a clean line where it is cut, and what lies beyond is lost
         const auto at = [&](float share) { return std::round(y0 + (y1 - y0) * std::clamp(share, 0.0F, 1.0F)); };
         const float edge = 2.0F * theme::scale();
         canvas.list->AddRectFilled({x, at(look.lost_from)}, {x + width, at(look.lost_to)},
-                                   packed({1.25F * render::Appearance{}.lost, look.colour.a}));
+                                   widgets::packed({1.25F * render::Appearance{}.lost, look.colour.a}));
         const float y = at(look.lost_from > 0.0F ? look.lost_from : look.lost_to);
         canvas.list->AddRectFilled({x - edge, y - 1.0F}, {x + width + edge, y + 1.0F},
-                                   packed(glm::vec4(0.92F, 0.92F, 0.92F, 1.0F)));
+                                   widgets::packed(glm::vec4(0.92F, 0.92F, 0.92F, 1.0F)));
     }
     if (!piece.merged) return;
     const auto deepest = static_cast<float>(canvas.to(overview.view, {line.at, line.deepest}).y);
     glm::vec4 faint = look.colour;
     faint.a *= 0.4F;
-    canvas.list->AddRectFilled({x, y1}, {x + width, std::round(deepest)}, packed(faint));
+    canvas.list->AddRectFilled({x, y1}, {x + width, std::round(deepest)}, widgets::packed(faint));
 }
 
 // From the parent's end across to where the branch begins.
@@ -163,7 +161,7 @@ void draw_joint(const InterfaceContext& context, const Canvas& canvas, const Ove
     const float right = std::min(std::round(static_cast<float>(to.x) + 0.5F), canvas.at.x + canvas.size.x + 4.0F);
     glm::vec4 colour = look_of(overview, piece).colour;
     colour.a *= 0.8F;
-    canvas.list->AddRectFilled({left, y}, {right, y + thickness}, packed(colour));
+    canvas.list->AddRectFilled({left, y}, {right, y + thickness}, widgets::packed(colour));
 }
 
 void draw_tree_lines(const InterfaceContext& context, const Canvas& canvas) {
@@ -185,7 +183,7 @@ void draw_tree_lines(const InterfaceContext& context, const Canvas& canvas) {
         const glm::dvec2 a = canvas.to(overview.view, link.from);
         const glm::dvec2 b = canvas.to(overview.view, link.to);
         const auto point = [](glm::dvec2 p) { return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y)); };
-        canvas.list->AddLine(point(a), point(b), packed(look.colour), look.selected ? 2.0F * thin : thin);
+        canvas.list->AddLine(point(a), point(b), widgets::packed(look.colour), look.selected ? 2.0F * thin : thin);
     }
 }
 

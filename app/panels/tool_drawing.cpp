@@ -1,5 +1,6 @@
 // What the current tool wants drawn, over the picture and under the panels.
 #include "app/panels/interface.h"
+#include "app/panels/widgets.h"
 #include "app/tools/pixel_polygon.h"
 #include "app/window/theme.h"
 
@@ -10,9 +11,6 @@ namespace ramus::app {
 
 namespace {
 
-ImU32 packed(const glm::vec4& colour) {
-    return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w});
-}
 ImU32 shadow(const glm::vec4& colour) { return IM_COL32(0, 0, 0, static_cast<int>(110.0F * colour.w)); }
 
 class Painter {
@@ -27,7 +25,8 @@ public:
         for (int row = first; row < last; ++row) {
             const float y = static_cast<float>(at_.y + row);
             for (const auto& [left, right] : polygon.spans(row + 0.5))
-                list_.AddRectFilled({place({left, 0.0}).x, y}, {place({right, 0.0}).x, y + 1.0F}, packed(area.colour));
+                list_.AddRectFilled({place({left, 0.0}).x, y}, {place({right, 0.0}).x, y + 1.0F},
+                                    widgets::packed(area.colour));
         }
     }
 
@@ -39,7 +38,7 @@ public:
         const float width = line.width * theme::scale();
         const int count = static_cast<int>(points.size());
         list_.AddPolyline(points.data(), count, shadow(line.colour), flags, width + 2.0F * theme::scale());
-        list_.AddPolyline(points.data(), count, packed(line.colour), flags, width);
+        list_.AddPolyline(points.data(), count, widgets::packed(line.colour), flags, width);
     }
 
     void circle(const ToolDrawing::Circle& circle) const {
@@ -47,8 +46,8 @@ public:
         const auto radius = static_cast<float>(circle.radius);
         const float width = circle.width * theme::scale();
         list_.AddCircle(at, radius, shadow(circle.colour), 0, width + 2.0F * theme::scale());
-        if (circle.filled) list_.AddCircleFilled(at, radius, packed(circle.colour));
-        list_.AddCircle(at, radius, packed(circle.colour), 0, width);
+        if (circle.filled) list_.AddCircleFilled(at, radius, widgets::packed(circle.colour));
+        list_.AddCircle(at, radius, widgets::packed(circle.colour), 0, width);
     }
 
     void text(const ToolDrawing::Text& text) const {
@@ -59,7 +58,7 @@ public:
         const ImVec2 padding(6.0F * theme::scale(), 3.0F * theme::scale());
         list_.AddRectFilled(from, {from.x + size.x + 2.0F * padding.x, from.y + size.y + 2.0F * padding.y},
                             IM_COL32(14, 16, 19, 205), 3.0F * theme::scale());
-        list_.AddText({from.x + padding.x, from.y + padding.y}, packed(text.colour), text.text.c_str());
+        list_.AddText({from.x + padding.x, from.y + padding.y}, widgets::packed(text.colour), text.text.c_str());
         ImGui::PopFont();
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec4.hpp>
 #include <imgui.h>
 #include <map>
 #include <string>
@@ -40,6 +41,11 @@ void note_controls(Controls* controls);
 // What has a tooltip is noted by itself, the last of several with the same words.
 void note(const char* words, const ImVec2& from, const ImVec2& to);
 void note_item(const char* words); // the last one drawn
+
+// As ImGui's lists of lines and boxes take colours.
+[[nodiscard]] inline ImU32 packed(const glm::vec4& colour) {
+    return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w});
+}
 
 // `text` shortened in the middle to fit `width`.
 [[nodiscard]] std::string fitted(const std::string& text, float width);

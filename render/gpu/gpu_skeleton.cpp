@@ -8,7 +8,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixel where it fills the window
+constexpr double kThinnedSkeleton = 3e-4; // of the tree's extent: less than a pixel where it fills the window
 
 Layer layer_of(const std::vector<Layer>& layers, std::int32_t branch) {
     const auto index = static_cast<std::size_t>(branch);
@@ -74,7 +74,7 @@ void GpuSkeleton::follow(const std::shared_ptr<const Centerlines>& lines) {
     all_.clear();
     if (!shown_) return;
     whole_.send(*shown_);
-    thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
+    thinned_.send(shown_->thinned(kThinnedSkeleton * shown_->extent_mm()));
     all_ = skeleton_rings(*shown_);
     std::vector<glm::vec4> rings;
     for (const SkeletonRing& ring : all_) {

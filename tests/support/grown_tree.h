@@ -27,4 +27,7 @@ inline Result<tree::VesselTree> grown_tree(int branches) {
     return tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string("grown"); });
 }
 
+// The same, for who cannot go on without.
+inline tree::VesselTree grown(int branches) { return std::move(grown_tree(branches).value()); }
+
 } // namespace ramus::test

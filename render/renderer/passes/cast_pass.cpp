@@ -12,7 +12,7 @@ namespace ramus::render {
 
 namespace {
 
-constexpr int kTaps = 20; // of the occlusion, as at rest
+constexpr int kCastTaps = 20; // of the occlusion, as at rest
 
 template <std::size_t N> void put(float (&to)[N], const glm::vec4& from) {
     for (std::size_t i = 0; i < N; ++i) to[i] = from[static_cast<glm::length_t>(i)];
@@ -77,7 +77,7 @@ caster::View view_of(const Frame& frame, const ViewSetup& from) {
     view.far_mm = from.block.depth_range.y;
     view.reach_pixels = from.block.depth_range.z;
     view.reach_mm = from.block.depth_range.w;
-    view.taps = frame.appearance.occlusion > 0.0F ? kTaps : 0;
+    view.taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0;
     return view;
 }
 

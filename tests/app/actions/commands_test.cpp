@@ -46,12 +46,12 @@ public:
     int moves = 0;
 };
 
-struct Stage {
+struct CommandStage {
     Document document;
     TestHost host;
     Assets assets;
     ActionContext context{document, host, assets};
-    Stage() { document.open(small_tree(), {}); }
+    CommandStage() { document.open(small_tree(), {}); }
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c.txt");
         return lines ? run_script(context, *lines, "c.txt") : tl::unexpected(lines.error());
@@ -102,7 +102,7 @@ TEST_CASE("the table is complete: every entry has a name, a sentence of help, an
 }
 
 TEST_CASE("selection commands do what they say") {
-    Stage stage;
+    CommandStage stage;
     stage.good("select 4 2 4");
     CHECK(stage.selection() == Ids{2, 4});
     stage.good("select-add 0");
@@ -118,7 +118,7 @@ TEST_CASE("selection commands do what they say") {
 }
 
 TEST_CASE("states act on the selection and can be taken back") {
-    Stage stage;
+    CommandStage stage;
     stage.good("select 2\nselect-dependents\nhighlight\nselect 3\nhide\nselect 1\ndefocus");
     CHECK(stage.in(BranchState::kHighlighted) == Ids{2, 4, 5});
     CHECK(stage.in(BranchState::kHidden) == Ids{3});
@@ -134,7 +134,7 @@ TEST_CASE("states act on the selection and can be taken back") {
 }
 
 TEST_CASE("views, projection and pictures go through the host") {
-    Stage stage;
+    CommandStage stage;
     stage.good("view left\northographic on\nshot \"my picture.png\"");
     CHECK(stage.host.moves == 2);
     CHECK(stage.document.session().camera.orthographic);
@@ -144,7 +144,7 @@ TEST_CASE("views, projection and pictures go through the host") {
 }
 
 TEST_CASE("options and colours are steps of undo") {
-    Stage stage;
+    CommandStage stage;
     stage.good(
         "surface detail 24\nsurface width 1\nsurface method cones\ncolour-by generation\nname 3 \"to segment VII\"");
     CHECK(stage.document.marks().options.detail == 24);
@@ -155,7 +155,7 @@ TEST_CASE("options and colours are steps of undo") {
 }
 
 TEST_CASE("a line that fails is named by file and line, and changes nothing") {
-    Stage stage;
+    CommandStage stage;
     stage.good("select 1");
     const Session before = stage.document.session();
     CHECK(stage.bad("# comment\n\nselect 2 6\n").starts_with("c.txt:3: there is no branch 6; ids go from 0 to 5"));
@@ -185,7 +185,7 @@ TEST_CASE("a commands file is read as people write it") {
 }
 
 TEST_CASE("compose carries the session into the frame") {
-    Stage stage;
+    CommandStage stage;
     stage.good("select 3\nhide\nselect 1\ncolour-by generation");
     const auto mesh = std::make_shared<const render::PagedMesh>();
     refresh(stage.assets, stage.document);

@@ -102,12 +102,12 @@ public:
     Result<void> write_picture(const std::filesystem::path&) override { return {}; }
 };
 
-struct Stage {
+struct HistoryStage {
     Document document;
     NoHost host;
     Assets assets;
     ActionContext context{document, host, assets};
-    explicit Stage(std::size_t branches) { document.open(tree_of(branches), {}); }
+    explicit HistoryStage(std::size_t branches) { document.open(tree_of(branches), {}); }
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c");
         return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
@@ -198,7 +198,7 @@ TEST_CASE("ten thousand steps on a tree of thirty thousand branches take less th
 }
 
 TEST_CASE("every step is called after the command that made it") {
-    Stage stage(1200);
+    HistoryStage stage(1200);
     const auto called = [&](std::string_view line) {
         const auto done = stage.run(line);
         REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
@@ -226,7 +226,7 @@ TEST_CASE("every step is called after the command that made it") {
 }
 
 TEST_CASE("undo and redo refuse what is no number of steps that are there, and change nothing then") {
-    Stage stage(10);
+    HistoryStage stage(10);
     REQUIRE(stage.run("select 1\nselect 2\nundo"));
     const auto refusal = [&](std::string_view line) {
         const auto done = stage.run(line);

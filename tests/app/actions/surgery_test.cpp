@@ -21,7 +21,7 @@ constexpr const char* kTree =
     "1 0 0 0 0 3 -1\n2 0 0 0 10 3 1\n3 0 1 0 10 2 2\n4 0 8 0 10 2 3\n5 0 0 1 10 1 2\n"
     "6 0 0 6 10 1 5\n7 0 8 0 11 0.5 4\n8 0 8 0 15 0.5 7\n9 0 8 1 10 0.5 4\n10 0 8 5 10 0.5 9\n";
 
-tree::VesselTree small_tree() {
+tree::VesselTree surgery_tree() {
     auto tree = io::parse_swc(kTree, "tree.swc");
     REQUIRE(tree);
     REQUIRE(tree->branches.size() == 5);
@@ -29,7 +29,7 @@ tree::VesselTree small_tree() {
 }
 
 struct Stage : test::CommandStage {
-    Stage() : CommandStage(small_tree()) {}
+    Stage() : CommandStage(surgery_tree()) {}
     [[nodiscard]] const Ids& selection() const { return marks().selection; }
 };
 
@@ -197,7 +197,7 @@ TEST_CASE("a lesion may be a closed mesh") {
     stage.good("lesion-mesh \"" + file + "\"");
     Session session = stage.document.session();
     std::filesystem::remove(file);
-    test::CommandStage again(small_tree(), session);
+    test::CommandStage again(surgery_tree(), session);
     const auto plan = again.plan();
     REQUIRE(plan->troubles.size() == 1);
     CHECK(plan->troubles[0].find("my tumour.stl") != std::string::npos);

@@ -30,12 +30,12 @@ public:
     Result<void> write_picture(const std::filesystem::path&) override { return {}; }
 };
 
-struct Stage {
+struct ColouringStage {
     Document document;
     NoHost host;
     Assets assets;
     ActionContext context{document, host, assets};
-    explicit Stage(int branches) { document.open(tree_of(branches), {}); }
+    explicit ColouringStage(int branches) { document.open(tree_of(branches), {}); }
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c");
         return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
@@ -62,7 +62,7 @@ TEST_CASE("colour maps get brighter from end to end, and their dark end is seen 
 }
 
 TEST_CASE("every quantity colours every branch and says so in a legend") {
-    Stage stage(60);
+    ColouringStage stage(60);
     REQUIRE(stage.run("name 3 Segment\nlesion 0,0,0,4"));
     for (const ColourBy quantity : kColourings) {
         CAPTURE(name_of(quantity));
@@ -86,7 +86,7 @@ TEST_CASE("every quantity colours every branch and says so in a legend") {
 }
 
 TEST_CASE("the ticks of a diameter legend stand where the colours of those diameters are") {
-    Stage stage(200);
+    ColouringStage stage(200);
     REQUIRE(stage.run("colour-by diameter\ncolour-map cividis"));
     const render::Frame frame = stage.frame();
     REQUIRE(frame.overlays.legend.ticks.size() >= 2);
@@ -98,7 +98,7 @@ TEST_CASE("the ticks of a diameter legend stand where the colours of those diame
 }
 
 TEST_CASE("names colour what depends on them, and other letters stay readable") {
-    Stage stage(60);
+    ColouringStage stage(60);
     const auto& branches = stage.document.tree()->branches;
     const auto parent = static_cast<std::size_t>(
         std::ranges::find_if(branches, [](const auto& b) { return b.generation == 1 && !b.children.empty(); }) -
@@ -113,7 +113,7 @@ TEST_CASE("names colour what depends on them, and other letters stay readable") 
 }
 
 TEST_CASE("margins follow the session's bands, and a branch has the colour of the nearest it reaches") {
-    Stage stage(60);
+    ColouringStage stage(60);
     Marks marks = stage.document.marks();
     const auto& tree = *stage.document.tree();
     const glm::dvec3 root = tree.points[tree.branches[0].points[0]].position;
@@ -135,7 +135,7 @@ TEST_CASE("margins follow the session's bands, and a branch has the colour of th
 }
 
 TEST_CASE("cuts make what lies beyond lost, with a ring where they are") {
-    Stage stage(60);
+    ColouringStage stage(60);
     REQUIRE(stage.run("cut 1 0.25"));
     const render::Frame frame = stage.frame();
     const auto& tree = *stage.document.tree();
@@ -152,7 +152,7 @@ TEST_CASE("cuts make what lies beyond lost, with a ring where they are") {
 }
 
 TEST_CASE("measurements are drawn with their numbers") {
-    Stage stage(60);
+    ColouringStage stage(60);
     Marks marks = stage.document.marks();
     const auto& tree = *stage.document.tree();
     const int child = tree.branches[0].children.front();
@@ -182,7 +182,7 @@ TEST_CASE("measurements are drawn with their numbers") {
 }
 
 TEST_CASE("glass and colours are commands, undone and saved like everything else") {
-    Stage stage(20);
+    ColouringStage stage(20);
     const Marks before = stage.document.marks();
     REQUIRE(stage.run("glass-opacity 1.5\nglass-grey 0.25\ncolour-by root-distance\ncolour-map magma"));
     const Marks& marks = stage.document.marks();
@@ -224,7 +224,7 @@ TEST_CASE("centerlines run from root to leaf with the file's lengths, whatever t
 }
 
 TEST_CASE("depth cues are switched by a command, undone, and shown") {
-    Stage stage(20);
+    ColouringStage stage(20);
     CHECK(stage.frame().appearance.occlusion == 1.0F);
     CHECK(stage.frame().appearance.halos == 0.0F);
     REQUIRE(stage.run("depth-cue halos\ndepth-cue occlusion off\ndepth-cue chromadepth on\ndepth-cue chromadepth on\n"

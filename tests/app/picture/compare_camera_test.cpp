@@ -31,8 +31,8 @@ private:
 };
 
 // A vessel of 60 mm from right to left: wide pictures show it larger than narrow ones.
-struct Stage {
-    Stage() {
+struct CameraStage {
+    CameraStage() {
         tree::Graph graph;
         graph.points = {{{-30, 0, 0}, 2.0}, {{0, 0, 0}, 2.0}, {{30, 0, 5}, 1.0}, {{30, 0, -5}, 1.0}};
         graph.edges = {{0, 1}, {1, 2}, {1, 3}};
@@ -65,7 +65,7 @@ double distance(const render::Camera& camera) { return glm::distance(camera.posi
 } // namespace
 
 TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it again") {
-    Stage stage;
+    CameraStage stage;
     const render::Camera whole = stage.camera();
     stage.run("compare side-by-side");
     const render::Camera halves = stage.camera();
@@ -93,7 +93,7 @@ TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it ag
 }
 
 TEST_CASE("undo leaves a camera alone that compare has not moved, or a person has moved since") {
-    Stage stage;
+    CameraStage stage;
     const render::Camera whole = stage.camera();
     SUBCASE("blended surfaces have the whole picture") {
         stage.run("compare blend\ncompare superimposed");

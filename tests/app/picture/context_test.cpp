@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
 
-struct Stage {
+struct ContextStage {
     TemporaryFolder folder;
     fs::path tree = write("fork.swc", kFork);
     test::CommandStage commands{io::read_tree(tree).value()};
@@ -68,7 +68,7 @@ std::vector<render::ContextMesh> drawn(Workspace& workspace) {
 } // namespace
 
 TEST_CASE("context is added, changed, hidden and taken away by commands, each a step of undo") {
-    Stage stage;
+    ContextStage stage;
     const std::string file = stage.ball("organ.stl");
     CHECK(stage.commands.good("context \"" + file + "\"").find("1,280 triangles") != std::string::npos);
     REQUIRE(stage.context().size() == 1);
@@ -114,7 +114,7 @@ TEST_CASE("context is added, changed, hidden and taken away by commands, each a 
 }
 
 TEST_CASE("what cannot be context is refused, and changes nothing") {
-    Stage stage;
+    ContextStage stage;
     const std::string good = stage.ball("good.ply");
     stage.commands.good("context \"" + good + "\"");
     const auto path = [&](const char* name) {
@@ -157,7 +157,7 @@ TEST_CASE("what cannot be context is refused, and changes nothing") {
 }
 
 TEST_CASE("a mask's surface lies in the patient's coordinates, of one label or of all") {
-    Stage stage;
+    ContextStage stage;
     const std::string file = stage.mask("organ.nii");
     stage.commands.good("context \"" + file + "\" --label 2 --exact\ncontext \"" + file +
                         "\" --opacity 1 --exact\ncontext \"" + file + "\" --label 2");
@@ -176,7 +176,7 @@ TEST_CASE("a mask's surface lies in the patient's coordinates, of one label or o
 }
 
 TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it is told") {
-    Stage stage;
+    ContextStage stage;
     stage.write("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
     CHECK(stage.commands.good("context \"" + (stage.folder.path() / "open.obj").string() + "\"").find("1 triangle") !=
           std::string::npos);
@@ -187,7 +187,7 @@ TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it
 }
 
 TEST_CASE("large context has a coarser stand-in for while the view moves") {
-    Stage stage;
+    ContextStage stage;
     stage.commands.good("context \"" + stage.ball("small.ply") + "\"\ncontext \"" +
                         stage.ball("large.ply", {0, 0, 15}, 7) + "\"");
     const auto drawn = stage.drawn();
@@ -200,7 +200,7 @@ TEST_CASE("large context has a coarser stand-in for while the view moves") {
 }
 
 TEST_CASE("a session names its context, and the window reads it behind its back") {
-    Stage stage;
+    ContextStage stage;
     const std::string file = stage.ball("organ.stl"), mask = stage.mask("mask.nii");
     stage.commands.good("context \"" + mask + "\" --label 1 --opacity 0.5\ncontext \"" + file +
                         "\" --colour 00ff10\ncontext-hide 2");
@@ -242,7 +242,7 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
 }
 
 TEST_CASE("a command's file is read for it, and the command goes on") {
-    Stage stage;
+    ContextStage stage;
     const std::string file = stage.ball("organ.stl");
     Workspace workspace({});
     workspace.open(stage.tree);
@@ -257,7 +257,7 @@ TEST_CASE("a command's file is read for it, and the command goes on") {
 }
 
 TEST_CASE("reading that was cancelled is not taken up again until somebody asks") {
-    Stage stage;
+    ContextStage stage;
     const std::string file = stage.ball("organ.ply", {0, 0, 15}, 6);
     Workspace workspace({});
     workspace.open(stage.tree);

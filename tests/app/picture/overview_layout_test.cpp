@@ -24,12 +24,6 @@ tree::VesselTree built(std::vector<glm::dvec3> positions, std::vector<std::pair<
     return *tree;
 }
 
-tree::VesselTree grown(int branches) {
-    auto tree = test::grown_tree(branches);
-    REQUIRE(tree);
-    return *tree;
-}
-
 // A ladder: two stems with rungs, each rung but the first closes a loop. And a second tree beside it.
 tree::VesselTree ladder(int rungs) {
     std::vector<glm::dvec3> positions{{0, 0, 0}};
@@ -113,7 +107,7 @@ void check_layout(const tree::VesselTree& tree, OverviewDepth depth) {
 
 TEST_CASE("in the overview no branches overlap and parents span their children") {
     for (const auto depth : {OverviewDepth::kGeneration, OverviewDepth::kDistance}) {
-        for (const int branches : {1, 3, 60, 1500}) check_layout(grown(branches), depth);
+        for (const int branches : {1, 3, 60, 1500}) check_layout(test::grown(branches), depth);
         for (const int rungs : {1, 2, 30}) check_layout(ladder(rungs), depth);
         check_layout(built({{0, 0, 0}, {0, 0, 5}}, {{0, 1}}, {0}), depth);
         check_layout(built({{0, 0, 0}, {0, 0, 5}, {5, 0, 5}}, {{0, 1}, {1, 2}, {2, 0}}, {0}), depth); // a ring
@@ -156,7 +150,7 @@ TEST_CASE("left in the overview is left in the anterior view") {
 }
 
 TEST_CASE("thirty thousand branches are drawn as few pieces") { // how soon: tests/bench/explore_bench.cpp
-    const tree::VesselTree tree = grown(30000);
+    const tree::VesselTree tree = test::grown(30000);
     const OverviewLayout layout = overview_layout(tree, facts_of(tree), OverviewDepth::kDistance);
     OverviewView view;
     view.pixels = {1200.0, 200.0};
@@ -187,7 +181,7 @@ TEST_CASE("the branch under the pointer in the overview is the nearest line") {
     }
     CHECK(branch_near(layout, view, {-20.0, -20.0}, 4.0) == tree::kNoBranch);
     // The same answer as looking at all of them, on a tree where nothing is merged.
-    const tree::VesselTree large = grown(300);
+    const tree::VesselTree large = test::grown(300);
     const OverviewLayout wide = overview_layout(large, facts_of(large), OverviewDepth::kGeneration);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(0.0, 1.0);
@@ -209,7 +203,7 @@ TEST_CASE("the branch under the pointer in the overview is the nearest line") {
 }
 
 TEST_CASE("zooming in the overview keeps the place under the pointer, panning stays within") {
-    const tree::VesselTree tree = grown(2000);
+    const tree::VesselTree tree = test::grown(2000);
     const OverviewLayout layout = overview_layout(tree, facts_of(tree), OverviewDepth::kGeneration);
     OverviewView view;
     view.pixels = {900.0, 200.0};
@@ -227,7 +221,7 @@ TEST_CASE("zooming in the overview keeps the place under the pointer, panning st
 }
 
 TEST_CASE("a lasso in the overview takes branches with half their line inside") {
-    const tree::VesselTree tree = grown(400);
+    const tree::VesselTree tree = test::grown(400);
     const OverviewLayout layout = overview_layout(tree, facts_of(tree), OverviewDepth::kGeneration);
     const std::vector<glm::dvec2> all{{-1, -1}, {2, -1}, {2, 2}, {-1, 2}};
     CHECK(branches_within(layout, all).size() == tree.branches.size());

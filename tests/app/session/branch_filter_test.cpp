@@ -10,11 +10,11 @@ using namespace ramus::app;
 
 namespace {
 
-struct Stage {
+struct FilterStage {
     tree::VesselTree tree;
     TreeFacts facts;
     Marks marks;
-    explicit Stage(int branches = 300) {
+    explicit FilterStage(int branches = 300) {
         auto grown = test::grown_tree(branches);
         REQUIRE(grown);
         tree = std::move(*grown);
@@ -42,7 +42,7 @@ std::string trouble(std::string_view text) {
 } // namespace
 
 TEST_CASE("conditions on numbers find the branches that fulfil all of them") {
-    const Stage stage;
+    const FilterStage stage;
     const auto& facts = stage.facts.branches;
     const auto& branches = stage.tree.branches;
     const auto at = [](int id) { return static_cast<std::size_t>(id); };
@@ -69,7 +69,7 @@ TEST_CASE("conditions on numbers find the branches that fulfil all of them") {
 }
 
 TEST_CASE("words find labels, numbers find ids, and is: finds states") {
-    Stage stage;
+    FilterStage stage;
     CHECK(stage.find("17") == std::vector<int>{17});
     CHECK(stage.find("hepatic").empty());
     stage.marks.names = {{1, "Right Hepatic"}, {2, "left hepatic 17"}};
@@ -117,7 +117,7 @@ TEST_CASE("what a filter cannot mean is said") {
 }
 
 TEST_CASE("whole numbers are compared exactly, however large") {
-    const Stage stage(2300);
+    const FilterStage stage(2300);
     CHECK(stage.find("id<=2000").size() == 2001);
     CHECK(stage.find("id>=2000").size() == stage.tree.branches.size() - 2000);
     CHECK(stage.find("id=2000") == std::vector<int>{2000});

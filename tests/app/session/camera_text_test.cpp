@@ -26,7 +26,7 @@ public:
     int moves = 0;
 };
 
-struct Stage {
+struct CameraTextStage {
     Document document;
     ClipboardHost host;
     Assets assets;
@@ -51,7 +51,7 @@ render::Camera odd_camera() {
 } // namespace
 
 TEST_CASE("a camera goes to the clipboard and back to the last bit") {
-    Stage stage;
+    CameraTextStage stage;
     stage.document.set_camera(odd_camera());
     REQUIRE(stage.run("camera-copy"));
     CHECK(nlohmann::json::parse(stage.host.clipboard) == render::to_json(odd_camera()));
@@ -64,7 +64,7 @@ TEST_CASE("a camera goes to the clipboard and back to the last bit") {
 
 TEST_CASE("what was copied is a line of a commands file, and a file of its own") {
     const TemporaryFolder folder;
-    Stage stage;
+    CameraTextStage stage;
     stage.document.set_camera(odd_camera());
     REQUIRE(stage.run("camera-copy"));
     stage.document.set_camera({});
@@ -81,7 +81,7 @@ TEST_CASE("what was copied is a line of a commands file, and a file of its own")
 }
 
 TEST_CASE("what is no camera is refused and moves nothing") {
-    Stage stage;
+    CameraTextStage stage;
     stage.document.set_camera(odd_camera());
     const auto refusal = [&](const std::string& line) {
         const auto done = stage.run(line);

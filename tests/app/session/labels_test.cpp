@@ -10,18 +10,10 @@
 using namespace ramus;
 using namespace ramus::app;
 
-namespace {
-
-tree::VesselTree grown(int branches) {
-    auto tree = test::grown_tree(branches);
-    REQUIRE(tree);
-    return *tree;
-}
-
-} // namespace
+namespace {} // namespace
 
 TEST_CASE("a label is the name of the nearest named branch towards the root") {
-    const tree::VesselTree tree = grown(200);
+    const tree::VesselTree tree = test::grown(200);
     const TreeFacts facts = facts_of(tree);
     int inner = tree::kNoBranch; // with children that have children
     for (std::size_t id = 0; id < tree.branches.size() && inner < 0; ++id)
@@ -42,7 +34,7 @@ TEST_CASE("a label is the name of the nearest named branch towards the root") {
 }
 
 TEST_CASE("labels of all branches at once agree with labels one by one") {
-    const tree::VesselTree tree = grown(500);
+    const tree::VesselTree tree = test::grown(500);
     const tree::Dependency dependency(tree);
     for (const BranchNames& names :
          {BranchNames{}, BranchNames{{0, "trunk"}}, BranchNames{{0, "trunk"}, {7, "a"}, {40, "b"}, {123, "c"}}}) {
@@ -55,7 +47,7 @@ TEST_CASE("labels of all branches at once agree with labels one by one") {
 }
 
 TEST_CASE("facts sum up what depends on a branch, and how far it is from the root") {
-    const tree::VesselTree tree = grown(300);
+    const tree::VesselTree tree = test::grown(300);
     const TreeFacts facts = facts_of(tree);
     double volume = 0.0;
     for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {

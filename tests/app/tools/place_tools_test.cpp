@@ -15,13 +15,13 @@ using namespace ramus::app;
 namespace {
 
 // Branch 0 runs from z = 0 to 40, its children to either side.
-struct Stage {
+struct ToolStage {
     Document document;
     ToolSettings settings;
     render::Pick under; // what every pixel shows
     glm::ivec2 size{800, 600};
 
-    Stage() {
+    ToolStage() {
         tree::Graph raw;
         raw.points = {{{0, 0, 0}, 3}, {{0, 0, 20}, 3}, {{0, 0, 40}, 3}, {{20, 0, 60}, 2}, {{-20, 0, 60}, 2}};
         raw.edges = {{0, 1}, {1, 2}, {2, 3}, {2, 4}};
@@ -62,7 +62,7 @@ std::array<double, 4> sphere_of(const std::string& word) {
 } // namespace
 
 TEST_CASE("a click places a lesion of the usual size on the vessel, a drag sizes it") {
-    Stage stage;
+    ToolStage stage;
     LesionTool tool;
     stage.under = pick_of(0, {0, 3, 20});
     tool.press(stage.at(400, 300));
@@ -84,7 +84,7 @@ TEST_CASE("a click places a lesion of the usual size on the vessel, a drag sizes
 }
 
 TEST_CASE("beside the vessels a lesion lies at the depth of the focal point; Escape gives it up") {
-    Stage stage;
+    ToolStage stage;
     LesionTool tool;
     tool.press(stage.at(300, 300));
     CHECK(tool.escape());
@@ -103,7 +103,7 @@ TEST_CASE("beside the vessels a lesion lies at the depth of the focal point; Esc
 }
 
 TEST_CASE("a lesion is moved by its middle and sized by its outline") {
-    Stage stage;
+    ToolStage stage;
     Marks marks = stage.document.marks();
     marks.lesions = {{0.0, 0.0, 30.0, 10.0}}; // 50 pixels around the middle of the picture
     stage.document.change(marks);
@@ -133,7 +133,7 @@ TEST_CASE("a lesion is moved by its middle and sized by its outline") {
 }
 
 TEST_CASE("the cut tool cuts where the centerline is nearest") {
-    Stage stage;
+    ToolStage stage;
     CutTool tool;
     tool.press(stage.at(400, 300));
     CHECK(tool.take_commands().empty()); // nothing there
@@ -145,7 +145,7 @@ TEST_CASE("the cut tool cuts where the centerline is nearest") {
 }
 
 TEST_CASE("the measuring tools take one place or two") {
-    Stage stage;
+    ToolStage stage;
     stage.under = pick_of(0, {0, 3, 30});
     MeasureTool diameter(Measurement::Kind::kDiameter);
     diameter.press(stage.at(1, 1));
@@ -170,7 +170,7 @@ TEST_CASE("the measuring tools take one place or two") {
 }
 
 TEST_CASE("the nearest fraction is where a place on the centerline lies") {
-    const Stage stage;
+    const ToolStage stage;
     for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
         const auto place = measure::place_on(*stage.document.tree(), 0, fraction);
         CHECK(measure::nearest_fraction(*stage.document.tree(), 0, place.position) == doctest::Approx(fraction));

@@ -34,12 +34,12 @@ public:
     std::map<std::string, std::string> parts;
 };
 
-struct Stage {
+struct TravelStage {
     Document document;
     TestHost host;
     Assets assets;
     ActionContext context{document, host, assets};
-    Stage() {
+    TravelStage() {
         auto tree = test::grown_tree(120);
         REQUIRE(tree);
         document.open(std::make_shared<const tree::VesselTree>(std::move(*tree)), {});
@@ -58,7 +58,7 @@ struct Stage {
 } // namespace
 
 TEST_CASE("centre brings the middle of a branch into the middle of the picture, and is no step of undo") {
-    Stage stage;
+    TravelStage stage;
     const render::Camera before = stage.camera();
     stage.good("centre 17");
     CHECK(stage.host.moves == 1);
@@ -85,7 +85,7 @@ TEST_CASE("centre brings the middle of a branch into the middle of the picture, 
 }
 
 TEST_CASE("fly puts the camera on the way to a branch") {
-    Stage stage;
+    TravelStage stage;
     stage.good("fly 40 0.25");
     CHECK(stage.host.flown == std::pair(40, 0.25));
     CHECK(stage.host.moves == 0); // step by step: nobody leads the eye
@@ -105,7 +105,7 @@ TEST_CASE("fly puts the camera on the way to a branch") {
 }
 
 TEST_CASE("fly-along opens for the selected branch, else for the farthest end, and closes again") {
-    Stage stage;
+    TravelStage stage;
     stage.good("fly-along");
     const int farthest = std::stoi(stage.host.parts.at("fly-along"));
     const auto& facts = stage.document.facts()->branches;
@@ -122,7 +122,7 @@ TEST_CASE("fly-along opens for the selected branch, else for the farthest end, a
 }
 
 TEST_CASE("rename asks for the name of the branch that the selection is about") {
-    Stage stage;
+    TravelStage stage;
     CHECK_FALSE(stage.run("rename")); // nothing is selected
     stage.good("select 5\nrename");
     CHECK(stage.host.parts.at("name") == "5");
@@ -139,7 +139,7 @@ TEST_CASE("rename asks for the name of the branch that the selection is about") 
 }
 
 TEST_CASE("overview shows, hides and turns its picture") {
-    Stage stage;
+    TravelStage stage;
     stage.good("overview");
     CHECK(stage.host.shows("overview"));
     stage.good("overview distance");

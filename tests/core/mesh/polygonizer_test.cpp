@@ -12,12 +12,6 @@ using namespace ramus;
 
 namespace {
 
-tree::VesselTree grown(int branches) {
-    auto tree = test::grown_tree(branches);
-    REQUIRE(tree);
-    return std::move(*tree);
-}
-
 // A copy of a polygonizer's mesh that only ever hears of its edits.
 class Follower {
 public:
@@ -70,7 +64,7 @@ void check_update(mesh::Polygonizer& polygonizer, Follower& follower, const fiel
 } // namespace
 
 TEST_CASE("hiding and showing branches gives the surface made from nothing, bit for bit") {
-    const tree::VesselTree tree = grown(150);
+    const tree::VesselTree tree = test::grown(150);
     for (const double cell : {0.0, 0.5}) {
         mesh::PolygonizeOptions options;
         options.cell_mm = cell;
@@ -93,7 +87,7 @@ TEST_CASE("hiding and showing branches gives the surface made from nothing, bit 
 }
 
 TEST_CASE("pruning, smoothing, width and detail give the surface made from nothing, bit for bit") {
-    const tree::VesselTree tree = grown(120);
+    const tree::VesselTree tree = test::grown(120);
     mesh::Polygonizer polygonizer;
     Follower follower;
     mesh::PolygonizeOptions options;
@@ -112,7 +106,7 @@ TEST_CASE("pruning, smoothing, width and detail give the surface made from nothi
 }
 
 TEST_CASE("a change costs in proportion to what it touches") {
-    const tree::VesselTree tree = grown(400);
+    const tree::VesselTree tree = test::grown(400);
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
     mesh::Polygonizer polygonizer;
     Job job;
@@ -129,7 +123,7 @@ TEST_CASE("a change costs in proportion to what it touches") {
 }
 
 TEST_CASE("a polygonizer whose work was cancelled starts anew") {
-    const tree::VesselTree tree = grown(60);
+    const tree::VesselTree tree = test::grown(60);
     mesh::Polygonizer polygonizer;
     Job cancelled;
     cancelled.cancel();
@@ -143,7 +137,7 @@ TEST_CASE("a polygonizer whose work was cancelled starts anew") {
 }
 
 TEST_CASE("a tree of which everything is hidden has no surface, and gets it back") {
-    const tree::VesselTree tree = grown(30);
+    const tree::VesselTree tree = test::grown(30);
     mesh::Polygonizer polygonizer;
     Follower follower;
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);

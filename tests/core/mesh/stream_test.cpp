@@ -42,16 +42,10 @@ private:
     mesh::TriangleMesh mesh_;
 };
 
-tree::VesselTree grown(int branches) {
-    auto tree = test::grown_tree(branches);
-    REQUIRE(tree);
-    return std::move(*tree);
-}
-
 } // namespace
 
 TEST_CASE("a tile is joined after all that it touches are filled, and let go after they are joined") {
-    const field::ConvolutionField field = mesh::make_field(grown(150), {}, {});
+    const field::ConvolutionField field = mesh::make_field(test::grown(150), {}, {});
     const field::CullingSegments culling(field);
     const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, culling.origin, 16, 0.0);
     Job job;
@@ -105,7 +99,7 @@ TEST_CASE("a tile is joined after all that it touches are filled, and let go aft
 }
 
 TEST_CASE("a streamed surface is the whole surface") {
-    const tree::VesselTree tree = grown(400);
+    const tree::VesselTree tree = test::grown(400);
     const field::ConvolutionField field = mesh::make_field(tree, {}, {});
     for (const double cell : {0.0, 0.4}) {
         mesh::PolygonizeOptions options;
@@ -125,7 +119,7 @@ TEST_CASE("a streamed surface is the whole surface") {
 }
 
 TEST_CASE("a streamed file has the bytes of one that is written as a whole") {
-    const tree::VesselTree tree = grown(151);
+    const tree::VesselTree tree = test::grown(151);
     std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
     hidden[5] = hidden[60] = 1;
     TemporaryFolder folder;
@@ -146,7 +140,7 @@ TEST_CASE("a streamed file has the bytes of one that is written as a whole") {
 }
 
 TEST_CASE("a stream ends when its sink is full, when it is cancelled, and when even it needs too much") {
-    const tree::VesselTree tree = grown(151);
+    const tree::VesselTree tree = test::grown(151);
     Job job;
     Collector small(1);
     const auto full = mesh::stream_surface(tree, {}, small, job);

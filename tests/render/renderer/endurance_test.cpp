@@ -19,7 +19,7 @@ namespace {
 constexpr GlVersion kFull{4, 5}, kFloor{3, 3};
 
 // Another tree for each number: opaque, glass and a selection.
-Frame small_tree(int number, glm::ivec2 size = {64, 48}) {
+Frame tree_to_turn(int number, glm::ivec2 size = {64, 48}) {
     ramus::mesh::TriangleMesh mesh;
     const float turn = 0.1F * static_cast<float>(number % 60);
     ramus::test::add_capsule(mesh, {0, 0, -30}, {turn, 0, 10}, 5.0F, 4.0F, 0);
@@ -92,7 +92,7 @@ TEST_CASE("a thousand trees opened and closed leave nothing behind") {
             const auto renderer = Renderer::create();
             REQUIRE(renderer);
             check_flat("one renderer, another tree each time", [&](int i) {
-                REQUIRE((*renderer)->draw(small_tree(i)));
+                REQUIRE((*renderer)->draw(tree_to_turn(i)));
                 (void)(*renderer)->refine(i % 2 == 0 ? kUntilDone : 0.0); // to its end, or left in the middle
             });
         }
@@ -106,7 +106,7 @@ TEST_CASE("a thousand renderers made and gone leave nothing behind") {
     check_flat("a renderer each time", [&](int i) {
         const auto renderer = Renderer::create();
         REQUIRE(renderer);
-        REQUIRE((*renderer)->draw(small_tree(i)));
+        REQUIRE((*renderer)->draw(tree_to_turn(i)));
     });
     CHECK(gl_objects_alive() == 0);
     CHECK(objects_in_gl() == 0);
@@ -117,7 +117,7 @@ TEST_CASE("a picture shrinks to one pixel, to none, and comes back") {
         const WatchedContext context(version);
         const auto renderer = Renderer::create();
         REQUIRE(renderer);
-        Frame frame = small_tree(3, {200, 150});
+        Frame frame = tree_to_turn(3, {200, 150});
         const auto draw = [&](glm::ivec2 size) {
             frame.size = size;
             return (*renderer)->draw(frame);
@@ -142,7 +142,7 @@ TEST_CASE("where graphics memory runs out a message says so, and drawing goes on
     for (const GlVersion version : {kFull, kFloor}) {
         CAPTURE(version.text());
         const WatchedContext context(version);
-        const Frame frame = small_tree(3, {200, 150});
+        const Frame frame = tree_to_turn(3, {200, 150});
         auto renderer = Renderer::create();
         REQUIRE(renderer);
         REQUIRE((*renderer)->draw(frame));
@@ -191,5 +191,5 @@ TEST_CASE("memory that the driver really does not have is reported, and it draws
     CHECK(gl_objects_alive() == 0);
     const auto renderer = Renderer::create();
     REQUIRE(renderer);
-    CHECK((*renderer)->draw(small_tree(1)).has_value());
+    CHECK((*renderer)->draw(tree_to_turn(1)).has_value());
 }

@@ -3,6 +3,7 @@
 #include "render/gl/gl_context.h"
 #include "render/renderer/renderer.h"
 #include "render/scene/colour.h"
+#include "tests/support/beside_scene.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 
@@ -37,13 +38,13 @@ TriangleMesh crossing_vessels() {
 
 BranchState state_of(int branch) { return branch % 3 == 2 ? BranchState::kNormal : BranchState::kDefocused; }
 
-struct Scene {
+struct GlassScene {
     TriangleMesh mesh = crossing_vessels();
     ramus::test::WatchedContext context;
     std::unique_ptr<Renderer> renderer;
     Frame frame;
 
-    explicit Scene(bool orthographic, std::size_t glass_bytes = kGlassBytes, glm::ivec2 size = {320, 240})
+    explicit GlassScene(bool orthographic, std::size_t glass_bytes = kGlassBytes, glm::ivec2 size = {320, 240})
         : renderer(Renderer::create(glass_bytes).value()) {
         frame.mesh = std::make_shared<const PagedMesh>(mesh);
         frame.size = size;
@@ -53,7 +54,7 @@ struct Scene {
         frame.appearance.depth_cue = 0.0F;
         for (int i = 0; i < kVessels; ++i) frame.states.push_back(state_of(i));
     }
-    ~Scene() { renderer.reset(); }
+    ~GlassScene() { renderer.reset(); }
     Image draw() {
         REQUIRE(context->make_current());
         const auto done = renderer->draw(frame);
@@ -141,14 +142,6 @@ private:
     std::vector<Vessel> vessels_;
 };
 
-// What shaders/look.glsl adds against banding, of a byte.
-double half_step(int x, int y, int height) {
-    const glm::vec2 at(float(height - 1 - y) + 0.5F + 17.0F, float(x) + 0.5F + 17.0F);
-    const float turned = glm::dot(at, glm::vec2(0.06711056F, 0.00583715F));
-    const float noise = 52.9829189F * (turned - std::floor(turned));
-    return double(noise - std::floor(noise)) - 0.5;
-}
-
 // As shaders/look.glsl encodes, and back.
 glm::dvec3 encoded(const glm::dvec3& radiance) {
     glm::dvec3 bytes;
@@ -170,7 +163,7 @@ glm::dvec3 decoded(const std::uint8_t* bytes, double added) {
 }
 
 // The veil of one pane as shaders/shade.frag has it, without depth cue: premultiplied.
-glm::dvec4 veil_of(const Appearance& look, const glm::dvec3& normal, const glm::dvec3& towards_eye) {
+glm::dvec4 veil_of_glass(const Appearance& look, const glm::dvec3& normal, const glm::dvec3& towards_eye) {
     const glm::dvec3 key(-0.429, 0.572, 0.699);
     const double facing = std::clamp(glm::dot(normal, towards_eye), 0.0, 1.0);
     const double veil = 0.16 + 0.56 * std::pow(1.0 - facing, 1.6);
@@ -185,7 +178,7 @@ glm::dvec4 veil_of(const Appearance& look, const glm::dvec3& normal, const glm::
 TEST_CASE("glass is composited as a ray through the same triangles says, perspective or not") {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
-        Scene scene(orthographic, kGlassBytes, {1280, 960}); // a highlight spans many pixels
+        GlassScene scene(orthographic, kGlassBytes, {1280, 960}); // a highlight spans many pixels
         const Image glass = scene.draw();
         for (BranchState& state : scene.frame.states)
             if (state == BranchState::kDefocused) state = BranchState::kHidden;
@@ -205,7 +198,7 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
                     edge = edge || !seen.same_surfaces(rays.cast(centre + corner));
                 if (edge) continue;
                 // The mean over the pixel's samples, in linear light.
-                const double added = half_step(x, y, scene.frame.size.y);
+                const double added = ramus::test::half_step(x, y, scene.frame.size.y);
                 glm::dvec3 mean(0.0);
                 for (const glm::dvec2 sample :
                      {glm::dvec2(0.375, 0.125), {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}) {
@@ -214,7 +207,8 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
                     glm::dvec3 colour = decoded(without.pixel(x, y), added);
                     const Seen there = rays.cast(at);
                     for (auto pane = there.panes.rbegin(); pane != there.panes.rend(); ++pane) {
-                        const glm::dvec4 veil = veil_of(scene.frame.appearance, to_eye * pane->normal, towards_eye);
+                        const glm::dvec4 veil =
+                            veil_of_glass(scene.frame.appearance, to_eye * pane->normal, towards_eye);
                         colour = glm::dvec3(veil) + (1.0 - veil.w) * colour;
                     }
                     mean += 0.25 * colour;
@@ -236,7 +230,7 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
 }
 
 TEST_CASE("the order of triangles makes no difference to glass") {
-    Scene scene(false);
+    GlassScene scene(false);
     const Image before = scene.draw();
     std::mt19937 random(3);
     for (int round = 0; round < 3; ++round) {
@@ -248,10 +242,10 @@ TEST_CASE("the order of triangles makes no difference to glass") {
 
 TEST_CASE("glass that does not fit into its memory is drawn in bands, with the same pixels") {
     if (const ramus::test::WatchedContext any; !gl_has_lists()) return; // no lists, no bands
-    Scene scene(false);
+    GlassScene scene(false);
     const Image whole = scene.draw();
     const Pick pick = scene.renderer->pick(160, 120);
-    Scene narrow(false, 96 * 1024); // 6,143 panes
+    GlassScene narrow(false, 96 * 1024); // 6,143 panes
     const Image banded = narrow.draw();
     CHECK(largest_difference(whole, banded) == 0);
     CHECK(narrow.renderer->pick(160, 120) == pick);
@@ -261,7 +255,7 @@ TEST_CASE("glass that does not fit into its memory is drawn in bands, with the s
     CHECK(largest_difference(whole, hovered) > 10);
     CHECK(largest_difference(hovered, narrow.draw()) == 0);
     // Not one row fits.
-    Scene tiny(false, 10 * 16);
+    GlassScene tiny(false, 10 * 16);
     const auto failed = tiny.renderer->draw(tiny.frame);
     REQUIRE_FALSE(failed);
     CHECK(failed.error().what.find("layers of glass") != std::string::npos);

@@ -15,8 +15,8 @@ using ramus::test::with_glass;
 
 namespace {
 
-struct Scene : ramus::test::CrossingVessels {
-    explicit Scene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 72) {
+struct PartsScene : ramus::test::CrossingVessels {
+    explicit PartsScene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 72) {
         REQUIRE(frame.mesh->triangle_count() > 200'000);
     }
     [[nodiscard]] Frame seen_from(View view) const {
@@ -60,7 +60,7 @@ TEST_CASE("a picture made in parts is the one made at once, and the one before s
         for (const bool glass : {false, true}) {
             CAPTURE(version.major);
             CAPTURE(glass);
-            const Scene scene(version);
+            const PartsScene scene(version);
             const Frame before = scene.frame;
             const Frame wanted =
                 glass ? with_glass(scene.seen_from(View::kSuperior)) : scene.seen_from(View::kSuperior);
@@ -80,7 +80,7 @@ TEST_CASE("a picture made in parts is the one made at once, and the one before s
 }
 
 TEST_CASE("two renderers make their pictures by turns") {
-    const Scene scene;
+    const PartsScene scene;
     const auto other = Renderer::create().value();
     const Frame one = scene.seen_from(View::kSuperior);
     const Frame two = with_glass(scene.seen_from(View::kLeft));
@@ -102,10 +102,10 @@ TEST_CASE("two renderers make their pictures by turns") {
 }
 
 TEST_CASE("a picture that is left unfinished leaves nothing behind") {
-    const Scene scene;
+    const PartsScene scene;
     const Frame before = scene.frame;
     Frame recoloured = before;
-    recoloured.colours.assign(Scene::kVessels, {0.1F, 0.9F, 0.2F});
+    recoloured.colours.assign(PartsScene::kVessels, {0.1F, 0.9F, 0.2F});
     (void)scene.draw(recoloured);
     const Image green = scene.renderer->read_image();
     (void)scene.draw(before);
@@ -129,11 +129,11 @@ TEST_CASE("a picture that is left unfinished leaves nothing behind") {
 }
 
 TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture") {
-    const Scene scene;
+    const PartsScene scene;
     Frame wanted = scene.seen_from(View::kSuperior);
     Frame hovered = wanted;
     hovered.hovered = 7;
-    hovered.colours.assign(Scene::kVessels, {0.2F, 0.4F, 0.9F});
+    hovered.colours.assign(PartsScene::kVessels, {0.2F, 0.4F, 0.9F});
     (void)scene.draw(hovered);
     const Image at_once = scene.renderer->read_image();
     (void)scene.draw(scene.frame);
@@ -148,7 +148,7 @@ TEST_CASE("what is pointed at or recoloured meanwhile is so in the picture") {
 }
 
 TEST_CASE("who asks what is under the pointer waits for the picture") {
-    const Scene scene;
+    const PartsScene scene;
     const Frame wanted = scene.seen_from(View::kSuperior);
     (void)scene.draw(wanted);
     const BranchPicture branches = scene.renderer->read_branches();
@@ -166,7 +166,7 @@ TEST_CASE("who asks what is under the pointer waits for the picture") {
 }
 
 TEST_CASE("memory that runs out between parts is told, and the next picture is drawn") {
-    const Scene scene;
+    const PartsScene scene;
     (void)scene.draw(scene.frame);
     const Frame wanted = with_glass(scene.seen_from(View::kSuperior));
     REQUIRE(scene.draw(wanted, 0.0).unfinished);

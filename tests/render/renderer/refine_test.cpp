@@ -18,8 +18,8 @@ using ramus::test::with_glass;
 
 namespace {
 
-struct Scene : ramus::test::CrossingVessels {
-    explicit Scene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 24) {
+struct RefinedScene : ramus::test::CrossingVessels {
+    explicit RefinedScene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 24) {
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
     }
     Refined refine_a_part() const {
@@ -69,7 +69,7 @@ double apart(const std::vector<double>& wanted, const std::vector<double>& found
 TEST_CASE("a refined picture has four times the samples at its edges") {
     for (const bool orthographic : {false, true}) {
         CAPTURE(orthographic);
-        const Scene scene;
+        const RefinedScene scene;
         Frame frame = scene.frame;
         frame.background.transparent = true;
         frame.camera.orthographic = orthographic;
@@ -88,7 +88,7 @@ TEST_CASE("refining takes as many calls as it likes, and ends") {
     for (const auto& [glass, version] : kKinds) {
         CAPTURE(glass);
         CAPTURE(version.major);
-        const Scene scene(version);
+        const RefinedScene scene(version);
         const Frame frame = glass ? with_glass(scene.frame) : scene.frame;
         const Image coarse = scene.drawn(frame), at_once = scene.refined(frame);
         CHECK(largest_difference(coarse, at_once) > 8);
@@ -121,7 +121,7 @@ TEST_CASE("refining takes as many calls as it likes, and ends") {
 
 TEST_CASE("what is under a pixel stays what it is while a picture is refined") {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
-        const Scene scene(version);
+        const RefinedScene scene(version);
         (void)scene.draw(scene.frame);
         const BranchPicture branches = scene.renderer->read_branches();
         const auto there = std::ranges::find_if(branches.branches, [](int branch) { return branch != kNoBranch; });
@@ -139,7 +139,7 @@ TEST_CASE("what is under a pixel stays what it is while a picture is refined") {
 }
 
 TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind") {
-    const Scene scene;
+    const RefinedScene scene;
     const Frame plain = scene.frame, glass = with_glass(scene.frame);
     Frame hovered = plain, small = plain, quick = plain;
     hovered.hovered = 3;
@@ -164,7 +164,7 @@ TEST_CASE("where memory runs out a picture stays as it is, and the next one is d
     for (const auto& [glass, version] : kKinds) {
         CAPTURE(glass);
         CAPTURE(version.major);
-        const Scene scene(version);
+        const RefinedScene scene(version);
         const Frame frame = glass ? with_glass(scene.frame) : scene.frame;
         Frame away = frame;
         away.camera = turned(frame.camera, 20.0, 0.0);
