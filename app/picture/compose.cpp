@@ -3,7 +3,7 @@
 #include "app/assets/assets.h"
 #include "app/picture/colouring.h"
 #include "app/picture/marks_drawing.h"
-#include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -21,9 +21,9 @@ private:
 };
 
 // A stretch of a job's progress, for a step that does not know what else the job does.
-class JobStretch {
+class JobRange {
 public:
-    JobStretch(Job& job, float begin, float end) : job_(job), begin_(begin), share_(end - begin) {}
+    JobRange(Job& job, float begin, float end) : job_(job), begin_(begin), share_(end - begin) {}
     void report(float fraction) const { job_.report(begin_ + share_ * fraction); } // of this stretch
     [[nodiscard]] bool cancelled() const { return job_.cancelled(); }
 

@@ -1,18 +1,19 @@
-// Projection: moves points near the surface onto it, and tells what the field is like there. Vectorised over the
-// points.
+// What goes into projecting points onto the surface, and what comes out: first guesses, and for each its point on the
+// surface with normal, local radius and branch. Side by side in memory, padded to whole vectors.
 #pragma once
 
-#include "core/field/lead.h"
-#include "core/field/local_segments.h"
+#include "core/field/dominance.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 namespace ramus::field {
 
-// First guesses of points on the surface. Positions are relative to the corner of the local segments, in mm; each point
+inline constexpr std::size_t kProjectionPadding = 32; // points are read and written by whole vectors, two at most
+inline constexpr int kProjectionSteps = 2;            // at most
+
+// First guesses of points on the surface. Positions are relative to the brick's corner, in mm; each point
 // stays within `reach` of its centre along every axis. The arrays are longer than size(): they are kept from use to use
 // and padded to whole vectors.
 struct Projection {
@@ -27,7 +28,7 @@ struct Projection {
         cx[size_] = centre.x, cy[size_] = centre.y, cz[size_] = centre.z;
         reach[size_++] = half_extent;
     }
-    // Adds `count` points to be filled in, and returns the first. There is room for a whole vector behind the last.
+    // Adds `count` points to be filled in, and returns the first. The arrays go on for a whole vector behind the last.
     std::size_t extend(std::size_t count) {
         constexpr std::size_t kWidestVector = 16;
         const std::size_t first = size_;
@@ -36,23 +37,20 @@ struct Projection {
         return first;
     }
     void grow(std::size_t capacity);
+    // Repeats the last point behind the end, kProjectionPadding times. Not of none.
+    void pad();
 
 private:
     std::size_t size_ = 0;
 };
 
-// Where the points go, with room for kProjectionPadding more than there are.
+// Where the points go, arrays that go on for kProjectionPadding more than there are.
 struct SurfacePoints {
     glm::vec3* positions;   // mm
     glm::vec3* normals;     // unit length, outward
     float* radii;           // local radius, mm: of the strongest segment there
     std::int32_t* branches; // that contribute most
-    Lead* leads;
+    Dominance* dominance;
 };
-
-inline constexpr std::size_t kProjectionPadding = 32; // points are read and written by whole vectors, two at most
-inline constexpr int kProjectionSteps = 2;            // at most
-// Moves the points of `points` onto the surface and writes them to `to`. Returns the number of kernels evaluated.
-std::uint64_t project(const LocalSegments& local, Projection& points, const SurfacePoints& to);
 
 } // namespace ramus::field

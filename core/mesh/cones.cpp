@@ -72,7 +72,7 @@ public:
             mesh_.positions[at] = glm::vec3(centre) + static_cast<float>(radius) * normal;
             mesh_.normals[at] = normal;
             mesh_.radii[at] = static_cast<float>(radius);
-            mesh_.leads[at] = {{255, 255}, {0, 0}};
+            mesh_.dominance[at] = {{255, 255}, {0, 0}};
             mesh_.branches[at++] = piece.branch;
         };
         const auto put_ring = [&](glm::dvec3 centre, double radius, double latitude) {

@@ -10,7 +10,7 @@ inline void resize_vertices(TriangleMesh& mesh, std::size_t count) {
     mesh.normals.resize(count);
     mesh.radii.resize(count);
     mesh.branches.resize(count);
-    mesh.leads.resize(count);
+    mesh.dominance.resize(count);
 }
 
 } // namespace ramus::mesh

@@ -2,6 +2,8 @@
 
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
+#include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/stream/polygonize_to.h"
 
@@ -85,11 +87,15 @@ field::ConvolutionField make_field(const tree::VesselTree& source, const Surface
     // smoothing makes of any part of it.
     SurfaceOptions unpruned = options;
     unpruned.prune_ratio = 0.0;
-    const field::Frame smoothed = field::ConvolutionField(prepare_tree(source, unpruned), options.width).frame();
+    const field::Kernel kernel = field::gaussian(options.width);
+    const auto frame_of = [&](const SurfaceOptions& o) {
+        return field::Skeleton(prepare_tree(source, o), kernel.support_radii).frame();
+    };
+    const field::Frame smoothed = frame_of(unpruned);
     unpruned.smooth_passes = 0;
-    field::Frame frame = field::ConvolutionField(prepare_tree(source, unpruned), options.width).frame();
+    field::Frame frame = frame_of(unpruned);
     frame.thinnest = smoothed.thinnest;
-    field::ConvolutionField field(prepared, options.width, frame);
+    const field::ConvolutionField field(field::Skeleton(prepared, kernel.support_radii, frame), kernel);
     return hidden.empty() ? field : field.without(hidden);
 }
 
@@ -117,7 +123,7 @@ bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& op
                         std::span<const std::uint8_t> hidden) {
     if (options.method == Method::kTruncatedCones) return false;
     const field::ConvolutionField field = make_field(source, options, hidden);
-    return !is_feasible(field, polygonize_options(options), Road::kWhole);
+    return !is_feasible(field, polygonize_options(options), PolygonizeMode::kWhole);
 }
 
 Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/large_array.h"
-#include "core/field/lead.h"
+#include "core/field/dominance.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -12,12 +12,12 @@
 namespace ramus::mesh {
 
 struct TriangleMesh {
-    LargeArray<glm::vec3> positions;   // mm
-    LargeArray<glm::vec3> normals;     // unit length, outward
-    LargeArray<float> radii;           // local vessel radius in mm
-    LargeArray<std::int32_t> branches; // id of the dominating branch
-    LargeArray<field::Lead> leads;     // how clearly it does; between vertices they say where branches end
-    LargeArray<glm::uvec3> triangles;  // counter-clockwise seen from outside
+    LargeArray<glm::vec3> positions;        // mm
+    LargeArray<glm::vec3> normals;          // unit length, outward
+    LargeArray<float> radii;                // local vessel radius in mm
+    LargeArray<std::int32_t> branches;      // id of the dominating branch
+    LargeArray<field::Dominance> dominance; // how clearly it does; between vertices they say where branches end
+    LargeArray<glm::uvec3> triangles;       // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };
 

@@ -12,7 +12,7 @@ struct PreparedTree {
     std::vector<int> segment_source;
     // The place of every segment among those of the file's tree, counted in the same way, and how many those are.
     // Empty: nothing was pruned, each has its own place.
-    std::vector<std::uint32_t> segment_place;
+    std::vector<std::uint32_t> segment_index;
     std::size_t source_segments = 0;
 };
 

@@ -69,10 +69,10 @@ PreparedTree prune(const VesselTree& source, double ratio) {
         tree = assemble(std::move(tree.points), std::move(tree.labels), edges, roots);
     }
     result.source_segments = result.segment_source.size();
-    result.segment_place = places_in_order(tree, place_of);
+    result.segment_index = places_in_order(tree, place_of);
     std::vector<int> sources;
-    sources.reserve(result.segment_place.size());
-    for (const std::uint32_t place : result.segment_place) sources.push_back(result.segment_source[place]);
+    sources.reserve(result.segment_index.size());
+    for (const std::uint32_t place : result.segment_index) sources.push_back(result.segment_source[place]);
     result.segment_source = std::move(sources);
 
     std::vector<std::uint32_t> renumbered(tree.points.size(), 0);

@@ -60,8 +60,7 @@ void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, 
 }
 
 template <class T, class Inside>
-Result<BitMask> fill(const Volume& volume, const SparseArray<T>& values, const Inside& is_inside,
-                     const JobStretch& job) {
+Result<BitMask> fill(const Volume& volume, const SparseArray<T>& values, const Inside& is_inside, const JobRange& job) {
     BitMask mask(volume.size);
     const auto columns = static_cast<std::size_t>(volume.size.x);
     const auto rows = static_cast<std::size_t>(volume.size.y);
@@ -92,7 +91,7 @@ template <class T> std::vector<std::uint8_t> table_of(const std::vector<std::int
 
 template <class T>
 Result<BitMask> fill_labels(const Volume& volume, const SparseArray<T>& values, std::vector<std::int32_t> labels,
-                            const JobStretch& job) {
+                            const JobRange& job) {
     for (const std::int32_t label : labels)
         if (!std::in_range<T>(label) || std::ranges::find(values, static_cast<T>(label)) == values.end())
             return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
@@ -115,7 +114,7 @@ std::optional<double> isovalue_of(const Volume& volume, const Selection& selecti
     return std::nullopt;
 }
 
-Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobStretch& job) {
+Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobRange& job) {
     if (!selection.labels.empty() && !holds_whole_numbers(volume))
         return fail("its values are fractions, not labels", {}, "choose an --isovalue");
     if (selection.labels.empty() && !selection.isovalue && !looks_like_a_mask(volume))

@@ -52,7 +52,7 @@ struct Selection {
 
 // Fails when labels are asked of values that are not whole numbers, when one of them is not there, when nothing or no
 // default is a sensible choice, when nothing is inside, and when `job` is cancelled (what == "cancelled").
-[[nodiscard]] Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobStretch& job);
+[[nodiscard]] Result<BitMask> inside(const Volume& volume, const Selection& selection, const JobRange& job);
 
 // The isovalue of a surface of `selection`; none for labels, whose surface runs midway between voxels.
 [[nodiscard]] std::optional<double> isovalue_of(const Volume& volume, const Selection& selection);

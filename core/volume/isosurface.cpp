@@ -61,7 +61,7 @@ Result<void> check_precision(const glm::ivec3& size, const glm::dmat4& to_patien
 
 template <class Crossing>
 Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patient, Crossing crossing,
-                                const IsosurfaceOptions& options, const JobStretch& job) {
+                                const IsosurfaceOptions& options, const JobRange& job) {
     if (auto precise = check_precision(mask.size(), to_patient, Crossing::kLeast); !precise)
         return tl::unexpected(precise.error());
     SlabMesher mesher(mask, to_patient, std::move(crossing), job);
@@ -95,9 +95,9 @@ template <class Done>
 Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& selection,
                                       const IsosurfaceOptions& options, Job& job, const Done& done_with_values) {
     return run_with(options, [&]() -> Result<mesh::TriangleMesh> {
-        const auto mask = inside(volume, selection, JobStretch(job, 0.0F, 0.3F));
+        const auto mask = inside(volume, selection, JobRange(job, 0.0F, 0.3F));
         if (!mask) return tl::unexpected(mask.error());
-        const JobStretch rest(job, 0.3F, 1.0F);
+        const JobRange rest(job, 0.3F, 1.0F);
         if (const auto isovalue = isovalue_of(volume, selection)) {
             return std::visit(
                 [&]<class T>(const SparseArray<T>& values) {
@@ -126,7 +126,7 @@ Result<mesh::TriangleMesh> isosurface(Volume&& volume, const Selection& selectio
 
 Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
                                         const IsosurfaceOptions& options, Job& job) {
-    return run_with(options, [&] { return make(mask, to_patient, Midway{}, options, JobStretch(job, 0.0F, 1.0F)); });
+    return run_with(options, [&] { return make(mask, to_patient, Midway{}, options, JobRange(job, 0.0F, 1.0F)); });
 }
 
 } // namespace ramus::volume

@@ -24,7 +24,7 @@ namespace ramus::volume {
 
 template <class Crossing> class SlabMesher {
 public:
-    SlabMesher(const BitMask& mask, const glm::dmat4& to_patient, Crossing crossing, const JobStretch& job)
+    SlabMesher(const BitMask& mask, const glm::dmat4& to_patient, Crossing crossing, const JobRange& job)
         : rows_(mask), to_patient_(to_patient), crossing_(std::move(crossing)), mirrors_(mirrors(to_patient)),
           job_(job) {
         const int layers = mask.size().z + 1; // from the one below the first slice
@@ -216,7 +216,7 @@ private:
     glm::dmat4 to_patient_;
     Crossing crossing_;
     bool mirrors_;
-    const JobStretch& job_;
+    const JobRange& job_;
     std::array<glm::vec3, 3> outward_{}; // along each axis, seen by the patient
     std::vector<std::uint8_t> filled_;   // by slice: something is inside
     std::vector<Slab> slabs_;

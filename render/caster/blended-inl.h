@@ -20,7 +20,8 @@ HWY_INLINE V3 GradientNear(const Field& field, std::uint32_t cone, M here, V3 at
     const auto add = [&](std::uint32_t, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
         const V closest = hn::Min(foot.rho.v[0], foot.rho.v[1]);
         if (hn::AllFalse(d, hn::And(here, hn::Lt(closest, set(kernel::kFadeEndScaled))))) return;
-        const kernel::KernelGradient<2> g = kernel::kernel_gradient<kernel::Ends::kSome>(pair, foot, inverse_root);
+        const kernel::KernelGradient<2> g =
+            kernel::Gaussian::gradient<kernel::Ends::kSome>(pair, foot, kernel::growth_of(pair, foot, inverse_root));
         for (int s = 0; s < 2; ++s) {
             sum.x = hn::MulAdd(g.radial.v[s], foot.qx.v[s], hn::MulAdd(g.axial.v[s], pair.ux.v[s], sum.x));
             sum.y = hn::MulAdd(g.radial.v[s], foot.qy.v[s], hn::MulAdd(g.axial.v[s], pair.uy.v[s], sum.y));

@@ -29,8 +29,8 @@ HWY_INLINE V DistanceAlong(const Field& field, std::uint32_t near, V3 middle, V3
         V value = hn::Zero(d), slope = hn::Zero(d);
         for_pieces(field, field.near, field.first[near], field.first[near + 1], middle + distance * way,
                    [&](std::uint32_t, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
-                       const kernel::KernelGradient<2> g =
-                           kernel::kernel_gradient<kernel::Ends::kSome>(pair, foot, inverse_root);
+                       const kernel::KernelGradient<2> g = kernel::Gaussian::gradient<kernel::Ends::kSome>(
+                           pair, foot, kernel::growth_of(pair, foot, inverse_root));
                        for (int s = 0; s < 2; ++s) {
                            const V radial = dot(way, {foot.qx.v[s], foot.qy.v[s], foot.qz.v[s]});
                            const V axial = dot(way, {pair.ux.v[s], pair.uy.v[s], pair.uz.v[s]});

@@ -6,7 +6,7 @@
 #define RAMUS_CASTER_NEAR_INL_H
 #endif
 
-#include "core/field/kernel-inl.h"
+#include "core/field/kernels/gaussian-inl.h"
 #include "render/caster/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -39,7 +39,7 @@ HWY_INLINE M OwnLeads(const Field& field, std::uint32_t cone, M which, V3 at) {
     Leading rivals, own;
     for_pieces(field, field.rivals, field.first_rival[cone], field.first_rival[cone + 1], at,
                [&](std::uint32_t i, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
-                   const kernel::Pack<2> value = kernel::kernel_value<kernel::Ends::kSome>(pair, foot);
+                   const kernel::Pack<2> value = kernel::Gaussian::value<kernel::Ends::kSome>(pair, foot);
                    for (std::uint32_t s = 0; s < 2; ++s) rivals.add(field.branch[field.rivals[i + s]], value.v[s]);
                });
     const V rival = rivals.most();
@@ -51,7 +51,7 @@ HWY_INLINE M OwnLeads(const Field& field, std::uint32_t cone, M which, V3 at) {
                    const V closest = hn::Min(foot.rho.v[0], foot.rho.v[1]);
                    const V reach = set(kernel::kFadeEndScaled);
                    if (hn::AllFalse(d, hn::And(doubtful, hn::Lt(closest, reach)))) return;
-                   const kernel::Pack<2> value = kernel::kernel_value<kernel::Ends::kSome>(pair, foot);
+                   const kernel::Pack<2> value = kernel::Gaussian::value<kernel::Ends::kSome>(pair, foot);
                    for (std::uint32_t s = 0; s < 2; ++s) {
                        const std::uint32_t piece = field.near[i + s];
                        if (field.layer[piece] == field.layer[cone]) own.add(field.branch[piece], value.v[s]);

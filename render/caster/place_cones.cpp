@@ -1,6 +1,6 @@
 // From centerlines to cones: which vessels go on into which, once for all; then, for every picture, where each cone
 // lies before the eye.
-#include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 #include "render/caster/caster.h"
 #include "render/scene/record_flags.h"
 
@@ -108,8 +108,8 @@ void Caster::find_near(const Frame& frame) {
     if (near_width_ > 0.0F) {
         std::vector<std::uint32_t> points(segments_.size());
         std::ranges::transform(segments_, points.begin(), &Segment::point);
-        near_ =
-            find_near_segments(thinned_, place_, points, static_cast<float>(field::Kernel(near_width_).support_radii));
+        near_ = find_near_segments(thinned_, place_, points,
+                                   static_cast<float>(field::gaussian(near_width_).support_radii));
     }
     fit_cones(frame.width, frame.beyond_ends);
 }

@@ -37,8 +37,8 @@ struct Source {
     [[nodiscard]] std::int32_t branch(std::size_t vertex) const {
         return mesh.branches.empty() ? 0 : std::max(mesh.branches[vertex], 0);
     }
-    [[nodiscard]] field::Lead lead(std::size_t vertex) const {
-        return mesh.leads.empty() ? field::Lead{{255, 255}, {0, 0}} : mesh.leads[vertex];
+    [[nodiscard]] field::Dominance lead(std::size_t vertex) const {
+        return mesh.dominance.empty() ? field::Dominance{{255, 255}, {0, 0}} : mesh.dominance[vertex];
     }
     [[nodiscard]] glm::vec3 position(std::size_t vertex) const { return {glm::dvec3(mesh.positions[vertex]) - origin}; }
 };

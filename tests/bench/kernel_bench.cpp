@@ -1,8 +1,8 @@
 // The hot loops by themselves, on bricks of a grown tree of 1,504 branches: gathering a brick's segments, sampling its
 // points, moving points onto the surface, and splitting octree cubes. `per_kernel` is the time for one vector of 16
 // points and one segment.
-#include "core/field/projection.h"
-#include "core/field/sampling.h"
+#include "core/field/convolution_field.h"
+#include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/octree/octree.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
@@ -17,35 +17,22 @@ namespace {
 // Every so many bricks of the surface at detail 16, all that one needs to sample them.
 struct Scene {
     field::ConvolutionField field;
-    field::CullingSegments culling;
     mesh::bricks::Sizing sizing;
     mesh::bricks::Octree octree;
     std::vector<std::size_t> bricks;
 
     explicit Scene(const tree::VesselTree& tree)
-        : field(mesh::make_field(tree, {}, {})), culling(field),
-          sizing(mesh::bricks::make_sizing(field, culling.origin, 16, 0.0)) {
+        : field(mesh::make_field(tree, {}, {})), sizing(mesh::bricks::make_sizing(field, 16, 0.0)) {
         Job job;
-        octree = mesh::bricks::build_octree(field, culling, sizing, job);
+        octree = mesh::bricks::build_octree(field, sizing, job);
         constexpr std::size_t kBricks = 1000; // neighbours, as in real work
         const std::size_t middle = octree.bricks.size() / 2;
         for (std::size_t n = middle; n < std::min(middle + kBricks, octree.bricks.size()); ++n) bricks.push_back(n);
     }
 
-    [[nodiscard]] field::GridAxes axes_of(const mesh::bricks::Brick& brick) const {
-        field::GridAxes axes;
-        for (int n = 0; n < field::kGridSide; ++n) {
-            const glm::dvec3 p =
-                octree.lattice.position(brick.corner + glm::ivec3(n * mesh::bricks::cell_units(brick.level)));
-            const auto i = static_cast<std::size_t>(n);
-            axes.x[i] = p.x, axes.y[i] = p.y, axes.z[i] = p.z;
-        }
-        return axes;
-    }
-
-    void gather(std::size_t index, field::LocalSegments& local) const {
+    void gather(std::size_t index, field::SumInBrick& sum) const {
         const mesh::bricks::Brick& brick = octree.bricks[index];
-        field::gather_segments(field, octree.segments_of(brick), axes_of(brick), local);
+        sum.enter(octree.segments_of(brick), mesh::bricks::grid_axes(octree.lattice, brick));
     }
 };
 
@@ -60,40 +47,41 @@ void per_kernel(benchmark::State& state, std::uint64_t kernels) {
 }
 
 void gather_segments(benchmark::State& state) {
-    field::LocalSegments local;
+    field::SumInBrick sum = scene().field.in_brick();
     for (auto _ : state)
-        for (const std::size_t brick : scene().bricks) scene().gather(brick, local);
+        for (const std::size_t brick : scene().bricks) scene().gather(brick, sum);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene().bricks.size()));
 }
 BENCHMARK(gather_segments);
 
 void sample_own_points(benchmark::State& state) {
-    std::vector<field::LocalSegments> local(scene().bricks.size());
-    for (std::size_t n = 0; n < local.size(); ++n) scene().gather(scene().bricks[n], local[n]);
+    std::vector<field::SumInBrick> sums(scene().bricks.size(), scene().field.in_brick());
+    for (std::size_t n = 0; n < sums.size(); ++n) scene().gather(scene().bricks[n], sums[n]);
     field::GridGroups groups;
     std::uint64_t kernels = 0;
     for (auto _ : state)
-        for (const auto& segments : local) kernels += field::sample_groups(segments, field::kOwnGroups, groups);
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(local.size()));
+        for (auto& sum : sums) kernels += sum.sample_groups(field::kOwnGroups, groups);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(sums.size()));
     per_kernel(state, kernels);
 }
 BENCHMARK(sample_own_points);
 
 void project_points(benchmark::State& state) {
-    std::vector<field::LocalSegments> local(scene().bricks.size());
-    std::vector<field::Projection> points(local.size());
+    std::vector<field::SumInBrick> sums(scene().bricks.size(), scene().field.in_brick());
+    std::vector<field::Projection> points(sums.size());
     std::size_t most = 0;
-    for (std::size_t n = 0; n < local.size(); ++n) {
-        scene().gather(scene().bricks[n], local[n]);
+    for (std::size_t n = 0; n < sums.size(); ++n) {
+        scene().gather(scene().bricks[n], sums[n]);
         field::GridGroups groups;
-        field::sample_groups(local[n], field::kOwnGroups, groups);
-        const auto cell = static_cast<float>(local[n].axes.x[1] - local[n].axes.x[0]);
+        sums[n].sample_groups(field::kOwnGroups, groups);
+        const mesh::bricks::Octree& octree = scene().octree;
+        const auto cell = static_cast<float>(octree.lattice.cell_mm(octree.bricks[scene().bricks[n]].level));
         // Grid points near the surface.
         for (std::size_t layer = 0; layer < 4; ++layer)
             for (std::size_t p = 0; p < field::kGroupPoints; ++p) {
-                const glm::vec3 place = cell * glm::vec3(p % 4, p / 4, layer);
+                const glm::vec3 at = cell * glm::vec3(p % 4, p / 4, layer);
                 const float value = groups.value[layer][p];
-                if (value > 0.02F && value < 0.05F) points[n].add(place, place, cell);
+                if (value > 0.02F && value < 0.05F) points[n].add(at, at, cell);
             }
         most = std::max(most, points[n].size());
     }
@@ -101,12 +89,12 @@ void project_points(benchmark::State& state) {
     std::vector<glm::vec3> positions(most), normals(most);
     std::vector<float> radii(most);
     std::vector<std::int32_t> branches(most);
-    std::vector<field::Lead> leads(most);
+    std::vector<field::Dominance> dominance(most);
     std::uint64_t kernels = 0;
     for (auto _ : state)
-        for (std::size_t n = 0; n < local.size(); ++n)
-            kernels += field::project(local[n], points[n],
-                                      {positions.data(), normals.data(), radii.data(), branches.data(), leads.data()});
+        for (std::size_t n = 0; n < sums.size(); ++n)
+            kernels += sums[n].project(
+                points[n], {positions.data(), normals.data(), radii.data(), branches.data(), dominance.data()});
     per_kernel(state, kernels);
 }
 BENCHMARK(project_points);
@@ -114,7 +102,7 @@ BENCHMARK(project_points);
 void build_octree(benchmark::State& state) {
     Job job;
     for (auto _ : state) {
-        auto octree = mesh::bricks::build_octree(scene().field, scene().culling, scene().sizing, job);
+        auto octree = mesh::bricks::build_octree(scene().field, scene().sizing, job);
         benchmark::DoNotOptimize(octree);
     }
 }

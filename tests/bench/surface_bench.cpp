@@ -7,7 +7,7 @@
 // thread; the three steps; kernel evaluations per vertex; peak memory of the process, and what of it is beyond the mesh
 // itself, in bytes a triangle; and how many times the evaluations, and the time, would grow if every sample summed over
 // all segments with the same kernel (measured on a seeded subset of samples and scaled up).
-#include "core/field/sampling.h"
+#include "core/field/convolution_field.h"
 #include "core/io/tree_reader.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
@@ -70,10 +70,10 @@ double all_segments_seconds(const field::ConvolutionField& field, const mesh::Tr
                 const double step = 0.1 * static_cast<double>(i);
                 axes.x[i] = places[n].x + step, axes.y[i] = places[n].y + step, axes.z[i] = places[n].z + step;
             }
-            thread_local field::LocalSegments local;
+            field::SumInBrick sum = field.in_brick();
             thread_local field::GridGroups values;
-            field::gather_segments(field, all, axes, local);
-            field::sample_groups(local, 0xFF, values, field::Choice::kAllSegments);
+            sum.enter(all, axes);
+            sum.sample_groups(0xFF, values, field::Choice::kAllSegments);
         });
     });
     return seconds * static_cast<double>(samples) / static_cast<double>(bricks * field::kGridPoints);

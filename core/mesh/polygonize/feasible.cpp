@@ -19,8 +19,8 @@ constexpr Needs kWhole{32e6, 80.0};
 constexpr Needs kStream{64e6, 16.0};
 constexpr Needs kFollow{32e6, 150.0};
 
-double memory_for(const bricks::Sizing& sizing, Road road) {
-    const Needs& needs = road == Road::kWhole ? kWhole : road == Road::kStream ? kStream : kFollow;
+double memory_for(const bricks::Sizing& sizing, PolygonizeMode mode) {
+    const Needs& needs = mode == PolygonizeMode::kWhole ? kWhole : mode == PolygonizeMode::kStream ? kStream : kFollow;
     return needs.first + needs.per_triangle * sizing.expected_triangles;
 }
 
@@ -28,10 +28,10 @@ std::string megabytes(double bytes) { return std::to_string(std::llround(bytes /
 
 } // namespace
 
-Result<void> check_feasible(const field::ConvolutionField& field, const bricks::Sizing& sizing,
-                            const PolygonizeOptions& options, Road road) {
+Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options,
+                            PolygonizeMode mode) {
     const double limit = memory_limit(options.memory_bytes);
-    const double needed = memory_for(sizing, road);
+    const double needed = memory_for(sizing, mode);
     if (!(needed <= limit)) {
         const char* remedy = options.cell_mm > 0.0 ? "raise --cell or --memory"
                                                    : "lower --detail, prune with --prune, or raise --memory";
@@ -40,15 +40,15 @@ Result<void> check_feasible(const field::ConvolutionField& field, const bricks::
                         megabytes(limit) + " are left to it",
                     {}, remedy);
     }
-    if (bricks::levels_needed(field, sizing) > bricks::kMaximumLevels)
+    if (bricks::levels_needed(field.frame(), sizing) > bricks::kMaximumLevels)
         return fail("the thinnest vessel is too thin for the tree's extent", {},
                     "scale or prune the tree, or set --cell");
     return {};
 }
 
-bool is_feasible(const field::ConvolutionField& field, const PolygonizeOptions& options, Road road) {
-    const bricks::Sizing sizing = bricks::make_sizing(field, glm::dvec3(0.0), options.detail, options.cell_mm);
-    return check_feasible(field, sizing, options, road).has_value();
+bool is_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode) {
+    const bricks::Sizing sizing = bricks::make_sizing(field, options.detail, options.cell_mm);
+    return check_feasible(field, sizing, options, mode).has_value();
 }
 
 } // namespace ramus::mesh

@@ -6,9 +6,9 @@
 
 namespace ramus::mesh {
 
-// Fails when the surface, made that way, is forecast to take more memory than the options allow, or has cells finer
+// Fails when the surface, made in that mode, is forecast to take more memory than the options allow, or has cells finer
 // than the lattice counts.
-[[nodiscard]] Result<void> check_feasible(const field::ConvolutionField& field, const bricks::Sizing& sizing,
-                                          const PolygonizeOptions& options, Road road);
+[[nodiscard]] Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing,
+                                          const PolygonizeOptions& options, PolygonizeMode mode);
 
 } // namespace ramus::mesh

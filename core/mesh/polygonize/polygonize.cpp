@@ -11,13 +11,14 @@ namespace {
 class MeshStore final : public bricks::SurfaceStore {
 public:
     void expect(std::size_t bricks) override {
-        // Measured: 12.5 to 15 vertices a brick, and twice as many triangles. Room that stays unused takes no memory.
+        // Measured: 12.5 to 15 vertices a brick, and twice as many triangles. Capacity that stays unused takes no
+        // memory.
         constexpr std::size_t kVertices = 16;
         mesh_.positions.reserve(kVertices * bricks);
         mesh_.normals.reserve(kVertices * bricks);
         mesh_.radii.reserve(kVertices * bricks);
         mesh_.branches.reserve(kVertices * bricks);
-        mesh_.leads.reserve(kVertices * bricks);
+        mesh_.dominance.reserve(kVertices * bricks);
         mesh_.triangles.reserve(2 * kVertices * bricks);
     }
     [[nodiscard]] bool resize_vertices(std::size_t count) override {
@@ -45,12 +46,13 @@ private:
 
 } // namespace
 
-Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const PolygonizeOptions& options, Job& job,
+Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptions& options, Job& job,
                                 PolygonizeStatistics* statistics) {
-    if (field.segments().empty()) return fail("the tree has no segments", {}, "nothing to make a surface of");
-    if (field.present().empty()) return fail("every branch is hidden", {}, "nothing to make a surface of");
+    if (field.skeleton().segments().empty())
+        return fail("the tree has no segments", {}, "nothing to make a surface of");
+    if (field.skeleton().present().empty()) return fail("every branch is hidden", {}, "nothing to make a surface of");
     MeshStore store;
-    if (auto made = make_surface_in(store, field, options, Road::kWhole, job, statistics); !made)
+    if (auto made = make_surface_in(store, field, options, PolygonizeMode::kWhole, job, statistics); !made)
         return tl::unexpected(made.error());
     job.report(1.0F);
     return store.take();

@@ -2,7 +2,7 @@
 // the local vessel needs, vertices on the isosurface, normals from the field's gradient, and the dominating branch and
 // local radius at each vertex.
 //
-// The road, a folder each: octree (which cubes of space the surface may cross, how fine, and what is beside each) ->
+// The steps, a folder each: octree (which cubes of space the surface may cross, how fine, and what is beside each) ->
 // cells (samples, loops, vertices) -> join (triangles). Every step works brick by brick in a fixed order, so the result
 // has the same bits for any number of threads. Not promised: that the surface has no handles where vessels pass closer
 // than a cell, nor that triangles of different sheets never intersect there.
@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job.h"
-#include "core/field/convolution_field.h"
+#include "core/field/field.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstdint>
@@ -23,12 +23,12 @@ struct PolygonizeOptions {
     double memory_bytes = 0.0; // refuse what is forecast to take more; 0 = half of the machine's
 };
 
-// A mesh as a whole, part by part (stream/polygonize_to.h), or with all that it takes to follow its tree
-// (polygonizer.h).
-enum class Road { kWhole, kStream, kFollow };
+// How a surface is made: as one mesh, in parts that a sink takes (stream/polygonize_to.h), or with all that it takes to
+// follow its tree (polygonizer.h).
+enum class PolygonizeMode { kWhole, kStream, kFollow };
 
-// Whether that road is open, or would be refused. As rough as its forecast of the triangles.
-[[nodiscard]] bool is_feasible(const field::ConvolutionField& field, const PolygonizeOptions& options, Road road);
+// Whether a surface can be made in that mode, or would be refused. As rough as the forecast of its triangles.
+[[nodiscard]] bool is_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode);
 
 struct PolygonizeStatistics {
     std::uint64_t evaluations = 0; // kernel evaluations, one per segment and point
@@ -38,7 +38,7 @@ struct PolygonizeStatistics {
 };
 
 // Fails when the options ask for more than memory holds or finer cells than the lattice can count, or when cancelled.
-[[nodiscard]] Result<TriangleMesh> polygonize(const field::ConvolutionField& field, const PolygonizeOptions& options,
-                                              Job& job, PolygonizeStatistics* statistics = nullptr);
+[[nodiscard]] Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptions& options, Job& job,
+                                              PolygonizeStatistics* statistics = nullptr);
 
 } // namespace ramus::mesh

@@ -17,30 +17,32 @@ namespace ramus::mesh {
 class Polygonizer {
 public:
     // From nothing. Nothing is left when it fails.
-    [[nodiscard]] Result<void> make(field::ConvolutionField field, const PolygonizeOptions& options, Job& job);
+    [[nodiscard]] Result<void> make(field::Field field, const PolygonizeOptions& options, Job& job);
     // To another state of the tree, in the same frame; from nothing where that does not help: the first time, and after
-    // other options, another frame or another width. Nothing is left when it fails.
-    [[nodiscard]] Result<void> update(field::ConvolutionField field, const PolygonizeOptions& options, Job& job);
+    // other options, another frame or another kernel. Nothing is left when it fails.
+    [[nodiscard]] Result<void> update(field::Field field, const PolygonizeOptions& options, Job& job);
 
     [[nodiscard]] const PolygonizeStatistics& statistics() const { return statistics_; } // of the last call
     [[nodiscard]] SurfaceEdit take_edit();
     // With gaps (MeshSlots), and without.
     [[nodiscard]] const TriangleMesh& slots() const { return slots_.mesh(); }
-    [[nodiscard]] TriangleMesh compact() const { return slots_.compact(bricks::schedule_tiles(octree_)); }
+    [[nodiscard]] TriangleMesh compact() const { return slots_.compact(bricks::schedule_subtrees(octree_)); }
 
 private:
     // What belongs to one state of the tree.
     struct State {
-        field::ConvolutionField field;
-        field::CullingSegments culling;
+        field::Field field;
         bricks::Sizing sizing;
         PolygonizeOptions options;
     };
-    [[nodiscard]] bool can_follow(const field::ConvolutionField& field, const PolygonizeOptions& options) const;
+    // What changed since the present state, where following that pays.
+    [[nodiscard]] std::optional<field::SegmentChanges> changes_to(const field::Field& field,
+                                                                  const PolygonizeOptions& options) const;
     [[nodiscard]] Result<void> make(std::unique_ptr<State> state, Job& job);
-    [[nodiscard]] bool follow(std::unique_ptr<State> state, Job& job); // false: cancelled
+    [[nodiscard]] bool follow(std::unique_ptr<State> state, const field::SegmentChanges& segments,
+                              Job& job); // false: cancelled
     [[nodiscard]] std::vector<std::uint32_t> find_new_neighbours(const bricks::OctreeChanges& changes);
-    void count(std::span<const std::uint32_t> tiles);
+    void count(std::span<const std::uint32_t> subtrees);
     void clear();
 
     std::unique_ptr<State> state_; // null: there is no surface

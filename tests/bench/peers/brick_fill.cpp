@@ -85,9 +85,9 @@ void collect(const std::vector<Support>& supports, std::span<const std::uint32_t
 BrickGrid brick_grid(const field::ConvolutionField& field, double cell_mm) {
     BrickGrid grid;
     grid.cell_mm = cell_mm;
-    grid.origin = field.lower() - cell_mm;
+    grid.origin = field.frame().lower - cell_mm;
     constexpr double kBlockPoints = kBrickPoints * kBlockBricks;
-    const glm::dvec3 cells = (field.upper() - field.lower()) / cell_mm;
+    const glm::dvec3 cells = (field.frame().upper - field.frame().lower) / cell_mm;
     grid.blocks = glm::ivec3(glm::ceil((cells + 3.0) / kBlockPoints));
     return grid;
 }
@@ -107,15 +107,15 @@ void fill_bricks(const field::ConvolutionField& field, const BrickGrid& grid,
     tbb::parallel_for(0, grid.blocks.z, [&](int z) {
         thread_local Layer layer;
         thread_local std::vector<std::uint32_t> list;
-        thread_local field::LocalSegments local;
+        field::SumInBrick sum = field.in_brick();
         thread_local field::GridGroups samples;
         collect(supports, near[static_cast<std::size_t>(z)], z, grid, layer);
-        std::size_t place = 0;
+        std::size_t entry = 0;
         std::uint32_t begin = 0;
         for (int block = 0; block < grid.blocks.x * grid.blocks.y; ++block) {
             const glm::ivec3 first = kBlockBricks * glm::ivec3(block % grid.blocks.x, block / grid.blocks.x, z);
             for (int in = 0; in < kBlockBricks * kBlockBricks * kBlockBricks; ++in) {
-                const std::uint32_t end = layer.ends[place++];
+                const std::uint32_t end = layer.ends[entry++];
                 if (begin == end) continue;
                 list.clear();
                 for (; begin < end; ++begin) list.push_back(present[layer.lists[begin]]);
@@ -127,8 +127,8 @@ void fill_bricks(const field::ConvolutionField& field, const BrickGrid& grid,
                     axes.y[i] = grid.origin.y + grid.cell_mm * at.y;
                     axes.z[i] = grid.origin.z + grid.cell_mm * at.z;
                 }
-                field::gather_segments(field, list, axes, local);
-                field::sample_groups(local, field::kOwnGroups, samples);
+                sum.enter(list, axes);
+                sum.sample_groups(field::kOwnGroups, samples);
                 put(brick, samples);
             }
         }

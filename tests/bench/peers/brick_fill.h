@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/field/convolution_field.h"
-#include "core/field/sampling.h"
 
 #include <functional>
 #include <glm/vec3.hpp>

@@ -1,4 +1,5 @@
 #include "brick_fill.h"
+#include "core/field/convolution_field.h"
 #include "core/mesh/surface.h"
 #include "peers.h"
 

@@ -8,7 +8,7 @@
 // triangle; volume inside; whether the surface is closed, that is whether every directed edge has its opposite, each
 // exactly once; how many times as fast as that method ramus is at one cell size, in triangles a second, first and
 // again; and how many times ramus' memory that method takes.
-#include "core/field/sampling.h"
+#include "core/field/convolution_field.h"
 #include "core/io/tree_reader.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"

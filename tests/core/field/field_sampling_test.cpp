@@ -1,7 +1,6 @@
 // The vectorised field against the formula in double precision, on every instruction set that this machine has.
-#include "core/field/culling.h"
-#include "core/field/projection.h"
-#include "core/field/sampling.h"
+#include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "tests/support/mesh_topology.h"
 
@@ -48,7 +47,7 @@ double exact_kernel(const field::FieldSegment& s, const field::Kernel& kernel, g
     const glm::dvec3 offset = p - glm::dvec3(s.ax, s.ay, s.az);
     const double t = glm::dot(offset, u);
     const double clamped = std::clamp(t, 0.0, static_cast<double>(s.length));
-    const double scale = kernel.sqrt_w / (s.radius + s.slope * clamped);
+    const double scale = std::sqrt(kernel.width * std::log(2.0)) / (s.radius + s.slope * clamped);
     const glm::dvec3 across = offset - t * u;
     const double q = glm::dot(across, across) * scale * scale;
     rho = q + std::pow((t - clamped) * scale, 2);
@@ -80,10 +79,10 @@ struct Samples {
 };
 
 Samples sample(const field::ConvolutionField& field, std::span<const std::uint32_t> list, const field::GridAxes& axes) {
-    field::LocalSegments local;
-    field::gather_segments(field, list, axes, local);
+    field::SumInBrick brick = field.in_brick();
+    brick.enter(list, axes);
     field::GridGroups groups;
-    field::sample_groups(local, 0xFF, groups);
+    brick.sample_groups(0xFF, groups);
     Samples samples;
     const auto take = [&](std::size_t group, std::size_t n, std::size_t x, std::size_t y, std::size_t z) {
         samples.value[x + 5 * y + 25 * z] = groups.value[group][n];
@@ -100,11 +99,11 @@ Samples sample(const field::ConvolutionField& field, std::span<const std::uint32
     return samples;
 }
 
-// A lattice of 17 points a side around a place of the field, and the grid of every fourth.
-struct Places {
+// A lattice of 17 points a side around a point, and the grid of every fourth.
+struct PointsAround {
     field::LatticeAxes lattice;
     field::GridAxes grid;
-    Places(glm::dvec3 corner, double step) {
+    PointsAround(glm::dvec3 corner, double step) {
         for (std::size_t n = 0; n < field::kLatticeSide; ++n) {
             lattice.x[n] = corner.x + step * static_cast<double>(n);
             lattice.y[n] = corner.y + step * static_cast<double>(n);
@@ -137,18 +136,18 @@ void on_every_instruction_set(const std::function<void()>& check) {
 
 TEST_CASE("samples agree with the formula to a millionth per contributing segment") {
     for (const double width : {1.0, 5.0}) {
-        const field::ConvolutionField field(crooked_tree(), width);
-        const auto all = all_segments(field);
         on_every_instruction_set([&] {
+            const field::ConvolutionField field(crooked_tree(), width);
+            const auto all = all_segments(field);
             std::mt19937 random(1);
             double worst = 0.0; // millionths per segment
             for (int trial = 0; trial < 40; ++trial) {
-                const Places places(near_the_vessels(field, random), trial % 2 == 0 ? 0.02 : 0.2);
-                const Samples samples = sample(field, all, places.grid);
+                const PointsAround around(near_the_vessels(field, random), trial % 2 == 0 ? 0.02 : 0.2);
+                const Samples samples = sample(field, all, around.grid);
                 for (int n = 0; n < field::kGridPoints; ++n) {
                     const auto i = static_cast<std::size_t>(n);
                     const Exact exact =
-                        exact_field(field, {places.grid.x[i % 5], places.grid.y[i / 5 % 5], places.grid.z[i / 25]});
+                        exact_field(field, {around.grid.x[i % 5], around.grid.y[i / 5 % 5], around.grid.z[i / 25]});
                     const double off = std::abs(samples.value[i] - exact.value);
                     if (exact.kernels == 0.0) CHECK(samples.value[i] == 0.0F);
                     if (exact.kernels > 0.0) worst = std::max(worst, off / exact.kernels * 1e6);
@@ -161,13 +160,13 @@ TEST_CASE("samples agree with the formula to a millionth per contributing segmen
 }
 
 TEST_CASE("a point has the same bits in every call that has its segments") {
-    const field::ConvolutionField field(crooked_tree(), 5.0);
-    const auto all = all_segments(field);
     on_every_instruction_set([&] {
+        const field::ConvolutionField field(crooked_tree(), 5.0);
+        const auto all = all_segments(field);
         std::mt19937 random(2);
         for (int trial = 0; trial < 40; ++trial) {
-            const Places places(near_the_vessels(field, random), 0.1);
-            const Samples samples = sample(field, all, places.grid);
+            const PointsAround around(near_the_vessels(field, random), 0.1);
+            const Samples samples = sample(field, all, around.grid);
             std::vector<field::LatticePoint> points;
             for (std::uint8_t n = 0; n < field::kGridPoints; ++n)
                 points.push_back({static_cast<std::uint8_t>(4 * (n % 5)), static_cast<std::uint8_t>(4 * (n / 5 % 5)),
@@ -179,21 +178,21 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
                 for (std::size_t n = 0; n < field::kGridPoints && !reaches; ++n) {
                     double rho = 0.0;
                     exact_kernel(field.segments()[index], field.kernel(),
-                                 {places.grid.x[n % 5], places.grid.y[n / 5 % 5], places.grid.z[n / 25]}, rho);
+                                 {around.grid.x[n % 5], around.grid.y[n / 5 % 5], around.grid.z[n / 25]}, rho);
                     reaches = rho < field::kFadeEnd * 1.001;
                 }
                 if (reaches) needed.push_back(index);
             }
             std::vector<float> again(points.size());
-            field::LocalSegments local;
-            field::gather_segments(field, needed, places.grid, local);
-            field::sample_lattice(local, places.lattice, points, again);
+            field::SumInBrick brick = field.in_brick();
+            brick.enter(needed, around.grid);
+            brick.sample_lattice(around.lattice, points, again);
             CHECK(std::ranges::equal(again, samples.value));
             // From another corner, as a neighbouring brick sees them.
-            field::GridAxes beside = places.grid;
-            const double step = places.grid.x[4] - places.grid.x[3];
-            beside.x = {places.grid.x[2], places.grid.x[3], places.grid.x[4], places.grid.x[4] + step,
-                        places.grid.x[4] + 2.0 * step};
+            field::GridAxes beside = around.grid;
+            const double step = around.grid.x[4] - around.grid.x[3];
+            beside.x = {around.grid.x[2], around.grid.x[3], around.grid.x[4], around.grid.x[4] + step,
+                        around.grid.x[4] + 2.0 * step};
             const Samples seen = sample(field, all, beside);
             for (std::size_t n = 0; n < field::kGridPoints; n += 5)
                 for (std::size_t i = 0; i < 3; ++i) CHECK(seen.value[n + i] == samples.value[n + 2 + i]);
@@ -202,10 +201,9 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
 }
 
 TEST_CASE("bounds hold, and segments that are culled contribute nothing") {
-    const field::ConvolutionField field(crooked_tree(), 5.0);
-    const field::CullingSegments culling(field);
-    const auto all = all_segments(field);
     on_every_instruction_set([&] {
+        const field::ConvolutionField field(crooked_tree(), 5.0);
+        const auto all = all_segments(field);
         std::mt19937 random(3);
         std::uniform_real_distribution<double> unit(-0.5, 0.5);
         int proven_outside = 0;
@@ -214,8 +212,8 @@ TEST_CASE("bounds hold, and segments that are culled contribute nothing") {
             const glm::dvec3 middle = near_the_vessels(field, random);
             const double side = 0.05 * std::pow(1.5, trial % 10);
             std::vector<std::uint8_t> reaching(all.size());
-            const field::ChildBounds bounds = field::cull_children(
-                field, culling, all, glm::vec3(middle - culling.origin), static_cast<float>(side), reaching);
+            const field::ChildCubes cubes{glm::vec3(middle - field.frame().middle()), static_cast<float>(side)};
+            const field::ChildBounds bounds = field.bound_children(all, cubes, reaching);
             for (std::size_t child = 0; child < field::kChildren; ++child) {
                 const glm::dvec3 centre = middle + side * (glm::dvec3(child & 1, child >> 1 & 1, child >> 2) - 0.5);
                 if (bounds.upper[child] < field.kernel().isovalue) ++proven_outside;
@@ -244,9 +242,9 @@ TEST_CASE("bounds hold, and segments that are culled contribute nothing") {
 }
 
 TEST_CASE("projected points are on the surface, with its normal and radius") {
-    const field::ConvolutionField field(crooked_tree(), 5.0);
-    const auto all = all_segments(field);
     on_every_instruction_set([&] {
+        const field::ConvolutionField field(crooked_tree(), 5.0);
+        const auto all = all_segments(field);
         Job job;
         const auto mesh = mesh::polygonize(field, {}, job);
         REQUIRE(mesh);

@@ -18,7 +18,7 @@ TEST_CASE("a vertex belongs to the branch that adds most to the field there, as 
     const auto surface = mesh::make_surface(tree, options, job);
     REQUIRE(surface.has_value());
     const mesh::TriangleMesh& mesh = surface->mesh;
-    REQUIRE(mesh.leads.size() == mesh.positions.size());
+    REQUIRE(mesh.dominance.size() == mesh.positions.size());
     const test::BruteForceField witness(mesh::prepare_tree(tree, options), options.width);
 
     // A vertex is told of the field where it was before its last step, which is up to 0.054 of the radius long
@@ -35,7 +35,7 @@ TEST_CASE("a vertex belongs to the branch that adds most to the field there, as 
             shares.emplace_back(-std::log(std::max(share, 1e-30)), branch);
         std::ranges::sort(shares);
         const double exact = shares[1].first - shares[0].first, to_third = shares[2].first - shares[1].first;
-        const double said = mesh.leads[v].over[0] * field::kLargestLead / 255.0;
+        const double said = mesh.dominance[v].over[0] * field::kMostDominance / 255.0;
         const bool right = mesh.branches[v] == shares[0].second;
         wrong += right ? 0 : 1;
         if (!right) CHECK(exact < kTie);
@@ -44,7 +44,7 @@ TEST_CASE("a vertex belongs to the branch that adds most to the field there, as 
             continue;
         }
         errors.push_back(right ? std::abs(said - exact) : said + exact); // the other side of the border
-        if (right && to_third > kTie && mesh.leads[v].rivals[0] != static_cast<std::uint8_t>(shares[1].second))
+        if (right && to_third > kTie && mesh.dominance[v].rivals[0] != static_cast<std::uint8_t>(shares[1].second))
             ++wrong_rivals;
     }
     std::ranges::sort(errors);

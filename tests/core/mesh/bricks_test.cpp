@@ -1,4 +1,5 @@
 // The quick ways that bricks find their neighbours and join their edges, against plain ones.
+#include "core/field/convolution_field.h"
 #include "core/mesh/polygonize/join/edge_polygons.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
 #include "core/mesh/surface.h"
@@ -20,22 +21,21 @@ using namespace ramus::mesh::bricks;
 
 namespace {
 
-// An adaptive octree: bricks meet others of the same size, larger and smaller ones, and places without any.
+// An adaptive octree: bricks meet others of the same size, larger and smaller ones, and none at all.
 struct Scene {
     tree::VesselTree tree = *test::grown_tree(150);
     field::ConvolutionField field = make_field(tree, {}, {});
     Octree octree;
-    std::vector<std::uint32_t> tiles;
+    std::vector<std::uint32_t> subtrees;
     SurfaceCells cells;
 
     Scene() {
-        const field::CullingSegments culling(field);
-        const Sizing sizing = make_sizing(field, culling.origin, 10, 0.0);
+        const Sizing sizing = make_sizing(field, 10, 0.0);
         Job job;
-        octree = build_octree(field, culling, sizing, job);
-        tiles.resize(octree.tiles.size());
-        std::iota(tiles.begin(), tiles.end(), 0U);
-        find_neighbours(octree, tiles, cells.neighbours);
+        octree = build_octree(field, sizing, job);
+        subtrees.resize(octree.subtrees.size());
+        std::iota(subtrees.begin(), subtrees.end(), 0U);
+        find_neighbours(octree, subtrees, cells.neighbours);
     }
 };
 
@@ -46,17 +46,17 @@ template <std::size_t N> std::array<std::uint32_t, N> turned(std::array<std::uin
     std::ranges::rotate(polygon, std::ranges::min_element(polygon));
     return polygon;
 }
-std::vector<std::array<std::uint32_t, 4>> quads_of(const std::vector<JoinedTile>& joined) {
+std::vector<std::array<std::uint32_t, 4>> quads_of(const std::vector<JoinedSubtree>& joined) {
     std::vector<std::array<std::uint32_t, 4>> all;
-    for (const JoinedTile& tile : joined)
-        for (const glm::uvec4& q : tile.quads) all.push_back(turned<4>({q.x, q.y, q.z, q.w}));
+    for (const JoinedSubtree& subtree : joined)
+        for (const glm::uvec4& q : subtree.quads) all.push_back(turned<4>({q.x, q.y, q.z, q.w}));
     std::ranges::sort(all);
     return all;
 }
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<JoinedTile>& joined) {
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<JoinedSubtree>& joined) {
     std::vector<std::array<std::uint32_t, 3>> all;
-    for (const JoinedTile& tile : joined)
-        for (const glm::uvec3& t : tile.triangles)
+    for (const JoinedSubtree& subtree : joined)
+        for (const glm::uvec3& t : subtree.triangles)
             if (((t.x | t.y | t.z) & kAddedBit) == 0) all.push_back(turned<3>({t.x, t.y, t.z}));
     std::ranges::sort(all);
     return all;
@@ -120,25 +120,25 @@ TEST_CASE("a brick's neighbours are those that a search of all bricks finds") {
 TEST_CASE("edges joined by tables make the polygons that each makes by itself") {
     Scene scene;
     Job job;
-    const JobStretch stretch(job, 0.0F, 1.0F);
-    fill_tiles(scene.field, scene.octree, scene.tiles, scene.cells, stretch);
-    // One after the other: where a tile's vertices wait is where they stay.
+    const JobRange stretch(job, 0.0F, 1.0F);
+    fill_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, stretch);
+    // One after the other: where a subtree's vertices wait is where they stay.
     SurfaceVertices all;
-    for (const std::uint32_t tile : scene.tiles) {
-        const TileCells& made = scene.cells.tiles[tile];
-        all.make_room(made.vertex_count);
+    for (const std::uint32_t subtree : scene.subtrees) {
+        const SubtreeCells& made = scene.cells.subtrees[subtree];
+        all.reserve(made.vertex_count);
         copy_vertices(*made.vertices, made.first_vertex, all, all.count, made.vertex_count);
-        const Tile& t = scene.octree.tiles[tile];
+        const Subtree& t = scene.octree.subtrees[subtree];
         for (std::uint32_t b = t.first_brick; b < t.first_brick + t.brick_count; ++b)
             if (scene.cells.cells[b].crossed)
                 scene.cells.cells[b].first_vertex += static_cast<std::uint32_t>(all.count);
         all.count += made.vertex_count;
     }
     const VertexSpan vertices = VertexSpan{all.positions, all.normals, all.radii, all.branches}.subspan(0, all.count);
-    std::vector<JoinedTile> joined;
-    join_tiles(scene.field, scene.octree, scene.tiles, scene.cells, vertices, joined, stretch);
+    std::vector<JoinedSubtree> joined;
+    join_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, vertices, joined, stretch);
 
-    std::vector<JoinedTile> plain(1);
+    std::vector<JoinedSubtree> plain(1);
     const EdgePolygons polygons(scene.field, scene.octree, scene.cells, vertices);
     for (std::uint32_t b = 0; b < scene.octree.bricks.size(); ++b) {
         if (!scene.cells.cells[b].crossed) continue;

@@ -1,5 +1,7 @@
 // Cases whose surface is known exactly from the formula, on the mesh, for the paper's width 5 and Bloomenthal's
 // width 1.
+#include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "tests/support/mesh_topology.h"
 

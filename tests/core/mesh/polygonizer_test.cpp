@@ -1,4 +1,5 @@
 // A surface that follows its tree is the one that is made from nothing, bit for bit.
+#include "core/field/convolution_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
@@ -28,7 +29,7 @@ public:
             std::copy_n(from.triangles.begin() + static_cast<std::ptrdiff_t>(range.first), range.count,
                         mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(range.first));
     }
-    // Triangles with an area, by the places of their corners.
+    // Triangles with an area, by the positions of their corners.
     [[nodiscard]] std::size_t triangles() const {
         return static_cast<std::size_t>(
             std::ranges::count_if(mesh_.triangles, [](const glm::uvec3& t) { return t.x != t.y; }));

@@ -1,7 +1,8 @@
 // A surface that is streamed is the one that is made as a whole: in memory, and as a file byte by byte.
+#include "core/field/convolution_field.h"
 #include "core/io/surface_file.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
-#include "core/mesh/polygonize/octree/tile_schedule.h"
+#include "core/mesh/polygonize/octree/subtree_schedule.h"
 #include "core/mesh/polygonize/stream/polygonize_to.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
@@ -44,56 +45,55 @@ private:
 
 } // namespace
 
-TEST_CASE("a tile is joined after all that it touches are filled, and let go after they are joined") {
+TEST_CASE("a subtree is joined after all that it touches are filled, and let go after they are joined") {
     const field::ConvolutionField field = mesh::make_field(test::grown(150), {}, {});
-    const field::CullingSegments culling(field);
-    const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, culling.origin, 16, 0.0);
+    const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, 16, 0.0);
     Job job;
-    const mesh::bricks::Octree octree = mesh::bricks::build_octree(field, culling, sizing, job);
-    const auto batches = mesh::bricks::schedule_tiles(octree, 256);
+    const mesh::bricks::Octree octree = mesh::bricks::build_octree(field, sizing, job);
+    const auto batches = mesh::bricks::schedule_subtrees(octree, 256);
     REQUIRE(batches.size() > 8);
 
     constexpr std::size_t kNever = SIZE_MAX;
-    std::vector<std::size_t> filled(octree.tiles.size(), kNever), joined(filled), dropped(filled);
+    std::vector<std::size_t> filled(octree.subtrees.size(), kNever), joined(filled), dropped(filled);
     std::size_t most_at_work = 0;
     std::size_t at_work = 0;
     std::uint32_t next = 0;
     for (std::size_t b = 0; b < batches.size(); ++b) {
-        for (const std::uint32_t tile : batches[b].fill) {
-            CHECK(tile == next++);
-            filled[tile] = b;
+        for (const std::uint32_t subtree : batches[b].fill) {
+            CHECK(subtree == next++);
+            filled[subtree] = b;
         }
-        for (const std::uint32_t tile : batches[b].join) {
-            CHECK(joined[tile] == kNever);
-            joined[tile] = b;
+        for (const std::uint32_t subtree : batches[b].join) {
+            CHECK(joined[subtree] == kNever);
+            joined[subtree] = b;
         }
-        for (const std::uint32_t tile : batches[b].drop) {
-            CHECK(dropped[tile] == kNever);
-            dropped[tile] = b;
+        for (const std::uint32_t subtree : batches[b].drop) {
+            CHECK(dropped[subtree] == kNever);
+            dropped[subtree] = b;
         }
         at_work += batches[b].fill.size();
         most_at_work = std::max(most_at_work, at_work);
         at_work -= batches[b].drop.size();
     }
-    CHECK(next == octree.tiles.size());
+    CHECK(next == octree.subtrees.size());
     CHECK(at_work == 0);
-    CHECK(most_at_work < octree.tiles.size() / 2);
+    CHECK(most_at_work < octree.subtrees.size() / 2);
 
     // By the neighbourhoods that joining goes by, not by the pairs that the schedule does.
-    std::vector<std::uint32_t> all(octree.tiles.size());
+    std::vector<std::uint32_t> all(octree.subtrees.size());
     std::iota(all.begin(), all.end(), 0U);
     ChunkedArray<mesh::bricks::Neighbourhood> around;
     mesh::bricks::find_neighbours(octree, all, around);
     for (std::uint32_t b = 0; b < octree.bricks.size(); ++b) {
-        const std::uint32_t tile = octree.bricks[b].tile;
+        const std::uint32_t subtree = octree.bricks[b].subtree;
         for (int d = 0; d < mesh::bricks::kDirections; ++d) {
             const auto kind = around[b].kind(d);
             if (kind != mesh::bricks::Neighbour::kSame && kind != mesh::bricks::Neighbour::kCoarser) continue;
-            const std::uint32_t other = octree.bricks[around[b].brick[static_cast<std::size_t>(d)]].tile;
-            CHECK(filled[other] <= joined[tile]);
-            CHECK(filled[tile] <= joined[other]);
-            CHECK(joined[other] <= dropped[tile]);
-            CHECK(joined[tile] <= dropped[other]);
+            const std::uint32_t other = octree.bricks[around[b].brick[static_cast<std::size_t>(d)]].subtree;
+            CHECK(filled[other] <= joined[subtree]);
+            CHECK(filled[subtree] <= joined[other]);
+            CHECK(joined[other] <= dropped[subtree]);
+            CHECK(joined[subtree] <= dropped[other]);
         }
     }
 }

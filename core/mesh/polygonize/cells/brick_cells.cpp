@@ -16,7 +16,7 @@ namespace ramus::mesh::bricks {
 const CellRecord& SurfaceCells::record(const Brick& brick, std::uint32_t index, int cell) const {
     const BrickCells& b = cells[index];
     const int before = std::popcount(b.recorded & ((std::uint64_t{1} << cell) - 1));
-    return tiles[brick.tile].records[b.first_record + static_cast<std::uint32_t>(before)];
+    return subtrees[brick.subtree].records[b.first_record + static_cast<std::uint32_t>(before)];
 }
 
 std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const {
@@ -33,26 +33,34 @@ void SurfaceCells::reuse_vertices() {
     vertices.clear();
 }
 
-void SurfaceVertices::make_room(std::size_t more) {
-    const std::size_t room = count + more + field::kProjectionPadding;
-    if (room <= positions.size()) return;
-    const std::size_t grown = 2 * room;
+void SurfaceVertices::reserve(std::size_t more) {
+    const std::size_t needed = count + more + field::kProjectionPadding;
+    if (needed <= positions.size()) return;
+    const std::size_t grown = 2 * needed;
     positions.resize(grown);
     normals.resize(grown);
     radii.resize(grown);
     branches.resize(grown);
-    leads.resize(grown);
+    dominance.resize(grown);
 }
 
-std::uint64_t append_projected(const field::LocalSegments& local, field::Projection& projection,
-                               SurfaceVertices& vertices) {
-    vertices.make_room(projection.size());
+std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices) {
+    vertices.reserve(guesses.size());
     const std::size_t first = vertices.count;
-    vertices.count += projection.size();
-    return field::project(local, projection,
-                          {vertices.positions.data() + first, vertices.normals.data() + first,
-                           vertices.radii.data() + first, vertices.branches.data() + first,
-                           vertices.leads.data() + first});
+    vertices.count += guesses.size();
+    return field.project(guesses, {vertices.positions.data() + first, vertices.normals.data() + first,
+                                   vertices.radii.data() + first, vertices.branches.data() + first,
+                                   vertices.dominance.data() + first});
+}
+
+field::GridAxes grid_axes(const Lattice& lattice, const Brick& brick) {
+    field::GridAxes axes;
+    for (int n = 0; n < field::kGridSide; ++n) {
+        const glm::dvec3 p = lattice.position(brick.corner + glm::ivec3(n * cell_units(brick.level)));
+        const auto i = static_cast<std::size_t>(n);
+        axes.x[i] = p.x, axes.y[i] = p.y, axes.z[i] = p.z;
+    }
+    return axes;
 }
 
 namespace {
@@ -64,15 +72,16 @@ template <class T> void fetch_ahead(const T& value) {
     for (std::size_t at = 0; at < sizeof(T); at += kLine) __builtin_prefetch(begin + at);
 }
 
-// Where tiles' vertices wait for their places: blocks that go back to the system as a whole. One for each thread.
+// Where subtrees' vertices wait until their indices in the mesh are known: blocks that go back to the system as a
+// whole. One for each thread.
 class VertexBlocks {
 public:
     explicit VertexBlocks(SurfaceCells& surface) : surface_(surface) {}
 
-    // This thread's block, with room for what most tiles make; it grows for the others.
+    // This thread's block, with capacity for what most subtrees make; it grows for the others.
     SurfaceVertices& block() {
         SurfaceVertices*& block = current_.local();
-        if (block == nullptr || block->positions.size() - block->count < kRoom) {
+        if (block == nullptr || block->positions.size() - block->count < kReserve) {
             const std::lock_guard lock(mutex_);
             surface_.vertices.push_back(take_block());
             block = surface_.vertices.back().get();
@@ -82,7 +91,7 @@ public:
 
 private:
     static constexpr std::size_t kBlock = std::size_t{1} << 16;
-    static constexpr std::size_t kRoom = kBlock / 8;
+    static constexpr std::size_t kReserve = kBlock / 8;
 
     std::unique_ptr<SurfaceVertices> take_block() {
         if (!surface_.spare.empty()) {
@@ -95,7 +104,7 @@ private:
         block->normals.resize(kBlock);
         block->radii.resize(kBlock);
         block->branches.resize(kBlock);
-        block->leads.resize(kBlock);
+        block->dominance.resize(kBlock);
         return block;
     }
 
@@ -106,7 +115,7 @@ private:
 
 } // namespace
 
-bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint32_t tile,
+bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint32_t subtree,
                     const OctreeChanges& changes) {
     // Grid points on each side of a brick.
     static constexpr std::array<GridBits, 6> kSides = [] {
@@ -114,7 +123,7 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
         return std::array<GridBits, 6>{kLowerSides[0],         kAll & ~kEdgeStarts[0], kLowerSides[1],
                                        kAll & ~kEdgeStarts[1], kLowerSides[2],         kAll & ~kEdgeStarts[2]};
     }();
-    const Tile& t = octree.tiles[tile];
+    const Subtree& t = octree.subtrees[subtree];
     for (std::uint32_t b = t.first_brick; b < t.first_brick + t.brick_count; ++b) {
         if (!surface.cells[b].crossed) continue;
         const Neighbourhood& around = surface.neighbours[b];
@@ -130,7 +139,7 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
             if (kind == Neighbour::kAbsent) continue; // the surface does not touch it
             const glm::ivec3 step(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
             if (kind == Neighbour::kFiner) {
-                // Whose these are is not noted: any beyond the tile may have changed.
+                // Whose these are is not noted: any beyond the subtree may have changed.
                 const glm::ivec3 low = brick.corner + step * brick_units(brick.level) - t.corner;
                 const int size = brick_units(t.level);
                 const bool within =
@@ -138,7 +147,7 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
                 if (!within && crosses_cells(d)) return true;
                 continue;
             }
-            if (changes.tiles[octree.bricks[around.brick[static_cast<std::size_t>(d)]].tile] == 0) continue;
+            if (changes.subtrees[octree.bricks[around.brick[static_cast<std::size_t>(d)]].subtree] == 0) continue;
             if (kind == Neighbour::kCoarser && crosses_cells(d)) return true;
             if (kind == Neighbour::kCoarser) continue;
             for (int axis = 0; axis < 3; ++axis) {
@@ -151,28 +160,29 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
     return false;
 }
 
-void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
-                SurfaceCells& surface, const JobStretch& job) {
+void fill_subtrees(const field::Field& field, const Octree& octree, std::span<const std::uint32_t> subtrees,
+                   SurfaceCells& surface, const JobRange& job) {
     surface.cells.resize(octree.bricks.size());
-    for (const std::uint32_t tile : tiles) {
-        const Tile& t = octree.tiles[tile];
+    for (const std::uint32_t subtree : subtrees) {
+        const Subtree& t = octree.subtrees[subtree];
         surface.cells.provide(t.first_brick, t.first_brick + t.brick_count);
     }
-    surface.tiles.resize(octree.tiles.size());
+    surface.subtrees.resize(octree.subtrees.size());
     VertexBlocks blocks(surface);
+    tbb::enumerable_thread_specific<BrickSampler> samplers([&] { return BrickSampler(field); });
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
+    tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
-        thread_local BrickSampler sampler;
-        const Tile& tile = octree.tiles[tiles[t]];
-        TileCells made;
+        BrickSampler& sampler = samplers.local();
+        const Subtree& subtree = octree.subtrees[subtrees[t]];
+        SubtreeCells made;
         SurfaceVertices& vertices = blocks.block();
         made.vertices = &vertices;
         made.first_vertex = vertices.count;
-        sampler.begin(field, octree, tile, surface.neighbours, vertices);
+        sampler.begin(octree, subtree, surface.neighbours, vertices);
         // Backwards, so that a brick finds its upper neighbours' samples there.
-        for (std::uint32_t n = tile.brick_count; n-- > 0;) {
-            const std::uint32_t index = tile.first_brick + n;
+        for (std::uint32_t n = subtree.brick_count; n-- > 0;) {
+            const std::uint32_t index = subtree.first_brick + n;
             if (n > 0) {
                 fetch_ahead(surface.neighbours[index - 1]);
                 fetch_ahead(surface.cells[index - 1]);
@@ -181,8 +191,8 @@ void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std:
             sampler.fill(index, surface.cells[index], made);
         }
         made.vertex_count = vertices.count - made.first_vertex;
-        surface.tiles[tiles[t]] = std::move(made);
-        job.report(static_cast<float>(++done) / static_cast<float>(tiles.size()));
+        surface.subtrees[subtrees[t]] = std::move(made);
+        job.report(static_cast<float>(++done) / static_cast<float>(subtrees.size()));
     });
 }
 

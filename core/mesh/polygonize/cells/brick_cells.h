@@ -1,8 +1,8 @@
 // What the surface does inside each brick: the sign pattern of its cells, the vertices of their loops, and where to
-// find them from outside. Filled brick by brick (fill_tiles), read by the pass that joins vertices into triangles.
+// find them from outside. Filled brick by brick (fill_subtrees), read by the pass that joins vertices into triangles.
 #pragma once
 
-#include "core/field/projection.h"
+#include "core/field/field.h"
 #include "core/mesh/polygonize/cells/cell_loops.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
@@ -30,7 +30,7 @@ struct ArcVertex {
 // Cells that have more than one vertex, or may have.
 struct CellRecord {
     std::array<std::uint8_t, kQuarterPoints> loop_of{};
-    std::uint32_t arcs_begin = 0; // into TileCells::arc_vertices
+    std::uint32_t arcs_begin = 0; // into SubtreeCells::arc_vertices
     std::uint32_t arcs_count = 0;
 };
 
@@ -63,8 +63,8 @@ struct BrickCells {
     std::array<std::uint16_t, kCellsPerBrick> first; // first vertex of each cell within the brick, or kNoVertex
     std::array<std::uint64_t, 2> inside;             // sign of each of the 125 grid points
     std::uint64_t recorded;                          // bit per cell: described by a record; others have one vertex
-    std::uint32_t first_record;                      // in the tile
-    std::uint32_t first_vertex;                      // in the tile, later in the mesh
+    std::uint32_t first_record;                      // in the subtree
+    std::uint32_t first_vertex;                      // in the subtree, later in the mesh
     bool crossed;                                    // if not, all but this is left unset
 
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
@@ -75,40 +75,44 @@ struct SurfaceVertices {
     LargeArray<glm::vec3> positions, normals;
     LargeArray<float> radii;
     LargeArray<std::int32_t> branches;
-    LargeArray<field::Lead> leads;
+    LargeArray<field::Dominance> dominance;
     std::size_t count = 0;
 
-    void make_room(std::size_t more);
+    void reserve(std::size_t more);
 };
 
-// Copies `count` vertices of `from`, those from `begin` on, to the places from `at` on of arrays like those of a mesh.
+// Copies `count` vertices of `from`, those from `begin` on, to those from `at` on of arrays like a mesh's.
 template <class Arrays>
 void copy_vertices(const SurfaceVertices& from, std::size_t begin, Arrays& to, std::size_t at, std::size_t count) {
     std::copy_n(from.positions.data() + begin, count, to.positions.data() + at);
     std::copy_n(from.normals.data() + begin, count, to.normals.data() + at);
     std::copy_n(from.radii.data() + begin, count, to.radii.data() + at);
     std::copy_n(from.branches.data() + begin, count, to.branches.data() + at);
-    if constexpr (requires { to.leads; }) // those that are shown have them
-        std::copy_n(from.leads.data() + begin, count, to.leads.data() + at);
+    if constexpr (requires { to.dominance; }) // those that are shown have them
+        std::copy_n(from.dominance.data() + begin, count, to.dominance.data() + at);
 }
 
-// What the bricks of one tile make.
-struct TileCells {
-    const SurfaceVertices* vertices = nullptr; // in which the tile's are, until they have their place in the mesh
+struct SampleCounts {
+    std::uint64_t evaluations = 0; // kernels, one per segment and point
+    std::uint64_t samples = 0;     // points at which the field was taken
+};
+
+// What the bricks of one subtree make.
+struct SubtreeCells {
+    const SurfaceVertices* vertices = nullptr; // in which the subtree's are, until they are copied to the mesh
     std::size_t first_vertex = 0, vertex_count = 0;
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
-    std::uint64_t evaluations = 0; // kernels, one per segment and point
-    std::uint64_t samples = 0;     // points at which the field was taken
+    SampleCounts counts;
 };
 
 struct SurfaceCells {
     ChunkedArray<Neighbourhood> neighbours;                        // by brick
     ChunkedArray<BrickCells> cells;                                // by brick
-    std::vector<TileCells> tiles;                                  // by tile
+    std::vector<SubtreeCells> subtrees;                            // by subtree
     std::vector<std::unique_ptr<SurfaceVertices>> vertices, spare; // blocks in use, and to be used
 
-    void reuse_vertices(); // all are in their places
+    void reuse_vertices(); // all are copied to the mesh
 
     [[nodiscard]] bool is_recorded(std::uint32_t brick, int cell) const {
         return (cells[brick].recorded >> cell & 1U) != 0;
@@ -118,19 +122,20 @@ struct SurfaceCells {
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const;
 };
 
-// Samples the bricks of some tiles, finds the loops of their cells and places the vertices on the surface. Needs the
-// tiles' neighbourhoods. Incomplete when cancelled.
-void fill_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
-                SurfaceCells& surface, const JobStretch& job);
+// Samples the bricks of some subtrees, finds the loops of their cells and places the vertices on the surface. Needs the
+// subtrees' neighbourhoods. Incomplete when cancelled.
+void fill_subtrees(const field::Field& field, const Octree& octree, std::span<const std::uint32_t> subtrees,
+                   SurfaceCells& surface, const JobRange& job);
 
-// Whether some polygon of the tile may have vertices in tiles that changed: where the surface crosses the boundary
-// between them.
-[[nodiscard]] bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint32_t tile,
+// Whether some polygon of the subtree may have vertices in subtrees that changed: where the surface crosses the
+// boundary between them.
+[[nodiscard]] bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint32_t subtree,
                                   const OctreeChanges& changes);
 
-// Moves the points of a brick's `projection` onto the surface and appends them to `vertices`. Returns the number of
+// Moves guesses in a brick, which `field` is in, onto the surface and appends them to `vertices`. Returns the number of
 // kernels evaluated.
-std::uint64_t append_projected(const field::LocalSegments& local, field::Projection& projection,
-                               SurfaceVertices& vertices);
+std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices);
+
+[[nodiscard]] field::GridAxes grid_axes(const Lattice& lattice, const Brick& brick);
 
 } // namespace ramus::mesh::bricks

@@ -1,5 +1,6 @@
 #include "core/mesh/polygonize/cells/cell_loops.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace ramus::mesh::bricks {
@@ -96,20 +97,26 @@ struct Arcs {
     int count = 0;
 };
 
+// A ring around a minimal face.
+struct Ring {
+    std::array<RingPoint, 8> points;
+    std::size_t size = 0;
+    std::uint8_t face, centre;
+    bool whole; // not a quarter of a split face
+};
+
 // Pairs up the crossings of one ring. Crossings alternate between leaving and entering the inside; with four or more
 // the centre decides whether the inside or the outside is connected across the face.
-template <std::size_t N>
-void add_arcs(std::uint32_t inside, const std::array<RingPoint, N>& ring, std::size_t size, std::uint8_t centre,
-              std::uint8_t face, bool whole, FaceCentres& centres, Arcs& arcs) {
-    std::array<std::uint8_t, N> edge;
+void add_arcs(std::uint32_t inside, const Ring& ring, FaceCentres& centres, Arcs& arcs) {
+    std::array<std::uint8_t, 8> edge;
     std::size_t crossings = 0;
     bool first_leaves = false;
-    bool sign = (inside >> ring[0].bit & 1U) != 0;
-    for (std::size_t n = 0; n < size; ++n) {
-        const bool next = (inside >> ring[n + 1 < size ? n + 1 : 0].bit & 1U) != 0;
+    bool sign = (inside >> ring.points[0].bit & 1U) != 0;
+    for (std::size_t n = 0; n < ring.size; ++n) {
+        const bool next = (inside >> ring.points[n + 1 < ring.size ? n + 1 : 0].bit & 1U) != 0;
         if (sign != next) {
             if (crossings == 0) first_leaves = sign;
-            edge[crossings++] = ring[n].midpoint;
+            edge[crossings++] = ring.points[n].midpoint;
         }
         sign = next;
     }
@@ -118,12 +125,12 @@ void add_arcs(std::uint32_t inside, const std::array<RingPoint, N>& ring, std::s
     bool start_leaving = first_leaves;
     if (crossings > 2) {
         start_leaving = (centres.inside >> centres.count & 1U) != 0;
-        centres.centre[static_cast<std::size_t>(centres.count++)] = centre;
+        centres.centre[static_cast<std::size_t>(centres.count++)] = ring.centre;
     }
     const std::size_t start = first_leaves == start_leaving ? 0 : 1;
     for (std::size_t n = 0; n < crossings; n += 2)
         arcs.arc[static_cast<std::size_t>(arcs.count++)] = {
-            edge[(start + n) % crossings], edge[(start + n + 1) % crossings], face, whole && crossings > 2};
+            edge[(start + n) % crossings], edge[(start + n + 1) % crossings], ring.face, ring.whole && crossings > 2};
 }
 
 Arcs collect_arcs(const CellShape& shape, FaceCentres& centres) {
@@ -131,23 +138,28 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres) {
     centres.count = 0;
     for (std::uint8_t face = 0; face < 6; ++face) {
         const FaceRings& rings = kFaces[face];
-        if ((shape.split_faces >> face & 1) != 0) {
-            for (std::size_t quarter = 0; quarter < 4; ++quarter)
-                add_arcs(shape.inside, rings.quarters[quarter], 4, rings.quarter_centres[quarter], face, false, centres,
-                         arcs);
+        Ring ring;
+        ring.face = face;
+        ring.whole = (shape.split_faces >> face & 1) == 0;
+        if (!ring.whole) {
+            ring.size = 4;
+            for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+                std::ranges::copy(rings.quarters[quarter], ring.points.begin());
+                ring.centre = rings.quarter_centres[quarter];
+                add_arcs(shape.inside, ring, centres, arcs);
+            }
             continue;
         }
-        std::array<RingPoint, 8> ring;
-        std::size_t size = 0;
         for (const RingSide& side : rings.sides) {
             if ((shape.split_edges >> side.edge & 1) != 0) {
-                ring[size++] = side.halves[0];
-                ring[size++] = side.halves[1];
+                ring.points[ring.size++] = side.halves[0];
+                ring.points[ring.size++] = side.halves[1];
             } else {
-                ring[size++] = side.whole;
+                ring.points[ring.size++] = side.whole;
             }
         }
-        add_arcs(shape.inside, ring, size, rings.centre, face, true, centres, arcs);
+        ring.centre = rings.centre;
+        add_arcs(shape.inside, ring, centres, arcs);
     }
     return arcs;
 }

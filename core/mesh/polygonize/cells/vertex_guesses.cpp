@@ -17,24 +17,13 @@ using V = hn::Vec<D>;
 using VI = hn::Vec<DI>;
 using M = hn::Mask<D>;
 
-// Base-2 logarithm to 0.01: enough, since Newton's method has the last word.
-HWY_INLINE V rough_log2(D d, V value) {
-    const DI di;
-    const VI bits = hn::BitCast(di, hn::Max(value, hn::Set(d, 1e-8F)));
-    const V exponent = hn::ConvertTo(d, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
-    const V m = hn::BitCast(d, hn::Or(hn::And(bits, hn::Set(di, 0x7FFFFF)), hn::Set(di, 0x3F800000)));
-    const V fraction =
-        hn::MulAdd(hn::MulAdd(hn::Set(d, -0.33333333F), m, hn::Set(d, 2.0F)), m, hn::Set(d, -1.66666667F));
-    return hn::Add(exponent, fraction);
-}
-
 // What is summed up over the crossed edges of a cell.
 struct Sums {
     std::array<V, 3> at;
     V count;
 };
 
-// The crossing of the edge along `Axis` at place Side (u + 2 v on the other two axes), where there is one.
+// The crossing of the edge along `Axis` on side Side (u + 2 v on the other two axes), where there is one.
 template <int Axis, int Side>
 HWY_INLINE void add_crossing(D d, const std::array<V, 8>& depth, const std::array<M, 8>& outside, Sums& sums) {
     constexpr int kU = (Axis + 1) % 3;
@@ -86,35 +75,20 @@ struct Depths {
 };
 #endif
 
-void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const std::uint8_t* corners, std::size_t count,
-                      float cell_mm, std::size_t first, field::Projection& points) {
+void add_vertex_guesses(const field::GridValues& depths, std::span<const std::uint8_t> corners, float cell_mm,
+                        std::size_t first, field::Projection& points) {
     const D d;
     const DI di;
     const std::size_t lanes = hn::Lanes(d);
     const V zero = hn::Zero(d);
-    const V iso = hn::Set(d, isovalue);
-    // sqrt(-ln F) is linear in the distance from a straight vessel's axis, so linear interpolation in it lands on the
-    // surface, nearly. Relative to the isovalue, with the sign that the value itself has.
-    const auto depth = [&](V value) {
-        const V square = hn::Max(hn::Neg(rough_log2(d, value)), hn::Set(d, 1e-12F));
-        return hn::Mul(square, hn::ApproximateReciprocalSqrt(square)); // as rough
-    };
-    const V surface = depth(iso);
-    alignas(64) float depths[kGridStride];
-    for (std::size_t n = 0; n < kGridStride; n += lanes) {
-        const V value = hn::Load(d, values + n);
-        const V inward = hn::Sub(surface, depth(value));
-        hn::Store(hn::IfThenElse(hn::Ge(value, iso), hn::Max(inward, zero), hn::Min(inward, hn::Set(d, -1e-6F))), d,
-                  depths + n);
-    }
-    const Depths all(depths);
+    const Depths all(depths.data());
     constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
     const hn::Rebind<std::uint8_t, DI> d8;
     const V cell = hn::Set(d, cell_mm);
     const V half = hn::Set(d, 0.5F);
     const V reach = hn::Set(d, kVertexReach * cell_mm);
-    for (std::size_t n = 0; n < count; n += lanes) {
-        const VI corner = hn::PromoteTo(di, hn::LoadU(d8, corners + n));
+    for (std::size_t n = 0; n < corners.size(); n += lanes) {
+        const VI corner = hn::PromoteTo(di, hn::LoadU(d8, corners.data() + n));
         std::array<V, 8> depth_at;
         std::array<M, 8> outside;
         for (std::size_t c = 0; c < 8; ++c) {
@@ -131,14 +105,14 @@ void AddVertexGuesses(const float* HWY_RESTRICT values, float isovalue, const st
         const VI y = hn::ShiftRight<6>(hn::Mul(in_layer, hn::Set(di, 13)));
         const VI x = hn::Sub(in_layer, hn::Mul(y, hn::Set(di, 5)));
         const V share = hn::Div(hn::Set(d, 1.0F), hn::Max(sums.count, hn::Set(d, 1.0F)));
-        const auto place = [&](VI low, V sum, float* guess, float* centre) {
+        const auto put = [&](VI low, V sum, float* guess, float* centre) {
             const V at = hn::ConvertTo(d, low);
             hn::StoreU(hn::Mul(hn::MulAdd(sum, share, at), cell), d, guess + first + n);
             hn::StoreU(hn::Mul(hn::Add(at, half), cell), d, centre + first + n);
         };
-        place(x, sums.at[0], points.x.data(), points.cx.data());
-        place(y, sums.at[1], points.y.data(), points.cy.data());
-        place(z, sums.at[2], points.z.data(), points.cz.data());
+        put(x, sums.at[0], points.x.data(), points.cx.data());
+        put(y, sums.at[1], points.y.data(), points.cy.data());
+        put(z, sums.at[2], points.z.data(), points.cz.data());
         hn::StoreU(reach, d, points.reach.data() + first + n);
     }
 }
@@ -149,13 +123,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::mesh::bricks {
 
-HWY_EXPORT(AddVertexGuesses);
+HWY_EXPORT(add_vertex_guesses);
 
-void add_vertex_guesses(std::span<const float, kGridStride> values, float isovalue,
-                        std::span<const std::uint8_t> corners, float cell_mm, field::Projection& points) {
+void add_vertex_guesses(const field::GridValues& depths, std::span<const std::uint8_t> corners, float cell_mm,
+                        field::Projection& points) {
     const std::size_t first = points.extend(corners.size());
-    HWY_DYNAMIC_DISPATCH(AddVertexGuesses)
-    (values.data(), isovalue, corners.data(), corners.size(), cell_mm, first, points);
+    HWY_DYNAMIC_DISPATCH(add_vertex_guesses)(depths, corners, cell_mm, first, points);
 }
 
 } // namespace ramus::mesh::bricks

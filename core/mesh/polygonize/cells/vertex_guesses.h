@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/field/projection.h"
+#include "core/field/samples.h"
 
 #include <cstdint>
 #include <span>
@@ -16,13 +17,10 @@ inline constexpr float kVertexReach = 0.62F;
 // around it would otherwise meet there.
 inline constexpr float kCrossingMargin = 0.05F;
 
-// Grid points of a brick, padded to whole vectors.
-inline constexpr std::size_t kGridStride = 128;
-
-// `values`: the field at the brick's grid points, x + 5 y + 25 z. `corners`: the grid point at the low corner of each
+// `depths`: at the brick's grid points, as BrickField finds them. `corners`: the grid point at the low corner of each
 // cell; the array goes on for at least a vector's width. Adds one point per cell to `points`, relative to the brick's
 // corner.
-void add_vertex_guesses(std::span<const float, kGridStride> values, float isovalue,
-                        std::span<const std::uint8_t> corners, float cell_mm, field::Projection& points);
+void add_vertex_guesses(const field::GridValues& depths, std::span<const std::uint8_t> corners, float cell_mm,
+                        field::Projection& points);
 
 } // namespace ramus::mesh::bricks

@@ -18,8 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::array<int, 3> kStride{1, 5, 25};
 constexpr int kEdgesPerAxis = 64; // that a brick may have to join
 
-// Of the cells that a brick sees its own have places 0 .. 3 along every axis and those just beyond its upper sides
-// place 4, at x + 5 y + 25 z. Here those beyond the sides that the bits of the index name.
+// Of the cells that a brick sees its own have coordinates 0 .. 3 along every axis and those just beyond its upper
+// sides 4, at x + 5 y + 25 z. Here those beyond the sides that the bits of the index name.
 constexpr std::array<GridBits, 8> kBeyond = [] {
     std::array<GridBits, 8> beyond{};
     for (int d = 0; d < 8; ++d) {
@@ -37,14 +37,14 @@ constexpr std::array<GridBits, 8> kBeyond = [] {
 constexpr std::array<GridBits, 3> kOwnEdges{kEdgeStarts[0] & ~kLowerSides[1] & ~kLowerSides[2],
                                             kEdgeStarts[1] & ~kLowerSides[2] & ~kLowerSides[0],
                                             kEdgeStarts[2] & ~kLowerSides[0] & ~kLowerSides[1]};
-constexpr std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> kOwnPlaces = [] {
-    std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> places{};
+constexpr std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> kOwnEdgePoints = [] {
+    std::array<std::array<std::uint8_t, kEdgesPerAxis>, 3> points{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::size_t n = 0;
         for (int p = 0; p < 125; ++p)
-            if ((kOwnEdges[axis] >> p & 1) != 0) places[axis][n++] = static_cast<std::uint8_t>(p);
+            if ((kOwnEdges[axis] >> p & 1) != 0) points[axis][n++] = static_cast<std::uint8_t>(p);
     }
-    return places;
+    return points;
 }();
 
 // The bits of the edges along the axis that are a brick's own, side by side.
@@ -57,12 +57,12 @@ template <std::size_t Axis> HWY_INLINE std::uint64_t own_edges(GridBits bits) {
 #else
     std::uint64_t own = 0;
     for (std::size_t row = 0; row < kEdgesPerAxis; row += 4)
-        own |= static_cast<std::uint64_t>(bits >> kOwnPlaces[Axis][row] & 15U) << row;
+        own |= static_cast<std::uint64_t>(bits >> kOwnEdgePoints[Axis][row] & 15U) << row;
     return own;
 #endif
 }
 
-// The cells around an edge, counter-clockwise about it, by their places from its first point: of one whose first point
+// The cells around an edge, counter-clockwise about it, by their offsets from its first point: of one whose first point
 // is outside the surface, and inside.
 template <int Axis>
 constexpr std::array<std::array<std::int8_t, 4>, 2> kAround = [] {
@@ -75,7 +75,7 @@ class BrickJoiner {
 public:
     BrickJoiner(const SurfaceCells& surface, const EdgePolygons& general) : surface_(surface), general_(general) {}
 
-    HWY_INLINE void join(std::uint32_t index, JoinedTile& out) {
+    HWY_INLINE void join(std::uint32_t index, JoinedSubtree& out) {
         const BrickCells& cells = surface_.cells[index];
         if (!cells.crossed) return;
         const Neighbourhood& around = surface_.neighbours[index];
@@ -150,7 +150,7 @@ private:
         const std::uint64_t from_inside = own_edges<Axis>(inside);
         for (std::uint64_t left = own_edges<Axis>(crossed & ~touched); left != 0; left &= left - 1) {
             const int n = std::countr_zero(left);
-            const std::uint32_t* at = vertices_.data() + kOwnPlaces[Axis][static_cast<std::size_t>(n)];
+            const std::uint32_t* at = vertices_.data() + kOwnEdgePoints[Axis][static_cast<std::size_t>(n)];
             const auto& of = kAround<Axis>[from_inside >> n & 1];
             *next++ = {at[of[0]], at[of[1]], at[of[2]], at[of[3]]};
         }
@@ -169,13 +169,13 @@ private:
 
     const SurfaceCells& surface_;
     const EdgePolygons& general_;
-    std::array<std::uint32_t, 128> vertices_{}; // of the cells seen, by place
+    std::array<std::uint32_t, 128> vertices_{}; // of the cells seen, by coordinates
     std::array<glm::uvec4, 3 * kEdgesPerAxis> quads_;
     GridBits special_ = 0; // cells that need the general way
 };
 
-void JoinBricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
-                JoinedTile& out) {
+void join_bricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
+                JoinedSubtree& out) {
     BrickJoiner joiner(surface, general);
     for (std::uint32_t b = first; b < end; ++b) joiner.join(b, out);
 }
@@ -186,11 +186,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::mesh::bricks {
 
-HWY_EXPORT(JoinBricks);
+HWY_EXPORT(join_bricks);
 
 void join_bricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
-                 JoinedTile& out) {
-    HWY_DYNAMIC_DISPATCH(JoinBricks)(surface, general, first, end, out);
+                 JoinedSubtree& out) {
+    HWY_DYNAMIC_DISPATCH(join_bricks)(surface, general, first, end, out);
 }
 
 } // namespace ramus::mesh::bricks

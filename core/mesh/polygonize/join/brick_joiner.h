@@ -10,6 +10,6 @@ namespace ramus::mesh::bricks {
 
 // Appends the polygons of the bricks from `first` up to `end`.
 void join_bricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
-                 JoinedTile& out);
+                 JoinedSubtree& out);
 
 } // namespace ramus::mesh::bricks

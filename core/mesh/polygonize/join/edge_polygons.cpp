@@ -13,8 +13,8 @@ constexpr std::uint32_t kNoArcVertex = 0xFFFFFFFFU;
 
 } // namespace
 
-void JoinedTile::write_triangles(const VertexSpan& vertices, std::uint64_t first_added,
-                                 std::span<glm::uvec3> out) const {
+void JoinedSubtree::write_triangles(const VertexSpan& vertices, std::uint64_t first_added,
+                                    std::span<glm::uvec3> out) const {
     cut_quads(vertices, quads, out);
     auto next = out.begin() + static_cast<std::ptrdiff_t>(2 * quads.size());
     for (glm::uvec3 triangle : triangles) {
@@ -25,13 +25,13 @@ void JoinedTile::write_triangles(const VertexSpan& vertices, std::uint64_t first
     }
 }
 
-void JoinedTile::clear() {
+void JoinedSubtree::clear() {
     quads.clear();
     triangles.clear();
     added.count = 0;
 }
 
-void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedTile& out) const {
+void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     const Neighbourhood& around = surface_.neighbours[index];
@@ -131,7 +131,7 @@ std::uint32_t EdgePolygons::arc_vertex(const Around& a, const Around& b) const {
         if (!owner.recorded) return kNoArcVertex;
         const int face = 2 * axis + (a_owns ? side_of_a : 1 - side_of_a);
         const CellRecord& record = surface_.record(octree_.bricks[owner.brick], owner.brick, owner.cell);
-        const auto& vertices = surface_.tiles[octree_.bricks[owner.brick].tile].arc_vertices;
+        const auto& vertices = surface_.subtrees[octree_.bricks[owner.brick].subtree].arc_vertices;
         for (std::uint32_t n = record.arcs_begin; n < record.arcs_begin + record.arcs_count; ++n)
             if (vertices[n].face == face && vertices[n].edge == owner.edge)
                 return surface_.cells[owner.brick].first_vertex + vertices[n].vertex;
@@ -145,7 +145,7 @@ glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
     return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
 }
 
-void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedTile& out, std::uint32_t index,
+void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedSubtree& out, std::uint32_t index,
                         glm::ivec3 point) const {
     const int level = octree_.bricks[index].level;
     const bool any_record = std::ranges::any_of(ring, [](const Around& a) { return a.recorded; });
@@ -186,26 +186,21 @@ void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedTile& out,
 
 // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
 // coincide with another polygon's.
-void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedTile& out, std::uint32_t index,
+void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedSubtree& out, std::uint32_t index,
                             glm::ivec3 point) const {
     const Brick& brick = octree_.bricks[index];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
-    field::GridAxes axes;
-    for (int n = 0; n < field::kGridSide; ++n) {
-        const glm::dvec3 p = octree_.lattice.position(brick.corner + glm::ivec3(n * cell_units(brick.level)));
-        const auto i = static_cast<std::size_t>(n);
-        axes.x[i] = p.x, axes.y[i] = p.y, axes.z[i] = p.z;
-    }
-    field::LocalSegments local;
-    field::gather_segments(field_, octree_.segments_of(brick), axes, local);
-    field::Projection projection;
+    const field::GridAxes axes = grid_axes(octree_.lattice, brick);
+    field::BrickField field = field_.in_brick();
+    field.enter(octree_.segments_of(brick), axes);
+    field::Projection guesses;
     glm::vec3 sum(0.0F);
     for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - axes.corner());
     glm::vec3 middle = glm::vec3(point) * cell;
     middle[axis] += 0.5F * cell;
-    projection.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
+    guesses.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
     const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.count);
-    (void)append_projected(local, projection, out.added);
+    (void)append_projected(field, guesses, out.added);
     for (std::size_t n = 0; n < polygon.size(); ++n)
         out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
 }

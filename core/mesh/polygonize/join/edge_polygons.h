@@ -11,29 +11,30 @@
 
 namespace ramus::mesh::bricks {
 
-// Marks indices of vertices that joining itself adds; they are numbered within the tile until they have their places.
+// Marks indices of vertices that joining itself adds; they are numbered within the subtree until their indices in the
+// mesh are known.
 inline constexpr std::uint32_t kAddedBit = 0x80000000U;
 
-struct JoinedTile {
+struct JoinedSubtree {
     std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
     std::vector<glm::uvec3> triangles;
     SurfaceVertices added;
 
     [[nodiscard]] std::size_t triangle_count() const { return 2 * quads.size() + triangles.size(); }
-    // Writes them all, first those of the quads. `vertices`: those joined; `first_added`: the place of the first added.
+    // Writes them all, first those of the quads. `vertices`: those joined; `first_added`: the index of the first added.
     void write_triangles(const VertexSpan& vertices, std::uint64_t first_added, std::span<glm::uvec3> out) const;
     void clear();
 };
 
 class EdgePolygons {
 public:
-    EdgePolygons(const field::ConvolutionField& field, const Octree& octree, const SurfaceCells& surface,
+    EdgePolygons(const field::Field& field, const Octree& octree, const SurfaceCells& surface,
                  const VertexSpan& vertices)
         : field_(field), octree_(octree), surface_(surface), vertices_(vertices) {}
 
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
-    void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedTile& out) const;
+    void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const;
 
 private:
     // One of the cells around an edge.
@@ -51,11 +52,11 @@ private:
                                  glm::ivec3 cell) const;
     [[nodiscard]] std::uint32_t arc_vertex(const Around& a, const Around& b) const;
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
-    void emit(std::span<const Around> ring, int axis, JoinedTile& out, std::uint32_t index, glm::ivec3 point) const;
-    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedTile& out, std::uint32_t index,
+    void emit(std::span<const Around> ring, int axis, JoinedSubtree& out, std::uint32_t index, glm::ivec3 point) const;
+    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedSubtree& out, std::uint32_t index,
                   glm::ivec3 point) const;
 
-    const field::ConvolutionField& field_;
+    field::Field field_;
     const Octree& octree_;
     const SurfaceCells& surface_;
     VertexSpan vertices_;

@@ -10,10 +10,10 @@
 
 namespace ramus::mesh::bricks {
 
-// The polygons of some tiles, in their order, into `joined`, which may bring memory along; by their places in
-// `vertices`, which all vertices of these tiles and of those beside them have. Incomplete when cancelled.
-void join_tiles(const field::ConvolutionField& field, const Octree& octree, std::span<const std::uint32_t> tiles,
-                const SurfaceCells& surface, const VertexSpan& vertices, std::vector<JoinedTile>& joined,
-                const JobStretch& job);
+// The polygons of some subtrees, in their order, into `joined`, which may bring memory along; by their indices in
+// `vertices`, which all vertices of these subtrees and of those beside them have. Incomplete when cancelled.
+void join_subtrees(const field::Field& field, const Octree& octree, std::span<const std::uint32_t> subtrees,
+                   const SurfaceCells& surface, const VertexSpan& vertices, std::vector<JoinedSubtree>& joined,
+                   const JobRange& job);
 
 } // namespace ramus::mesh::bricks

@@ -1,10 +1,10 @@
-// MeshSlots: a mesh whose vertices and triangles stand tile by tile, so that some tiles can be exchanged without moving
-// what the others have. Where tiles have gone, vertices that
-// no triangle uses and triangles without area are left until something else takes their place.
+// MeshSlots: a mesh whose vertices and triangles stand subtree by subtree, so that some subtrees can be exchanged
+// without moving what the others have. Where subtrees have gone, vertices that no triangle uses and triangles without
+// area are left until something else is written there.
 #pragma once
 
 #include "core/mesh/polygonize/join/edge_polygons.h"
-#include "core/mesh/polygonize/octree/tile_schedule.h"
+#include "core/mesh/polygonize/octree/subtree_schedule.h"
 #include "core/mesh/surface_edit.h"
 
 #include <cstdint>
@@ -15,23 +15,23 @@ namespace ramus::mesh::bricks {
 
 class MeshSlots {
 public:
-    // `slack`: share of room beyond what the first tiles take, for later ones.
-    void place_vertices(const Octree& octree, std::span<const std::uint32_t> tiles, SurfaceCells& surface,
-                        double slack);
+    // `reserve`: share of capacity beyond what the first subtrees take, for later ones.
+    void place_vertices(const Octree& octree, std::span<const std::uint32_t> subtrees, SurfaceCells& surface,
+                        double reserve);
     // `joined` is consumed.
-    void place_triangles(std::span<const std::uint32_t> tiles, std::vector<JoinedTile> joined, double slack);
-    // Takes away all that the tile has, or its triangles and what came with them alone.
-    void remove(std::uint32_t tile);
-    void remove_triangles(std::uint32_t tile);
+    void place_triangles(std::span<const std::uint32_t> subtrees, std::vector<JoinedSubtree> joined, double reserve);
+    // Takes away all that the subtree has, or its triangles and what came with them alone.
+    void remove(std::uint32_t subtree);
+    void remove_triangles(std::uint32_t subtree);
 
     // What was written since the last call.
     [[nodiscard]] SurfaceEdit take_edit();
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
-    // Without gaps, in the order of a schedule of all tiles: as polygonize() gives it.
-    [[nodiscard]] TriangleMesh compact(std::span<const TileBatch> order) const;
+    // Without gaps, in the order of a schedule of all subtrees: as polygonize() gives it.
+    [[nodiscard]] TriangleMesh compact(std::span<const SubtreeBatch> order) const;
 
 private:
-    struct TileSlots {
+    struct SubtreeSlots {
         SlotRange vertices, added, triangles; // added: vertices that came with the triangles
     };
     // Ranges of some array that are not in use, and its end.
@@ -46,10 +46,10 @@ private:
         std::uint64_t end_ = 0;
     };
 
-    void grow_vertices(double slack);
+    void grow_vertices(double reserve);
 
     TriangleMesh mesh_;
-    std::vector<TileSlots> slots_; // by tile
+    std::vector<SubtreeSlots> slots_; // by subtree
     Space vertex_space_, triangle_space_;
     SurfaceEdit edit_;
 };

@@ -101,7 +101,7 @@ HWY_INLINE M prefers_first(D d, const Vector3 (&p)[4], const Vector3 (&n)[4]) {
     return hn::Or(hn::And(fair, closer02), hn::AndNot(fair, better02));
 }
 
-void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t count, glm::uvec3* triangles) {
+void cut_quads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t count, glm::uvec3* triangles) {
     const D d;
     const DU du;
     const std::size_t lanes = hn::Lanes(d);
@@ -132,10 +132,10 @@ void CutQuads(const VertexSpan& vertices, const glm::uvec4* quads, std::size_t c
         }
         Vector3 p[4];
         Vector3 n[4];
-        const bool room = hn::AllTrue(du, hn::Lt(last, last_vertex));
+        const bool readable = hn::AllTrue(du, hn::Lt(last, last_vertex));
         for (std::size_t c = 0; c < 4; ++c) {
-            p[c] = room ? read_corner<4>(d, positions, from, c) : read_corner<3>(d, positions, from, c);
-            n[c] = room ? read_corner<4>(d, normals, from, c) : read_corner<3>(d, normals, from, c);
+            p[c] = readable ? read_corner<4>(d, positions, from, c) : read_corner<3>(d, positions, from, c);
+            n[c] = readable ? read_corner<4>(d, normals, from, c) : read_corner<3>(d, normals, from, c);
         }
         const auto first = hn::RebindMask(du, prefers_first(d, p, n));
         const auto a = hn::IfThenElse(first, v[0], v[1]);
@@ -160,12 +160,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::mesh::bricks {
 
-HWY_EXPORT(CutQuads);
+HWY_EXPORT(cut_quads);
 
 void cut_quads(const VertexSpan& vertices, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles) {
     static_assert(sizeof(glm::uvec4) == 16 && sizeof(glm::uvec3) == 12 && sizeof(glm::vec3) == 12);
     if (quads.empty()) return;
-    HWY_DYNAMIC_DISPATCH(CutQuads)(vertices, quads.data(), quads.size(), triangles.data());
+    HWY_DYNAMIC_DISPATCH(cut_quads)(vertices, quads.data(), quads.size(), triangles.data());
 }
 
 } // namespace ramus::mesh::bricks

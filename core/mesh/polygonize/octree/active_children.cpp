@@ -3,7 +3,6 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/field/culling.h"
 #include "core/mesh/polygonize/octree/sizing.h"
 
 #include <hwy/highway.h>
@@ -12,22 +11,22 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::mesh::bricks::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void ActiveChildren(const SizingPiece* all, const std::uint32_t* pieces, std::size_t count, glm::vec3 middle,
-                    float child_side, std::uint8_t* HWY_RESTRICT active) {
+void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces,
+                     const field::ChildCubes& cubes, std::span<std::uint8_t> active) {
     const hn::CappedTag<float, field::kChildren> d;
     using V = hn::Vec<decltype(d)>;
     const std::size_t lanes = hn::Lanes(d);
-    const field::ChildCentres centres(middle, child_side);
-    // The factor keeps a brick whose cells are as wanted, to within rounding, whole.
-    const float cell = 0.25F * child_side * 0.9999F;
+    const field::ChildCentres centres(cubes);
+    // The factor keeps a brick whose cells are as small as asked, to within rounding, whole.
+    const float cell = 0.25F * cubes.side * 0.9999F;
     constexpr float kSqrt3Half = 0.8660254F;
-    const float ball = kSqrt3Half * child_side;
-    for (std::size_t m = 0; m < count; ++m) active[m] = 0;
+    const float ball = kSqrt3Half * cubes.side;
+    for (std::size_t m = 0; m < pieces.size(); ++m) active[m] = 0;
     for (std::size_t first = 0; first < field::kChildren; first += lanes) {
         const V cx = hn::Load(d, centres.x.data() + first);
         const V cy = hn::Load(d, centres.y.data() + first);
         const V cz = hn::Load(d, centres.z.data() + first);
-        for (std::size_t m = 0; m < count; ++m) {
+        for (std::size_t m = 0; m < pieces.size(); ++m) {
             const SizingPiece& piece = all[pieces[m]];
             if (piece.cell_mm >= cell) continue;
             const V ux = hn::Set(d, piece.direction.x);
@@ -56,12 +55,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::mesh::bricks {
 
-HWY_EXPORT(ActiveChildren);
+HWY_EXPORT(active_children);
 
-void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces, glm::vec3 middle,
-                     float child_side, std::span<std::uint8_t> active) {
-    HWY_DYNAMIC_DISPATCH(ActiveChildren)
-    (all.data(), pieces.data(), pieces.size(), middle, child_side, active.data());
+void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces,
+                     const field::ChildCubes& cubes, std::span<std::uint8_t> active) {
+    HWY_DYNAMIC_DISPATCH(active_children)(all, pieces, cubes, active);
 }
 
 } // namespace ramus::mesh::bricks

@@ -13,12 +13,12 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::mesh::bricks::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-HWY_INLINE void describe(const Places& around, Neighbourhood& described) {
+HWY_INLINE void describe(const EntriesAround& around, Neighbourhood& described) {
     const hn::CappedTag<std::int32_t, 16> d;
     constexpr std::size_t kPlaces = 32;
     static_assert(sizeof(around.at) == kPlaces * sizeof(std::int32_t));
     // As signed numbers bricks are above all others, and nodes below nothing and all.
-    const auto full = hn::Set(d, std::bit_cast<std::int32_t>(OctreePlace::full()));
+    const auto full = hn::Set(d, std::bit_cast<std::int32_t>(OctreeEntry::full()));
     HWY_ALIGN std::array<std::int32_t, kPlaces> codes;
     std::memcpy(codes.data(), around.at.data(), sizeof(codes));
     std::uint64_t bricks = 0;
@@ -44,14 +44,14 @@ HWY_INLINE void describe(const Places& around, Neighbourhood& described) {
     described.full = static_cast<std::uint32_t>(filled) & kAll;
 }
 
-void DescribeBricks(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found) {
-    const OctreePlace self = around.at[kSelf];
+void describe_below(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found) {
+    const OctreeEntry self = around.at[kSelf];
     if (self.is_brick()) describe(around, found[self.index()]);
     if (!self.is_node()) return;
-    const ChildPlaces children = places_of_children(octree, around);
+    const EntriesAroundChildren children = entries_around_children(octree, around);
     for (std::size_t child = 0; child < field::kChildren; ++child)
         if (!octree.nodes[self.index()][child].is_empty())
-            DescribeBricks(octree, places_of_child(children, child), found);
+            describe_below(octree, entries_around_child(children, child), found);
 }
 
 } // namespace ramus::mesh::bricks::HWY_NAMESPACE
@@ -60,10 +60,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::mesh::bricks {
 
-HWY_EXPORT(DescribeBricks);
+HWY_EXPORT(describe_below);
 
-void describe_bricks(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found) {
-    HWY_DYNAMIC_DISPATCH(DescribeBricks)(octree, around, found);
+void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found) {
+    HWY_DYNAMIC_DISPATCH(describe_below)(octree, around, found);
 }
 
 } // namespace ramus::mesh::bricks

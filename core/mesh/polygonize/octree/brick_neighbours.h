@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/base/chunked_array.h"
+#include "core/mesh/polygonize/octree/entries_around.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
-#include "core/mesh/polygonize/octree/places.h"
 
 namespace ramus::mesh::bricks {
 
-// Describes the bricks at and below the place in the middle of `around`. There is memory for them in `found`.
-void describe_bricks(const Octree& octree, const Places& around, ChunkedArray<Neighbourhood>& found);
+// Describes the bricks at and below the entry in the middle of `around`. There is memory for them in `found`.
+void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found);
 
 } // namespace ramus::mesh::bricks

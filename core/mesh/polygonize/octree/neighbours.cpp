@@ -21,25 +21,26 @@ std::array<Value, kDirections> around_child(const std::array<Value, 64>& block, 
     return around;
 }
 
-// What owns the places: codes of UpperNode::children, of which tiles' insides inherit their tile's.
+// What owns the entries around a cube: codes of UpperNode::children, of which subtrees' insides inherit their
+// subtree's.
 constexpr std::uint32_t kChangedNothing = 0xFFFFFFFEU; // nothing now, but something before
 
 struct Surroundings {
-    Places places;
+    EntriesAround entries;
     std::array<std::uint32_t, kDirections> owners;
 };
 
-// Calls visit(tile, surroundings) for the tiles below those upper nodes that lead on, depth first. `changes` may be
-// null.
-template <class LeadsOn, class Visit> class UpperWalk {
+// Calls visit(subtree, surroundings) for the subtrees below those upper nodes that `enters` says to enter, depth first.
+// `changes` may be null.
+template <class Enters, class Visit> class UpperWalk {
 public:
-    UpperWalk(const Octree& octree, const OctreeChanges* changes, const LeadsOn& leads_on, const Visit& visit)
-        : octree_(octree), changes_(changes), leads_on_(leads_on), visit_(visit) {}
+    UpperWalk(const Octree& octree, const OctreeChanges* changes, const Enters& enters, const Visit& visit)
+        : octree_(octree), changes_(changes), enters_(enters), visit_(visit) {}
 
     void walk() {
         Surroundings root;
         root.owners.fill(UpperNode::kNothing);
-        root.places.at[kSelf] = OctreePlace::node(octree_.upper[0].node);
+        root.entries.at[kSelf] = OctreeEntry::node(octree_.upper[0].node);
         root.owners[kSelf] = UpperNode::node_code(0);
         walk(root);
     }
@@ -55,31 +56,31 @@ private:
     }
 
     void walk(const Surroundings& around) {
-        const ChildPlaces places = places_of_children(octree_, around.places);
+        const EntriesAroundChildren entries = entries_around_children(octree_, around.entries);
         std::array<std::uint32_t, 64> owners;
         std::size_t n = 0;
         for (const ChildStep z : kChildSteps)
             for (const ChildStep y : kChildSteps)
                 for (const ChildStep x : kChildSteps)
                     owners[n++] =
-                        owner_of_child(around.owners[static_cast<std::size_t>(x.place + 3 * y.place + 9 * z.place)],
+                        owner_of_child(around.owners[static_cast<std::size_t>(x.cube + 3 * y.cube + 9 * z.cube)],
                                        static_cast<std::size_t>(x.child + 2 * y.child + 4 * z.child));
         const UpperNode& self = octree_.upper[UpperNode::node_of(around.owners[kSelf])];
         for (std::size_t child = 0; child < field::kChildren; ++child) {
             if (self.children[child] == UpperNode::kNothing) continue;
             Surroundings next;
-            next.places = places_of_child(places, child);
+            next.entries = entries_around_child(entries, child);
             next.owners = around_child(owners, child);
-            if (UpperNode::is_tile(self.children[child]))
+            if (UpperNode::is_subtree(self.children[child]))
                 visit_(self.children[child], next);
-            else if (leads_on_(next))
+            else if (enters_(next))
                 walk(next);
         }
     }
 
     const Octree& octree_;
     const OctreeChanges* changes_;
-    const LeadsOn& leads_on_;
+    const Enters& enters_;
     const Visit& visit_;
 };
 
@@ -89,53 +90,55 @@ void OctreeChanges::mark(const Octree& octree, std::uint32_t upper) {
     for (; below[upper] == 0; upper = octree.upper[upper].parent) below[upper] = 1;
 }
 
-void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, ChunkedArray<Neighbourhood>& found) {
+void find_neighbours(const Octree& octree, std::span<const std::uint32_t> subtrees,
+                     ChunkedArray<Neighbourhood>& found) {
     found.resize(octree.bricks.size());
-    OctreeChanges wanted;
-    wanted.tiles.assign(octree.tiles.size(), 0);
-    wanted.below.assign(octree.upper.size(), 0);
-    for (const std::uint32_t tile : tiles) {
-        const Tile& t = octree.tiles[tile];
+    OctreeChanges requested;
+    requested.subtrees.assign(octree.subtrees.size(), 0);
+    requested.below.assign(octree.upper.size(), 0);
+    for (const std::uint32_t subtree : subtrees) {
+        const Subtree& t = octree.subtrees[subtree];
         found.provide(t.first_brick, t.first_brick + t.brick_count);
-        wanted.tiles[tile] = 1, wanted.mark(octree, t.parent);
+        requested.subtrees[subtree] = 1, requested.mark(octree, t.parent);
     }
-    std::vector<Places> around;
-    around.reserve(tiles.size());
-    const auto collect = [&](std::uint32_t tile, const Surroundings& surroundings) {
-        if (wanted.tiles[tile] != 0) around.push_back(surroundings.places);
+    std::vector<EntriesAround> around;
+    around.reserve(subtrees.size());
+    const auto collect = [&](std::uint32_t subtree, const Surroundings& surroundings) {
+        if (requested.subtrees[subtree] != 0) around.push_back(surroundings.entries);
     };
-    const auto leads_on = [&](const Surroundings& around_node) {
-        return wanted.below[UpperNode::node_of(around_node.owners[kSelf])] != 0;
+    const auto enters = [&](const Surroundings& around_node) {
+        return requested.below[UpperNode::node_of(around_node.owners[kSelf])] != 0;
     };
-    UpperWalk(octree, nullptr, leads_on, collect).walk();
+    UpperWalk(octree, nullptr, enters, collect).walk();
     tbb::parallel_for(std::size_t{0}, around.size(), [&](std::size_t i) { describe_bricks(octree, around[i], found); });
 }
 
-std::vector<std::uint32_t> tiles_beside(const Octree& octree, const OctreeChanges& changes) {
+std::vector<std::uint32_t> subtrees_beside(const Octree& octree, const OctreeChanges& changes) {
     std::vector<std::uint32_t> beside;
     const auto touches_changes = [&](const Surroundings& around) {
         return std::ranges::any_of(around.owners, [&](std::uint32_t owner) {
             if (owner == kChangedNothing) return true;
             if (owner == UpperNode::kNothing) return false;
-            return UpperNode::is_tile(owner) ? changes.tiles[owner] != 0
-                                             : changes.below[UpperNode::node_of(owner)] != 0;
+            return UpperNode::is_subtree(owner) ? changes.subtrees[owner] != 0
+                                                : changes.below[UpperNode::node_of(owner)] != 0;
         });
     };
-    const auto visit = [&](std::uint32_t tile, const Surroundings& around) {
-        if (changes.tiles[tile] == 0 && touches_changes(around)) beside.push_back(tile);
+    const auto visit = [&](std::uint32_t subtree, const Surroundings& around) {
+        if (changes.subtrees[subtree] == 0 && touches_changes(around)) beside.push_back(subtree);
     };
     UpperWalk(octree, &changes, touches_changes, visit).walk();
     return beside;
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_tiles(const Octree& octree) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     const auto everywhere = [](const Surroundings&) { return true; };
     // The smaller of two sees the larger one; of two of the same size the first notes it.
-    const auto visit = [&](std::uint32_t tile, const Surroundings& around) {
+    const auto visit = [&](std::uint32_t subtree, const Surroundings& around) {
         for (const std::uint32_t owner : around.owners) {
-            if (owner == UpperNode::kNothing || !UpperNode::is_tile(owner) || owner == tile) continue;
-            if (octree.tiles[owner].level > octree.tiles[tile].level || tile < owner) pairs.emplace_back(tile, owner);
+            if (owner == UpperNode::kNothing || !UpperNode::is_subtree(owner) || owner == subtree) continue;
+            if (octree.subtrees[owner].level > octree.subtrees[subtree].level || subtree < owner)
+                pairs.emplace_back(subtree, owner);
         }
     };
     UpperWalk(octree, nullptr, everywhere, visit).walk();

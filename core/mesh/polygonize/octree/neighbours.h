@@ -1,9 +1,9 @@
-// Neighbours: what lies in the 26 places around a brick.
+// Neighbours: what lies in the 26 directions around a brick.
 #pragma once
 
 #include "core/base/chunked_array.h"
+#include "core/mesh/polygonize/octree/entries_around.h"
 #include "core/mesh/polygonize/octree/octree.h"
-#include "core/mesh/polygonize/octree/places.h"
 
 #include <array>
 #include <cstdint>
@@ -31,24 +31,24 @@ struct Neighbourhood {
     }
 };
 
-// Fills in `found`, by brick, for the bricks of some tiles. A walk down the octree: the places around a child are
-// children of the places around its parent.
-void find_neighbours(const Octree& octree, std::span<const std::uint32_t> tiles, ChunkedArray<Neighbourhood>& found);
+// Fills in `found`, by brick, for the bricks of some subtrees. A walk down the octree: the entries around a child are
+// children of the entries around its parent.
+void find_neighbours(const Octree& octree, std::span<const std::uint32_t> subtrees, ChunkedArray<Neighbourhood>& found);
 
-// Pairs of tiles that touch each other, in no order; a pair may come twice.
-[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_tiles(const Octree& octree);
+// Pairs of subtrees that touch each other, in no order; a pair may come twice.
+[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree);
 
 // What an update of the octree changed.
 struct OctreeChanges {
-    std::vector<std::uint8_t> tiles;           // by tile: new, or to be taken for new
+    std::vector<std::uint8_t> subtrees;        // by subtree: new, or to be taken for new
     std::vector<std::uint8_t> below;           // by upper node: something below it is new or gone
     std::vector<std::uint8_t> children;        // by upper node, one bit per child: it is new or gone
-    std::vector<std::uint32_t> added, removed; // tiles
+    std::vector<std::uint32_t> added, removed; // subtrees
 
     void mark(const Octree& octree, std::uint32_t upper); // `below`, up to the root
 };
 
-// Tiles that touch something changed, and are not marked as changed themselves, in order.
-[[nodiscard]] std::vector<std::uint32_t> tiles_beside(const Octree& octree, const OctreeChanges& changes);
+// Subtrees that touch something changed, and are not marked as changed themselves, in order.
+[[nodiscard]] std::vector<std::uint32_t> subtrees_beside(const Octree& octree, const OctreeChanges& changes);
 
 } // namespace ramus::mesh::bricks

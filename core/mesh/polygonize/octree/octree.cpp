@@ -11,22 +11,22 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// Splits all cubes larger than tiles, level by level, and returns the tiles' seeds in depth-first order.
-std::vector<Seed> find_tiles(const Splitter& splitter, const Cube& root, Octree& octree) {
+// Splits all cubes larger than subtrees, level by level, and returns the subtrees' seeds in depth-first order.
+std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octree& octree) {
     std::vector<Seed> frontier(1);
     frontier[0].cube = root;
     for (bool some = true; some;) {
         std::vector<std::uint32_t> upper_of(frontier.size());
         some = false;
         for (std::size_t i = 0; i < frontier.size(); ++i) {
-            if (frontier[i].is_tile) continue;
+            if (frontier[i].is_subtree) continue;
             some = true;
             upper_of[i] = octree.add_upper_node();
             if (upper_of[i] > 0) octree.enter(frontier[i].parent, frontier[i].child, upper_of[i]);
         }
         std::vector<std::vector<Seed>> next(frontier.size());
         tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
-            if (frontier[i].is_tile) {
+            if (frontier[i].is_subtree) {
                 next[i].push_back(std::move(frontier[i]));
                 return;
             }
@@ -34,7 +34,7 @@ std::vector<Seed> find_tiles(const Splitter& splitter, const Cube& root, Octree&
             splitter.split_upper(frontier[i].cube, children);
             for (std::size_t c = 0; c < field::kChildren; ++c) {
                 if (children.verdicts[c] == Children::Verdict::kInside)
-                    octree.nodes[octree.upper[upper_of[i]].node][c] = OctreePlace::full();
+                    octree.nodes[octree.upper[upper_of[i]].node][c] = OctreeEntry::full();
                 if (children.verdicts[c] >= Children::Verdict::kBrick)
                     next[i].emplace_back(splitter, frontier[i].cube, children, c, upper_of[i]);
             }
@@ -55,17 +55,17 @@ std::uint32_t Octree::add_upper_node() {
 }
 
 void Octree::enter(std::uint32_t parent, std::size_t child, std::uint32_t upper_node) {
-    nodes[upper[parent].node][child] = OctreePlace::node(upper[upper_node].node);
+    nodes[upper[parent].node][child] = OctreeEntry::node(upper[upper_node].node);
     upper[parent].children[child] = UpperNode::node_code(upper_node);
     upper[upper_node].parent = parent;
 }
 
-std::vector<std::uint32_t> Octree::tiles_in_order() const {
+std::vector<std::uint32_t> Octree::subtrees_in_order() const {
     std::vector<std::uint32_t> order;
-    order.reserve(tiles.size());
+    order.reserve(subtrees.size());
     const auto walk = [&](const auto& self, std::uint32_t node) -> void {
         for (const std::uint32_t code : upper[node].children) {
-            if (UpperNode::is_tile(code)) order.push_back(code);
+            if (UpperNode::is_subtree(code)) order.push_back(code);
             if (UpperNode::is_node(code)) self(self, UpperNode::node_of(code));
         }
     };
@@ -73,24 +73,23 @@ std::vector<std::uint32_t> Octree::tiles_in_order() const {
     return order;
 }
 
-int levels_needed(const field::ConvolutionField& field, const Sizing& sizing) {
-    const glm::dvec3 extent = field.upper() - field.lower();
+int levels_needed(const field::Frame& frame, const Sizing& sizing) {
+    const glm::dvec3 extent = frame.upper - frame.lower;
     const double largest = std::max({extent.x, extent.y, extent.z});
     return std::max(1, static_cast<int>(std::ceil(std::log2(largest / (4.0 * sizing.finest_cell_mm)))) + 1);
 }
 
-Octree build_octree(const field::ConvolutionField& field, const field::CullingSegments& culling, const Sizing& sizing,
-                    Job& job) {
+Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job) {
     Octree octree;
-    octree.top_level = levels_needed(field, sizing);
+    octree.top_level = levels_needed(field.frame(), sizing);
     octree.lattice.unit_mm = 0.25 * sizing.finest_cell_mm;
     const double root_mm = octree.lattice.unit_mm * brick_units(octree.top_level);
-    octree.lattice.origin = 0.5 * (field.lower() + field.upper()) - glm::dvec3(0.5 * root_mm);
+    octree.lattice.origin = field.frame().middle() - glm::dvec3(0.5 * root_mm);
 
     const RootLists lists(field, sizing);
-    const Splitter splitter{field, culling, sizing, octree.lattice};
-    std::vector<Seed> seeds = find_tiles(splitter, lists.root(octree.top_level), octree);
-    append_tiles(splitter, seeds, octree, job);
+    const Splitter splitter{field, sizing, octree.lattice};
+    std::vector<Seed> seeds = find_subtrees(splitter, lists.root(octree.top_level), octree);
+    append_subtrees(splitter, seeds, octree, job);
     return octree;
 }
 

@@ -4,8 +4,7 @@
 
 #include "core/base/job.h"
 #include "core/base/large_array.h"
-#include "core/field/convolution_field.h"
-#include "core/field/culling.h"
+#include "core/field/field.h"
 #include "core/mesh/polygonize/octree/lattice.h"
 #include "core/mesh/polygonize/octree/sizing.h"
 
@@ -22,50 +21,50 @@ struct Brick {
     std::int32_t level = 0;
     std::uint32_t list_begin = 0; // into Octree::lists
     std::uint32_t list_count = 0;
-    std::uint32_t tile = 0; // into Octree::tiles
+    std::uint32_t subtree = 0; // into Octree::subtrees
 };
 
-// What is at a place of the octree: nothing that the surface could cross (all inside it or all outside), a brick, or a
-// node that is split.
-class OctreePlace {
+// An entry of the octree, the child of some node: nothing that the surface could cross (all inside it or all outside),
+// a brick, or a node that is split.
+class OctreeEntry {
 public:
-    constexpr OctreePlace() = default;
-    static constexpr OctreePlace brick(std::size_t index) { return OctreePlace(static_cast<std::uint32_t>(index)); }
-    static constexpr OctreePlace node(std::size_t index) {
-        return OctreePlace(static_cast<std::uint32_t>(index) | kNodeBit);
+    constexpr OctreeEntry() = default;
+    static constexpr OctreeEntry brick(std::size_t index) { return OctreeEntry(static_cast<std::uint32_t>(index)); }
+    static constexpr OctreeEntry node(std::size_t index) {
+        return OctreeEntry(static_cast<std::uint32_t>(index) | kNodeBit);
     }
-    static constexpr OctreePlace full() { return OctreePlace(kFull); }
+    static constexpr OctreeEntry full() { return OctreeEntry(kFull); }
     [[nodiscard]] constexpr bool is_empty() const { return code_ >= kFull; }
     [[nodiscard]] constexpr bool is_full() const { return code_ == kFull; } // empty, and inside the surface
     [[nodiscard]] constexpr bool is_node() const { return !is_empty() && (code_ & kNodeBit) != 0; }
     [[nodiscard]] constexpr bool is_brick() const { return (code_ & kNodeBit) == 0; }
     [[nodiscard]] constexpr std::uint32_t index() const { return code_ & ~kNodeBit; }
-    // The same place when bricks and nodes are counted from other beginnings.
-    [[nodiscard]] constexpr OctreePlace shifted(std::size_t bricks, std::size_t nodes) const {
-        return is_empty() ? *this : OctreePlace(code_ + static_cast<std::uint32_t>(is_node() ? nodes : bricks));
+    // The same entry when bricks and nodes are counted from other beginnings.
+    [[nodiscard]] constexpr OctreeEntry shifted(std::size_t bricks, std::size_t nodes) const {
+        return is_empty() ? *this : OctreeEntry(code_ + static_cast<std::uint32_t>(is_node() ? nodes : bricks));
     }
 
 private:
     static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;
     static constexpr std::uint32_t kFull = 0xFFFFFFFEU;
     static constexpr std::uint32_t kNodeBit = 0x80000000U;
-    explicit constexpr OctreePlace(std::uint32_t code) : code_(code) {}
+    explicit constexpr OctreeEntry(std::uint32_t code) : code_(code) {}
     std::uint32_t code_ = kEmpty;
 };
 
-using OctreeNode = std::array<OctreePlace, field::kChildren>;
+using OctreeNode = std::array<OctreeEntry, field::kChildren>;
 
-// A part of the octree that is worked on as a whole: a node with all below it, at most kTileLevels levels of the
+// A part of the octree that is worked on as a whole: a node with all below it, at most kSubtreeLevels levels of the
 // finest bricks in it, or a lone brick. Its bounds depend on what is there alone.
-struct Tile {
-    std::uint32_t parent = 0, child = 0; // its place: an upper node and one of that node's children
+struct Subtree {
+    std::uint32_t parent = 0, child = 0; // of which upper node it is which child
     std::uint32_t first_brick = 0, brick_count = 0;
     glm::ivec3 corner{0};
     std::int32_t level = 0; // of a brick of its size
 };
-inline constexpr int kTileLevels = 3;
+inline constexpr int kSubtreeLevels = 3;
 
-// A node above the tiles. Its children: nothing, another upper node, or a tile.
+// A node above the subtrees. Its children: nothing, another upper node, or a subtree.
 struct UpperNode {
     std::uint32_t node = 0;   // in Octree::nodes
     std::uint32_t parent = 0; // in Octree::upper; the root is its own
@@ -73,21 +72,21 @@ struct UpperNode {
 
     static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
     static constexpr std::uint32_t kNodeBit = 0x80000000U;
-    static constexpr std::uint32_t tile(std::size_t index) { return static_cast<std::uint32_t>(index); }
+    static constexpr std::uint32_t subtree(std::size_t index) { return static_cast<std::uint32_t>(index); }
     static constexpr std::uint32_t node_code(std::uint32_t index) { return index | kNodeBit; }
-    static constexpr bool is_tile(std::uint32_t code) { return (code & kNodeBit) == 0; }
+    static constexpr bool is_subtree(std::uint32_t code) { return (code & kNodeBit) == 0; }
     static constexpr bool is_node(std::uint32_t code) { return code != kNothing && (code & kNodeBit) != 0; }
     static constexpr std::uint32_t node_of(std::uint32_t code) { return code & ~kNodeBit; }
 };
 
-// Freshly built, tiles, bricks and all that belongs to them stand in depth-first order. Updating appends what is new
+// Freshly built, subtrees, bricks and all that belongs to them stand in depth-first order. Updating appends what is new
 // and leaves what is gone behind, unreferenced, so that nothing else moves.
 struct Octree {
     Lattice lattice;
     int top_level = 0;
     LargeArray<OctreeNode> nodes; // the root first
     std::vector<UpperNode> upper; // the root first
-    std::vector<Tile> tiles;
+    std::vector<Subtree> subtrees;
     LargeArray<Brick> bricks;
     LargeArray<std::uint32_t> lists; // segment indices, ascending within each brick
     [[nodiscard]] std::span<const std::uint32_t> segments_of(const Brick& brick) const {
@@ -96,16 +95,15 @@ struct Octree {
 
     std::uint32_t add_upper_node();
     void enter(std::uint32_t parent, std::size_t child, std::uint32_t upper_node); // indices of `upper`
-    [[nodiscard]] std::vector<std::uint32_t> tiles_in_order() const;               // depth first
+    [[nodiscard]] std::vector<std::uint32_t> subtrees_in_order() const;            // depth first
 };
 
 // Without bricks when cancelled.
-[[nodiscard]] Octree build_octree(const field::ConvolutionField& field, const field::CullingSegments& culling,
-                                  const Sizing& sizing, Job& job);
+[[nodiscard]] Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job);
 
 // How often the finest cell fits into the box around the field, in powers of two; beyond kMaximumLevels the lattice
 // would leave the range of its integers.
-[[nodiscard]] int levels_needed(const field::ConvolutionField& field, const Sizing& sizing);
+[[nodiscard]] int levels_needed(const field::Frame& frame, const Sizing& sizing);
 inline constexpr int kMaximumLevels = 18;
 
 } // namespace ramus::mesh::bricks

@@ -70,12 +70,12 @@ std::uint32_t morton(glm::uvec3 n) {
 glm::vec3 end_of(const SizingPiece& piece) { return piece.start + piece.length * piece.direction; }
 
 void group_pieces(Sizing& sizing, float half_extent) {
-    // By place along the curve; of the same place in order.
+    // By position along the Morton curve; those of the same position in order.
     std::vector<std::uint64_t> order;
     order.reserve(sizing.pieces.size());
     for (const SizingPiece& piece : sizing.pieces) {
-        const glm::vec3 place = (0.5F * (piece.start + end_of(piece)) + half_extent) / (2.0F * half_extent);
-        const std::uint64_t key = morton(glm::uvec3(glm::clamp(place * 1024.0F, 0.0F, 1023.0F)));
+        const glm::vec3 position = (0.5F * (piece.start + end_of(piece)) + half_extent) / (2.0F * half_extent);
+        const std::uint64_t key = morton(glm::uvec3(glm::clamp(position * 1024.0F, 0.0F, 1023.0F)));
         order.push_back(key << 32 | order.size());
     }
     std::ranges::sort(order);
@@ -102,10 +102,11 @@ void group_pieces(Sizing& sizing, float half_extent) {
 
 } // namespace
 
-Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm) {
-    const Segments& s = field.segments();
+Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
+    const Segments& s = field.skeleton().segments();
+    const glm::dvec3 origin = field.frame().middle();
     // As far as the vessel matters at all. So a cube that some segment reaches is never coarser than that one asks.
-    const double reach_radii = field.kernel().support_radii;
+    const double reach_radii = field.support_radii();
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
     sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.frame().thinnest;
@@ -120,7 +121,7 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
                                  static_cast<float>(length), static_cast<float>(Sizing::kRounding * cell),
                                  static_cast<float>(reach_radii * thickest + off), branch});
     };
-    const std::vector<std::uint32_t>& present = field.present();
+    const std::vector<std::uint32_t>& present = field.skeleton().present();
     for (std::size_t n = 0; n < present.size();) {
         const std::size_t i = present[n];
         const double r0 = s[i].radius;
@@ -149,7 +150,7 @@ Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int 
     }
     if (cell_mm <= 0.0) {
         sizing.cell_per_radius = cells_per_radius;
-        const glm::vec3 extent(field.upper() - field.lower());
+        const glm::vec3 extent(field.frame().upper - field.frame().lower);
         group_pieces(sizing, 0.5F * std::max({extent.x, extent.y, extent.z}));
     }
     return sizing;

@@ -8,7 +8,7 @@
 // the two; with slope <= 1 / (4 sqrt 3) = 0.1443 the smaller one has g >= s / 8 and stays whole as well.
 #pragma once
 
-#include "core/field/convolution_field.h"
+#include "core/field/field.h"
 #include "core/mesh/polygonize/octree/lattice.h"
 
 #include <algorithm>
@@ -19,9 +19,9 @@
 
 namespace ramus::mesh::bricks {
 
-// A stretch of vessel over which the radius, and so the wanted cell size, changes by little.
+// A stretch of vessel over which the radius, and so the cell size asked for, changes by little.
 struct SizingPiece {
-    glm::vec3 start{0.0F}; // relative to the culling origin, mm
+    glm::vec3 start{0.0F}; // relative to the middle of the frame, mm
     glm::vec3 direction{0.0F};
     float length = 0.0F;
     float cell_mm = 0.0F;
@@ -46,15 +46,13 @@ struct Sizing {
     double expected_triangles = 0.0; // a rough forecast, for refusing what cannot fit
 };
 
-// detail: cells around a vessel; cell_mm > 0 overrides it with one size everywhere. `origin`: what pieces are relative
-// to.
-[[nodiscard]] Sizing make_sizing(const field::ConvolutionField& field, glm::dvec3 origin, int detail, double cell_mm);
+// detail: cells around a vessel; cell_mm > 0 overrides it with one size everywhere.
+[[nodiscard]] Sizing make_sizing(const field::Field& field, int detail, double cell_mm);
 
-// Which of `pieces` (of `all`) ask the children of the cube at `middle` (mm, relative to the culling origin), bricks
-// with edge `child_side`, for cells smaller than their own: one bit per child for each piece, children numbered as in
-// field/culling.h.
-void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces, glm::vec3 middle,
-                     float child_side, std::span<std::uint8_t> active);
+// Which of `pieces` (of `all`) ask the children of a cube, as bricks, for cells smaller than their own: one bit
+// per child for each piece.
+void active_children(std::span<const SizingPiece> all, std::span<const std::uint32_t> pieces,
+                     const field::ChildCubes& cubes, std::span<std::uint8_t> active);
 
 [[nodiscard]] inline std::span<const std::uint32_t> pieces_of_group(const Sizing& sizing, std::uint32_t group) {
     const std::size_t first = Sizing::kGroupPieces * group;
@@ -64,8 +62,8 @@ void active_children(std::span<const SizingPiece> all, std::span<const std::uint
 // Wherever a vessel of this radius reaches, cells are at most so large.
 [[nodiscard]] float most_asked(const Sizing& sizing, float radius);
 
-// Whether a piece may make cells of a cube, or of a part of it, smaller than `most`. `middle` relative to the culling
-// origin, mm.
+// Whether a piece may make cells of a cube, or of a part of it, smaller than `most`. `middle` relative to the middle of
+// the frame, mm.
 [[nodiscard]] bool can_matter(const SizingPiece& piece, glm::vec3 middle, float side, float most);
 
 // The level of the cells that a vessel of this radius asks for.

@@ -28,56 +28,55 @@ std::array<Indices, field::kChildren> deal(Indices list, std::span<const std::ui
 
 // Part of an octree, counted from its own beginnings.
 struct Part {
-    OctreePlace top;
+    OctreeEntry top;
     std::vector<OctreeNode> nodes;
     std::vector<Brick> bricks;
     std::vector<std::uint32_t> lists;
 
-    OctreePlace add_brick(const Cube& cube) {
+    OctreeEntry add_brick(const Cube& cube) {
         bricks.push_back({cube.corner, cube.level, static_cast<std::uint32_t>(lists.size()),
                           static_cast<std::uint32_t>(cube.segments.size()), 0});
         lists.insert(lists.end(), cube.segments.begin(), cube.segments.end());
-        return OctreePlace::brick(bricks.size() - 1);
+        return OctreeEntry::brick(bricks.size() - 1);
     }
 };
 
-bool has_bricks(const Octree& octree, const Tile& tile, const Part& part) {
+bool has_bricks(const Octree& octree, const Subtree& subtree, const Part& part) {
     const auto same = [](const Brick& a, const Brick& b) { return a.corner == b.corner && a.level == b.level; };
-    return std::ranges::equal(std::span(octree.bricks).subspan(tile.first_brick, tile.brick_count), part.bricks, same);
+    return std::ranges::equal(std::span(octree.bricks).subspan(subtree.first_brick, subtree.brick_count), part.bricks,
+                              same);
 }
 
 // Depth first, children in Morton order: the order of the bricks is the same in every run. `scratch` has an entry for
 // every level.
-OctreePlace descend(const Splitter& splitter, const Cube& cube, std::span<Children> scratch, Part& part) {
+OctreeEntry descend(const Splitter& splitter, const Cube& cube, std::span<Children> scratch, Part& part) {
     const std::size_t index = part.nodes.size();
     part.nodes.emplace_back();
     Children& children = scratch.front();
     splitter.split(cube, children);
     for (std::size_t c = 0; c < field::kChildren; ++c) {
-        OctreePlace place;
-        if (children.verdicts[c] == Children::Verdict::kInside) place = OctreePlace::full();
-        if (children.verdicts[c] == Children::Verdict::kBrick) place = part.add_brick(children.cubes[c]);
+        OctreeEntry entry;
+        if (children.verdicts[c] == Children::Verdict::kInside) entry = OctreeEntry::full();
+        if (children.verdicts[c] == Children::Verdict::kBrick) entry = part.add_brick(children.cubes[c]);
         if (children.verdicts[c] == Children::Verdict::kSplit)
-            place = descend(splitter, children.cubes[c], scratch.subspan(1), part);
-        part.nodes[index][c] = place; // by index: the recursion adds nodes
+            entry = descend(splitter, children.cubes[c], scratch.subspan(1), part);
+        part.nodes[index][c] = entry; // by index: the recursion adds nodes
     }
-    return OctreePlace::node(index);
+    return OctreeEntry::node(index);
 }
 
 } // namespace
 
 glm::vec3 Splitter::middle_of(const Cube& cube) const {
-    return glm::vec3(lattice.position(cube.corner) + glm::dvec3(child_side(cube)) - culling.origin);
+    return glm::vec3(lattice.position(cube.corner) + glm::dvec3(child_side(cube)) - field.frame().middle());
 }
 
 void Splitter::split(const Cube& cube, Children& children, bool upper) const {
     const int level = cube.level - 1;
-    const double side = child_side(cube);
-    const glm::vec3 middle = middle_of(cube);
-    const auto isovalue = static_cast<float>(field.kernel().isovalue);
+    const field::ChildCubes cubes = children_of(cube);
+    const float isovalue = field.isovalue();
     children.bits.resize(std::max(cube.segments.size(), cube.pieces.size()));
-    const auto bounds =
-        field::cull_children(field, culling, cube.segments, middle, static_cast<float>(side), children.bits);
+    const auto bounds = field.bound_children(cube.segments, cubes, children.bits);
     const auto segments = deal(cube.segments, children.bits, children.segments);
     bool some = false;
     for (int c = 0; c < field::kChildren; ++c) {
@@ -96,7 +95,7 @@ void Splitter::split(const Cube& cube, Children& children, bool upper) const {
     if (!uniform) {
         const auto& all = upper ? sizing.groups : sizing.pieces;
         children.bits.resize(std::max(children.bits.size(), cube.pieces.size()));
-        active_children(all, cube.pieces, middle, static_cast<float>(side), children.bits);
+        active_children(all, cube.pieces, cubes, children.bits);
         pieces = deal(cube.pieces, children.bits, children.pieces);
     }
     for (std::size_t c = 0; c < field::kChildren; ++c) {
@@ -107,47 +106,45 @@ void Splitter::split(const Cube& cube, Children& children, bool upper) const {
 }
 
 bool Splitter::any_active(const Cube& cube, std::size_t child, Indices groups) const {
-    const glm::vec3 middle = middle_of(cube);
-    const auto side = static_cast<float>(child_side(cube));
+    const field::ChildCubes cubes = children_of(cube);
     std::array<std::uint8_t, Sizing::kGroupPieces> bits;
     return std::ranges::any_of(groups, [&](std::uint32_t group) {
         const Indices members = pieces_of_group(sizing, group);
-        active_children(sizing.pieces, members, middle, side, bits);
+        active_children(sizing.pieces, members, cubes, bits);
         return std::any_of(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(members.size()),
                            [&](std::uint8_t b) { return (b >> child & 1) != 0; });
     });
 }
 
 void Splitter::expand(const Cube& cube, std::size_t child, Indices groups, std::vector<std::uint32_t>& pieces) const {
-    const glm::vec3 middle = middle_of(cube);
-    const auto side = static_cast<float>(child_side(cube));
+    const field::ChildCubes cubes = children_of(cube);
     std::array<std::uint8_t, Sizing::kGroupPieces> bits;
     for (const std::uint32_t group : groups) {
         const Indices members = pieces_of_group(sizing, group);
-        active_children(sizing.pieces, members, middle, side, bits);
+        active_children(sizing.pieces, members, cubes, bits);
         for (std::size_t m = 0; m < members.size(); ++m)
             if ((bits[m] >> child & 1) != 0) pieces.push_back(members[m]);
     }
 }
 
-bool Splitter::is_tile(const Cube& cube) const {
+bool Splitter::is_subtree(const Cube& cube) const {
     float thinnest = std::numeric_limits<float>::max();
-    for (const std::uint32_t place : cube.segments) {
-        const field::CullingSegment& s = culling.segments[place];
-        thinnest = std::min({thinnest, s.radius, s.radius + s.slope * s.length});
+    for (const std::uint32_t index : cube.segments) {
+        const field::FieldSegment& s = field.skeleton().segments()[index];
+        thinnest = std::min({thinnest, s.radius, s.end_radius()});
     }
-    return cube.level <= level_of_radius(sizing, thinnest, lattice) + kTileLevels;
+    return cube.level <= level_of_radius(sizing, thinnest, lattice) + kSubtreeLevels;
 }
 
 Seed::Seed(const Splitter& splitter, const Cube& parent_cube, const Children& children, std::size_t c,
            std::uint32_t parent_node)
     : cube(children.cubes[c]), is_brick(children.verdicts[c] == Children::Verdict::kBrick), parent(parent_node),
       child(static_cast<std::uint32_t>(c)), segments(cube.segments.begin(), cube.segments.end()) {
-    is_tile = is_brick || splitter.is_tile(cube);
-    if (!is_tile && !splitter.sizing.pieces.empty() && !splitter.any_active(parent_cube, c, cube.pieces)) {
+    is_subtree = is_brick || splitter.is_subtree(cube);
+    if (!is_subtree && !splitter.sizing.pieces.empty() && !splitter.any_active(parent_cube, c, cube.pieces)) {
         // The thin end of a long segment lies elsewhere.
-        is_brick = is_tile = true;
-    } else if (!is_tile) {
+        is_brick = is_subtree = true;
+    } else if (!is_subtree) {
         pieces.assign(cube.pieces.begin(), cube.pieces.end());
     } else if (!is_brick && !splitter.sizing.pieces.empty()) {
         splitter.expand(parent_cube, c, cube.pieces, pieces);
@@ -157,8 +154,8 @@ Seed::Seed(const Splitter& splitter, const Cube& parent_cube, const Children& ch
     cube.pieces = pieces;
 }
 
-void append_tiles(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job) {
-    const std::size_t first_tile = octree.tiles.size();
+void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job) {
+    const std::size_t first_subtree = octree.subtrees.size();
     std::vector<Part> parts(seeds.size());
     tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
@@ -170,7 +167,7 @@ void append_tiles(const Splitter& splitter, std::vector<Seed>& seeds, Octree& oc
     if (job.cancelled()) return;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (seeds[i].present != UpperNode::kNothing && has_bricks(octree, octree.tiles[seeds[i].present], parts[i]))
+        if (seeds[i].present != UpperNode::kNothing && has_bricks(octree, octree.subtrees[seeds[i].present], parts[i]))
             continue;
         if (kept != i) seeds[kept] = std::move(seeds[i]), parts[kept] = std::move(parts[i]);
         ++kept;
@@ -183,16 +180,16 @@ void append_tiles(const Splitter& splitter, std::vector<Seed>& seeds, Octree& oc
     };
     std::vector<First> first(parts.size() + 1);
     first[0] = {octree.nodes.size(), octree.bricks.size(), octree.lists.size()};
-    octree.tiles.reserve(first_tile + parts.size());
+    octree.subtrees.reserve(first_subtree + parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         first[i + 1] = {first[i].node + parts[i].nodes.size(), first[i].brick + parts[i].bricks.size(),
                         first[i].list + parts[i].lists.size()};
         UpperNode& parent = octree.upper[seeds[i].parent];
         octree.nodes[parent.node][seeds[i].child] = parts[i].top.shifted(first[i].brick, first[i].node);
-        parent.children[seeds[i].child] = UpperNode::tile(first_tile + i);
-        octree.tiles.push_back({seeds[i].parent, seeds[i].child, static_cast<std::uint32_t>(first[i].brick),
-                                static_cast<std::uint32_t>(parts[i].bricks.size()), seeds[i].cube.corner,
-                                seeds[i].cube.level});
+        parent.children[seeds[i].child] = UpperNode::subtree(first_subtree + i);
+        octree.subtrees.push_back({seeds[i].parent, seeds[i].child, static_cast<std::uint32_t>(first[i].brick),
+                                   static_cast<std::uint32_t>(parts[i].bricks.size()), seeds[i].cube.corner,
+                                   seeds[i].cube.level});
     }
     octree.nodes.resize(first.back().node);
     octree.bricks.resize(first.back().brick);
@@ -205,7 +202,7 @@ void append_tiles(const Splitter& splitter, std::vector<Seed>& seeds, Octree& oc
         for (std::size_t n = 0; n < parts[i].bricks.size(); ++n) {
             octree.bricks[brick + n] = parts[i].bricks[n];
             octree.bricks[brick + n].list_begin += static_cast<std::uint32_t>(list);
-            octree.bricks[brick + n].tile = static_cast<std::uint32_t>(first_tile + i);
+            octree.bricks[brick + n].subtree = static_cast<std::uint32_t>(first_subtree + i);
         }
         std::ranges::copy(parts[i].lists, octree.lists.begin() + static_cast<std::ptrdiff_t>(list));
         parts[i] = {};

@@ -1,5 +1,5 @@
-// Splitter: what the eight children of a cube are, and how a tile's bricks come of that. Shared by building an octree
-// and by updating one.
+// Splitter: what the eight children of a cube are, and how a subtree's bricks come of that. Shared by building an
+// octree and by updating one.
 #pragma once
 
 #include "core/mesh/polygonize/octree/octree.h"
@@ -14,7 +14,7 @@ namespace ramus::mesh::bricks {
 
 using Indices = std::span<const std::uint32_t>;
 
-// A cube of the octree with what of the tree concerns it: segments, and sizing pieces, or above the tiles groups of
+// A cube of the octree with what of the tree concerns it: segments, and sizing pieces, or above the subtrees groups of
 // them.
 struct Cube {
     glm::ivec3 corner{0};
@@ -33,21 +33,23 @@ struct Children {
 };
 
 struct Splitter {
-    const field::ConvolutionField& field;
-    const field::CullingSegments& culling;
+    const field::Field& field;
     const Sizing& sizing;
     const Lattice& lattice;
 
     void split(const Cube& cube, Children& children) const { split(cube, children, false); }
-    // With groups in the place of pieces.
+    // With groups instead of pieces.
     void split_upper(const Cube& cube, Children& children) const { split(cube, children, true); }
     // The pieces of `groups` that ask a child of the cube for smaller cells, and whether there are any.
     [[nodiscard]] bool any_active(const Cube& cube, std::size_t child, Indices groups) const;
     void expand(const Cube& cube, std::size_t child, Indices groups, std::vector<std::uint32_t>& pieces) const;
-    // Whether a cube as small as this is to be a tile. Goes by its segments alone.
-    [[nodiscard]] bool is_tile(const Cube& cube) const;
-    // Middle of a cube relative to the culling origin, and the edge of its children, mm.
+    // Whether a cube as small as this is to be a subtree. Goes by its segments alone.
+    [[nodiscard]] bool is_subtree(const Cube& cube) const;
+    // Middle of a cube relative to the middle of the frame, and the edge of its children, mm.
     [[nodiscard]] glm::vec3 middle_of(const Cube& cube) const;
+    [[nodiscard]] field::ChildCubes children_of(const Cube& cube) const {
+        return {middle_of(cube), static_cast<float>(child_side(cube))};
+    }
     [[nodiscard]] double child_side(const Cube& cube) const { return lattice.unit_mm * brick_units(cube.level - 1); }
 
 private:
@@ -57,7 +59,7 @@ private:
 // Where the lists begin: all that there is.
 class RootLists {
 public:
-    RootLists(const field::ConvolutionField& field, const Sizing& sizing) : segments_(field.present()) {
+    RootLists(const field::Field& field, const Sizing& sizing) : segments_(field.skeleton().present()) {
         groups_.resize(sizing.groups.size());
         std::iota(groups_.begin(), groups_.end(), 0U);
     }
@@ -68,13 +70,12 @@ private:
     std::vector<std::uint32_t> groups_;
 };
 
-// A cube with lists of its own that is to become a tile, or to be split on the way there. In its place: a child of an
-// upper node.
+// A cube with lists of its own that is to become a subtree, or to be split on the way there. Child of an upper node.
 struct Seed {
     Cube cube;
-    bool is_brick = false, is_tile = false;
+    bool is_brick = false, is_subtree = false;
     std::uint32_t parent = 0, child = 0;
-    // A tile that is there already, of which it is known that only its division into bricks may have changed.
+    // A subtree that is there already, of which it is known that only its division into bricks may have changed.
     std::uint32_t present = UpperNode::kNothing;
     std::vector<std::uint32_t> segments, pieces; // what the cube's lists point to
 
@@ -84,9 +85,9 @@ struct Seed {
          std::uint32_t parent_node);
 };
 
-// Makes the tiles of `seeds`, appends them to the octree, nodes, bricks, lists and all, and enters them under their
-// parents. They stand in octree.tiles from the place on that was its end, in order. Leaves in `seeds` those that were
-// entered: not those whose present tile turned out as they would. Incomplete when cancelled.
-void append_tiles(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job);
+// Makes the subtrees of `seeds`, appends them to the octree, nodes, bricks, lists and all, and enters them under their
+// parents. They are appended to octree.subtrees, in order. Leaves in `seeds` those that were
+// entered: not those whose present subtree turned out as they would. Incomplete when cancelled.
+void append_subtrees(const Splitter& splitter, std::vector<Seed>& seeds, Octree& octree, Job& job);
 
 } // namespace ramus::mesh::bricks

@@ -19,8 +19,7 @@ bool is_empty(const Changed& changed) {
 class Updater {
 public:
     Updater(Octree& octree, const TreeState& before, const TreeState& after)
-        : octree_(octree), before_(before),
-          after_(after), splitter_{after.field, after.culling, after.sizing, octree.lattice} {}
+        : octree_(octree), before_(before), after_(after), splitter_{after.field, after.sizing, octree.lattice} {}
 
     // Level by level, so that the nodes of one can be split in parallel.
     void update(const Cube& root, const Changed& changed) {
@@ -37,26 +36,26 @@ public:
         }
     }
 
-    // Puts the seeds' tiles in the place of what was there.
+    // Replaces what was there by the seeds' subtrees.
     OctreeChanges finish(Job& job) {
         std::vector<std::array<std::uint32_t, field::kChildren>> old;
-        const std::size_t first = octree_.tiles.size();
-        // append_tiles enters the new codes; the old ones are still needed.
+        const std::size_t first = octree_.subtrees.size();
+        // append_subtrees enters the new codes; the old ones are still needed.
         old.reserve(octree_.upper.size());
         for (const UpperNode& node : octree_.upper) old.push_back(node.children);
-        append_tiles(splitter_, seeds, octree_, job);
+        append_subtrees(splitter_, seeds, octree_, job);
         for (const Seed& seed : seeds) {
             remove_below(old[seed.parent][seed.child]);
-            places_.emplace_back(seed.parent, seed.child);
+            changed_children_.emplace_back(seed.parent, seed.child);
         }
-        changes_.tiles.assign(octree_.tiles.size(), 0);
+        changes_.subtrees.assign(octree_.subtrees.size(), 0);
         changes_.below.assign(octree_.upper.size(), 0);
         changes_.children.assign(octree_.upper.size(), 0);
-        for (std::size_t tile = first; tile < octree_.tiles.size(); ++tile) {
-            changes_.tiles[tile] = 1;
-            changes_.added.push_back(static_cast<std::uint32_t>(tile));
+        for (std::size_t subtree = first; subtree < octree_.subtrees.size(); ++subtree) {
+            changes_.subtrees[subtree] = 1;
+            changes_.added.push_back(static_cast<std::uint32_t>(subtree));
         }
-        for (const auto& [upper, child] : places_) {
+        for (const auto& [upper, child] : changed_children_) {
             changes_.children[upper] = static_cast<std::uint8_t>(changes_.children[upper] | 1U << child);
             changes_.mark(octree_, upper);
         }
@@ -107,13 +106,14 @@ private:
         }
         const Cube& cube = children.cubes[c];
         float thickest = 0.0F;
-        for (const std::uint32_t place : cube.segments) {
-            const field::CullingSegment& s = after_.culling.segments[place];
-            thickest = std::max({thickest, s.radius, s.radius + s.slope * s.length});
+        for (const std::uint32_t index : cube.segments) {
+            const field::FieldSegment& s = after_.field.skeleton().segments()[index];
+            thickest = std::max({thickest, s.radius, s.end_radius()});
         }
         const float most = most_asked(after_.sizing, thickest);
         const auto side = static_cast<float>(splitter_.child_side(parent));
-        const glm::vec3 middle(octree_.lattice.position(cube.corner) + glm::dvec3(0.5 * side) - after_.culling.origin);
+        const glm::vec3 middle(octree_.lattice.position(cube.corner) + glm::dvec3(0.5 * side) -
+                               after_.field.frame().middle());
         for (const std::size_t list : {2, 3}) {
             const Sizing& sizing = (list == 2 ? before_ : after_).sizing;
             std::erase_if(changed[list],
@@ -127,12 +127,12 @@ private:
         const std::uint32_t old = octree_.upper[upper].children[c];
         if (!node.exists) {
             remove(upper, c);
-            if (node.is_full) octree_.nodes[octree_.upper[upper].node][c] = OctreePlace::full();
+            if (node.is_full) octree_.nodes[octree_.upper[upper].node][c] = OctreeEntry::full();
             return;
         }
-        if (node.seed.is_tile) {
+        if (node.seed.is_subtree) {
             const bool same_segments = node.changed[0].empty() && node.changed[1].empty();
-            if (UpperNode::is_tile(old) && same_segments && !node.fresh) node.seed.present = old;
+            if (UpperNode::is_subtree(old) && same_segments && !node.fresh) node.seed.present = old;
             seeds.push_back(std::move(node.seed));
             return;
         }
@@ -151,14 +151,14 @@ private:
     void remove(std::uint32_t upper, std::size_t child) {
         std::uint32_t& code = octree_.upper[upper].children[child];
         remove_below(code);
-        places_.emplace_back(upper, child);
+        changed_children_.emplace_back(upper, child);
         code = UpperNode::kNothing;
-        octree_.nodes[octree_.upper[upper].node][child] = OctreePlace();
+        octree_.nodes[octree_.upper[upper].node][child] = OctreeEntry();
     }
 
     void remove_below(std::uint32_t code) {
         if (code == UpperNode::kNothing) return;
-        if (UpperNode::is_tile(code)) {
+        if (UpperNode::is_subtree(code)) {
             changes_.removed.push_back(code);
             return;
         }
@@ -167,17 +167,16 @@ private:
 
     std::array<Changed, field::kChildren> deal(const Cube& cube, const Changed& changed) const {
         std::array<Changed, field::kChildren> parts;
-        const glm::vec3 middle = splitter_.middle_of(cube);
-        const auto side = static_cast<float>(splitter_.child_side(cube));
+        const field::ChildCubes cubes = splitter_.children_of(cube);
         thread_local std::vector<std::uint8_t> bits;
         for (std::size_t list = 0; list < changed.size(); ++list) {
             if (changed[list].empty()) continue;
             const TreeState& state = list % 2 == 0 ? before_ : after_;
             bits.assign(changed[list].size(), 0);
             if (list < 2)
-                field::cull_children(state.field, state.culling, changed[list], middle, side, bits);
+                state.field.bound_children(changed[list], cubes, bits);
             else
-                active_children(state.sizing.pieces, changed[list], middle, side, bits);
+                active_children(state.sizing.pieces, changed[list], cubes, bits);
             for (std::size_t m = 0; m < bits.size(); ++m)
                 for (std::size_t c = 0; c < field::kChildren; ++c)
                     if ((bits[m] >> c & 1) != 0) parts[c][list].push_back(changed[list][m]);
@@ -190,7 +189,7 @@ private:
     const TreeState& after_;
     Splitter splitter_;
     OctreeChanges changes_;
-    std::vector<std::pair<std::uint32_t, std::size_t>> places_; // upper nodes and children that changed
+    std::vector<std::pair<std::uint32_t, std::size_t>> changed_children_; // upper nodes and children that changed
 };
 
 } // namespace

@@ -9,13 +9,12 @@ namespace ramus::mesh::bricks {
 
 // One state of a tree, and what of it is not in the other.
 struct TreeState {
-    const field::ConvolutionField& field;
-    const field::CullingSegments& culling;
+    const field::Field& field;
     const Sizing& sizing;
     std::vector<std::uint32_t> changed_segments, changed_pieces;
 };
 
-// Both states in the same frame, with the same lattice and the same culling origin. Incomplete when cancelled.
+// Both states in the same frame. Incomplete when cancelled.
 [[nodiscard]] OctreeChanges update_octree(Octree& octree, const TreeState& before, const TreeState& after, Job& job);
 
 } // namespace ramus::mesh::bricks

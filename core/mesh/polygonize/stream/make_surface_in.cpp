@@ -6,14 +6,13 @@
 
 namespace ramus::mesh {
 
-Result<void> make_surface_in(bricks::SurfaceStore& store, const field::ConvolutionField& field,
-                             const PolygonizeOptions& options, Road road, Job& job, PolygonizeStatistics* statistics) {
+Result<void> make_surface_in(bricks::SurfaceStore& store, const field::Field& field, const PolygonizeOptions& options,
+                             PolygonizeMode mode, Job& job, PolygonizeStatistics* statistics) {
     using bricks::SurfaceStream;
     Stopwatch watch;
-    const field::CullingSegments culling(field);
-    const bricks::Sizing sizing = bricks::make_sizing(field, culling.origin, options.detail, options.cell_mm);
-    if (auto possible = check_feasible(field, sizing, options, road); !possible) return possible;
-    bricks::Octree octree = bricks::build_octree(field, culling, sizing, job);
+    const bricks::Sizing sizing = bricks::make_sizing(field, options.detail, options.cell_mm);
+    if (auto possible = check_feasible(field, sizing, options, mode); !possible) return possible;
+    bricks::Octree octree = bricks::build_octree(field, sizing, job);
     if (job.cancelled()) return fail("cancelled");
     const double bricks_s = watch.lap();
     store.expect(octree.bricks.size());

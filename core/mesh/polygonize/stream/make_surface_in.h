@@ -6,9 +6,9 @@
 
 namespace ramus::mesh {
 
-// Fails when that road is not feasible, when the store is full, or when cancelled.
-[[nodiscard]] Result<void> make_surface_in(bricks::SurfaceStore& store, const field::ConvolutionField& field,
-                                           const PolygonizeOptions& options, Road road, Job& job,
+// Fails when the surface is not feasible in that mode, when the store is full, or when cancelled.
+[[nodiscard]] Result<void> make_surface_in(bricks::SurfaceStore& store, const field::Field& field,
+                                           const PolygonizeOptions& options, PolygonizeMode mode, Job& job,
                                            PolygonizeStatistics* statistics);
 
 } // namespace ramus::mesh

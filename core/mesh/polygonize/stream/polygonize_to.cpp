@@ -11,7 +11,7 @@ namespace ramus::mesh {
 
 namespace {
 
-// Keeps the vertices that are still wanted, and hands what a batch made over while the next one is worked on.
+// Keeps the vertices that triangles to come may name, and hands what a batch made over while the next one is worked on.
 class StreamStore final : public bricks::SurfaceStore {
 public:
     explicit StreamStore(SurfaceSink& sink) : sink_(sink) {}
@@ -85,10 +85,10 @@ private:
 
 } // namespace
 
-Result<void> polygonize_to(SurfaceSink& sink, const field::ConvolutionField& field, const PolygonizeOptions& options,
-                           Job& job, PolygonizeStatistics* statistics) {
+Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const PolygonizeOptions& options, Job& job,
+                           PolygonizeStatistics* statistics) {
     StreamStore store(sink);
-    const auto made = make_surface_in(store, field, options, Road::kStream, job, statistics);
+    const auto made = make_surface_in(store, field, options, PolygonizeMode::kStream, job, statistics);
     if (!made) return made;
     if (!store.finish()) return fail("the surface cannot be taken further");
     job.report(1.0F);

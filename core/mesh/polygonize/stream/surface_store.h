@@ -17,12 +17,12 @@ public:
 
     // Told before all else.
     virtual void expect([[maybe_unused]] std::size_t bricks) {}
-    // Room for so many vertices in all. False: it cannot take them.
+    // Provides for so many vertices in all. False: it cannot take them.
     [[nodiscard]] virtual bool resize_vertices(std::size_t count) = 0;
-    // To its places from `at` on go `count` vertices of `from`, those from `begin` on.
+    // Copies `count` vertices of `from`, those from `begin` on, to the vertices from `at` on.
     virtual void put_vertices(std::size_t at, const SurfaceVertices& from, std::size_t begin, std::size_t count) = 0;
     [[nodiscard]] virtual VertexSpan vertices() const = 0;
-    // Room for so many more triangles, all of which will be written.
+    // Provides for so many more triangles, all of which will be written.
     [[nodiscard]] virtual std::span<glm::uvec3> add_triangles(std::size_t count) = 0;
     // Vertices that no triangle to come will name.
     virtual void release_vertices(std::size_t first, std::size_t end) = 0;

@@ -7,30 +7,30 @@
 
 namespace ramus::mesh::bricks {
 
-SurfaceStream::SurfaceStream(const field::ConvolutionField& field, Octree& octree, SurfaceStore& store)
-    : field_(field), octree_(octree), store_(store), placed_(octree.tiles.size()),
-      dropped_(octree.tiles.size(), false) {}
+SurfaceStream::SurfaceStream(const field::Field& field, Octree& octree, SurfaceStore& store)
+    : field_(field), octree_(octree), store_(store), placed_(octree.subtrees.size()),
+      dropped_(octree.subtrees.size(), false) {}
 
 SurfaceStream::End SurfaceStream::work(Job& job) {
     constexpr float kOctree = 0.1F; // of the progress
     float progress = kOctree;
     std::size_t bricks = 0;
-    for (const TileBatch& batch : schedule_tiles(octree_)) {
-        if (const End end = work(batch, JobStretch(job, progress, progress)); end != End::kDone) return end;
-        bricks += brick_end(batch.fill.back()) - octree_.tiles[batch.fill.front()].first_brick;
+    for (const SubtreeBatch& batch : schedule_subtrees(octree_)) {
+        if (const End end = work(batch, JobRange(job, progress, progress)); end != End::kDone) return end;
+        bricks += brick_end(batch.fill.back()) - octree_.subtrees[batch.fill.front()].first_brick;
         progress = kOctree + (1.0F - kOctree) * static_cast<float>(bricks) / static_cast<float>(octree_.bricks.size());
     }
     return End::kDone;
 }
 
-SurfaceStream::End SurfaceStream::work(const TileBatch& batch, const JobStretch& job) {
+SurfaceStream::End SurfaceStream::work(const SubtreeBatch& batch, const JobRange& job) {
     Stopwatch watch;
     find_neighbours(octree_, batch.fill, cells_.neighbours);
-    fill_tiles(field_, octree_, batch.fill, cells_, job);
+    fill_subtrees(field_, octree_, batch.fill, cells_, job);
     if (job.cancelled()) return End::kCancelled;
     fill_s_ += watch.lap();
     if (const End end = place_vertices(batch.fill); end != End::kDone) return end;
-    join_tiles(field_, octree_, batch.join, cells_, store_.vertices(), joined_, job);
+    join_subtrees(field_, octree_, batch.join, cells_, store_.vertices(), joined_, job);
     if (job.cancelled()) return End::kCancelled;
     if (const End end = place_triangles(batch.join); end != End::kDone) return end;
     drop(batch.drop);
@@ -45,33 +45,33 @@ SurfaceStream::End SurfaceStream::grow_vertices(std::size_t count) {
     return store_.resize_vertices(vertex_count_) ? End::kDone : End::kStoreIsFull;
 }
 
-SurfaceStream::End SurfaceStream::place_vertices(std::span<const std::uint32_t> tiles) {
+SurfaceStream::End SurfaceStream::place_vertices(std::span<const std::uint32_t> subtrees) {
     std::size_t next = vertex_count_;
-    for (const std::uint32_t tile : tiles) {
-        placed_[tile] = {next, next + cells_.tiles[tile].vertex_count};
-        next = placed_[tile].end;
+    for (const std::uint32_t subtree : subtrees) {
+        placed_[subtree] = {next, next + cells_.subtrees[subtree].vertex_count};
+        next = placed_[subtree].end;
     }
     if (const End end = grow_vertices(next - vertex_count_); end != End::kDone) return end;
-    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
-        TileCells& cells = cells_.tiles[tiles[t]];
-        const std::size_t first = placed_[tiles[t]].first;
+    tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
+        SubtreeCells& cells = cells_.subtrees[subtrees[t]];
+        const std::size_t first = placed_[subtrees[t]].first;
         store_.put_vertices(first, *cells.vertices, cells.first_vertex, cells.vertex_count);
         cells.vertices = nullptr;
-        for (std::uint32_t b = octree_.tiles[tiles[t]].first_brick; b < brick_end(tiles[t]); ++b)
+        for (std::uint32_t b = octree_.subtrees[subtrees[t]].first_brick; b < brick_end(subtrees[t]); ++b)
             if (cells_.cells[b].crossed) cells_.cells[b].first_vertex += static_cast<std::uint32_t>(first);
     });
     cells_.reuse_vertices();
     return End::kDone;
 }
 
-SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t> tiles) {
+SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t> subtrees) {
     struct First {
         std::size_t added, triangle;
     };
-    std::vector<First> first(tiles.size());
+    std::vector<First> first(subtrees.size());
     std::size_t added = vertex_count_;
     std::size_t triangles = 0;
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
+    for (std::size_t t = 0; t < subtrees.size(); ++t) {
         first[t] = {added, triangles};
         added += joined_[t].added.count;
         triangles += joined_[t].triangle_count();
@@ -79,47 +79,47 @@ SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t>
     if (const End end = grow_vertices(added - vertex_count_); end != End::kDone) return end;
     const std::span<glm::uvec3> out = store_.add_triangles(triangles);
     const VertexSpan vertices = store_.vertices();
-    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
-        const JoinedTile& joined = joined_[t];
+    tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
+        const JoinedSubtree& joined = joined_[t];
         store_.put_vertices(first[t].added, joined.added, 0, joined.added.count);
         joined.write_triangles(vertices, first[t].added, out.subspan(first[t].triangle, joined.triangle_count()));
     });
     return End::kDone;
 }
 
-// Gives back what belongs to these tiles, and with it the pages that they share with tiles dropped before.
-void SurfaceStream::drop(std::span<const std::uint32_t> tiles) {
-    for (const std::uint32_t tile : tiles) {
-        dropped_[tile] = true;
-        evaluations_ += cells_.tiles[tile].evaluations;
-        samples_ += cells_.tiles[tile].samples;
-        cells_.tiles[tile] = {};
-        const std::uint32_t first = octree_.tiles[tile].first_brick;
-        cells_.neighbours.release(first, brick_end(tile));
-        cells_.cells.release(first, brick_end(tile));
+// Gives back what belongs to these subtrees, and with it the pages that they share with subtrees dropped before.
+void SurfaceStream::drop(std::span<const std::uint32_t> subtrees) {
+    for (const std::uint32_t subtree : subtrees) {
+        dropped_[subtree] = true;
+        evaluations_ += cells_.subtrees[subtree].counts.evaluations;
+        samples_ += cells_.subtrees[subtree].counts.samples;
+        cells_.subtrees[subtree] = {};
+        const std::uint32_t first = octree_.subtrees[subtree].first_brick;
+        cells_.neighbours.release(first, brick_end(subtree));
+        cells_.cells.release(first, brick_end(subtree));
     }
     constexpr std::uint32_t kPageOfBricks = 1024; // more than a page holds of anything
-    for (std::size_t t = 0; t < tiles.size();) {
-        std::uint32_t first = tiles[t];
+    for (std::size_t t = 0; t < subtrees.size();) {
+        std::uint32_t first = subtrees[t];
         std::uint32_t end = first + 1;
-        for (++t; t < tiles.size() && tiles[t] == end; ++t) ++end;
-        const std::uint32_t first_brick = octree_.tiles[first].first_brick;
+        for (++t; t < subtrees.size() && subtrees[t] == end; ++t) ++end;
+        const std::uint32_t first_brick = octree_.subtrees[first].first_brick;
         const std::uint32_t end_brick = brick_end(end - 1);
-        while (first > 0 && dropped_[first - 1] && first_brick - octree_.tiles[first].first_brick < kPageOfBricks)
+        while (first > 0 && dropped_[first - 1] && first_brick - octree_.subtrees[first].first_brick < kPageOfBricks)
             --first;
         while (end < dropped_.size() && dropped_[end] && brick_end(end - 1) - end_brick < kPageOfBricks) ++end;
         empty(first, end);
     }
 }
 
-void SurfaceStream::empty(std::uint32_t first_tile, std::uint32_t end_tile) {
-    const std::uint32_t first = octree_.tiles[first_tile].first_brick;
-    const std::uint32_t count = brick_end(end_tile - 1) - first;
+void SurfaceStream::empty(std::uint32_t first_subtree, std::uint32_t end_subtree) {
+    const std::uint32_t first = octree_.subtrees[first_subtree].first_brick;
+    const std::uint32_t count = brick_end(end_subtree - 1) - first;
     if (count == 0) return;
     const Brick& last = octree_.bricks[first + count - 1];
     const std::uint32_t list = octree_.bricks[first].list_begin;
     empty_pages(&octree_.lists[list], (last.list_begin + last.list_count - list) * sizeof(std::uint32_t));
-    store_.release_vertices(placed_[first_tile].first, placed_[end_tile - 1].end);
+    store_.release_vertices(placed_[first_subtree].first, placed_[end_subtree - 1].end);
 }
 
 } // namespace ramus::mesh::bricks

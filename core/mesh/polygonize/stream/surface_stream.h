@@ -1,9 +1,9 @@
-// SurfaceStream: makes the surface of an octree's bricks in batches (octree/tile_schedule.h), so that what is worked on
-// is small enough for the caches, and what is done with can go.
+// SurfaceStream: makes the surface of an octree's bricks in batches (octree/subtree_schedule.h), so that what is worked
+// on is small enough for the caches, and what is done with can go.
 #pragma once
 
 #include "core/mesh/polygonize/join/join_triangles.h"
-#include "core/mesh/polygonize/octree/tile_schedule.h"
+#include "core/mesh/polygonize/octree/subtree_schedule.h"
 #include "core/mesh/polygonize/stream/surface_store.h"
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace ramus::mesh::bricks {
 class SurfaceStream {
 public:
     // The octree freshly built. Its lists are emptied on the way.
-    SurfaceStream(const field::ConvolutionField& field, Octree& octree, SurfaceStore& store);
+    SurfaceStream(const field::Field& field, Octree& octree, SurfaceStore& store);
 
     enum class End { kDone, kCancelled, kTooManyVertices, kStoreIsFull };
     [[nodiscard]] End work(Job& job);
@@ -25,26 +25,26 @@ public:
     [[nodiscard]] double join_s() const { return join_s_; }
 
 private:
-    [[nodiscard]] End work(const TileBatch& batch, const JobStretch& job);
-    [[nodiscard]] End place_vertices(std::span<const std::uint32_t> tiles);
-    [[nodiscard]] End place_triangles(std::span<const std::uint32_t> tiles);
+    [[nodiscard]] End work(const SubtreeBatch& batch, const JobRange& job);
+    [[nodiscard]] End place_vertices(std::span<const std::uint32_t> subtrees);
+    [[nodiscard]] End place_triangles(std::span<const std::uint32_t> subtrees);
     [[nodiscard]] End grow_vertices(std::size_t count);
-    void drop(std::span<const std::uint32_t> tiles);
-    void empty(std::uint32_t first_tile, std::uint32_t end_tile);
-    [[nodiscard]] std::uint32_t brick_end(std::uint32_t tile) const {
-        return octree_.tiles[tile].first_brick + octree_.tiles[tile].brick_count;
+    void drop(std::span<const std::uint32_t> subtrees);
+    void empty(std::uint32_t first_subtree, std::uint32_t end_subtree);
+    [[nodiscard]] std::uint32_t brick_end(std::uint32_t subtree) const {
+        return octree_.subtrees[subtree].first_brick + octree_.subtrees[subtree].brick_count;
     }
 
-    const field::ConvolutionField& field_;
+    field::Field field_;
     Octree& octree_;
     SurfaceStore& store_;
     SurfaceCells cells_;
-    struct TileVertices {
+    struct SubtreeVertices {
         std::size_t first = 0, end = 0;
     };
-    std::vector<TileVertices> placed_; // by tile
-    std::vector<bool> dropped_;        // by tile
-    std::vector<JoinedTile> joined_;   // of one batch
+    std::vector<SubtreeVertices> placed_; // by subtree
+    std::vector<bool> dropped_;           // by subtree
+    std::vector<JoinedSubtree> joined_;   // of one batch
     std::size_t vertex_count_ = 0;
     std::uint64_t evaluations_ = 0, samples_ = 0;
     double fill_s_ = 0.0, join_s_ = 0.0;

@@ -1,20 +1,20 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/field/local_segments.cpp"
+#define HWY_TARGET_INCLUDE "core/field/sum/local_segments.cpp"
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/field/local_segments.h"
-#include "core/field/reaching-inl.h"
+#include "core/field/sum/local_segments.h"
+#include "core/field/sum/reaching-inl.h"
 
 #include <algorithm>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
-void GatherSegments(LocalSegments& local) {
-    const FieldSegment* segments = local.field->segments().data();
+
+void gather_segments(LocalSegments& local) {
     for (std::size_t m = 0; m < local.count; ++m) {
-        const FieldSegment& s = segments[local.list[m]];
+        const FieldSegment& s = local.segments[local.list[m]];
         float* table = local.tables.data() + m * LocalSegments::kTableStride;
         subtract(local.axes.x, s.ax, table);
         subtract(local.axes.y, s.ay, table + 8);
@@ -26,23 +26,24 @@ void GatherSegments(LocalSegments& local) {
     }
 }
 
+const char* instruction_set() { return hwy::TargetName(HWY_TARGET); }
+
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ramus::field {
 
-HWY_EXPORT(GatherSegments);
+HWY_EXPORT(gather_segments);
+HWY_EXPORT(instruction_set);
 
-void gather_segments(const ConvolutionField& field, std::span<const std::uint32_t> list, const GridAxes& axes,
-                     LocalSegments& local) {
-    local.field = &field;
+void gather_segments(std::span<const std::uint32_t> list, const GridAxes& axes, LocalSegments& local) {
     local.axes = axes;
     local.count = list.size();
     local.list = list;
     constexpr std::size_t kWidestVector = 16;
-    if (const std::size_t room = list.size() + kWidestVector; room > local.x.size()) {
-        const std::size_t capacity = 2 * room;
+    if (const std::size_t needed = list.size() + kWidestVector; needed > local.x.size()) {
+        const std::size_t capacity = 2 * needed;
         for (auto* array : {&local.x, &local.y, &local.z, &local.ux, &local.uy, &local.uz, &local.length, &local.radius,
                             &local.slope})
             array->resize(capacity);
@@ -50,8 +51,10 @@ void gather_segments(const ConvolutionField& field, std::span<const std::uint32_
         local.tables.resize(capacity * LocalSegments::kTableStride);
         local.reaching.resize(LocalSegments::kBoxes * capacity);
     }
-    HWY_DYNAMIC_DISPATCH(GatherSegments)(local);
+    HWY_DYNAMIC_DISPATCH(gather_segments)(local);
 }
+
+const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(instruction_set)(); }
 
 } // namespace ramus::field
 #endif

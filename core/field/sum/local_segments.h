@@ -2,30 +2,22 @@
 // seen from the cube's corner. Gathered once for a brick, then used by all that samples the field there.
 #pragma once
 
-#include "core/field/convolution_field.h"
+#include "core/field/kernel.h"
+#include "core/field/samples.h"
+#include "core/field/skeleton.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace ramus::field {
 
-// Grid of 5 x 5 x 5 points.
-inline constexpr int kGridSide = 5;
-inline constexpr int kGridPoints = kGridSide * kGridSide * kGridSide;
-
-// Its coordinates along the axes, padded to whole vectors: kGridSide of them count.
-struct GridAxes {
-    std::array<double, 8> x{}, y{}, z{}; // mm
-    [[nodiscard]] glm::dvec3 corner() const { return {x[0], y[0], z[0]}; }
-};
-
 struct LocalSegments {
-    const ConvolutionField* field = nullptr;
+    const Kernel* kernel = nullptr;
+    const FieldSegment* segments = nullptr; // of the whole field
     GridAxes axes;
     std::size_t count = 0;
-    std::span<const std::uint32_t> list; // indices in the field, ascending
+    std::span<const std::uint32_t> list; // segment indices, ascending
 
     // By segment. The arrays go on for at least a vector's width.
     std::vector<float> x, y, z; // start relative to the corner, mm
@@ -37,14 +29,16 @@ struct LocalSegments {
     std::vector<float> tables;
     // Scratch: what of them reaches each of some boxes that are looked at together.
     static constexpr std::size_t kBoxes = 4;
-    mutable std::vector<std::int32_t> reaching;
-    [[nodiscard]] std::int32_t* reaching_part(std::size_t box) const {
+    std::vector<std::int32_t> reaching;
+    [[nodiscard]] std::int32_t* reaching_part(std::size_t box) {
         return reaching.data() + box * (reaching.size() / kBoxes);
     }
 };
 
-// `list` must outlive `local`.
-void gather_segments(const ConvolutionField& field, std::span<const std::uint32_t> list, const GridAxes& axes,
-                     LocalSegments& local);
+// Fills in all but the kernel and the segments of the field. `list` must outlive `local`.
+void gather_segments(std::span<const std::uint32_t> list, const GridAxes& axes, LocalSegments& local);
+
+// Name of the instruction set in use, such as "AVX3".
+[[nodiscard]] const char* instruction_set();
 
 } // namespace ramus::field

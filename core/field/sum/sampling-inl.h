@@ -1,16 +1,22 @@
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/field/sampling.cpp"
-// clang-format off: foreach_target compiles this file once per instruction set and must come first.
-#include <hwy/foreach_target.h>
-// clang-format on
-#include "core/field/reaching-inl.h"
-#include "core/field/sampling.h"
+// Values of a plain sum of one kernel, at a brick's grid points and at single lattice points, and what is read from
+// them. Within one instruction set a point's value has the same bits in whichever call it is computed, provided that
+// the list holds every segment whose support contains the point, in ascending order. Included once per instruction set.
+#if defined(RAMUS_FIELD_SAMPLING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_FIELD_SAMPLING_INL_H
+#undef RAMUS_FIELD_SAMPLING_INL_H
+#else
+#define RAMUS_FIELD_SAMPLING_INL_H
+#endif
+
+#include "core/field/sum/reaching-inl.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <hwy/highway.h>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
@@ -59,12 +65,12 @@ HWY_INLINE V look_up(D d, const float* table, const std::int32_t* index) {
 }
 
 // The values of one group, from the segments that reach it.
-HWY_INLINE void sample_group(const LocalSegments& local, std::size_t group, const std::int32_t* reaching,
-                             std::size_t count, GridGroups& samples) {
+template <class Profile>
+HWY_INLINE void sample_group(const Profile& profile, const LocalSegments& local, std::size_t group,
+                             std::span<const std::int32_t> reaching, GridGroups& samples) {
     const D d;
     const std::size_t lanes = hn::Lanes(d);
-    const auto root_width = static_cast<float>(local.field->kernel().root_width);
-    const V isovalue = hn::Set(d, static_cast<float>(local.field->kernel().isovalue));
+    const V isovalue = hn::Set(d, static_cast<float>(local.kernel->isovalue));
     std::uint32_t inside = 0;
     for (std::size_t n = 0; n < kGroupPoints; n += lanes) {
         const std::int32_t* i = kGroupLanes.i + kGroupPoints * group + n;
@@ -73,23 +79,23 @@ HWY_INLINE void sample_group(const LocalSegments& local, std::size_t group, cons
         V sum = hn::Zero(d);
         const auto add_pack = [&](auto width, std::size_t r) {
             constexpr std::size_t kPack = width.value;
-            const Places at = places_of<kPack>(reaching + r);
+            const PackIndices at = pack_indices<kPack>(reaching.data() + r);
             const Segments pack = broadcast(local, at);
             const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
                 return each<kPack>([&](std::size_t s) {
                     return look_up(d, local.tables.data() + LocalSegments::kTableStride * at.m[s] + 8 * axis, index);
                 });
             };
-            const Foot foot = find_foot(pack, set(PackTag<kPack>(), root_width), coordinate(0, i), coordinate(1, j),
+            const Foot foot = find_foot(pack, set(PackTag<kPack>(), profile.scale), coordinate(0, i), coordinate(1, j),
                                         coordinate(2, k));
             for_ends(at.near_ends, [&](auto near) {
-                const Pack value = kernel_value<near.value>(pack, foot);
+                const Pack value = Profile::template value<near.value>(pack, foot);
                 for (const V& of : value.v) sum = hn::Add(sum, of);
             });
         };
         std::size_t r = 0;
-        for (; r + 2 <= count; r += 2) add_pack(std::integral_constant<std::size_t, 2>(), r);
-        if (r < count) add_pack(std::integral_constant<std::size_t, 1>(), r);
+        for (; r + 2 <= reaching.size(); r += 2) add_pack(std::integral_constant<std::size_t, 2>(), r);
+        if (r < reaching.size()) add_pack(std::integral_constant<std::size_t, 1>(), r);
         hn::Store(sum, d, samples.value[group].data() + n);
         HWY_ALIGN std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Ge(sum, isovalue), bits);
@@ -100,49 +106,51 @@ HWY_INLINE void sample_group(const LocalSegments& local, std::size_t group, cons
 }
 
 // N groups from the first on. Returns the number of kernels evaluated.
-template <std::size_t N>
-HWY_INLINE std::uint64_t sample_together(const LocalSegments& local, std::size_t first, GridGroups& samples,
-                                         Choice choice) {
+template <std::size_t N, class Profile>
+HWY_INLINE std::uint64_t sample_together(const Profile& profile, LocalSegments& local, std::size_t first,
+                                         GridGroups& samples, Choice choice) {
     const auto cell = static_cast<float>(local.axes.x[1] - local.axes.x[0]);
     Box boxes[N];
     for (std::size_t n = 0; n < N; ++n)
         boxes[n] = {kGroupBoxes[first + n].middle * cell, kGroupBoxes[first + n].half * (cell * 1.0001F)};
     std::size_t count[N];
     if (choice == Choice::kReaching)
-        find_reaching(local, static_cast<float>(local.field->kernel().sqrt_w), boxes, count);
+        find_reaching(local, boxes, count);
     else
         for (std::size_t n = 0; n < N; ++n) count[n] = list_all(local, local.reaching_part(n));
     std::uint64_t kernels = 0;
     for (std::size_t n = 0; n < N; ++n) {
-        sample_group(local, first + n, local.reaching_part(n), count[n], samples);
+        sample_group(profile, local, first + n, {local.reaching_part(n), count[n]}, samples);
         kernels += count[n] * kGroupPoints;
     }
     return kernels;
 }
 
-std::uint64_t SampleGroups(const LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
+template <class Profile>
+std::uint64_t sample_groups(LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
+    const Profile profile(*local.kernel);
     std::uint64_t kernels = 0;
     if ((groups & kOwnGroups) == kOwnGroups) {
-        kernels += sample_together<4>(local, 0, samples, choice);
+        kernels += sample_together<4>(profile, local, 0, samples, choice);
         groups &= ~kOwnGroups;
     }
     for (; groups != 0; groups &= groups - 1)
-        kernels += sample_together<1>(local, static_cast<std::size_t>(std::countr_zero(groups)), samples, choice);
+        kernels +=
+            sample_together<1>(profile, local, static_cast<std::size_t>(std::countr_zero(groups)), samples, choice);
     return kernels;
 }
 
-std::uint64_t SampleLattice(const LocalSegments& local, const LatticeAxes& axes, const LatticePoint* points,
-                            std::size_t point_count, float* HWY_RESTRICT values) {
+template <class Profile>
+std::uint64_t sample_lattice(LocalSegments& local, const LatticeAxes& axes, std::span<const LatticePoint> points,
+                             std::span<float> values) {
+    const Profile profile(*local.kernel);
     const D d;
     const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
-    const auto root = static_cast<float>(local.field->kernel().sqrt_w);
-    const auto root_width = static_cast<float>(local.field->kernel().root_width);
     const auto quarter = static_cast<float>(axes.x[1] - axes.x[0]);
-    const FieldSegment* segments = local.field->segments().data();
     std::uint64_t kernels = 0;
-    for (std::size_t first = 0; first < point_count; first += kGroupPoints) {
-        const std::size_t valid = HWY_MIN(kGroupPoints, point_count - first);
+    for (std::size_t first = 0; first < points.size(); first += kGroupPoints) {
+        const std::size_t valid = HWY_MIN(kGroupPoints, points.size() - first);
         alignas(64) std::int32_t pi[kGroupPoints], pj[kGroupPoints], pk[kGroupPoints];
         alignas(64) float sum[kGroupPoints];
         glm::ivec3 low(kLatticeSide);
@@ -156,11 +164,11 @@ std::uint64_t SampleLattice(const LocalSegments& local, const LatticeAxes& axes,
         }
         const Box box{0.5F * quarter * glm::vec3(low + high), 0.5001F * quarter * glm::vec3(high - low)};
         std::size_t count[1];
-        find_reaching(local, root, {box}, count);
+        find_reaching(local, {box}, count);
         kernels += count[0] * kGroupPoints;
         for (std::size_t r = 0; r < count[0]; ++r) {
-            const Places at = places_of<1>(local.reaching_part(0) + r);
-            const FieldSegment& segment = segments[local.list[at.m[0]]];
+            const PackIndices at = pack_indices<1>(local.reaching_part(0) + r);
+            const FieldSegment& segment = local.segments[local.list[at.m[0]]];
             alignas(64) float table[3][kLatticeStride];
             subtract(axes.x, segment.ax, table[0]);
             subtract(axes.y, segment.ay, table[1]);
@@ -171,40 +179,40 @@ std::uint64_t SampleLattice(const LocalSegments& local, const LatticeAxes& axes,
                     const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
                         return Pack<1>{hn::GatherIndex(d, table[axis], hn::Load(di, index + n))};
                     };
-                    const Foot foot = find_foot(one, set(PackTag<1>(), root_width), coordinate(0, pi),
+                    const Foot foot = find_foot(one, set(PackTag<1>(), profile.scale), coordinate(0, pi),
                                                 coordinate(1, pj), coordinate(2, pk));
-                    const Pack value = kernel_value<near.value>(one, foot);
+                    const Pack value = Profile::template value<near.value>(one, foot);
                     hn::Store(hn::Add(hn::Load(d, sum + n), value.v[0]), d, sum + n);
                 }
             });
         }
-        std::copy_n(sum, valid, values + first);
+        std::copy_n(sum, valid, values.data() + first);
     }
     return kernels;
 }
 
-const char* Name() { return hwy::TargetName(HWY_TARGET); }
+// How deep each value lies: 0 on the surface, above inside (0 or more exactly where the value is at or above the
+// isovalue) and below outside, in a measure that is nearly linear in the distance, so that an edge's crossing can be
+// interpolated.
+template <class Profile> void find_depths(const Kernel& kernel, const GridValues& values, GridValues& depths) {
+    const D d;
+    const V iso = hn::Set(d, static_cast<float>(kernel.isovalue));
+    const V surface = Profile::rough_distance(d, iso);
+    for (std::size_t n = 0; n < kGridStride; n += hn::Lanes(d)) {
+        const V value = hn::Load(d, values.data() + n);
+        const V inward = hn::Sub(surface, Profile::rough_distance(d, value));
+        const V inside = hn::Max(inward, hn::Zero(d));
+        const V outside = hn::Min(inward, hn::Set(d, -1e-6F));
+        hn::Store(hn::IfThenElse(hn::Ge(value, iso), inside, outside), d, depths.data() + n);
+    }
+}
+
+// The share of the way from one value to another, on either side of the isovalue, at which the surface is met.
+template <class Profile> float crossing(const Kernel& kernel, float from, float to) {
+    const float start = Profile::along_edge(from);
+    return (Profile::along_edge(static_cast<float>(kernel.isovalue)) - start) / (Profile::along_edge(to) - start);
+}
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace ramus::field {
-
-HWY_EXPORT(SampleGroups);
-HWY_EXPORT(SampleLattice);
-HWY_EXPORT(Name);
-
-std::uint64_t sample_groups(const LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
-    return HWY_DYNAMIC_DISPATCH(SampleGroups)(local, groups, samples, choice);
-}
-
-std::uint64_t sample_lattice(const LocalSegments& local, const LatticeAxes& axes, std::span<const LatticePoint> points,
-                             std::span<float> values) {
-    return HWY_DYNAMIC_DISPATCH(SampleLattice)(local, axes, points.data(), points.size(), values.data());
-}
-
-const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }
-
-} // namespace ramus::field
 #endif

@@ -1,0 +1,89 @@
+#include "core/field/skeleton.h"
+
+#include <algorithm>
+#include <cstring>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace ramus::field {
+
+Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
+    const tree::VesselTree& tree = prepared.tree;
+    const std::size_t count = tree.segment_count();
+    std::vector<FieldSegment> segments(prepared.segment_index.empty() ? count : prepared.source_segments);
+    std::vector<std::uint8_t> is_present(segments.size(), 0);
+    frame_.lower = glm::dvec3(std::numeric_limits<double>::max());
+    frame_.upper = -frame_.lower;
+    frame_.thinnest = std::numeric_limits<double>::max();
+    std::size_t ordinal = 0;
+    for (const tree::Branch& branch : tree.branches) {
+        for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
+            const tree::Point& from = tree.points[branch.points[i - 1]];
+            const tree::Point& to = tree.points[branch.points[i]];
+            const double length = glm::distance(from.position, to.position);
+            // Smoothing may pull two points of a tight zigzag onto each other; such a segment has no integral.
+            if (!(length > 0.0)) continue;
+            const glm::dvec3 direction = (to.position - from.position) / length;
+            const std::size_t index = prepared.segment_index.empty() ? ordinal : prepared.segment_index[ordinal];
+            segments[index] = {from.position.x,
+                               from.position.y,
+                               from.position.z,
+                               static_cast<float>(direction.x),
+                               static_cast<float>(direction.y),
+                               static_cast<float>(direction.z),
+                               static_cast<float>(length),
+                               static_cast<float>(from.radius),
+                               static_cast<float>((to.radius - from.radius) / length),
+                               prepared.segment_source[ordinal]};
+            is_present[index] = 1;
+
+            const glm::dvec3 reach(support_radii * std::max(from.radius, to.radius));
+            frame_.lower = glm::min(frame_.lower, glm::min(from.position, to.position) - reach);
+            frame_.upper = glm::max(frame_.upper, glm::max(from.position, to.position) + reach);
+            frame_.thinnest = std::min({frame_.thinnest, from.radius, to.radius});
+        }
+    }
+    present_.reserve(count);
+    for (std::uint32_t index = 0; index < segments.size(); ++index)
+        if (is_present[index] != 0) present_.push_back(index);
+    segments_ = std::make_shared<const std::vector<FieldSegment>>(std::move(segments));
+}
+
+Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii, const Frame& frame)
+    : Skeleton(prepared, support_radii) {
+    frame_ = frame;
+}
+
+Skeleton Skeleton::without(std::span<const std::uint8_t> hidden) const {
+    Skeleton rest = *this;
+    std::erase_if(rest.present_, [&](std::uint32_t index) {
+        const auto branch = static_cast<std::size_t>((*segments_)[index].branch);
+        return branch < hidden.size() && hidden[branch] != 0;
+    });
+    return rest;
+}
+
+std::optional<SegmentChanges> Skeleton::changes_since(const Skeleton& before) const {
+    if (frame_ != before.frame_ || segments_->size() != before.segments_->size()) return std::nullopt;
+    const bool shared = segments_ == before.segments_;
+    const auto same = [&](std::uint32_t index) {
+        return shared || std::memcmp(&(*before.segments_)[index], &(*segments_)[index], sizeof(FieldSegment)) == 0;
+    };
+    SegmentChanges changes;
+    auto a = before.present_.begin();
+    auto b = present_.begin();
+    while (a != before.present_.end() || b != present_.end()) {
+        if (b == present_.end() || (a != before.present_.end() && *a < *b)) {
+            changes.before.push_back(*a++);
+        } else if (a == before.present_.end() || *b < *a) {
+            changes.after.push_back(*b++);
+        } else {
+            if (!same(*a)) changes.before.push_back(*a), changes.after.push_back(*b);
+            ++a, ++b;
+        }
+    }
+    return changes;
+}
+
+} // namespace ramus::field

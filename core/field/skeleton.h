@@ -1,0 +1,63 @@
+// Skeleton: the line segments that a field is made of, with their radii, and the space that they are in. A value:
+// copies share the segments, and a copy without some branches costs a list of indices.
+#pragma once
+
+#include "core/tree/prepared_tree.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ramus::field {
+
+// A line segment with linear radius. Its start stays in double precision; all else is relative and fits in single
+// precision. One cache line, since samples take segments from all over the tree.
+struct alignas(64) FieldSegment {
+    double ax, ay, az;           // start point, mm
+    float ux, uy, uz;            // unit direction
+    float length, radius, slope; // mm, mm at the start, radius change per mm
+    std::int32_t branch;         // id in the source tree
+
+    [[nodiscard]] float end_radius() const { return radius + slope * length; }
+};
+
+// The space that a field is in, and its finest feature. What lattices are laid out by; a field and parts of it share
+// one, so that what they have in common is the same to the last bit.
+struct Frame {
+    glm::dvec3 lower{0.0}, upper{0.0}; // box around all supports, mm
+    double thinnest = 0.0;             // smallest radius, mm
+    [[nodiscard]] glm::dvec3 middle() const { return 0.5 * (lower + upper); }
+    bool operator==(const Frame&) const = default;
+};
+
+// Segment indices in which two states of a field differ, ascending: of the earlier state, and of the later one.
+struct SegmentChanges {
+    std::vector<std::uint32_t> before, after;
+};
+
+class Skeleton {
+public:
+    // `support_radii`: how far from a segment the field reaches, in the segment's radii.
+    Skeleton(const tree::PreparedTree& prepared, double support_radii);
+    // In the frame of a larger tree.
+    Skeleton(const tree::PreparedTree& prepared, double support_radii, const Frame& frame);
+    // The same without the branches (ids in the file's tree) whose entry is not 0.
+    [[nodiscard]] Skeleton without(std::span<const std::uint8_t> hidden) const;
+
+    // By segment index in the file's tree; only those in present() count.
+    [[nodiscard]] const std::vector<FieldSegment>& segments() const { return *segments_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& present() const { return present_; } // ascending
+    [[nodiscard]] const Frame& frame() const { return frame_; }
+    // What is not the same in an earlier state; nothing when the two have different frames or numbers of segments.
+    [[nodiscard]] std::optional<SegmentChanges> changes_since(const Skeleton& before) const;
+
+private:
+    std::shared_ptr<const std::vector<FieldSegment>> segments_;
+    std::vector<std::uint32_t> present_;
+    Frame frame_;
+};
+
+} // namespace ramus::field

@@ -1,0 +1,165 @@
+// Which of a brick's segments reach a box of points, in SIMD, one lane per segment. Included once per instruction set.
+#if defined(RAMUS_FIELD_REACHING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_FIELD_REACHING_INL_H
+#undef RAMUS_FIELD_REACHING_INL_H
+#else
+#define RAMUS_FIELD_REACHING_INL_H
+#endif
+
+#include "core/field/simd/segment_foot-inl.h"
+#include "core/field/sum/local_segments.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::field::HWY_NAMESPACE {
+
+// Coordinates along one axis, seen from a segment's start.
+template <std::size_t N>
+HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float* HWY_RESTRICT out) {
+    const hn::CappedTag<double, 8> dd;
+    const hn::Rebind<float, decltype(dd)> df;
+    static_assert(N % 8 == 0);
+    for (std::size_t n = 0; n < N; n += hn::Lanes(dd))
+        hn::StoreU(hn::DemoteTo(df, hn::Sub(hn::LoadU(dd, axis.data() + n), hn::Set(dd, start))), df, out + n);
+}
+
+// A box relative to the brick's corner, mm.
+struct Box {
+    glm::vec3 middle, half;
+};
+
+// A vector of segments, from the m-th on.
+template <class T, class V = hn::Vec<T>> struct SegmentLanes {
+    V x, y, z, ux, uy, uz, length, radius, slope;
+
+    HWY_INLINE SegmentLanes(T d, const LocalSegments& local, std::size_t m)
+        : x(hn::LoadU(d, local.x.data() + m)), y(hn::LoadU(d, local.y.data() + m)), z(hn::LoadU(d, local.z.data() + m)),
+          ux(hn::LoadU(d, local.ux.data() + m)), uy(hn::LoadU(d, local.uy.data() + m)),
+          uz(hn::LoadU(d, local.uz.data() + m)), length(hn::LoadU(d, local.length.data() + m)),
+          radius(hn::LoadU(d, local.radius.data() + m)), slope(hn::LoadU(d, local.slope.data() + m)) {}
+};
+
+// A box as a vector of segments sees it.
+template <class T, class V = hn::Vec<T>> struct BoxInSight {
+    V distance2;     // from the segment, squared: a lower bound
+    V t_low, t_high; // axial coordinates that its points may have
+    V thickest;      // radius of the segment at any of them
+};
+
+template <class T, class V = hn::Vec<T>>
+HWY_INLINE BoxInSight<T> look_at(T d, const Box& box, const SegmentLanes<T>& s) {
+    const V zero = hn::Zero(d);
+    const V hx = hn::Set(d, box.half.x);
+    const V hy = hn::Set(d, box.half.y);
+    const V hz = hn::Set(d, box.half.z);
+    const V px = hn::Sub(hn::Set(d, box.middle.x), s.x);
+    const V py = hn::Sub(hn::Set(d, box.middle.y), s.y);
+    const V pz = hn::Sub(hn::Set(d, box.middle.z), s.z);
+    const V t = hn::MulAdd(pz, s.uz, hn::MulAdd(py, s.uy, hn::Mul(px, s.ux)));
+    const V along = hn::MulAdd(hz, hn::Abs(s.uz), hn::MulAdd(hy, hn::Abs(s.uy), hn::Mul(hx, hn::Abs(s.ux))));
+    const V qx = hn::NegMulAdd(t, s.ux, px);
+    const V qy = hn::NegMulAdd(t, s.uy, py);
+    const V qz = hn::NegMulAdd(t, s.uz, pz);
+    const V off2 = hn::MulAdd(qz, qz, hn::MulAdd(qy, qy, hn::Mul(qx, qx)));
+    // Along the way to the axis the box extends by extent_off / off.
+    const V extent_off = hn::MulAdd(hz, hn::Abs(qz), hn::MulAdd(hy, hn::Abs(qy), hn::Mul(hx, hn::Abs(qx))));
+    const V inverse_off = hn::ApproximateReciprocalSqrt(hn::Max(off2, hn::Set(d, 1e-30F)));
+    const V nearest = hn::Max(hn::Mul(hn::NegMulAdd(hn::Set(d, 1.001F), extent_off, off2), inverse_off), zero);
+    BoxInSight<T> seen;
+    seen.t_low = hn::Sub(t, along);
+    seen.t_high = hn::Add(t, along);
+    const V gap = hn::Max(hn::Max(hn::Neg(seen.t_high), hn::Sub(seen.t_low, s.length)), zero);
+    const V r1 = hn::MulAdd(s.slope, hn::Max(hn::Min(seen.t_low, s.length), zero), s.radius);
+    const V r2 = hn::MulAdd(s.slope, hn::Max(hn::Min(seen.t_high, s.length), zero), s.radius);
+    seen.thickest = hn::Max(r1, r2);
+    // Along the box's own axes as well.
+    const V half_length = hn::Mul(hn::Set(d, 0.5F), s.length);
+    const auto apart = [&](V p, V u, V h) {
+        const V from_middle = hn::Abs(hn::NegMulAdd(half_length, u, p));
+        return hn::Max(hn::Sub(from_middle, hn::MulAdd(half_length, hn::Abs(u), h)), zero);
+    };
+    const V gx = apart(px, s.ux, hx);
+    const V gy = apart(py, s.uy, hy);
+    const V gz = apart(pz, s.uz, hz);
+    const V apart2 = hn::MulAdd(gz, gz, hn::MulAdd(gy, gy, hn::Mul(gx, gx)));
+    seen.distance2 = hn::Max(apart2, hn::MulAdd(gap, gap, hn::Mul(nearest, nearest)));
+    return seen;
+}
+
+// A vector of segments from the m-th on, for find_reaching().
+template <std::size_t N, class T, class V = hn::Vec<T>, class M = hn::Mask<T>>
+HWY_INLINE void judge_segments(T d, std::size_t m, LocalSegments& local, const Box (&boxes)[N],
+                               std::size_t (&found)[N]) {
+    const hn::RebindToSigned<T> di;
+    // A little more than the support and the reach of an end covers the rounding.
+    const double support = local.kernel->support_radii;
+    const V support2 = hn::Set(d, static_cast<float>(1.003 * support * support));
+    const V ends_radii = hn::Set(d, static_cast<float>(1.001 * local.kernel->ends_radii));
+    const SegmentLanes<T> segments(d, local, m);
+    const auto code = hn::ShiftLeft<1>(hn::Add(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(m))));
+    const M valid = hn::FirstN(d, local.count - m);
+    HWY_UNROLL(4)
+    for (std::size_t n = 0; n < N; ++n) {
+        const BoxInSight<T> seen = look_at(d, boxes[n], segments);
+        const M reaches =
+            hn::And(hn::Lt(seen.distance2, hn::Mul(hn::Mul(seen.thickest, seen.thickest), support2)), valid);
+        const V far = hn::Mul(seen.thickest, ends_radii);
+        const M ends = hn::Lt(hn::Min(seen.t_low, hn::Sub(segments.length, seen.t_high)), far);
+        // A mask is -1 where it is set.
+        const auto marked = hn::Sub(code, hn::VecFromMask(di, hn::RebindMask(di, ends)));
+        // A whole vector, of which the next one overwrites what does not count: storing only what counts is
+        // microcode on some processors, and slower than a kernel.
+        const auto which = hn::RebindMask(di, reaches);
+        hn::StoreU(hn::Compress(marked, which), di, local.reaching_part(n) + found[n]);
+        found[n] += hn::CountTrue(di, which);
+    }
+}
+
+// Writes the segments whose support reaches each of the boxes to its part of local.reaching, in order, each as 2 m +
+// the ends (Ends) that points of the box may be near, and tells how many they are. The others are exactly zero
+// everywhere in the box. The boxes of a call are judged side by side: each is one long chain of operations.
+template <std::size_t N>
+HWY_INLINE void find_reaching(LocalSegments& local, const Box (&boxes)[N], std::size_t (&found)[N]) {
+    const D wide;
+    const Narrow narrow;
+    for (std::size_t n = 0; n < N; ++n) found[n] = 0;
+    std::size_t m = 0;
+    for (; m + hn::Lanes(narrow) < local.count; m += hn::Lanes(wide)) judge_segments(wide, m, local, boxes, found);
+    if (m < local.count) judge_segments(narrow, m, local, boxes, found);
+}
+
+// All segments, as if they reached the box and the box were near their ends.
+HWY_INLINE std::size_t list_all(const LocalSegments& local, std::int32_t* reaching) {
+    std::size_t found = 0;
+    for (; found < local.count; ++found) reaching[found] = static_cast<std::int32_t>(2 * found + 1);
+    return found;
+}
+
+// The segments of a pack, as indices into the local arrays.
+template <std::size_t N> struct PackIndices {
+    std::size_t m[N];
+    bool near_ends;
+};
+template <std::size_t N> HWY_INLINE PackIndices<N> pack_indices(const std::int32_t* reaching) {
+    PackIndices<N> indices;
+    std::int32_t any = 0;
+    for (std::size_t s = 0; s < N; ++s) {
+        const std::int32_t code = reaching[s];
+        indices.m[s] = static_cast<std::size_t>(code >> 1);
+        any |= code;
+    }
+    indices.near_ends = (any & 1) != 0;
+    return indices;
+}
+template <class T = D, std::size_t N>
+HWY_INLINE Pack<N, T> broadcast(const std::vector<float>& of, const PackIndices<N>& at) {
+    return each<N, T>([&](std::size_t s) { return hn::Set(T(), of[at.m[s]]); });
+}
+template <class T = D, std::size_t N>
+HWY_INLINE Segments<N, T> broadcast(const LocalSegments& local, const PackIndices<N>& at) {
+    return {broadcast<T>(local.ux, at),     broadcast<T>(local.uy, at),     broadcast<T>(local.uz, at),
+            broadcast<T>(local.length, at), broadcast<T>(local.radius, at), broadcast<T>(local.slope, at)};
+}
+
+} // namespace ramus::field::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
