@@ -11,7 +11,7 @@ namespace ramus::tree {
 
 namespace {
 
-using Place = std::function<std::string(std::uint32_t)>;
+using SourceOf = std::function<std::string(std::uint32_t)>;
 
 // Sentences about what was repaired, and the first one about what should not have been.
 struct Repairs {
@@ -39,36 +39,37 @@ std::string number(double value) {
     return text.str();
 }
 
-std::optional<Error> find_bad_point(const Graph& graph, const Place& place) {
+std::optional<Error> find_bad_point(const Graph& graph, const SourceOf& source) {
     for (std::uint32_t i = 0; i < graph.points.size(); ++i) {
         const Point& p = graph.points[i];
         for (int axis = 0; axis < 3; ++axis) {
             const double c = p.position[axis];
             if (!std::isfinite(c))
-                return Error{"a coordinate is not a finite number", place(i), "remove or correct the point"};
+                return Error{"a coordinate is not a finite number", source(i), "remove or correct the point"};
             if (std::abs(c) > kMaximumCoordinate)
                 return Error{"coordinate " + number(c) + " mm is farther out than " + number(kMaximumCoordinate) +
                                  " mm",
-                             place(i), "check the unit, or remove the point"};
+                             source(i), "check the unit, or remove the point"};
         }
-        if (!std::isfinite(p.radius)) return Error{"the radius is not a finite number", place(i), "correct the radius"};
+        if (!std::isfinite(p.radius))
+            return Error{"the radius is not a finite number", source(i), "correct the radius"};
         if (p.radius < 0.0)
-            return Error{"radius " + number(p.radius) + " is negative", place(i),
+            return Error{"radius " + number(p.radius) + " is negative", source(i),
                          "edit the file; a radius of 0 would be repaired"};
         if (p.radius > kMaximumRadius)
             return Error{"radius " + number(p.radius) + " mm is larger than " + number(kMaximumRadius) + " mm",
-                         place(i), "check the unit, or correct the radius"};
+                         source(i), "check the unit, or correct the radius"};
     }
     for (const auto& [a, b] : graph.edges)
         if (a >= graph.points.size() || b >= graph.points.size())
             return Error{"an edge names point " + std::to_string(std::max(a, b)) + ", but there are only " +
                              std::to_string(graph.points.size()),
-                         place(0), "edit the file"};
+                         source(0), "edit the file"};
     return std::nullopt;
 }
 
 // Joins the ends of edges of no length. Returns for every point the point that stands for it.
-std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, const Place& place) {
+std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, const SourceOf& source) {
     std::vector<std::uint32_t> stands(graph.points.size());
     std::iota(stands.begin(), stands.end(), 0U);
     const auto find = [&](std::uint32_t p) {
@@ -82,7 +83,7 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, 
         if (ra == rb) continue;
         stands[std::max(ra, rb)] = std::min(ra, rb);
         repairs.add(Repair::kRepeatedPoints,
-                    place(b) + ": merged with the point before it, which lies at the same place");
+                    source(b) + ": merged with the point before it, which lies at the same place");
     }
     for (std::uint32_t p = 0; p < stands.size(); ++p) stands[p] = find(p);
     return stands;
@@ -90,10 +91,9 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, 
 
 // Zero radii become the mean of their neighbours' positive radii; a run of them fills up from its ends, one layer at a
 // time, and each layer looks at its own points only. Returns a point that no positive radius reaches, if there is one.
-std::optional<std::uint32_t> fill_radii(std::vector<Point>& points,
-                                        const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                                        Repairs& repairs, const Place& place) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // (point of radius 0, neighbour), sorted
+std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::vector<Edge>& edges, Repairs& repairs,
+                                        const SourceOf& source) {
+    std::vector<Edge> around; // (point of radius 0, neighbour), sorted
     for (const auto& [a, b] : edges) {
         if (points[a].radius <= 0.0) around.emplace_back(a, b);
         if (points[b].radius <= 0.0) around.emplace_back(b, a);
@@ -121,7 +121,7 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points,
         }
         for (std::size_t n = 0; n < layer.size(); ++n) {
             points[layer[n]].radius = radius[n];
-            repairs.add(Repair::kZeroRadii, place(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
+            repairs.add(Repair::kZeroRadii, source(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
                                                 ", the mean of its neighbours");
         }
         std::ranges::sort(next);
@@ -135,8 +135,7 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points,
 }
 
 // The thickest end (or point, where there is none) of every component that has no root yet.
-std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points,
-                                          const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges,
                                           std::vector<std::uint32_t> roots) {
     std::vector<std::uint32_t> component(points.size());
     std::iota(component.begin(), component.end(), 0U);
@@ -166,49 +165,53 @@ std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points,
     return roots;
 }
 
-} // namespace
-
-Result<VesselTree> build_tree(Graph graph, Repair repair, const Place& place) {
-    if (auto error = find_bad_point(graph, place)) return tl::unexpected(std::move(*error));
-    if (std::ranges::none_of(graph.points, [](const Point& p) { return p.radius > 0.0; }))
-        return fail("no point has a positive radius", graph.points.empty() ? std::string() : place(0),
-                    "the tree needs radii; check that the radius column is filled");
-
-    Repairs repairs{repair, {}, {}};
-    const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, place);
-
-    // Edges between what is left, each once.
-    for (auto& [a, b] : graph.edges) a = stands[a], b = stands[b];
-    std::erase_if(graph.edges, [](const auto& edge) { return edge.first == edge.second; });
-    std::vector<std::size_t> order(graph.edges.size());
+// The edges between the points that are left (`stands`: which stands for each), each once.
+std::vector<Edge> distinct_edges(std::vector<Edge> edges, const std::vector<std::uint32_t>& stands, Repairs& repairs,
+                                 const SourceOf& source) {
+    for (auto& [a, b] : edges) a = stands[a], b = stands[b];
+    std::erase_if(edges, [](const Edge& edge) { return edge.first == edge.second; });
+    std::vector<std::size_t> order(edges.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto key = [&](std::size_t e) { return std::minmax(graph.edges[e].first, graph.edges[e].second); };
+    const auto key = [&](std::size_t e) { return std::minmax(edges[e].first, edges[e].second); };
     std::ranges::stable_sort(order,
                              [&](std::size_t x, std::size_t y) { return std::pair(key(x)) < std::pair(key(y)); });
-    std::vector<bool> twice(graph.edges.size(), false);
+    std::vector<bool> twice(edges.size(), false);
     for (std::size_t n = 1; n < order.size(); ++n) {
         const auto x = key(order[n - 1]);
         const auto y = key(order[n]);
         if (x.first != y.first || x.second != y.second) continue;
         twice[order[n]] = true;
-        repairs.add(Repair::kRepeatedPoints, place(y.second) + ": a repeated connection was left out");
+        repairs.add(Repair::kRepeatedPoints, source(y.second) + ": a repeated connection was left out");
     }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    std::vector<Edge> distinct;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (!twice[e]) distinct.push_back(edges[e]);
+    return distinct;
+}
+
+} // namespace
+
+Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source) {
+    if (auto error = find_bad_point(graph, source)) return tl::unexpected(std::move(*error));
+    if (std::ranges::none_of(graph.points, [](const Point& p) { return p.radius > 0.0; }))
+        return fail("no point has a positive radius", graph.points.empty() ? std::string() : source(0),
+                    "the tree needs radii; check that the radius column is filled");
+
+    Repairs repairs{repair, {}, {}};
+    const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, source);
+
+    std::vector<Edge> edges = distinct_edges(std::move(graph.edges), stands, repairs, source);
     std::vector<bool> connected(graph.points.size(), false);
-    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-        if (twice[e]) continue;
-        edges.push_back(graph.edges[e]);
-        connected[graph.edges[e].first] = connected[graph.edges[e].second] = true;
-    }
+    for (const auto& [a, b] : edges) connected[a] = connected[b] = true;
     if (edges.empty())
         return fail("the tree has no segment: a vessel needs two points at different places",
-                    graph.points.empty() ? std::string() : place(0), "check that points are connected to each other");
+                    graph.points.empty() ? std::string() : source(0), "check that points are connected to each other");
     for (std::uint32_t p = 0; p < graph.points.size(); ++p)
         if (!connected[p] && stands[p] == p)
-            repairs.add(Repair::kLonelyPoints, place(p) + ": a point connected to nothing was left out");
+            repairs.add(Repair::kLonelyPoints, source(p) + ": a point connected to nothing was left out");
 
-    if (const auto unfilled = fill_radii(graph.points, edges, repairs, place))
-        return fail("the vessel of this point has no positive radius anywhere", place(*unfilled),
+    if (const auto unfilled = fill_radii(graph.points, edges, repairs, source))
+        return fail("the vessel of this point has no positive radius anywhere", source(*unfilled),
                     "give at least one of its points a radius");
     if (repairs.refused) return tl::unexpected(std::move(*repairs.refused));
 

@@ -32,27 +32,28 @@ inline constexpr std::pair<Repair, const char*> kRepairNames[] = {{Repair::kZero
                                                                   {Repair::kRepeatedPoints, "repeated-points"},
                                                                   {Repair::kLonelyPoints, "lonely-points"}};
 
+using Edge = std::pair<std::uint32_t, std::uint32_t>; // points
+
 struct Graph {
     std::vector<Point> points;
     std::vector<int> labels; // per point, or empty
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    std::vector<std::uint32_t> roots; // wanted roots; a component without one gets its thickest end
+    std::vector<Edge> edges;
+    std::vector<std::uint32_t> roots; // requested roots; a component without one gets its thickest end
 };
 
 // Largest coordinate and radius that make sense in mm; beyond, a file has the wrong unit or is damaged.
 inline constexpr double kMaximumCoordinate = 1e7;
 inline constexpr double kMaximumRadius = 1e6;
 
-// `place(point)` says where a point came from, for messages ("liver.swc:41"). Fails on points that are not finite or
+// `source(point)` says where a point came from, for messages ("liver.swc:41"). Fails on points that are not finite or
 // too far out, radii that are negative, too large, or zero everywhere, edges to points that do not exist, and graphs
 // without a segment; and on the first thing that needs a repair which `repair` does not allow.
 [[nodiscard]] Result<VesselTree> build_tree(Graph graph, Repair repair,
-                                            const std::function<std::string(std::uint32_t)>& place);
+                                            const std::function<std::string(std::uint32_t)>& source);
 
 // Cuts points and edges that are known to be good into branches with their hierarchy. Roots of the result are those of
 // `roots` that belong to a component with a segment.
-[[nodiscard]] VesselTree assemble(std::vector<Point> points, std::vector<int> labels,
-                                  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+[[nodiscard]] VesselTree assemble(std::vector<Point> points, std::vector<int> labels, const std::vector<Edge>& edges,
                                   const std::vector<std::uint32_t>& roots);
 
 } // namespace ramus::tree

@@ -52,6 +52,60 @@ void print(const char* name, const Row& row) {
                 *std::ranges::min_element(row.milliseconds), row.written);
 }
 
+void measure(const tree::VesselTree& tree, int runs, double share) {
+    const mesh::SurfaceOptions usual;
+    mesh::PolygonizeOptions options;
+    mesh::Polygonizer polygonizer;
+    std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
+    Job job;
+    const auto update = [&](Row& row, const field::ConvolutionField& field) {
+        row.milliseconds.push_back(milliseconds_of([&] { (void)polygonizer.update(field, options, job); }));
+        const mesh::SurfaceEdit edit = polygonizer.take_edit();
+        row.written = edit.whole ? polygonizer.slots().triangles.size() : 0;
+        for (const mesh::SlotRange& range : edit.triangles) row.written += edit.whole ? 0 : range.count;
+    };
+    std::printf("%-34s %9s %9s %12s\n", "", "median ms", "best ms", "triangles");
+    const field::ConvolutionField all = mesh::make_field(tree, usual, {});
+    Row whole;
+    for (int run = 0; run < runs; ++run) {
+        polygonizer = mesh::Polygonizer();
+        update(whole, all);
+    }
+    print("the whole surface", whole);
+    Row hide, show;
+    const auto subtrees = subtrees_of_share(tree, share, static_cast<std::size_t>(runs));
+    for (const auto& subtree : subtrees) {
+        for (const int b : subtree) hidden[static_cast<std::size_t>(b)] = 1;
+        update(hide, all.without(hidden));
+        hidden.assign(hidden.size(), 0);
+        update(show, all);
+    }
+    print(("hide a subtree of " + std::to_string(std::lround(100.0 * share)) + " %").c_str(), hide);
+    print("show it again", show);
+    const auto there_and_back = [&](const char* name, const mesh::SurfaceOptions& changed, int detail) {
+        Row there;
+        Row back;
+        for (int run = 0; run < runs; ++run) {
+            const int usual_detail = options.detail;
+            options.detail = detail;
+            update(there, mesh::make_field(tree, changed, {}));
+            options.detail = usual_detail;
+            update(back, all);
+        }
+        print(name, there);
+    };
+    mesh::SurfaceOptions changed = usual;
+    changed.prune_ratio = 0.3;
+    there_and_back("prune at 0.3", changed, options.detail);
+    changed = usual;
+    changed.smooth_passes = 2;
+    there_and_back("smooth once more", changed, options.detail);
+    changed = usual;
+    changed.width = 4.0;
+    there_and_back("another width", changed, options.detail);
+    there_and_back("another width, coarse (detail 8)", changed, 8);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -71,56 +125,6 @@ int main(int argc, char** argv) {
         return 1;
     }
 
-    const mesh::SurfaceOptions usual;
-    mesh::PolygonizeOptions options;
-    mesh::Polygonizer polygonizer;
-    std::vector<std::uint8_t> hidden(tree->branches.size(), 0);
-    Job job;
-    const auto update = [&](Row& row, const field::ConvolutionField& field) {
-        row.milliseconds.push_back(milliseconds_of([&] { (void)polygonizer.update(field, options, job); }));
-        const mesh::SurfaceEdit edit = polygonizer.take_edit();
-        row.written = edit.whole ? polygonizer.slots().triangles.size() : 0;
-        for (const mesh::SlotRange& range : edit.triangles) row.written += edit.whole ? 0 : range.count;
-    };
-    std::printf("%-34s %9s %9s %12s\n", "", "median ms", "best ms", "triangles");
-    const field::ConvolutionField all = mesh::make_field(*tree, usual, {});
-    Row whole;
-    for (int run = 0; run < runs; ++run) {
-        polygonizer = mesh::Polygonizer();
-        update(whole, all);
-    }
-    print("the whole surface", whole);
-    Row hide, show;
-    const auto subtrees = subtrees_of_share(*tree, share, static_cast<std::size_t>(runs));
-    for (const auto& subtree : subtrees) {
-        for (const int b : subtree) hidden[static_cast<std::size_t>(b)] = 1;
-        update(hide, all.without(hidden));
-        hidden.assign(hidden.size(), 0);
-        update(show, all);
-    }
-    print(("hide a subtree of " + std::to_string(std::lround(100.0 * share)) + " %").c_str(), hide);
-    print("show it again", show);
-    const auto there_and_back = [&](const char* name, const mesh::SurfaceOptions& changed, int detail) {
-        Row there;
-        Row back;
-        for (int run = 0; run < runs; ++run) {
-            const int usual_detail = options.detail;
-            options.detail = detail;
-            update(there, mesh::make_field(*tree, changed, {}));
-            options.detail = usual_detail;
-            update(back, all);
-        }
-        print(name, there);
-    };
-    mesh::SurfaceOptions changed = usual;
-    changed.prune_ratio = 0.3;
-    there_and_back("prune at 0.3", changed, options.detail);
-    changed = usual;
-    changed.smooth_passes = 2;
-    there_and_back("smooth once more", changed, options.detail);
-    changed = usual;
-    changed.width = 4.0;
-    there_and_back("another width", changed, options.detail);
-    there_and_back("another width, coarse (detail 8)", changed, 8);
+    measure(*tree, runs, share);
     return 0;
 }

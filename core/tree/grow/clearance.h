@@ -1,4 +1,4 @@
-// Whether a fork may stand at a place: its segments must keep away from all others, except from those they meet at a
+// Whether a fork may stand at a point: its segments must keep away from all others, except from those they meet at a
 // joint nearby, and must stay inside the organ.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace ramus::tree::growth {
 
-// One segment of a fork: from the fork's place to `end`, which is the node `node` (-1: a terminal still to be added).
+// One segment of a fork: from the fork to `end`, which is the node `node` (-1: a terminal still to be added).
 struct Spoke {
     int node = -1;
     Vec end{0.0};

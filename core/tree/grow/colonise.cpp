@@ -1,6 +1,7 @@
 #include "core/tree/grow/colonise.h"
 
 #include "core/tree/grow/clearance.h"
+#include "core/tree/grow/reshape.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +17,6 @@ constexpr double kShortest = 0.16;         // of that distance: the shortest seg
 constexpr double kLongest = 1.8;           // of that distance: the longest segment of a new terminal
 constexpr double kStout = 0.9;             // nor is a segment shorter than this many of its radii
 constexpr std::size_t kCandidates = 18;    // segments tried for each terminal
-constexpr double kNarrowFork = 0.8;        // largest cosine between the children of a fork
 constexpr double kBackward = -0.25;        // least cosine between a child and its parent's way
 constexpr double kTrunkTurn = 0.3;         // the same for the child that takes more blood than the other
 constexpr double kTerritory = 0.35;        // of that distance: how deep below the capsule a new terminal lies
@@ -25,13 +25,10 @@ constexpr double kFavourShort = 0.5;  // a terminal's segment longer than the di
 constexpr double kGridSlack = 1.5;    // radii grow between two renewals of the grid
 constexpr int kPatience = 40;         // throws before the distance asked for is eased
 
-constexpr int kLastMiss = 4000; // throws in a row after which there is no room; 250 were seen to be needed
+constexpr int kLastMiss = 4000; // throws in a row after which nothing fits; 250 were seen to be needed
 constexpr int kLastSweeps = 4;
 constexpr int kRepairs = 40;
 constexpr int kFirstTerminals = 4; // as many as the organ's own trunks end in
-
-constexpr int kRoot = 0;
-constexpr int kHilum = 1;
 
 double blood(double width) { return width * width; } // volume per length, up to a factor
 
@@ -73,16 +70,15 @@ private:
     void plant(int terminals);
     [[nodiscard]] bool grow_to(int terminals, Job& job);
     [[nodiscard]] Vec anywhere_inside();
-    [[nodiscard]] bool roomy(const Vec& place, double width);
-    [[nodiscard]] bool attach(const Vec& place, double flow);
-    [[nodiscard]] bool propose(int segment, const Vec& place, double width, Candidate& candidate) const;
-    void join(const Candidate& candidate, const Vec& place, double flow);
+    [[nodiscard]] bool is_free(const Vec& point, double width);
+    [[nodiscard]] bool attach(const Vec& point, double flow);
+    [[nodiscard]] bool propose(int segment, const Vec& point, double width, Candidate& candidate) const;
+    void join(const Candidate& candidate, const Vec& point, double flow);
     void relax();
     void relax_fork(int node);
     void renew();
     void renew_upstream_costs();
-    void place_segment(int node);
-    [[nodiscard]] bool merge_one_fork();
+    void insert_segment(int node);
     void cut_out(const std::vector<int>& segments);
 
     const Organ& organ_;
@@ -114,9 +110,9 @@ void Colony::plant(int terminals) {
     renew();
 }
 
-void Colony::place_segment(int node) {
-    segments_.place(node, tree_.at(tree_.at(node).parent).position, tree_.at(node).position,
-                    kGridSlack * tree_.radius_mm(node));
+void Colony::insert_segment(int node) {
+    segments_.insert(node, tree_.at(tree_.at(node).parent).position, tree_.at(node).position,
+                     kGridSlack * tree_.radius_mm(node));
 }
 
 // Grids with cells that suit the present spacing, radii that suit the present flows.
@@ -125,8 +121,8 @@ void Colony::renew() {
     segments_ = SegmentGrid(organ_.low(), organ_.high(), spacing_mm_);
     terminals_ = SegmentGrid(organ_.low(), organ_.high(), spacing_mm_);
     for (int id = 1; id < tree_.size(); ++id) {
-        place_segment(id);
-        if (tree_.at(id).child_count == 0) terminals_.place(id, tree_.at(id).position, tree_.at(id).position, 0.0);
+        insert_segment(id);
+        if (tree_.at(id).child_count == 0) terminals_.insert(id, tree_.at(id).position, tree_.at(id).position, 0.0);
     }
     renew_upstream_costs();
 }
@@ -141,25 +137,25 @@ void Colony::renew_upstream_costs() {
 }
 
 // Far enough from the other terminals and from every vessel's wall, deep enough below the capsule?
-bool Colony::roomy(const Vec& place, double width) {
+bool Colony::is_free(const Vec& point, double width) {
     const double radius = width * tree_.radius_scale();
     const double spacing = ease_ * spacing_mm_;
-    if (organ_.depth_mm(place) < std::max(radius + 1.5, kTerritory * spacing)) return false;
-    terminals_.query(place, place, spacing, near_);
+    if (organ_.depth_mm(point) < std::max(radius + 1.5, kTerritory * spacing)) return false;
+    terminals_.query(point, point, spacing, near_);
     for (const int id : near_)
-        if (glm::length(tree_.at(id).position - place) < spacing) return false;
+        if (glm::length(tree_.at(id).position - point) < spacing) return false;
     const double air = kAirAroundSegments * spacing + radius;
-    segments_.query(place, place, air, near_);
+    segments_.query(point, point, air, near_);
     for (const int id : near_) {
         const Vec& start = tree_.at(tree_.at(id).parent).position;
-        if (closest_approach(place, place, start, tree_.at(id).position).distance < air + tree_.radius_mm(id))
+        if (closest_approach(point, point, start, tree_.at(id).position).distance < air + tree_.radius_mm(id))
             return false;
     }
     return true;
 }
 
-// The best fork on one segment for a terminal at `place`, if it would look like one.
-bool Colony::propose(int segment, const Vec& place, double width, Candidate& candidate) const {
+// The best fork on one segment for a terminal at `point`, if it would look like one.
+bool Colony::propose(int segment, const Vec& point, double width, Candidate& candidate) const {
     const Node& below = tree_.at(segment);
     const Vec& start = tree_.at(below.parent).position;
     const Vec& end = below.position;
@@ -171,26 +167,26 @@ bool Colony::propose(int segment, const Vec& place, double width, Candidate& can
     const double length = glm::length(end - start);
     if (length < least_above + least_below) return false;
 
-    const Vec ends[]{start, end, place};
+    const Vec ends[]{start, end, point};
     const double weights[]{blood(trunk_width), blood(below.width), blood(width)};
     const Vec first =
-        (weights[0] * start + weights[1] * end + weights[2] * place) / (weights[0] + weights[1] + weights[2]);
+        (weights[0] * start + weights[1] * end + weights[2] * point) / (weights[0] + weights[1] + weights[2]);
     Vec fork = cheapest_fork(first, ends, weights, 10);
     if (glm::length(fork - start) < least_above || glm::length(fork - end) < least_below) {
-        // The best place is too near an end: the best on the segment that is not, a little towards the terminal.
+        // The best point is too near an end: the best on the segment that is not, a little towards the terminal.
         double along = glm::dot(fork - start, end - start) / length;
         along = std::clamp(along, 1.05 * least_above, std::max(1.05 * least_above, length - 1.05 * least_below));
         fork = start + (end - start) * (along / length);
-        fork += 0.08 * (place - fork);
+        fork += 0.08 * (point - fork);
         if (glm::length(fork - start) < least_above || glm::length(fork - end) < least_below) return false;
     }
-    const double reach = glm::length(place - fork);
+    const double reach = glm::length(point - fork);
     if (reach < scale * trunk_width + kAirAroundSegments * ease_ * spacing_mm_ || reach > kLongest * spacing_mm_)
         return false;
 
     const Vec in = direction(start, fork);
     const Vec on = direction(fork, end);
-    const Vec off = direction(fork, place);
+    const Vec off = direction(fork, point);
     if (glm::dot(on, off) > kNarrowFork || glm::dot(in, off) < kBackward ||
         glm::dot(in, on) < (below.flow > flow ? kTrunkTurn : kBackward))
         return false;
@@ -204,17 +200,17 @@ bool Colony::propose(int segment, const Vec& place, double width, Candidate& can
     return true;
 }
 
-bool Colony::attach(const Vec& place, double flow) {
+bool Colony::attach(const Vec& point, double flow) {
     const double width = cube_root(flow);
     for (double reach = 1.6 * spacing_mm_;; reach *= 1.7) {
-        segments_.query(place, place, reach, near_);
+        segments_.query(point, point, reach, near_);
         if (near_.size() >= 8 || reach > glm::length(organ_.high() - organ_.low())) break;
     }
     std::vector<std::pair<double, int>> nearest;
     for (const int id : near_) {
         if (id == kHilum) continue; // the stem stays bare
         const Vec& start = tree_.at(tree_.at(id).parent).position;
-        const double distance = closest_approach(place, place, start, tree_.at(id).position).distance;
+        const double distance = closest_approach(point, point, start, tree_.at(id).position).distance;
         nearest.emplace_back(distance - tree_.radius_mm(id), id);
     }
     std::sort(nearest.begin(), nearest.end());
@@ -223,7 +219,7 @@ bool Colony::attach(const Vec& place, double flow) {
     candidates_.clear();
     for (const auto& [distance, id] : nearest) {
         Candidate candidate;
-        if (propose(id, place, width, candidate)) candidates_.push_back(candidate);
+        if (propose(id, point, width, candidate)) candidates_.push_back(candidate);
     }
     std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
         return a.cost != b.cost ? a.cost < b.cost : a.segment < b.segment;
@@ -234,17 +230,17 @@ bool Colony::attach(const Vec& place, double flow) {
         const Spoke spokes[]{
             {below.parent, tree_.at(below.parent).position, scale * cube_root(below.flow + flow)},
             {candidate.segment, below.position, scale * below.width},
-            {-1, place, scale * width},
+            {-1, point, scale * width},
         };
         const int own[]{candidate.segment};
         if (!clearance_.fork_fits(candidate.fork, spokes, own)) continue;
-        join(candidate, place, flow);
+        join(candidate, point, flow);
         return true;
     }
     return false;
 }
 
-void Colony::join(const Candidate& candidate, const Vec& place, double flow) {
+void Colony::join(const Candidate& candidate, const Vec& point, double flow) {
     const int below = candidate.segment;
     const int above = tree_.at(below).parent;
     Node fork;
@@ -258,7 +254,7 @@ void Colony::join(const Candidate& candidate, const Vec& place, double flow) {
     auto& siblings = tree_.at(above).children;
     *std::find(siblings.begin(), siblings.end(), below) = id;
     tree_.at(below).parent = id;
-    const int leaf = tree_.add(place, id, flow);
+    const int leaf = tree_.add(point, id, flow);
     for (int up = id; up >= 0; up = tree_.at(up).parent) {
         Node& node = tree_.at(up);
         node.flow += flow;
@@ -269,10 +265,10 @@ void Colony::join(const Candidate& candidate, const Vec& place, double flow) {
         upstream_cost_[static_cast<std::size_t>(node)] =
             upstream_cost_[static_cast<std::size_t>(tree_.at(node).parent)] +
             2.0 / 3.0 * tree_.length_mm(node) / tree_.at(node).width;
-    place_segment(id);
-    place_segment(below);
-    place_segment(leaf);
-    terminals_.place(leaf, place, place, 0.0);
+    insert_segment(id);
+    insert_segment(below);
+    insert_segment(leaf);
+    terminals_.insert(leaf, point, point, 0.0);
     ++terminal_count_;
 }
 
@@ -312,7 +308,7 @@ void Colony::relax_fork(int id) {
     }
     if (!clearance_.fork_fits(fork, std::span(spokes.data(), count), std::span(own.data(), count))) return;
     tree_.at(id).position = fork;
-    for (std::size_t i = 0; i < count; ++i) place_segment(own[i]);
+    for (std::size_t i = 0; i < count; ++i) insert_segment(own[i]);
 }
 
 void Colony::relax() {
@@ -320,81 +316,8 @@ void Colony::relax() {
         if (tree_.at(id).child_count > 0) relax_fork(id);
 }
 
-// Makes one fork of two that stand close together: a threefold fork changes the parity of the number of branches.
-bool Colony::merge_one_fork() {
-    std::vector<std::pair<double, int>> inner;
-    for (int id = kHilum + 1; id < tree_.size(); ++id)
-        if (tree_.at(id).child_count > 0) inner.emplace_back(tree_.length_mm(id) / tree_.radius_mm(id), id);
-    std::sort(inner.begin(), inner.end());
-    for (const auto& [slenderness, id] : inner) {
-        const int above = tree_.at(id).parent;
-        std::vector<Spoke> spokes{{tree_.at(above).parent, tree_.at(tree_.at(above).parent).position,
-                                   tree_.radius_mm(above), above == kHilum}};
-        std::vector<int> own{above, id};
-        const auto add = [&](int child) {
-            spokes.push_back({child, tree_.at(child).position, tree_.radius_mm(child)});
-            own.push_back(child);
-        };
-        for (const int parent : {above, id})
-            for (int c = 0; c < 2; ++c)
-                if (const int child = tree_.at(parent).children[static_cast<std::size_t>(c)]; child != id) add(child);
-        const Vec& fork = tree_.at(above).position;
-        const bool narrow = [&] {
-            for (std::size_t i = 1; i < spokes.size(); ++i)
-                for (std::size_t k = 1; k < i; ++k)
-                    if (glm::dot(direction(fork, spokes[i].end), direction(fork, spokes[k].end)) > kNarrowFork)
-                        return true;
-            return false;
-        }();
-        if (narrow || !clearance_.fork_fits(fork, spokes, own)) continue;
-
-        Node& keeper = tree_.at(above);
-        keeper.child_count = 3;
-        for (std::size_t i = 0; i < 3; ++i) {
-            keeper.children[i] = spokes[i + 1].node;
-            tree_.at(keeper.children[i]).parent = above;
-        }
-        // The last node takes the place of the one that went.
-        const int last = tree_.size() - 1;
-        if (id != last) {
-            const Node moved = tree_.at(last);
-            tree_.at(id) = moved;
-            auto& siblings = tree_.at(moved.parent).children;
-            *std::find(siblings.begin(), siblings.end(), last) = id;
-            for (int c = 0; c < moved.child_count; ++c)
-                tree_.at(moved.children[static_cast<std::size_t>(c)]).parent = id;
-        }
-        tree_.nodes.pop_back();
-        return true;
-    }
-    return false;
-}
-
-// Cuts out segments with all that hangs on them; never the two that the hilum must have.
 void Colony::cut_out(const std::vector<int>& segments) {
-    std::vector<bool> gone(tree_.nodes.size(), false);
-    for (const int id : segments) gone[static_cast<std::size_t>(id)] = tree_.at(id).parent > kHilum;
-    const std::vector<int> order = tree_.from_root();
-    for (const int id : order)
-        if (id > kHilum && gone[static_cast<std::size_t>(tree_.at(id).parent)])
-            gone[static_cast<std::size_t>(id)] = true;
-
-    // What is left of a fork with one child only is an inner point: its child grows from further up.
-    Skeleton kept;
-    kept.root_radius_mm = tree_.root_radius_mm;
-    std::vector<int> new_id(tree_.nodes.size(), -1);
-    for (const int id : order) {
-        if (gone[static_cast<std::size_t>(id)]) continue;
-        const Node& node = tree_.at(id);
-        int left = 0;
-        for (int c = 0; c < node.child_count; ++c)
-            left += gone[static_cast<std::size_t>(node.children[static_cast<std::size_t>(c)])] ? 0 : 1;
-        const int above = node.parent < 0 ? -1 : new_id[static_cast<std::size_t>(node.parent)];
-        const bool inner_point = id > kHilum && left == 1 && node.child_count > 1;
-        new_id[static_cast<std::size_t>(id)] = inner_point ? above : kept.add(node.position, above, node.flow);
-    }
-    tree_ = std::move(kept);
-    tree_.settle_flows();
+    tree_ = without_segments(tree_, segments);
     terminal_count_ = 0;
     for (const Node& node : tree_.nodes) terminal_count_ += node.child_count == 0 ? 1 : 0;
     renew();
@@ -413,7 +336,7 @@ Result<Skeleton> Colony::run(int branches, const std::function<std::vector<int>(
             renew();
             relax();
         }
-        if (tree_.size() - 1 > branches && !merge_one_fork()) break;
+        if (tree_.size() - 1 > branches && !merge_one_fork(tree_, clearance_)) break;
         tree_.settle_flows();
         const std::vector<int> wrong = misplaced(tree_);
         if (wrong.empty()) return tree_;
@@ -423,7 +346,7 @@ Result<Skeleton> Colony::run(int branches, const std::function<std::vector<int>(
                 "make the organ larger or the root's radius smaller");
 }
 
-// Adds terminals up to a number of them, then lets all forks find their places. False: no room, or cancelled.
+// Adds terminals up to a number of them, then lets all forks find their places. False: nothing fits, or cancelled.
 bool Colony::grow_to(int terminals, Job& job) {
     int renew_at = 2 * terminal_count_;
     int refresh_at = terminal_count_ + 1;
@@ -435,12 +358,12 @@ bool Colony::grow_to(int terminals, Job& job) {
         // A wide range of flows, small ones more often: terminals are not all alike.
         const double u = random_.unit();
         const double flow = 0.2 + 1.6 * u * u;
-        Vec place(0.0);
+        Vec point(0.0);
         if (sector < organ_.sectors().size())
-            place = organ_.sectors()[sector++];
+            point = organ_.sectors()[sector++];
         else
-            place = anywhere_inside();
-        if (!roomy(place, cube_root(flow)) || !attach(place, flow)) {
+            point = anywhere_inside();
+        if (!is_free(point, cube_root(flow)) || !attach(point, flow)) {
             if (++misses % kPatience == 0) ease_ = std::max(0.5, 0.97 * ease_);
             continue;
         }
@@ -469,8 +392,8 @@ Vec Colony::anywhere_inside() {
         const double x = random_.unit();
         const double y = random_.unit();
         const double z = random_.unit();
-        const Vec place = organ_.low() + (organ_.high() - organ_.low()) * Vec(x, y, z);
-        if (organ_.depth_mm(place) > 0.0) return place;
+        const Vec point = organ_.low() + (organ_.high() - organ_.low()) * Vec(x, y, z);
+        if (organ_.depth_mm(point) > 0.0) return point;
     }
 }
 

@@ -43,7 +43,7 @@ template <class Visit> void SegmentGrid::for_cells(const Tube& tube, Visit visit
             }
 }
 
-void SegmentGrid::place(int id, const Vec& a, const Vec& b, double radius) {
+void SegmentGrid::insert(int id, const Vec& a, const Vec& b, double radius) {
     const auto at = static_cast<std::size_t>(id);
     if (at >= tubes_.size()) {
         tubes_.resize(at + 1);

@@ -1,4 +1,4 @@
-// A box of cubic cells that knows which tubes (line segments with a radius) come near which place. Tubes have small
+// A box of cubic cells that knows which tubes (line segments with a radius) come near which point. Tubes have small
 // integer ids, chosen by the caller, and may be moved and removed. Queries are conservative: they return every tube
 // that touches the asked one, and some that do not. The order of what they return depends only on the calls before.
 #pragma once
@@ -13,8 +13,8 @@ class SegmentGrid {
 public:
     SegmentGrid(const Vec& low, const Vec& high, double cell_mm);
 
-    // Places tube `id` from a to b; if it is there already it moves.
-    void place(int id, const Vec& a, const Vec& b, double radius);
+    // Puts tube `id` from a to b; if it is there already it moves.
+    void insert(int id, const Vec& a, const Vec& b, double radius);
     void remove(int id);
     // Replaces `found` by the ids of all tubes that may touch this one, each once.
     void query(const Vec& a, const Vec& b, double radius, std::vector<int>& found) const;
@@ -23,7 +23,7 @@ private:
     struct Tube {
         Vec a{0.0};
         Vec b{0.0};
-        double radius = -1.0; // negative: not placed
+        double radius = -1.0; // negative: not there
     };
     template <class Visit> void for_cells(const Tube& tube, Visit visit) const;
 

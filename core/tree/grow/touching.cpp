@@ -33,7 +33,7 @@ void Touching::take(const Centerlines& lines, std::size_t segment) {
     const auto& line = lines[segment];
     const double radius = tree_.radius_mm(static_cast<int>(segment));
     for (std::size_t k = 1; k < line.size(); ++k) {
-        grid_.place(static_cast<int>(pieces_.size()), line[k - 1], line[k], radius);
+        grid_.insert(static_cast<int>(pieces_.size()), line[k - 1], line[k], radius);
         pieces_.push_back({static_cast<int>(segment), line[k - 1], line[k], length});
         length += glm::length(line[k] - line[k - 1]);
     }
