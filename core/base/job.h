@@ -20,11 +20,11 @@ private:
     std::atomic<bool> cancelled_{false};
 };
 
-// A stretch of a job's progress, for a step that does not know what else the job does.
+// A part of a job's progress, for a step that does not know what else the job does.
 class JobRange {
 public:
     JobRange(Job& job, float begin, float end) : job_(job), begin_(begin), share_(end - begin) {}
-    void report(float fraction) const { job_.report(begin_ + share_ * fraction); } // of this stretch
+    void report(float fraction) const { job_.report(begin_ + share_ * fraction); } // of this part
     [[nodiscard]] bool cancelled() const { return job_.cancelled(); }
 
 private:

@@ -20,18 +20,18 @@ public:
     PagedArray(const PagedArray&) = delete;
     PagedArray& operator=(const PagedArray&) = delete;
     ~PagedArray() {
-        if (memory_ != nullptr) give_pages_back(memory_, room_ * sizeof(T));
+        if (memory_ != nullptr) give_pages_back(memory_, capacity_ * sizeof(T));
     }
 
     // New values are unset. Addresses change.
     void resize(std::size_t count) {
-        if (count > room_) {
+        if (count > capacity_) {
             constexpr std::size_t kFirst = std::size_t{1} << 20;
-            const std::size_t room = std::max({count, 2 * room_, kFirst});
-            void* memory = memory_ == nullptr ? take_pages(room * sizeof(T))
-                                              : stretch_pages(memory_, room_ * sizeof(T), room * sizeof(T));
+            const std::size_t capacity = std::max({count, 2 * capacity_, kFirst});
+            void* memory = memory_ == nullptr ? take_pages(capacity * sizeof(T))
+                                              : stretch_pages(memory_, capacity_ * sizeof(T), capacity * sizeof(T));
             memory_ = static_cast<T*>(memory);
-            room_ = room;
+            capacity_ = capacity;
         }
         size_ = count;
     }
@@ -42,7 +42,7 @@ public:
 
 private:
     T* memory_ = nullptr;
-    std::size_t size_ = 0, room_ = 0;
+    std::size_t size_ = 0, capacity_ = 0;
 };
 
 } // namespace ramus

@@ -23,17 +23,17 @@ void weld(TriangleMesh& mesh) {
     };
     std::ranges::sort(order, before);
     std::vector<std::uint32_t> now(order.size());
-    LargeArray<glm::vec3> kept;
+    LargeArray<glm::vec3> distinct;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i == 0 || before(order[i - 1], order[i])) kept.push_back(mesh.positions[order[i]]);
-        now[order[i]] = static_cast<std::uint32_t>(kept.size() - 1);
+        if (i == 0 || before(order[i - 1], order[i])) distinct.push_back(mesh.positions[order[i]]);
+        now[order[i]] = static_cast<std::uint32_t>(distinct.size() - 1);
     }
     LargeArray<glm::uvec3> triangles;
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::uvec3 u(now[t.x], now[t.y], now[t.z]);
         if (u.x != u.y && u.y != u.z && u.z != u.x) triangles.push_back(u);
     }
-    mesh.positions = std::move(kept);
+    mesh.positions = std::move(distinct);
     mesh.triangles = std::move(triangles);
 }
 
@@ -73,13 +73,13 @@ Result<void> expect_two_each(const TriangleMesh& mesh, const std::vector<HalfEdg
     }
     if (open + crowded == 0) return {};
     const glm::vec3& p = mesh.positions[first];
-    char place[96];
-    std::snprintf(place, sizeof place, "(%g, %g, %g)", double(p.x), double(p.y), double(p.z));
+    char position[96];
+    std::snprintf(position, sizeof position, "(%g, %g, %g)", double(p.x), double(p.y), double(p.z));
     const auto edges_text = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " edge has " : " edges have "); };
     return fail(
         "the surface is not closed: " +
             (open > 0 ? edges_text(open) + "one triangle only" : edges_text(crowded) + "more than two triangles") +
-            ", the first at " + place,
+            ", the first at " + position,
         where, "close its holes in the program that made it");
 }
 
@@ -113,13 +113,13 @@ Result<void> turn_alike(TriangleMesh& mesh, const std::vector<HalfEdge>& edges, 
         bool mended = false;
         for (std::size_t i = 0; i < part.size(); ++i)
             for (const Neighbour& next : around[part[i]]) {
-                const std::uint8_t wanted = next.alike == (turn[part[i]] == kKept) ? kKept : kTurned;
+                const std::uint8_t required = next.alike == (turn[part[i]] == kKept) ? kKept : kTurned;
                 std::uint8_t& now = turn[next.triangle];
                 if (now == kOpen) {
-                    now = wanted;
-                    mended = mended || wanted == kTurned;
+                    now = required;
+                    mended = mended || required == kTurned;
                     part.push_back(next.triangle);
-                } else if (now != wanted) {
+                } else if (now != required) {
                     return fail("the surface has one side only and no inside", where, "give a closed surface");
                 }
             }

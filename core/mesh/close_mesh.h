@@ -1,4 +1,4 @@
-// From the loose triangles of a file to a surface with an inside: vertices at one place become one, all triangles are
+// From the loose triangles of a file to a surface with an inside: vertices at one position become one, all triangles are
 // turned the same way round, and every edge must then have exactly two triangles.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace ramus::mesh {
 
-// Keeps positions and triangles of `loose`, without the triangles that two or three corners at one place have made a
+// Keeps positions and triangles of `loose`, without the triangles that two or three corners at one position have made a
 // line, and gives unit normals per vertex. A part that was turned the same way round already keeps its turn (a hole in
 // a solid is a shell turned inward), unless the whole mesh would be inside out; another part is turned outward. `where`
 // is what errors name. Fails when nothing is left, when an edge has another number of triangles than two (the message

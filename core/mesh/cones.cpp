@@ -20,7 +20,7 @@ struct Piece {
     std::int32_t branch;
 };
 
-// All pieces have the same rings, so their places in the arrays are known beforehand:
+// All pieces have the same rings, so their indices in the arrays are known beforehand:
 // pole, `cap` rings from pole to touching circle, the same mirrored at the other end.
 struct Layout {
     int sides;

@@ -8,7 +8,7 @@
 
 namespace ramus::mesh {
 
-// Triples of places in `corners`, turned as the polygon is; two fewer triangles than corners, whose edges inside the
+// Triples of indices into `corners`, turned as the polygon is; two fewer triangles than corners, whose edges inside the
 // polygon are shared by two each. A polygon that is not flat, or crosses itself, is cut somehow. Time grows with the
 // square of the corners, so from a thousand on it is cut as a fan.
 [[nodiscard]] std::vector<glm::uvec3> cut_polygon(std::span<const glm::dvec3> corners);

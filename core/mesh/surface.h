@@ -1,4 +1,4 @@
-// The one road from a vessel tree to a surface, with the options that every command and the window share.
+// The one way from a vessel tree to a surface, with the options that every command and the window share.
 #pragma once
 
 #include "core/base/error.h"

@@ -21,7 +21,7 @@ struct TriangleMesh {
     bool operator==(const TriangleMesh&) const = default;
 };
 
-// Some or all of a mesh's vertices, wherever they are kept.
+// Some or all of a mesh's vertices, in whichever arrays they are.
 struct VertexSpan {
     std::span<const glm::vec3> positions, normals;
     std::span<const float> radii;

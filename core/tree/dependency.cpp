@@ -96,13 +96,13 @@ void Dependency::number(std::span<const int> outward) {
         if (parent(b) != kNoBranch) size_[index(parent(b))] += size_[index(b)];
     }
     order_.resize(outward.size());
-    int free = 0;                          // where the next branch that depends on nothing goes
-    std::vector<int> room(outward.size()); // where a branch's next dependent goes
+    int free = 0;                             // where the next branch that depends on nothing goes
+    std::vector<int> next_in(outward.size()); // where a branch's next dependent goes
     for (const int b : outward) {
-        int& next = parent(b) == kNoBranch ? free : room[index(parent(b))];
+        int& next = parent(b) == kNoBranch ? free : next_in[index(parent(b))];
         place_[index(b)] = next;
         order_[index(next)] = b;
-        room[index(b)] = next + 1;
+        next_in[index(b)] = next + 1;
         next += size_[index(b)];
     }
 }
@@ -114,17 +114,17 @@ std::vector<int> Dependency::upstream(int branch) const {
 }
 
 std::vector<int> Dependency::with_dependents(std::span<const int> branches) const {
-    std::vector<int> places;
-    places.reserve(branches.size());
-    for (const int b : branches) places.push_back(place_[index(b)]);
-    std::ranges::sort(places);
+    std::vector<int> positions;
+    positions.reserve(branches.size());
+    for (const int b : branches) positions.push_back(place_[index(b)]);
+    std::ranges::sort(positions);
     std::vector<int> all;
     int covered = 0; // of the order, so far: intervals nest or are apart
-    for (const int place : places) {
-        if (place < covered) continue;
-        const auto part = with_dependents(order_[index(place)]);
+    for (const int position : positions) {
+        if (position < covered) continue;
+        const auto part = with_dependents(order_[index(position)]);
         all.insert(all.end(), part.begin(), part.end());
-        covered = place + static_cast<int>(part.size());
+        covered = position + static_cast<int>(part.size());
     }
     std::ranges::sort(all);
     return all;

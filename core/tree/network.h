@@ -15,7 +15,7 @@ struct Network {
     std::vector<std::array<int, 2>> ends; // by branch: the node where it begins (the parent's end) and where it ends
     std::vector<std::uint32_t> points;    // by node: its point
     std::vector<int> roots;               // nodes where a branch without a parent begins, each once
-    std::vector<int> first;               // by node, and one past the last: its first place in `around`
+    std::vector<int> first;               // by node, and one past the last: its first index in `around`
     std::vector<int> around;              // branches at each node, ascending; one that begins and ends there twice
 
     explicit Network(const VesselTree& tree);

@@ -10,8 +10,8 @@ struct PreparedTree {
     VesselTree tree;
     // Branch id in the file's tree for every segment of `tree` (branches in order, segments along each).
     std::vector<int> segment_source;
-    // The place of every segment among those of the file's tree, counted in the same way, and how many those are.
-    // Empty: nothing was pruned, each has its own place.
+    // The index of every segment among those of the file's tree, counted in the same way, and how many those are.
+    // Empty: nothing was pruned, each has its own index.
     std::vector<std::uint32_t> segment_index;
     std::size_t source_segments = 0;
 };

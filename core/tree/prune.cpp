@@ -11,13 +11,13 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-std::vector<std::uint32_t> places_in_order(const VesselTree& tree, const std::map<Edge, std::uint32_t>& place_of) {
-    std::vector<std::uint32_t> places;
-    places.reserve(tree.segment_count());
+std::vector<std::uint32_t> indices_in_order(const VesselTree& tree, const std::map<Edge, std::uint32_t>& index_of) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(tree.segment_count());
     for (const Branch& branch : tree.branches)
         for (std::size_t i = 1; i < branch.points.size(); ++i)
-            places.push_back(place_of.at(std::minmax(branch.points[i - 1], branch.points[i])));
-    return places;
+            indices.push_back(index_of.at(std::minmax(branch.points[i - 1], branch.points[i])));
+    return indices;
 }
 
 PreparedTree unpruned(const VesselTree& tree) {
@@ -48,12 +48,12 @@ std::vector<bool> short_leaves(const VesselTree& tree, double ratio) {
 PreparedTree prune(const VesselTree& source, double ratio) {
     PreparedTree result = unpruned(source);
     if (!(ratio > 0.0)) return result;
-    std::map<Edge, std::uint32_t> place_of;
+    std::map<Edge, std::uint32_t> index_of;
     {
-        std::uint32_t place = 0;
+        std::uint32_t index = 0;
         for (const Branch& branch : source.branches)
             for (std::size_t i = 1; i < branch.points.size(); ++i)
-                place_of[std::minmax(branch.points[i - 1], branch.points[i])] = place++;
+                index_of[std::minmax(branch.points[i - 1], branch.points[i])] = index++;
     }
     VesselTree tree = source;
     while (true) {
@@ -69,10 +69,10 @@ PreparedTree prune(const VesselTree& source, double ratio) {
         tree = assemble(std::move(tree.points), std::move(tree.labels), edges, roots);
     }
     result.source_segments = result.segment_source.size();
-    result.segment_index = places_in_order(tree, place_of);
+    result.segment_index = indices_in_order(tree, index_of);
     std::vector<int> sources;
     sources.reserve(result.segment_index.size());
-    for (const std::uint32_t place : result.segment_index) sources.push_back(result.segment_source[place]);
+    for (const std::uint32_t index : result.segment_index) sources.push_back(result.segment_source[index]);
     result.segment_source = std::move(sources);
 
     std::vector<std::uint32_t> renumbered(tree.points.size(), 0);

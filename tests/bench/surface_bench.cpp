@@ -61,14 +61,14 @@ double all_segments_seconds(const field::ConvolutionField& field, const mesh::Tr
     std::iota(all.begin(), all.end(), 0U);
     std::mt19937 random(1);
     const std::size_t bricks = std::clamp<std::size_t>(4'000'000'000 / (all.size() * field::kGridPoints), 32, 4096);
-    std::vector<glm::dvec3> places(bricks);
-    for (auto& place : places) place = glm::dvec3(mesh.positions[random() % mesh.positions.size()]);
+    std::vector<glm::dvec3> corners(bricks);
+    for (auto& corner : corners) corner = glm::dvec3(mesh.positions[random() % mesh.positions.size()]);
     const double seconds = seconds_of([&] {
         tbb::parallel_for(std::size_t{0}, bricks, [&](std::size_t n) {
             field::GridAxes axes;
             for (std::size_t i = 0; i < field::kGridSide; ++i) {
                 const double step = 0.1 * static_cast<double>(i);
-                axes.x[i] = places[n].x + step, axes.y[i] = places[n].y + step, axes.z[i] = places[n].z + step;
+                axes.x[i] = corners[n].x + step, axes.y[i] = corners[n].y + step, axes.z[i] = corners[n].z + step;
             }
             field::SumInBrick sum = field.in_brick();
             thread_local field::GridGroups values;

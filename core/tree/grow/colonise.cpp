@@ -346,7 +346,7 @@ Result<Skeleton> Colony::run(int branches, const std::function<std::vector<int>(
                 "make the organ larger or the root's radius smaller");
 }
 
-// Adds terminals up to a number of them, then lets all forks find their places. False: nothing fits, or cancelled.
+// Adds terminals up to a number of them, then lets all forks settle. False: nothing fits, or cancelled.
 bool Colony::grow_to(int terminals, Job& job) {
     int renew_at = 2 * terminal_count_;
     int refresh_at = terminal_count_ + 1;

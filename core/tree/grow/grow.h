@@ -6,7 +6,7 @@
 // Guarantees: exactly the number of branches asked for; at every fork the parent's radius cubed equals the sum of the
 // children's cubed (Murray), with one radius along each branch and at its far end; every point but the stem's lies
 // inside the organ; vessels touch only near their common fork: where two come closer than the sum of their radii, the
-// way between the two places along the tree is at most kJointReach times that sum. The same options give the same
+// way between the two points along the tree is at most kJointReach times that sum. The same options give the same
 // points on every machine. Not a model of physiology: the terminals' flows are random, not measured.
 #pragma once
 

@@ -32,7 +32,7 @@ template <class Visit> void SegmentGrid::for_cells(const Tube& tube, Visit visit
         for (int j = first[1]; j <= last[1]; ++j)
             for (int i = first[0]; i <= last[0]; ++i) {
                 const bool border = i == 0 || j == 0 || k == 0 || i == size_[0] - 1 || j == size_[1] - 1 ||
-                                    k == size_[2] - 1; // may stand for places far outside
+                                    k == size_[2] - 1; // may stand for points far outside
                 if (!small && !border) {
                     const Vec centre = low_ + cell_mm_ * (Vec(i, j, k) + 0.5);
                     const double t = run2 > 0.0 ? std::clamp(glm::dot(centre - tube.a, run) / run2, 0.0, 1.0) : 0.0;

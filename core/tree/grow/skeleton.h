@@ -1,6 +1,6 @@
 // The straight tree that growth works on: nodes with a parent, and how much blood each carries. Node i stands also for
 // the segment from its parent to it; node 0 is the root. After growth every inner node but the root has two children
-// (three at the one place that makes an even number of branches), so a segment is a branch.
+// (three at the one fork that makes an even number of branches), so a segment is a branch.
 #pragma once
 
 #include "core/tree/grow/exact_math.h"

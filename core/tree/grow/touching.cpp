@@ -40,7 +40,7 @@ void Touching::take(const Centerlines& lines, std::size_t segment) {
     last = pieces_.size();
 }
 
-// Whether the way along the tree between two places, each given by its segment and arc length, is at most `limit`.
+// Whether the way along the tree between two points, each given by its segment and arc length, is at most `limit`.
 bool Touching::way_within(int a, double along_a, int b, double along_b, double limit) const {
     const auto level = [&](int segment) { return level_[static_cast<std::size_t>(segment)]; };
     const auto length = [&](int segment) { return length_[static_cast<std::size_t>(segment)]; };
@@ -49,7 +49,7 @@ bool Touching::way_within(int a, double along_a, int b, double along_b, double l
         std::swap(a, b);
         std::swap(along_a, along_b);
     }
-    double way = along_a; // from the first place to the start of segment a
+    double way = along_a; // from the first point to the start of segment a
     while (level(a) > level(b)) {
         a = tree_.at(a).parent;
         if (a == b) return way + length(b) - along_b <= limit;

@@ -1,5 +1,5 @@
 // Finds where vessels touch that should not: two centerlines nearer than the sum of their radii although the way
-// between the two places along the tree is long, so that no joint excuses it. Remembers the centerlines, so that after
+// between the two points along the tree is long, so that no joint excuses it. Remembers the centerlines, so that after
 // a change only what changed is looked at.
 #pragma once
 

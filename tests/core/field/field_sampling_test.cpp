@@ -220,9 +220,9 @@ TEST_CASE("bounds hold, and segments that are culled contribute nothing") {
                 if (bounds.lower[child] > field.kernel().isovalue) ++proven_inside;
                 for (int n = 0; n < 30; ++n) {
                     // Corners first, then anywhere.
-                    const glm::dvec3 place = n < 8 ? glm::dvec3(n & 1, n >> 1 & 1, n >> 2) - 0.5
-                                                   : glm::dvec3(unit(random), unit(random), unit(random));
-                    const glm::dvec3 p = centre + side * place;
+                    const glm::dvec3 offset = n < 8 ? glm::dvec3(n & 1, n >> 1 & 1, n >> 2) - 0.5
+                                                    : glm::dvec3(unit(random), unit(random), unit(random));
+                    const glm::dvec3 p = centre + side * offset;
                     const Exact exact = exact_field(field, p);
                     if (bounds.upper[child] < field.kernel().isovalue)
                         CHECK(exact.value < bounds.upper[child] + 1e-6 * (1.0 + exact.kernels));

@@ -120,8 +120,8 @@ TEST_CASE("a brick's neighbours are those that a search of all bricks finds") {
 TEST_CASE("edges joined by tables make the polygons that each makes by itself") {
     Scene scene;
     Job job;
-    const JobRange stretch(job, 0.0F, 1.0F);
-    fill_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, stretch);
+    const JobRange range(job, 0.0F, 1.0F);
+    fill_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, range);
     // One after the other: where a subtree's vertices wait is where they stay.
     SurfaceVertices all;
     for (const std::uint32_t subtree : scene.subtrees) {
@@ -136,7 +136,7 @@ TEST_CASE("edges joined by tables make the polygons that each makes by itself") 
     }
     const VertexSpan vertices = VertexSpan{all.positions, all.normals, all.radii, all.branches}.subspan(0, all.count);
     std::vector<JoinedSubtree> joined;
-    join_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, vertices, joined, stretch);
+    join_subtrees(scene.field, scene.octree, scene.subtrees, scene.cells, vertices, joined, range);
 
     std::vector<JoinedSubtree> plain(1);
     const EdgePolygons polygons(scene.field, scene.octree, scene.cells, vertices);
