@@ -9,8 +9,6 @@ namespace ramus::tree {
 
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
 std::vector<std::uint32_t> indices_in_order(const VesselTree& tree, const std::map<Edge, std::uint32_t>& index_of) {
     std::vector<std::uint32_t> indices;
     indices.reserve(tree.segment_count());
