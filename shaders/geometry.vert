@@ -8,7 +8,7 @@ layout(location = kAttributePosition) in vec3 position;
 layout(location = kAttributeNormal) in vec3 normal;
 layout(location = kAttributeBranch) in int branch;
 #ifdef BORDER
-layout(location = kAttributeLead) in uvec4 lead; // as field::Lead: over two rivals, and their marks
+layout(location = kAttributeLead) in uvec4 lead; // as field::Dominance: over two rivals, and their marks
 #endif
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
