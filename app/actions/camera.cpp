@@ -1,7 +1,7 @@
 // From where the tree is looked at.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "core/io/tree_reader.h"
+#include "core/io/input_file.h"
 
 #include <nlohmann/json.hpp>
 

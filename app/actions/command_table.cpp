@@ -2,6 +2,9 @@
 
 #include "app/actions/groups.h"
 #include "app/actions/phrases.h"
+#include "app/assets/context_shapes.h"
+#include "core/io/meshes/mesh_format.h"
+#include "core/io/volumes/volume_format.h"
 
 #include <algorithm>
 #include <utility>
@@ -91,9 +94,13 @@ Result<void> Host::open(const std::filesystem::path&) {
     return fail("a file cannot be opened from here", {}, "give it on the command line");
 }
 Result<void> Host::ask_for_file() { return fail("open needs a FILE here"); }
-Result<void> Host::ask_for_lesion_mesh() { return fail("lesion-mesh needs a FILE here", {}, ".stl, .ply or .obj"); }
-Result<void> Host::ask_for_context() { return fail("context needs a FILE here", {}, ".nii, .stl, .ply or .obj"); }
-Result<void> Host::ask_for_mask() { return fail("compare-mask needs a FILE here", {}, ".nii or .nii.gz"); }
+Result<void> Host::ask_for_lesion_mesh() {
+    return fail("lesion-mesh needs a FILE here", {}, io::readable_mesh_extensions());
+}
+Result<void> Host::ask_for_context() { return fail("context needs a FILE here", {}, context_extensions()); }
+Result<void> Host::ask_for_mask() {
+    return fail("compare-mask needs a FILE here", {}, io::readable_volume_extensions());
+}
 Result<void> Host::ask_for_name() { return fail("save-as needs a window", {}, "save FILE"); }
 Result<void> Host::copy_text(const std::string&) { return fail("there is no clipboard without a window"); }
 Result<std::string> Host::pasted_text() { return fail("there is no clipboard without a window"); }

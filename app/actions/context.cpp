@@ -89,7 +89,7 @@ Result<void> context(ActionContext& context, Arguments arguments) {
     const auto item = item_in(arguments, next.context);
     if (!item) return tl::unexpected(item.error());
     if (!can_be_context(item->file))
-        return fail("this is neither a mask nor a mesh", item->file, "context is .nii, .nii.gz, .stl, .ply or .obj");
+        return fail("this is neither a mask nor a mesh", item->file, "context is " + context_extensions());
     const auto same = [&](const ContextItem& other) {
         return source_of(other) == source_of(*item) && other.wireframe == item->wireframe;
     };

@@ -3,6 +3,7 @@
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
 #include "app/session/numbers.h"
+#include "core/io/meshes/mesh_format.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,8 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
 Result<void> lesion_mesh(ActionContext& context, Arguments arguments) {
     if (arguments.empty()) return context.host.ask_for_lesion_mesh();
     if (arguments.size() != 1)
-        return fail("lesion-mesh takes a file: .stl, .ply or .obj", {}, "put quotes around a name with blanks");
+        return fail("lesion-mesh takes a file: " + io::readable_mesh_extensions(), {},
+                    "put quotes around a name with blanks");
     const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
     Marks next = context.document.marks();
     if (std::ranges::find(next.lesion_meshes, path.string()) != next.lesion_meshes.end())
@@ -244,7 +246,7 @@ std::vector<Command> surgery_commands() {
          lesion_change},
         {"lesion-mesh",
          "[FILE]",
-         "Places a lesion with the shape of a closed mesh: .stl, .ply or .obj, in mm.",
+         "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() + ", in mm.",
          "",
          "",
          {},

@@ -1,13 +1,12 @@
 #include "app/assets/context_shapes.h"
 
-#include "core/io/mesh_reader.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/volumes/volume_file.h"
 #include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
-#include "core/volume/read_volume.h"
 #include "core/volume/relax_surface.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <new>
 
@@ -22,12 +21,13 @@ constexpr std::size_t kPreviewFrom = 80'000, kPreview = 40'000; // triangles; tu
 constexpr int kRelaxPasses = 60, kSmoothPasses = 2;
 
 Result<mesh::TriangleMesh> read_surface(const ContextSource& source, Job& job) {
-    if (!volume::names_volume(source.file)) {
+    if (!io::names_volume(source.file)) {
         if (source.label != 0)
-            return fail("a mesh has no labels", source.file, "--label chooses one of a mask's: .nii or .nii.gz");
+            return fail("a mesh has no labels", source.file,
+                        "--label chooses one of a mask's: " + io::readable_volume_extensions());
         return io::read_mesh(source.file, io::Holes::kAllowed);
     }
-    auto volume = volume::read_volume(source.file, {}, job);
+    auto volume = io::read_volume(source.file, {}, job);
     if (!volume) return tl::unexpected(volume.error());
     volume::Selection selection;
     if (source.label != 0) selection.labels = {source.label};
@@ -66,10 +66,13 @@ Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loade
     return loaded;
 }
 
-bool can_be_context(const std::string& file) {
-    std::string ending = fs::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".stl" || ending == ".ply" || ending == ".obj" || volume::names_volume(file);
+bool can_be_context(const std::string& file) { return io::names_mesh(file) || io::names_volume(file); }
+
+std::string context_extensions() {
+    std::vector<std::string_view> words = io::readable_extensions(io::volume_formats());
+    const auto meshes = io::readable_extensions(io::mesh_formats());
+    words.insert(words.end(), meshes.begin(), meshes.end());
+    return io::listed(words);
 }
 
 } // namespace ramus::app

@@ -36,5 +36,6 @@ struct ContextShape {
 
 // By the ending of its name: a mask or a mesh.
 [[nodiscard]] bool can_be_context(const std::string& file);
+[[nodiscard]] std::string context_extensions(); // ".nii, .nii.gz, .ply, .stl or .obj"
 
 } // namespace ramus::app

@@ -1,6 +1,6 @@
 #include "app/assets/lesion_meshes.h"
 
-#include "core/io/mesh_reader.h"
+#include "core/io/meshes/mesh_file.h"
 
 namespace ramus::app {
 

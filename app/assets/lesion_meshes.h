@@ -15,7 +15,7 @@ struct LesionMesh {
     std::shared_ptr<const measure::MeshDistance> distance;
 };
 
-// The mesh in this file (core/io/mesh_reader.h says which ones are taken), or `before` if the file was not written
+// The mesh in this file (core/io/meshes/mesh_file.h says which ones are taken), or `before` if the file was not written
 // since; null: it was not read before. Any thread.
 [[nodiscard]] Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const Loaded<LesionMesh>* before);
 

@@ -1,5 +1,7 @@
 #include "app/commands/comparison_flags.h"
 
+#include "core/io/volumes/volume_format.h"
+
 #include <filesystem>
 #include <map>
 
@@ -27,11 +29,11 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
             },
             "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask")
         ->type_name("LIST");
-    CLI::Option* mask =
-        command
-            .add_option("--mask", flags.mask,
-                        "Segmentation mask of the same vessels (.nii, .nii.gz; default: the tree's own voxels)")
-            ->type_name("MASK");
+    CLI::Option* mask = command
+                            .add_option("--mask", flags.mask,
+                                        "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
+                                            "; default: the tree's own voxels)")
+                            ->type_name("MASK");
     command
         .add_option_function<std::string>(
             "--label",

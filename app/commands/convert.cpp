@@ -2,7 +2,7 @@
 
 #include "app/commands/load_tree.h"
 #include "app/commands/surface_flags.h"
-#include "core/io/tree_writer.h"
+#include "core/io/trees/tree_file.h"
 
 #include <memory>
 
@@ -31,10 +31,11 @@ Result<int> run_convert(const ConvertFlags& flags) {
 } // namespace
 
 void register_convert(CLI::App& app, Action& chosen) {
-    CLI::App* command = add_command(app, "convert", "Write a vessel tree in another format: .swc or ramus's own .json");
+    CLI::App* command =
+        add_command(app, "convert", "Write a vessel tree in another format: " + io::writable_tree_extensions());
     const auto flags = std::make_shared<ConvertFlags>();
     command->add_option("FILE", flags->file, "Vessel tree to read")->type_name("")->required();
-    command->add_option("-o,--output", flags->output, "Vessel tree to write: .swc or .json")
+    command->add_option("-o,--output", flags->output, "Vessel tree to write: " + io::writable_tree_extensions())
         ->type_name("FILE")
         ->required();
     add_reading_flags(*command, flags->surface);

@@ -2,7 +2,7 @@
 
 #include "app/commands/interrupt.h"
 #include "app/commands/progress_bar.h"
-#include "core/io/tree_writer.h"
+#include "core/io/trees/tree_file.h"
 #include "core/tree/build_tree.h"
 #include "core/tree/grow/grow.h"
 
@@ -77,7 +77,7 @@ void register_grow(CLI::App& app, Action& chosen) {
                     "fork is threefold.\nThe same options give the same tree on every machine.");
     auto flags = std::make_shared<Flags>();
     tree::GrowOptions& options = flags->grow;
-    command->add_option("-o,--output", flags->output, "Tree file to write: .swc or .json")
+    command->add_option("-o,--output", flags->output, "Tree file to write: " + io::writable_tree_extensions())
         ->type_name("TREE")
         ->required();
     command

@@ -4,8 +4,8 @@
 #include "app/commands/surface_flags.h"
 #include "app/commands/volume_info.h"
 #include "app/session/numbers.h"
+#include "core/io/volumes/volume_format.h"
 #include "core/measure/tree_statistics.h"
-#include "core/volume/read_volume.h"
 
 #include <iomanip>
 #include <iostream>
@@ -104,7 +104,7 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
 }
 
 Result<int> run_info(const InfoFlags& flags) {
-    if (volume::names_volume(flags.file)) {
+    if (io::names_volume(flags.file)) {
         if (flags.branches)
             return fail("a volume has no branches", flags.file, "leave out --branches, or name a vessel tree");
         return run_volume_info(flags.file, flags.surface, flags.json);
@@ -124,7 +124,9 @@ Result<int> run_info(const InfoFlags& flags) {
 void register_info(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(app, "info", "Say what a vessel tree or a segmentation mask consists of");
     const auto flags = std::make_shared<InfoFlags>();
-    command->add_option("FILE", flags->file, "Vessel tree, or mask (.nii, .nii.gz)")->type_name("")->required();
+    command->add_option("FILE", flags->file, "Vessel tree, or mask (" + io::readable_volume_extensions() + ")")
+        ->type_name("")
+        ->required();
     command->add_flag("--json", flags->json, "Print one JSON object");
     command->add_flag("--branches", flags->branches, "List every branch too");
     add_reading_flags(*command, flags->surface);

@@ -3,7 +3,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/progress_bar.h"
-#include "core/volume/read_volume.h"
+#include "core/io/volumes/volume_file.h"
 
 namespace ramus::app {
 
@@ -12,7 +12,7 @@ Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& 
     auto read = [&] {
         const CancelOnInterrupt cancel(job);
         const ProgressBar bar("reading", job);
-        return volume::read_volume(file, {static_cast<double>(flags.surface.memory_bytes)}, job);
+        return io::read_volume(file, {static_cast<double>(flags.surface.memory_bytes)}, job);
     }();
     if (job.cancelled()) return fail("cancelled");
     if (!read) return read;

@@ -7,8 +7,9 @@
 #include "app/commands/write_surface.h"
 #include "app/session/numbers.h"
 #include "core/base/stopwatch.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
+#include "core/io/volumes/volume_format.h"
 
 #include <iostream>
 #include <map>
@@ -73,14 +74,16 @@ Result<int> run_mesh(const MeshFlags& flags) {
 } // namespace
 
 void register_mesh(CLI::App& app, Action& chosen) {
-    CLI::App* command = add_command(
-        app, "mesh", "Write the surface of a vessel tree, or of a segmentation mask, as .ply, .stl or .obj");
+    CLI::App* command = add_command(app, "mesh",
+                                    "Write the surface of a vessel tree, or of a segmentation mask, as " +
+                                        io::writable_mesh_extensions());
     const auto flags = std::make_shared<MeshFlags>();
     command
         ->add_option("FILE", flags->file,
-                     "Vessel tree, may be left out with --session; with --method iso a mask (.nii, .nii.gz)")
+                     "Vessel tree, may be left out with --session; with --method iso a mask (" +
+                         io::readable_volume_extensions() + ")")
         ->type_name("");
-    command->add_option("-o,--output", flags->output, "Mesh to write: .ply, .stl or .obj")
+    command->add_option("-o,--output", flags->output, "Mesh to write: " + io::writable_mesh_extensions())
         ->type_name("MESH")
         ->required();
     static const std::map<std::string, mesh::Method> kMethods = {{"cs", mesh::Method::kConvolutionSurface},

@@ -5,7 +5,7 @@
 #include "app/commands/progress_bar.h"
 #include "app/session/comparison.h"
 #include "core/base/stopwatch.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/measure/mesh_components.h"
 #include "core/volume/isosurface.h"
 

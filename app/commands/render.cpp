@@ -1,6 +1,7 @@
 #include "app/commands/render.h"
 
 #include "app/actions/script.h"
+#include "app/assets/context_shapes.h"
 #include "app/commands/comparison_flags.h"
 #include "app/commands/load_tree.h"
 #include "app/commands/open_session.h"
@@ -14,8 +15,8 @@
 #include "app/window/headless_interface.h"
 #include "app/window/pace.h"
 #include "core/base/stopwatch.h"
+#include "core/io/input_file.h"
 #include "core/io/output_file.h"
-#include "core/io/tree_reader.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
@@ -264,7 +265,8 @@ void register_render(CLI::App& app, Action& chosen) {
         ->type_name("FILE");
     command
         ->add_option("--context", flags->context,
-                     "Show the surface of this mask or mesh beside the tree (.nii, .stl, .ply, .obj); may be repeated")
+                     "Show the surface of this mask or mesh beside the tree (" + context_extensions() +
+                         "); may be repeated")
         ->type_name("FILE")
         ->allow_extra_args(false);
     command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");

@@ -8,6 +8,7 @@
 #include "app/session/numbers.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
+#include "core/io/volumes/volume_format.h"
 #include "render/gl/headless_context.h"
 #include "render/renderer/renderer.h"
 
@@ -218,7 +219,9 @@ void register_study(CLI::App& app, Action& chosen) {
         ->type_name("FOLDER")
         ->required();
     CLI::Option* mask =
-        command->add_option("--mask", flags->mask, "Segmentation mask of the same vessels (.nii, .nii.gz)")
+        command
+            ->add_option("--mask", flags->mask,
+                         "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")")
             ->type_name("MASK");
     command
         ->add_option("--voxel", flags->voxel_mm,

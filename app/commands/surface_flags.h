@@ -2,7 +2,7 @@
 // outside their domain are wrong usage, found while the command line is read.
 #pragma once
 
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
 
 #include <CLI/CLI.hpp>

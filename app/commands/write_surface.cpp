@@ -3,8 +3,8 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/progress_bar.h"
 #include "core/base/stopwatch.h"
-#include "core/io/mesh_writer.h"
-#include "core/io/surface_file.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/meshes/surface_file.h"
 #include "core/measure/mesh_components.h"
 
 namespace ramus::app {

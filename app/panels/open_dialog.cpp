@@ -7,13 +7,15 @@
 #include "app/storage/places.h"
 #include "app/storage/recent_files.h"
 #include "app/window/theme.h"
-#include "core/volume/read_volume.h"
+#include "core/io/meshes/mesh_format.h"
+#include "core/io/trees/tree_format.h"
+#include "core/io/volumes/volume_format.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <imgui.h>
-#include <initializer_list>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -23,17 +25,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool ends_in(const fs::path& path, std::initializer_list<std::string_view> endings) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::ranges::find(endings, ending) != endings.end();
+// What the dialog asks for, one row for each purpose.
+struct PurposeRow {
+    const char* heading;
+    bool (*takes)(const fs::path& file); // by its name
+    std::string (*extensions)();         // of what it takes, for people
+    const char* command;                 // what is done with the file that is chosen
+};
+
+const PurposeRow& row_of(OpenDialog::Purpose purpose) {
+    static const std::map<OpenDialog::Purpose, PurposeRow> kTable = {
+        {OpenDialog::Purpose::kOpen,
+         {"Open a vessel tree or a session", can_be_opened, io::readable_tree_extensions, "open"}},
+        {OpenDialog::Purpose::kSave, {"Save the session", can_be_opened, io::readable_tree_extensions, "save"}},
+        {OpenDialog::Purpose::kLesionMesh,
+         {"Choose the mesh of a lesion", can_be_lesion_mesh, io::readable_mesh_extensions, "lesion-mesh"}},
+        {OpenDialog::Purpose::kContext,
+         {"Choose a mask or a mesh to show beside the tree",
+          [](const fs::path& file) { return can_be_context(file.string()); }, context_extensions, "context"}},
+        {OpenDialog::Purpose::kMask,
+         {"Choose a mask of the same vessels", can_be_mask, io::readable_volume_extensions, "compare-mask"}},
+    };
+    return kTable.at(purpose);
 }
 
 } // namespace
 
-bool can_be_opened(const fs::path& path) { return ends_in(path, {".swc", ".json"}); }
-bool can_be_mask(const fs::path& path) { return volume::names_volume(path); }
-bool can_be_lesion_mesh(const fs::path& path) { return ends_in(path, {".stl", ".ply", ".obj"}); }
+bool can_be_opened(const fs::path& path) { return io::names_tree(path) || path.extension() == ".json"; } // sessions
+bool can_be_mask(const fs::path& path) { return io::names_volume(path); }
+bool can_be_lesion_mesh(const fs::path& path) { return io::names_mesh(path); }
 
 void OpenDialog::show(const fs::path& start) {
     purpose = Purpose::kOpen;
@@ -92,10 +112,7 @@ void OpenDialog::enter(const fs::path& where) {
 namespace {
 
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    const bool known = dialog.purpose == OpenDialog::Purpose::kLesionMesh ? can_be_lesion_mesh(entry.name)
-                       : dialog.purpose == OpenDialog::Purpose::kContext  ? can_be_context(entry.name)
-                       : dialog.purpose == OpenDialog::Purpose::kMask     ? can_be_mask(entry.name)
-                                                                          : can_be_opened(entry.name);
+    const bool known = row_of(dialog.purpose).takes(entry.name);
     if (!entry.folder && !dialog.every_file && !known) return false;
     const std::string_view wanted = dialog.filter.data();
     const auto same = [](char a, char b) {
@@ -178,14 +195,9 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     }
     if (!any && dialog.problem.empty())
         widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
-                               : dialog.purpose == OpenDialog::Purpose::kContext
-                                   ? "No masks (NIfTI) and no STL, PLY or OBJ files here. Choose another folder, or "
-                                     "show all files."
-                               : dialog.purpose == OpenDialog::Purpose::kLesionMesh
-                                   ? "No STL, PLY or OBJ files here. Choose another folder, or show all files."
-                               : dialog.purpose == OpenDialog::Purpose::kMask
-                                   ? "No NIfTI files here. Choose another folder, or show all files."
-                                   : "No SWC or JSON files here. Choose another folder, or show all files.");
+                                                 : ("No " + row_of(dialog.purpose).extensions() +
+                                                    " files here. Choose another folder, or show all files.")
+                                                       .c_str());
     ImGui::EndChild();
     return chosen;
 }
@@ -235,19 +247,12 @@ void draw_open_dialog(InterfaceContext& context) {
     const float scale = theme::scale();
     fs::path chosen;
     const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
-    const bool lesion = dialog.purpose == OpenDialog::Purpose::kLesionMesh;
-    const bool beside = dialog.purpose == OpenDialog::Purpose::kContext;
-    const bool mask = dialog.purpose == OpenDialog::Purpose::kMask;
-    widgets::heading(saving   ? "Save the session"
-                     : lesion ? "Choose the mesh of a lesion"
-                     : beside ? "Choose a mask or a mesh to show beside the tree"
-                     : mask   ? "Choose a mask of the same vessels"
-                              : "Open a vessel tree or a session");
+    widgets::heading(row_of(dialog.purpose).heading);
     ImGui::Dummy({0.0F, 2.0F * scale});
 
     const float places_width = 190.0F * scale;
-    const bool trees = !saving && !lesion && !beside && !mask;
-    if (const fs::path place = draw_places(places_width, trees); !place.empty()) chosen = place;
+    const bool with_files = dialog.purpose == OpenDialog::Purpose::kOpen;
+    if (const fs::path place = draw_places(places_width, with_files); !place.empty()) chosen = place;
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
     const float up_width = 44.0F * scale;
@@ -301,15 +306,11 @@ void draw_open_dialog(InterfaceContext& context) {
         dialog.enter(chosen);
     else if (!chosen.empty() && !saving) {
         dialog.open = false;
-        context.perform(lesion   ? "lesion-mesh"
-                        : beside ? "context"
-                        : mask   ? "compare-mask"
-                                 : "open",
-                        {chosen.string()});
+        context.perform(row_of(dialog.purpose).command, {chosen.string()});
     }
     if (!target.empty()) {
         dialog.open = false;
-        context.perform("save", {target.string()});
+        context.perform(row_of(dialog.purpose).command, {target.string()});
     }
     if (cancelled) dialog.open = false;
     if (!dialog.open) ImGui::CloseCurrentPopup();

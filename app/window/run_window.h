@@ -2,7 +2,7 @@
 // Returns the exit status. Without a display it says so and points at `ramus render`.
 #pragma once
 
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "app/workspace/compared_surfaces.h"
 
+#include "core/io/volumes/volume_file.h"
 #include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
-#include "core/volume/read_volume.h"
 #include "core/volume/voxelise.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
         if (!voxels) return tl::unexpected(voxels.error());
         return volume::mask_surface(voxels->mask, voxels->to_patient, options, job);
     }
-    auto read = volume::read_volume(request.mask, {options.memory_bytes}, job);
+    auto read = io::read_volume(request.mask, {options.memory_bytes}, job);
     if (!read) return tl::unexpected(read.error());
     made.notes = read->notes;
     auto surface = volume::isosurface(std::move(*read), {request.labels, std::nullopt}, options, job);

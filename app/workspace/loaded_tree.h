@@ -7,7 +7,7 @@
 #include "app/workspace/surface_maker.h"
 #include "core/base/error.h"
 #include "core/base/job.h"
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 
 #include <filesystem>
 #include <memory>

@@ -13,7 +13,7 @@
 #include "app/workspace/surface_maker.h"
 #include "core/base/error.h"
 #include "core/base/worker.h"
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 
 #include <chrono>
 #include <deque>

@@ -1,7 +1,7 @@
 // What changing a surface costs beside making it: hiding and showing a subtree, pruning, smoothing, another width,
 // another detail, on a grown tree or on the one named on the command line.
 #include "core/field/convolution_field.h"
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"

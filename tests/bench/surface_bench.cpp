@@ -8,7 +8,7 @@
 // itself, in bytes a triangle; and how many times the evaluations, and the time, would grow if every sample summed over
 // all segments with the same kernel (measured on a seeded subset of samples and scaled up).
 #include "core/field/convolution_field.h"
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "tests/support/grown_tree.h"

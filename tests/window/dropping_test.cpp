@@ -1,6 +1,6 @@
 // Files that are dropped on the window: read on a worker, then context, or a lesion for who plans.
 #include "app/window/viewer.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/icosphere.h"

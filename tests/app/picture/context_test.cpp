@@ -5,7 +5,7 @@
 #include "app/session/colour_text.h"
 #include "app/session/session_file.h"
 #include "app/workspace/workspace.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "render/scene/bounds.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/icosphere.h"

@@ -3,7 +3,7 @@
 #include "app/storage/tree_source.h"
 #include "app/workspace/workspace.h"
 #include "core/base/worker.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/settle.h"
 

@@ -9,7 +9,7 @@
 // exactly once; how many times as fast as that method ramus is at one cell size, in triangles a second, first and
 // again; and how many times ramus' memory that method takes.
 #include "core/field/convolution_field.h"
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
 #include "peers.h"

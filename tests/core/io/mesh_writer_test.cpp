@@ -1,4 +1,4 @@
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstring>

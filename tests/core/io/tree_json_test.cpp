@@ -1,6 +1,7 @@
-#include "core/io/swc.h"
-#include "core/io/swc_writer.h"
-#include "core/io/tree_json.h"
+#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc_writer.h"
+#include "core/io/trees/tree_file.h"
+#include "core/io/trees/tree_json.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // The promises of the polygonizer on real trees, against the brute-force field: raw radii, spanning 1:100 in one tree.
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
 #include "tests/support/brute_force_field.h"
 #include "tests/support/mesh_topology.h"

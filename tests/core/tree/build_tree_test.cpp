@@ -1,5 +1,5 @@
 // Points and edges become branches with a hierarchy; what can be repaired is, and is told.
-#include "core/io/swc.h"
+#include "core/io/trees/swc_reader.h"
 #include "core/tree/build_tree.h"
 #include "core/tree/prune.h"
 #include "core/tree/smooth.h"

@@ -1,5 +1,5 @@
 // The true counts of the real trees were made by an independent program.
-#include "core/io/tree_reader.h"
+#include "core/io/trees/tree_file.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Real masks, whose voxels, pieces, tunnels and cavities an independent program counted.
+#include "core/io/volumes/volume_file.h"
 #include "core/measure/mesh_components.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/label_counts.h"
-#include "core/volume/read_volume.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/shared_data.h"
 
@@ -34,7 +34,7 @@ TEST_CASE("surfaces of real masks have their pieces, tunnels and cavities") {
         if (!path) continue;
         CAPTURE(known.name);
         Job job;
-        const auto volume = volume::read_volume(*path, {}, job);
+        const auto volume = io::read_volume(*path, {}, job);
         REQUIRE(volume);
         CHECK(volume->size == known.size);
         CHECK(glm::distance(volume::spacing_mm(volume->to_patient), known.spacing_mm) < 5e-4);
@@ -59,7 +59,7 @@ TEST_CASE("the labels of a ring of arteries are all there, each with a closed su
     const auto path = test::shared_volume("circle_of_willis_mr_003.nii.gz");
     if (!path) return;
     Job job;
-    const auto volume = volume::read_volume(*path, {}, job);
+    const auto volume = io::read_volume(*path, {}, job);
     REQUIRE(volume);
     const auto labels = volume::label_counts(*volume);
     CHECK(labels.size() == 12); // of the 13 that the data set knows, this ring lacks one

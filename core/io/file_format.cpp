@@ -1,0 +1,24 @@
+#include "core/io/file_format.h"
+
+#include <algorithm>
+
+namespace ramus::io {
+
+bool has_extension(const std::filesystem::path& path, const FileFormat& format) {
+    std::string name = path.filename().string();
+    std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return std::ranges::any_of(format.extensions, [&](std::string_view extension) {
+        return name.size() > extension.size() && name.ends_with(extension);
+    });
+}
+
+std::string listed(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 < words.size() ? ", " : " or ";
+        text += words[i];
+    }
+    return text;
+}
+
+} // namespace ramus::io

@@ -1,0 +1,64 @@
+// What every row of the tables of file formats says: of trees (trees/tree_format.h), of meshes (meshes/mesh_format.h)
+// and of volumes (volumes/volume_format.h). Readers, writers, dialogs, messages and help texts go through the tables,
+// so that a new format is a pair of files and a row.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::io {
+
+struct FileFormat {
+    std::string_view name;                    // "NIfTI"
+    std::vector<std::string_view> extensions; // ".nii", ".nii.gz": lower case, the usual one first
+    // Whether a file that begins with these bytes (uncompressed, up to kHeadBytes) surely is one; null: its content
+    // does not tell.
+    bool (*has_signature)(std::string_view head) = nullptr;
+    bool states_unit = false;        // else coordinates are taken as mm
+    bool states_orientation = false; // else axes are taken as RAS
+    std::string_view help;           // what is in such a file, in one sentence
+};
+
+inline constexpr std::size_t kHeadBytes = 1024;
+
+// Whether the name ends in one of the format's extensions, in capitals or not.
+[[nodiscard]] bool has_extension(const std::filesystem::path& path, const FileFormat& format);
+
+// "a, b or c".
+[[nodiscard]] std::string listed(const std::vector<std::string_view>& words);
+
+// The format whose extension `path` has; null: none.
+template <class Format>
+const Format* format_by_name(const std::vector<Format>& formats, const std::filesystem::path& path) {
+    for (const Format& format : formats)
+        if (has_extension(path, format)) return &format;
+    return nullptr;
+}
+
+// The format that the content has; where no content tells, the one that the name has; null: none.
+template <class Format>
+const Format* find_format(const std::vector<Format>& formats, std::string_view head,
+                          const std::filesystem::path& path) {
+    for (const Format& format : formats)
+        if (format.has_signature != nullptr && format.has_signature(head.substr(0, kHeadBytes))) return &format;
+    return format_by_name(formats, path);
+}
+
+// The extensions of the formats that are read; of those that are written.
+template <class Format> std::vector<std::string_view> readable_extensions(const std::vector<Format>& formats) {
+    std::vector<std::string_view> words;
+    for (const Format& format : formats)
+        if (is_read(format)) words.insert(words.end(), format.extensions.begin(), format.extensions.end());
+    return words;
+}
+template <class Format> std::vector<std::string_view> writable_extensions(const std::vector<Format>& formats) {
+    std::vector<std::string_view> words;
+    for (const Format& format : formats)
+        if (is_written(format)) words.insert(words.end(), format.extensions.begin(), format.extensions.end());
+    return words;
+}
+
+} // namespace ramus::io

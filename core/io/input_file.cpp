@@ -1,0 +1,51 @@
+#include "core/io/input_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <unistd.h>
+
+namespace ramus::io {
+
+namespace {
+
+tl::unexpected<Error> cannot_open(const std::string& name, int number) {
+    return fail(std::string("cannot be opened: ") + std::strerror(number != 0 ? number : EIO), name,
+                "check its permissions");
+}
+
+} // namespace
+
+Result<void> check_input(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) return fail("no such file", name, "check the path");
+    if (std::filesystem::is_directory(status))
+        return fail("this is a directory, not a file", name, "name a file in it");
+    // Not opened here: a pipe can be opened but once.
+    if (::access(path.c_str(), R_OK) != 0) return cannot_open(name, errno);
+    return {};
+}
+
+Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+    const std::string name = path.string();
+    if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return cannot_open(name, errno);
+    // Read until the end rather than trust a size: pipes have none, and files may grow.
+    std::string text;
+    char buffer[1 << 16];
+    while (file.read(buffer, sizeof(buffer)) || file.gcount() > 0) {
+        text.append(buffer, static_cast<std::size_t>(file.gcount()));
+        if (text.size() > limit)
+            return fail("the file is larger than " + std::to_string(limit >> 20) + " MiB", name,
+                        "choose a smaller file");
+    }
+    if (file.bad()) return fail("reading stopped with an error", name, "check the medium");
+    return text;
+}
+
+} // namespace ramus::io

@@ -1,0 +1,19 @@
+// Reading whole files, and saying why one cannot be read.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace ramus::io {
+
+// All bytes of a regular file or a pipe, or an error that says why not. At most `limit` bytes.
+[[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
+                                            std::uintmax_t limit = std::uintmax_t{4} << 30);
+
+// Whether there is a file to be read at `path`, or an error that says why not. Does not open it.
+[[nodiscard]] Result<void> check_input(const std::filesystem::path& path);
+
+} // namespace ramus::io

@@ -1,0 +1,12 @@
+// Meshes read by the assimp library, which is told the format.
+#pragma once
+
+#include "core/io/meshes/mesh_format.h"
+
+namespace ramus::io {
+
+// `extension` without its dot, as the library calls the format. Fails on damaged files.
+[[nodiscard]] Result<PolygonSoup> parse_with_assimp(std::string_view text, const std::string& extension,
+                                                    const std::string& name);
+
+} // namespace ramus::io

@@ -1,0 +1,70 @@
+#include "core/io/meshes/mesh_file.h"
+
+#include "core/io/input_file.h"
+#include "core/mesh/close_mesh.h"
+#include "core/mesh/cut_polygon.h"
+#include "core/tree/build_tree.h"
+
+#include <cmath>
+
+namespace ramus::io {
+
+namespace {
+
+bool sensible(const glm::dvec3& p) {
+    for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(p[k]) || std::abs(p[k]) > tree::kMaximumCoordinate) return false;
+    return true;
+}
+
+Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const std::string& name) {
+    mesh::TriangleMesh mesh;
+    for (const glm::dvec3& p : soup.positions) {
+        if (!sensible(p))
+            return fail("a coordinate is not a number of mm that makes sense", name,
+                        "check the unit and the program that wrote it");
+        mesh.positions.push_back(glm::vec3(p));
+    }
+    std::vector<glm::dvec3> corners;
+    for (const auto& polygon : soup.polygons) {
+        corners.clear();
+        for (const std::uint32_t v : polygon) corners.push_back(soup.positions[v]);
+        for (const glm::uvec3& t : mesh::cut_polygon(corners)) // of points and lines: none
+            mesh.triangles.push_back({polygon[t.x], polygon[t.y], polygon[t.z]});
+    }
+    return mesh;
+}
+
+} // namespace
+
+Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
+    const std::string name = path.string();
+    const auto text = read_file(path, kMostMeshBytes);
+    if (!text) return tl::unexpected(text.error());
+    const MeshFormat* format = find_format(mesh_formats(), *text, path);
+    if (format == nullptr || !is_read(*format))
+        return fail("a mesh is a file of type " + readable_mesh_extensions(), name, "convert it to one of these");
+    if (text->empty()) return fail("the file is empty", name, "write it again");
+    const auto soup = format->parse(*text, name);
+    if (!soup) return tl::unexpected(soup.error());
+    auto loose = triangles_of(*soup, name);
+    if (!loose) return tl::unexpected(loose.error());
+    return holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(*loose), name)
+                                    : mesh::closed_mesh(std::move(*loose), name);
+}
+
+Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& path) {
+    const auto format = mesh_format(path);
+    if (!format) return tl::unexpected(format.error());
+    if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile) return too_many_for_file(path);
+    auto file = OutputFile::create(path);
+    if (!file) return tl::unexpected(file.error());
+    (*format)->write(mesh, *file);
+    return file->commit();
+}
+
+tl::unexpected<Error> too_many_for_file(const std::filesystem::path& path) {
+    return fail("the mesh has more triangles than its format can count", path.string(), "use a lower --detail");
+}
+
+} // namespace ramus::io

@@ -1,0 +1,36 @@
+// SurfaceFile: a surface written to a file as it is made, so that it need never be in memory as a whole. What has come
+// waits on the disk, in temporary files, until all is there: about as much again as the file itself takes. What comes
+// out is, to the byte, what write_mesh() makes of the whole mesh.
+#pragma once
+
+#include "core/io/meshes/mesh_format.h"
+#include "core/mesh/surface_sink.h"
+
+#include <memory>
+
+namespace ramus::io {
+
+class SurfaceFile final : public mesh::SurfaceSink {
+public:
+    [[nodiscard]] static Result<std::unique_ptr<SurfaceFile>> create(const std::filesystem::path& path);
+
+    [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override;
+    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override;
+
+    // What kept it from taking more, if anything.
+    [[nodiscard]] Result<void> check() const;
+    // Puts the file together and in its place. Nothing can be added afterwards.
+    [[nodiscard]] Result<void> commit();
+
+    [[nodiscard]] std::uint64_t vertex_count() const { return parts_.vertex_count; }
+    [[nodiscard]] std::uint64_t triangle_count() const { return parts_.triangle_count; }
+
+private:
+    SurfaceFile(std::filesystem::path path, const MeshFormat& format, MeshParts parts);
+
+    std::filesystem::path path_;
+    const MeshFormat& format_;
+    MeshParts parts_;
+};
+
+} // namespace ramus::io

@@ -1,0 +1,189 @@
+#include "core/io/trees/swc_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace ramus::io {
+
+namespace {
+
+struct Row {
+    long long id = 0;
+    long long parent = 0;
+    std::size_t line = 0;
+};
+
+struct Line {
+    std::vector<std::string_view> fields;
+
+    void split(std::string_view text) {
+        fields.clear();
+        if (const auto comment = text.find('#'); comment != std::string_view::npos) text = text.substr(0, comment);
+        constexpr std::string_view kBlank = " \t\r\f\v,;";
+        for (std::size_t at = text.find_first_not_of(kBlank); at != std::string_view::npos;) {
+            const std::size_t end = std::min(text.find_first_of(kBlank, at), text.size());
+            fields.push_back(text.substr(at, end - at));
+            at = text.find_first_not_of(kBlank, end);
+        }
+    }
+};
+
+// Numbers as every locale writes them in files: with a point. A leading plus is fine, anything left over is not.
+std::optional<double> to_real(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc::result_out_of_range && end == text.data() + text.size())
+        return text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos ? 0.0 : HUGE_VAL;
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+// Ids and parents are whole numbers, though some programs write them with a decimal point.
+std::optional<long long> to_whole(std::string_view text) {
+    const auto real = to_real(text);
+    if (!real || !(std::abs(*real) < 9e15) || *real != std::floor(*real)) return std::nullopt;
+    return static_cast<long long>(*real);
+}
+
+std::string quoted(std::string_view text) {
+    std::string shown;
+    for (const char c : text.substr(0, 24)) shown += c >= ' ' && c < 127 ? c : '?';
+    return "'" + shown + (text.size() > 24 ? "...'" : "'");
+}
+
+bool looks_binary(std::string_view text) { return text.substr(0, 4096).find('\0') != std::string_view::npos; }
+
+// Parents by id, and the check that following them ends at a root.
+class ParentFinder {
+public:
+    explicit ParentFinder(const std::vector<Row>& rows) : rows_(rows), by_id_(rows.size()) {
+        for (std::uint32_t i = 0; i < by_id_.size(); ++i) by_id_[i] = i;
+        std::ranges::stable_sort(by_id_, {}, [&](std::uint32_t i) { return rows_[i].id; });
+    }
+    // The second of two rows with the same id.
+    [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> duplicate() const {
+        for (std::size_t n = 1; n < by_id_.size(); ++n)
+            if (rows_[by_id_[n]].id == rows_[by_id_[n - 1]].id) return std::pair(by_id_[n - 1], by_id_[n]);
+        return std::nullopt;
+    }
+    [[nodiscard]] std::optional<std::uint32_t> find(long long id) const {
+        const auto at = std::ranges::lower_bound(by_id_, id, {}, [&](std::uint32_t i) { return rows_[i].id; });
+        if (at == by_id_.end() || rows_[*at].id != id) return std::nullopt;
+        return *at;
+    }
+
+private:
+    const std::vector<Row>& rows_;
+    std::vector<std::uint32_t> by_id_;
+};
+
+// A row on a cycle of parents, if there is one.
+std::optional<std::uint32_t> find_cycle(const std::vector<std::uint32_t>& parent, std::uint32_t none) {
+    enum class Mark : std::uint8_t { kNew, kOpen, kDone };
+    std::vector<Mark> mark(parent.size(), Mark::kNew);
+    std::vector<std::uint32_t> path;
+    for (std::uint32_t start = 0; start < parent.size(); ++start) {
+        std::uint32_t at = start;
+        path.clear();
+        while (at != none && mark[at] == Mark::kNew) {
+            mark[at] = Mark::kOpen;
+            path.push_back(at);
+            at = parent[at];
+        }
+        if (at != none && mark[at] == Mark::kOpen) return at;
+        for (const std::uint32_t p : path) mark[p] = Mark::kDone;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& name, const ReadOptions& options) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (text.empty()) return fail("the file is empty", name, "choose another file");
+    if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
+
+    tree::Graph graph;
+    std::vector<Row> rows;
+    Line line;
+    std::size_t number = 0;
+    const auto here = [&] { return name + ":" + std::to_string(number); };
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = text.find_first_of("\r\n", at); // a lone CR ends a line too: old Macintosh files
+        if (end == std::string_view::npos) end = text.size();
+        const std::string_view content = text.substr(at, end - at);
+        at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+        ++number;
+        line.split(content);
+        if (line.fields.empty()) continue;
+        const char* layout = "a line is: id type x y z radius parent";
+        if (line.fields.size() < 7)
+            return fail("expected 7 columns, found " + std::to_string(line.fields.size()), here(), layout);
+        // Some programs add columns of their own, but a comma in one too many is more likely half a number.
+        if (line.fields.size() > 7 && content.substr(0, content.find('#')).find(',') != std::string_view::npos)
+            return fail("expected 7 columns, found " + std::to_string(line.fields.size()) + " columns between commas",
+                        here(), std::string(layout) + "; numbers take a decimal point");
+        Row row;
+        row.line = number;
+        const auto id = to_whole(line.fields[0]);
+        const auto type = to_whole(line.fields[1]);
+        const auto parent = to_whole(line.fields[6]);
+        if (!id || *id < 0)
+            return fail("the id " + quoted(line.fields[0]) + " is not a whole number from 0", here(), layout);
+        if (!type || std::abs(*type) > 2147483647LL)
+            return fail("the type " + quoted(line.fields[1]) + " is not a whole number", here(), layout);
+        if (!parent) return fail("the parent " + quoted(line.fields[6]) + " is not a whole number", here(), layout);
+        row.id = *id;
+        row.parent = *parent;
+        tree::Point point;
+        constexpr const char* kNames[4] = {"x", "y", "z", "radius"};
+        for (std::size_t column = 0; column < 4; ++column) {
+            const std::string_view field = line.fields[2 + column];
+            const auto value = to_real(field);
+            const bool is_radius = column == 3;
+            if (!value)
+                return fail(std::string("the ") + kNames[column] + " " + quoted(field) + " is not a number", here(),
+                            layout);
+            if (!std::isfinite(*value))
+                return fail(std::string("the ") + kNames[column] + " " + quoted(field) + " is not finite", here(),
+                            is_radius ? "write a positive radius" : "correct or remove the point");
+            (is_radius ? point.radius : point.position[static_cast<int>(column)]) = *value;
+        }
+        rows.push_back(row);
+        graph.points.push_back(point);
+        graph.labels.push_back(static_cast<int>(*type));
+    }
+    if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
+
+    const auto place = [&](std::uint32_t point) { return name + ":" + std::to_string(rows[point].line); };
+    const ParentFinder finder(rows);
+    if (const auto twins = finder.duplicate())
+        return fail("id " + std::to_string(rows[twins->second].id) + " was given before, in line " +
+                        std::to_string(rows[twins->first].line),
+                    place(twins->second), "give every point its own id");
+    constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    std::vector<std::uint32_t> parents(rows.size(), kNone);
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].parent < 0) {
+            graph.roots.push_back(i);
+            continue;
+        }
+        const auto parent = finder.find(rows[i].parent);
+        if (!parent)
+            return fail("parent " + std::to_string(rows[i].parent) + " does not exist", place(i),
+                        "name an existing id, or -1 for a root");
+        parents[i] = *parent;
+        graph.edges.emplace_back(*parent, i);
+    }
+    if (const auto on_cycle = find_cycle(parents, kNone))
+        return fail("following the parents of point " + std::to_string(rows[*on_cycle].id) + " leads back to it",
+                    place(*on_cycle), "break the cycle: one of its points needs parent -1 or another parent");
+    if (rows.size() == 1) return fail("the tree has a single point", place(0), "a vessel needs two points at least");
+    return tree::build_tree(std::move(graph), options.repair, place);
+}
+
+} // namespace ramus::io

@@ -1,0 +1,40 @@
+// The formats of vessel trees: one row each. A new one is a pair of files beside this and a row in tree_format.cpp.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/io/file_format.h"
+#include "core/tree/build_tree.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::io {
+
+struct ReadOptions {
+    tree::Repair repair = tree::Repair::kAll;
+};
+
+struct TreeFormat : FileFormat {
+    // The tree in `text`, all bytes of the file called `name`, in mm, RAS; null: it is not read. Fails with place and
+    // remedy on whatever is wrong with the file.
+    Result<tree::VesselTree> (*parse)(std::string_view text, const std::string& name, const ReadOptions&) = nullptr;
+    // `comments` stand at the head of formats that can hold them; null: it is not written.
+    Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
+                          const std::vector<std::string>& comments) = nullptr;
+};
+
+[[nodiscard]] inline bool is_read(const TreeFormat& format) { return format.parse != nullptr; }
+[[nodiscard]] inline bool is_written(const TreeFormat& format) { return format.write != nullptr; }
+
+[[nodiscard]] const std::vector<TreeFormat>& tree_formats();
+
+// ".swc or .json": of the formats that are read, and of those that are written.
+[[nodiscard]] std::string readable_tree_extensions();
+[[nodiscard]] std::string writable_tree_extensions();
+
+// Whether the name is that of a tree that can be read.
+[[nodiscard]] bool names_tree(const std::filesystem::path& path);
+
+} // namespace ramus::io
