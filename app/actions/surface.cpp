@@ -1,38 +1,26 @@
 // The options of the surface.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/session/surface_options.h"
 
 namespace ramus::app::actions {
 
 namespace {
 
 Result<void> surface(ActionContext& context, Arguments arguments) {
-    const auto refused =
-        fail("surface takes a name and a value", {},
-             "smooth 0 to 100, prune 0 to 1000000, width 0.1 to 100, detail 4 to 512, method cs or cones");
+    const auto refused = fail("surface takes a name and a value", {}, surface_command_help());
     if (arguments.size() != 2) return refused;
     Marks next = context.document.marks();
-    mesh::SurfaceOptions& options = next.options;
-    const std::string& option = arguments[0];
-    if (option == "method") {
-        if (arguments[1] != "cs" && arguments[1] != "cones") return refused;
-        options.method = arguments[1] == "cs" ? mesh::Method::kConvolutionSurface : mesh::Method::kTruncatedCones;
+    if (arguments[0] == "method") {
+        const auto method = mesh::method_named(arguments[1]);
+        if (!method || !mesh::row_of(*method).of_tree) return refused;
+        next.options.method = *method;
     } else {
-        const auto value = option == "smooth"   ? number_in(arguments[1], 0.0, 100.0)
-                           : option == "prune"  ? number_in(arguments[1], 0.0, 1e6)
-                           : option == "width"  ? number_in(arguments[1], 0.1, 100.0)
-                           : option == "detail" ? number_in(arguments[1], 4.0, 512.0)
-                                                : std::nullopt;
-        const bool whole = option == "smooth" || option == "detail";
-        if (!value || (whole && *value != static_cast<int>(*value))) return refused;
-        if (option == "smooth")
-            options.smooth_passes = static_cast<int>(*value);
-        else if (option == "prune")
-            options.prune_ratio = *value;
-        else if (option == "width")
-            options.width = *value;
-        else
-            options.detail = static_cast<int>(*value);
+        const SurfaceOption* option = surface_option(arguments[0]);
+        if (option == nullptr || option->label.empty()) return refused;
+        const auto value = number_in(arguments[1], option->least, option->most);
+        if (!value || !takes(*option, *value)) return refused;
+        option->set(next.options, *value);
     }
     context.document.change(std::move(next));
     return {};
@@ -41,14 +29,11 @@ Result<void> surface(ActionContext& context, Arguments arguments) {
 } // namespace
 
 std::vector<Command> surface_commands() {
+    std::string names;
+    for (const SurfaceOption& option : surface_options())
+        if (!option.label.empty()) names.append(names.empty() ? "" : ", ").append(option.key);
     return {
-        {"surface",
-         "NAME VALUE",
-         "Sets smooth, prune, width, detail or method (cs, cones) of the surface.",
-         "",
-         "",
-         {},
-         surface},
+        {"surface", "NAME VALUE", "Sets " + names + " or method (cs, cones) of the surface.", "", "", {}, surface},
     };
 }
 

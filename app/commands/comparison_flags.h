@@ -12,7 +12,7 @@ namespace ramus::app {
 
 struct ComparisonFlags {
     std::optional<Comparison::Mode> mode;
-    std::optional<std::vector<SurfaceKind>> surfaces;
+    std::optional<std::vector<mesh::Method>> surfaces;
     std::string mask; // empty: the session's, or the tree's own voxels
     std::vector<std::int32_t> labels;
     std::optional<double> blend;

@@ -12,7 +12,6 @@
 #include "core/io/volumes/volume_format.h"
 
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -86,18 +85,10 @@ void register_mesh(CLI::App& app, Action& chosen) {
     command->add_option("-o,--output", flags->output, "Mesh to write: " + io::writable_mesh_extensions())
         ->type_name("MESH")
         ->required();
-    static const std::map<std::string, mesh::Method> kMethods = {{"cs", mesh::Method::kConvolutionSurface},
-                                                                 {"cones", mesh::Method::kTruncatedCones}};
-    command
-        ->add_option_function<std::string>(
-            "--method",
-            [flags](const std::string& name) {
-                flags->mask.iso = name == "iso";
-                if (!flags->mask.iso) flags->surface.surface.method = kMethods.at(name);
-            },
-            "cs: convolution surface (default); cones: truncated cones; iso: isosurface of a mask")
-        ->type_name("METHOD")
-        ->check(CLI::IsMember({"cs", "cones", "iso"}));
+    add_method_flag(*command, true, [flags](mesh::Method method) {
+        flags->mask.iso = !mesh::row_of(method).of_tree;
+        if (!flags->mask.iso) flags->surface.surface.method = method;
+    });
     command
         ->add_option("--session", flags->session,
                      "Of this session: its tree and surface options, without its hidden branches")

@@ -4,6 +4,7 @@
 #include "app/commands/load_volume.h"
 #include "app/commands/progress_bar.h"
 #include "app/session/comparison.h"
+#include "app/session/surface_options.h"
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/measure/mesh_components.h"
@@ -40,10 +41,11 @@ void add_mask_flags(CLI::App& command, MaskFlags& flags) {
 }
 
 void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
-    const std::vector<const char*> of_masks = {"--label", "--isovalue"};
-    const std::vector<const char*> of_trees = {"--session", "--smooth", "--prune", "--width",
-                                               "--detail",  "--cell",   "--repair"};
-    for (const char* name : flags.iso ? of_trees : of_masks)
+    const std::vector<std::string> of_masks = {"--label", "--isovalue"};
+    std::vector<std::string> of_trees = {"--session", "--repair"};
+    for (const SurfaceOption& option : surface_options())
+        if (option.of_session) of_trees.push_back("--" + std::string(option.key));
+    for (const std::string& name : flags.iso ? of_trees : of_masks)
         if (command.get_option(name)->count() > 0)
             throw CLI::ValidationError(name, flags.iso ? "has no meaning with --method iso"
                                                        : "has a meaning only with --method iso");

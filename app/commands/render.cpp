@@ -275,11 +275,7 @@ void register_render(CLI::App& app, Action& chosen) {
         ->excludes(view);
     command->add_flag("--orthographic", flags->orthographic,
                       "Parallel projection: equal lengths look equal near and far");
-    const std::map<std::string, mesh::Method> methods{{"cs", mesh::Method::kConvolutionSurface},
-                                                      {"cones", mesh::Method::kTruncatedCones}};
-    command->add_option("--method", flags->common.surface.method, "cs, the convolution surface (default), or cones")
-        ->type_name("NAME")
-        ->transform(CLI::CheckedTransformer(methods).description(""));
+    add_method_flag(*command, false, [flags](mesh::Method method) { flags->common.surface.method = method; });
     command->add_flag("--transparent", flags->transparent, "Nothing behind the tree instead of the background");
     CLI::Option* reference =
         command->add_option("--reference", flags->reference, "Compare with this PNG; exit status 3 when they differ")

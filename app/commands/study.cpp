@@ -57,9 +57,9 @@ struct Surfaces {
 Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& tree) {
     Surfaces made;
     std::size_t place = 0;
-    for (const auto& [kind, name] : {std::pair{SurfaceKind::kIso, "isosurface"},
-                                     {SurfaceKind::kCones, "cones"},
-                                     {SurfaceKind::kConvolution, "convolution"}}) {
+    for (const auto& [kind, name] : {std::pair{mesh::Method::kIsosurface, "isosurface"},
+                                     {mesh::Method::kTruncatedCones, "cones"},
+                                     {mesh::Method::kConvolutionSurface, "convolution"}}) {
         Marks marks;
         marks.options = flags.common.surface;
         marks.comparison.mask = flags.mask;
@@ -67,12 +67,12 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         request.voxel_mm = flags.voxel_mm;
         Job job;
         const CancelOnInterrupt cancel(job);
-        const ProgressBar bar(kind == SurfaceKind::kIso ? "isosurface" : "surface", job);
+        const ProgressBar bar(kind == mesh::Method::kIsosurface ? "isosurface" : "surface", job);
         const auto surface = make_compared(tree, request, job);
         if (!surface) return tl::unexpected(surface.error());
         for (const std::string& note : surface->notes) say(flags.common, flags.mask + ": " + note);
-        if (kind == SurfaceKind::kIso) made.voxel_mm = surface->voxel_mm;
-        const std::string title = kind == SurfaceKind::kIso ? "Isosurface of the mask" : title_of(kind, {});
+        if (kind == mesh::Method::kIsosurface) made.voxel_mm = surface->voxel_mm;
+        const std::string title = kind == mesh::Method::kIsosurface ? "Isosurface of the mask" : title_of(kind, {});
         made.all[place++] = {name, title, surface->mesh};
     }
     return made;

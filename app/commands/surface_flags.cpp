@@ -1,8 +1,8 @@
 #include "app/commands/surface_flags.h"
 
+#include "app/session/surface_options.h"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -10,18 +10,18 @@ namespace ramus::app {
 
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-// Finite numbers from `least` to `most`; CLI::Range would let NaN through.
-CLI::Validator number_between(double least, double most, const std::string& domain) {
-    return {[=](std::string& text) -> std::string {
+// CLI::Range would let NaN through.
+CLI::Validator domain_of(const SurfaceOption& option) {
+    return {[&option](std::string& text) -> std::string {
                 double value = 0.0;
-                if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || value < least || value > most)
-                    return text + " is not " + domain;
+                if (!CLI::detail::lexical_cast(text, value) || !takes(option, value))
+                    return text + " is not " + std::string(option.domain);
                 return {};
             },
             ""};
 }
+
+std::string flag_of(std::string_view key) { return "--" + std::string(key); }
 
 std::string repair_names() {
     std::string names;
@@ -59,48 +59,45 @@ void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
 }
 
 mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
-    const auto given = [&](const char* name) {
+    const auto given = [&](const std::string& name) {
         const CLI::Option* option = command->get_option_no_throw(name);
         return option != nullptr && option->count() > 0;
     };
     if (given("--method")) session.method = surface.method;
-    if (given("--smooth")) session.smooth_passes = surface.smooth_passes;
-    if (given("--prune")) session.prune_ratio = surface.prune_ratio;
-    if (given("--width")) session.width = surface.width;
-    if (given("--detail")) session.detail = surface.detail, session.cell_mm = 0.0;
-    if (given("--cell")) session.cell_mm = surface.cell_mm;
-    session.threads = surface.threads; // the machine's business, not the session's
+    for (const SurfaceOption& option : surface_options()) {
+        if (option.of_session && !given(flag_of(option.key))) continue; // else the machine's business
+        option.set(session, option.value(surface));
+        if (option.key == "detail") session.cell_mm = 0.0;
+    }
     session.memory_bytes = surface.memory_bytes;
     return session;
+}
+
+void add_method_flag(CLI::App& command, bool with_masks, std::function<void(mesh::Method)> take) {
+    std::vector<std::string> keys;
+    for (const mesh::MethodRow& row : mesh::kMethods)
+        if (row.of_tree || with_masks) keys.emplace_back(row.key);
+    command
+        .add_option_function<std::string>(
+            "--method", [take](const std::string& key) { take(*mesh::method_named(key)); },
+            mesh::method_help(with_masks))
+        ->type_name("METHOD")
+        ->check(CLI::IsMember(keys));
 }
 
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
     flags.command = &command;
     mesh::SurfaceOptions& surface = flags.surface;
-    command.add_option("--smooth", surface.smooth_passes, "Smoothing passes over points and radii (default 1)")
-        ->type_name("N")
-        ->check(number_between(0, 100, "a whole number from 0 to 100"));
-    command
-        .add_option("--prune", surface.prune_ratio, "Drop end branches shorter than RATIO x their parent (default 0)")
-        ->type_name("RATIO")
-        ->check(number_between(0.0, kNoLimit, "a ratio of 0 or more"));
-    // Beyond these, the isovalue 2^-width leaves single precision, or the support (10 radii) covers the whole tree.
-    command
-        .add_option("--width", surface.width,
-                    "Kernel width; 5 follows the vessels (default), 1 blends as Bloomenthal did")
-        ->type_name("WIDTH")
-        ->check(number_between(0.1, 100.0, "a width from 0.1 to 100"));
-    CLI::Option* detail =
-        command.add_option("--detail", surface.detail, "Triangles around a vessel, thick or thin (default 16)")
-            ->type_name("N")
-            ->check(number_between(4, 512, "a whole number from 4 to 512"));
-    command.add_option("--cell", surface.cell_mm, "One cell size everywhere, in mm, instead of --detail")
-        ->type_name("MM")
-        ->check(number_between(std::numeric_limits<float>::min(), kNoLimit, "a length above 0"))
-        ->excludes(detail);
-    command.add_option("--threads", surface.threads, "Threads to work with (default 0: one for each core)")
-        ->type_name("N")
-        ->check(number_between(0, 1024, "a whole number from 0 to 1024"));
+    for (const SurfaceOption& option : surface_options()) {
+        CLI::Option* flag =
+            command
+                .add_option_function<double>(
+                    flag_of(option.key), [&surface, &option](double value) { option.set(surface, value); },
+                    std::string(option.help))
+                ->type_name(std::string(option.unit))
+                ->check(domain_of(option));
+        if (!option.instead.empty()) flag->excludes(command.get_option(flag_of(option.instead)));
+    }
     command
         .add_option("--memory", surface.memory_bytes,
                     "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "

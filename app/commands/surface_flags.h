@@ -6,6 +6,7 @@
 #include "core/mesh/surface.h"
 
 #include <CLI/CLI.hpp>
+#include <functional>
 
 namespace ramus::app {
 
@@ -21,6 +22,9 @@ struct SurfaceFlags {
 
 // Adds the options to `command`; parsing writes to `flags`, which must live as long as the command.
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags);
+
+// --method, of those that make surfaces of trees, `with_masks` of all; `take` is called with what is given.
+void add_method_flag(CLI::App& command, bool with_masks, std::function<void(mesh::Method)> take);
 
 // Only those about reading a tree: --repair and --verbose.
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags);

@@ -21,11 +21,7 @@ using Mode = Comparison::Mode;
 constexpr std::array kModes{std::pair{Mode::kOff, "Off"}, std::pair{Mode::kSideBySide, "Side by side"},
                             std::pair{Mode::kBlend, "Blend"}, std::pair{Mode::kSuperimposed, "Superimposed"}};
 
-const char* short_name(SurfaceKind kind) {
-    return kind == SurfaceKind::kConvolution ? "Convolution surface"
-           : kind == SurfaceKind::kCones     ? "Truncated cones"
-                                             : "Isosurface";
-}
+const char* label_of(mesh::Method method) { return mesh::row_of(method).label.data(); } // of a literal: ends in 0
 
 void begin_row(const char* label, const char* help) {
     ImGui::AlignTextToFramePadding();
@@ -45,23 +41,24 @@ bool selectable(const char* text, bool chosen) {
     return pressed;
 }
 
-std::string spelled(const std::vector<SurfaceKind>& surfaces) {
+std::string spelled(const std::vector<mesh::Method>& surfaces) {
     std::string list;
-    for (const SurfaceKind kind : surfaces) list.append(list.empty() ? "" : ",").append(name_of(kind));
+    for (const mesh::Method kind : surfaces) list.append(list.empty() ? "" : ",").append(name_of(kind));
     return list;
 }
 
 // One of the surfaces; whoever was that already changes places with it. The last of three may be none.
 void draw_surface_row(InterfaceContext& context, const Comparison& comparison, std::size_t place, const char* label,
                       const char* help, bool may_be_none) {
-    const std::vector<SurfaceKind>& now = comparison.surfaces;
+    const std::vector<mesh::Method>& now = comparison.surfaces;
     const bool there = place < now.size();
-    std::optional<std::vector<SurfaceKind>> wanted;
+    std::optional<std::vector<mesh::Method>> wanted;
     begin_row(label, help);
-    if (ImGui::BeginCombo("##surface", there ? short_name(now[place]) : "None")) {
-        for (const SurfaceKind kind : kSurfaceKinds) {
-            if (!selectable(short_name(kind), there && now[place] == kind)) continue;
-            std::vector<SurfaceKind> next = now;
+    if (ImGui::BeginCombo("##surface", there ? label_of(now[place]) : "None")) {
+        for (const mesh::MethodRow& row : mesh::kMethods) {
+            const mesh::Method kind = row.method;
+            if (!selectable(label_of(kind), there && now[place] == kind)) continue;
+            std::vector<mesh::Method> next = now;
             const auto other = std::ranges::find(next, kind);
             if (!there && other == next.end())
                 next.push_back(kind);
@@ -72,7 +69,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
             if (next != now) wanted = next;
         }
         if (may_be_none && selectable("None", !there) && there)
-            wanted = std::vector<SurfaceKind>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(place));
+            wanted = std::vector<mesh::Method>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(place));
         ImGui::EndCombo();
     }
     ImGui::PopID();
@@ -121,7 +118,7 @@ void draw_compare(InterfaceContext& context) {
                          false);
         if (beside) draw_surface_row(context, comparison, 2, "Third", "A third surface", true);
         const auto shown = compared_surfaces(comparison);
-        if (std::ranges::find(shown, SurfaceKind::kIso) != shown.end()) draw_mask_row(context, comparison);
+        if (std::ranges::find(shown, mesh::Method::kIsosurface) != shown.end()) draw_mask_row(context, comparison);
         if (comparison.mode == Mode::kBlend) {
             static widgets::Slider<float> blend;
             const bool changed = widgets::slider_row(

@@ -7,6 +7,7 @@
 #include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
+#include "app/panels/slider.h"
 #include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace/workspace.h"
@@ -14,8 +15,10 @@
 #include <array>
 #include <deque>
 #include <glm/vec2.hpp>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app {
@@ -81,9 +84,10 @@ struct Interface {
     BranchList list;
     Rename rename;
     Fly fly;
-    std::optional<GlassLook> tried_glass;                  // while a slider is held
-    std::optional<std::vector<ContextItem>> tried_context; // likewise
-    std::optional<double> tried_blend;                     // likewise
+    std::optional<GlassLook> tried_glass;                              // while a slider is held
+    std::optional<std::vector<ContextItem>> tried_context;             // likewise
+    std::optional<double> tried_blend;                                 // likewise
+    std::map<std::string_view, widgets::Slider<float>> option_sliders; // by the key of a SurfaceOption
     Overview overview;
     PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();

@@ -4,6 +4,7 @@
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
+#include "app/session/surface_options.h"
 #include "app/window/theme.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <imgui.h>
 #include <optional>
 #include <string>
-#include <type_traits>
 
 namespace ramus::app {
 
@@ -51,41 +51,43 @@ void draw_tree(InterfaceContext& context) {
     }
 }
 
+std::string as_text(const SurfaceOption& option, float value) {
+    if (option.whole) return std::to_string(static_cast<int>(value));
+    return option.zero_is_off && value <= 0.0F ? "off" : digits(value, 2);
+}
+
+void draw_slider(const SurfaceOption& option, float& value) {
+    const auto least = static_cast<float>(option.slider_least), most = static_cast<float>(option.slider_most);
+    if (!option.whole) {
+        ImGui::SliderFloat("##slider", &value, least, most, "", ImGuiSliderFlags_AlwaysClamp);
+        return;
+    }
+    int whole = static_cast<int>(value);
+    ImGui::SliderInt("##slider", &whole, static_cast<int>(least), static_cast<int>(most), "",
+                     ImGuiSliderFlags_AlwaysClamp);
+    value = static_cast<float>(whole);
+}
+
+// As the command takes it.
+std::string spelled(const SurfaceOption& option, float value) {
+    return option.whole ? std::to_string(static_cast<int>(value)) : digits(value, 4);
+}
+
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions& options = context.workspace.document.marks().options;
-    static widgets::Slider<int> smooth, detail;
-    static widgets::Slider<float> prune, width;
-    const auto row = [&](const char* label, const char* name, const char* help, auto& slider, auto current, auto draw,
-                         auto as_text) {
-        using T = decltype(slider.value);
-        if (!widgets::slider_row(label, help, slider, static_cast<T>(current), draw, as_text)) return;
-        if constexpr (std::is_same_v<T, int>)
-            context.perform("surface", {name, std::to_string(slider.value)});
-        else
-            context.perform("surface", {name, digits(slider.value, 4)});
-    };
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    const auto whole = [](int value) { return std::to_string(value); };
-    row(
-        "Smooth", "smooth", "Binomial passes over points and radii", smooth, options.smooth_passes,
-        [&](int& value) { ImGui::SliderInt("##slider", &value, 0, 10, "", flags); }, whole);
-    row(
-        "Prune", "prune", "Leaf branches shorter than this many lengths of their parent go", prune, options.prune_ratio,
-        [&](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", flags); },
-        [](float value) { return value > 0.0F ? digits(value, 2) : std::string("off"); });
-    row(
-        "Width", "width", "Kernel width: 5 follows the vessels closely, 1 blends them broadly", width, options.width,
-        [&](float& value) { ImGui::SliderFloat("##slider", &value, 1.0F, 10.0F, "", flags); },
-        [](float value) { return digits(value, 2); });
-    row(
-        "Detail", "detail", "Triangles around a vessel", detail, options.detail,
-        [&](int& value) { ImGui::SliderInt("##slider", &value, 6, 48, "", flags); }, whole);
-    const auto as_spelled = [](float value) { return std::stod(digits(value, 4)); };
+    auto& sliders = context.interface.option_sliders;
+    for (const SurfaceOption& option : surface_options()) {
+        if (option.label.empty()) continue;
+        widgets::Slider<float>& slider = sliders[option.key];
+        const bool changed = widgets::slider_row(
+            option.label.data(), option.tooltip.data(), slider, static_cast<float>(option.value(options)),
+            [&](float& value) { draw_slider(option, value); }, [&](float value) { return as_text(option, value); });
+        if (changed) context.perform("surface", {std::string(option.key), spelled(option, slider.value)});
+    }
     mesh::SurfaceOptions tried = options;
-    if (smooth.held) tried.smooth_passes = smooth.value;
-    if (prune.held) tried.prune_ratio = as_spelled(prune.value);
-    if (width.held) tried.width = as_spelled(width.value);
-    if (detail.held) tried.detail = detail.value;
+    for (const SurfaceOption& option : surface_options())
+        if (!option.label.empty() && sliders[option.key].held)
+            option.set(tried, std::stod(spelled(option, sliders[option.key].value)));
     context.workspace.try_options(tried == options ? std::nullopt : std::optional(tried));
 }
 

@@ -2,17 +2,13 @@
 // it says while it is held is there to be tried.
 #pragma once
 
+#include "app/panels/slider.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
 
 #include <imgui.h>
 
 namespace ramus::app::widgets {
-
-template <class T> struct Slider {
-    T value{};
-    bool held = false;
-};
 
 // One row: label, slider, value. `draw(T&)` draws the slider itself, `as_text(T)` is what stands at the right. True
 // when it was let go at another value than `current`.

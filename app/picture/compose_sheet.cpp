@@ -45,11 +45,11 @@ std::string blend_heading(const std::string& first, const std::string& second, d
 
 std::vector<ComparedPane> panes_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
     const Comparison& comparison = marks.comparison;
-    const std::vector<SurfaceKind> kinds = compared_surfaces(comparison);
-    if (kinds.empty()) return {{glm::ivec2(0), size, kind_of(marks.options.method), {}, true}};
+    const std::vector<mesh::Method> kinds = compared_surfaces(comparison);
+    if (kinds.empty()) return {{glm::ivec2(0), size, marks.options.method, {}, true}};
     std::vector<ComparedPane> panes;
-    for (const SurfaceKind kind : kinds)
-        panes.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != SurfaceKind::kIso});
+    for (const mesh::Method kind : kinds)
+        panes.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != mesh::Method::kIsosurface});
     if (comparison.mode == Comparison::Mode::kSuperimposed) {
         panes[0].title += ", lines: " + lowered(panes[1].title);
         panes.resize(1);
@@ -83,8 +83,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
     for (std::size_t i = 0; i < panes.size(); ++i) {
         Viewing own = viewing;
         own.size = panes[i].size;
-        own.method =
-            panes[i].surface == SurfaceKind::kCones ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
+        own.method = panes[i].surface;
         render::Frame frame = compose(session, assets, surfaces.of(panes[i].surface), own);
         if (!panes[i].has_branches) take_branches_away(frame);
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)

@@ -14,7 +14,7 @@ namespace ramus::app {
 // A part of the picture that shows one surface.
 struct ComparedPane {
     glm::ivec2 at{0}, size{1}; // pixels; all panes of a picture have one size
-    SurfaceKind surface = SurfaceKind::kConvolution;
+    mesh::Method surface = mesh::Method::kConvolutionSurface;
     std::string title;        // UTF-8; empty: nothing is compared
     bool has_branches = true; // a mask has none
     bool operator==(const ComparedPane&) const = default;

@@ -13,11 +13,11 @@ namespace ramus::app {
 
 struct ShownSurfaces {
     using Paged = std::shared_ptr<const render::PagedMesh>;
-    std::array<Paged, kSurfaceKinds.size()> meshes, previews;
+    std::array<Paged, mesh::kMethods.size()> meshes, previews;
     std::shared_ptr<const mesh::TriangleMesh> lines, lines_preview; // of the one that is superimposed
-    [[nodiscard]] const Paged& of(SurfaceKind kind) const { return meshes[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] const Paged& preview_of(SurfaceKind kind) const { return previews[static_cast<std::size_t>(kind)]; }
-    void set(SurfaceKind kind, Paged mesh, Paged preview) {
+    [[nodiscard]] const Paged& of(mesh::Method kind) const { return meshes[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] const Paged& preview_of(mesh::Method kind) const { return previews[static_cast<std::size_t>(kind)]; }
+    void set(mesh::Method kind, Paged mesh, Paged preview) {
         meshes[static_cast<std::size_t>(kind)] = std::move(mesh);
         previews[static_cast<std::size_t>(kind)] = std::move(preview);
     }

@@ -115,17 +115,16 @@ Facts option_facts(const Marks& marks) {
     const mesh::SurfaceOptions& options = marks.options;
     std::string bands;
     for (const double band : marks.planning.bands_mm) bands += (bands.empty() ? "" : ", ") + digits(band);
-    Facts found{
-        {"Surface", options.method == mesh::Method::kTruncatedCones ? "truncated cones" : "convolution surface"},
-        {"Smoothing passes", std::to_string(options.smooth_passes)},
-        {"Pruning ratio", options.prune_ratio > 0.0 ? digits(options.prune_ratio) : "off"},
-        {"Kernel width", digits(options.width)},
-        options.cell_mm > 0.0
-            ? std::pair<std::string, std::string>{"Cell size", digits(options.cell_mm) + " mm"}
-            : std::pair<std::string, std::string>{"Triangles around a vessel", std::to_string(options.detail)},
-        {"Coloured by", std::string(name_of(marks.colour_by))},
-        {"Margins", bands + " mm"},
-        {"Reconstruct above", digits(marks.planning.reconstruct_mm) + " mm"}};
+    Facts found{{"Surface", std::string(mesh::row_of(options.method).noun)},
+                {"Smoothing passes", std::to_string(options.smooth_passes)},
+                {"Pruning ratio", options.prune_ratio > 0.0 ? digits(options.prune_ratio) : "off"},
+                {"Kernel width", digits(options.width)},
+                options.cell_mm > 0.0
+                    ? std::pair<std::string, std::string>{"Cell size", digits(options.cell_mm) + " mm"}
+                    : std::pair<std::string, std::string>{"Triangles around a vessel", std::to_string(options.detail)},
+                {"Coloured by", std::string(name_of(marks.colour_by))},
+                {"Margins", bands + " mm"},
+                {"Reconstruct above", digits(marks.planning.reconstruct_mm) + " mm"}};
     return found;
 }
 

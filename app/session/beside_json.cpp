@@ -18,7 +18,7 @@ fs::path written_path(const fs::path& tree, const fs::path& folder) {
 
 json comparison_json(const Comparison& comparison, const fs::path& folder) {
     json surfaces = json::array();
-    for (const SurfaceKind kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
+    for (const mesh::Method kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
     json value{{"mode", std::string(name_of(comparison.mode))}, {"surfaces", surfaces}, {"blend", comparison.blend}};
     if (!comparison.mask.empty()) value["mask"] = written_path(comparison.mask, folder).string();
     if (!comparison.labels.empty()) value["labels"] = comparison.labels;

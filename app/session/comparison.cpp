@@ -20,19 +20,6 @@ std::vector<std::string_view> parts_of(std::string_view text) {
 
 } // namespace
 
-std::string_view name_of(SurfaceKind kind) {
-    return kind == SurfaceKind::kConvolution ? "cs" : kind == SurfaceKind::kCones ? "cones" : "iso";
-}
-
-std::optional<SurfaceKind> surface_kind_named(std::string_view name) {
-    const auto found = std::ranges::find_if(kSurfaceKinds, [&](SurfaceKind kind) { return name_of(kind) == name; });
-    return found == kSurfaceKinds.end() ? std::nullopt : std::optional(*found);
-}
-
-SurfaceKind kind_of(mesh::Method method) {
-    return method == mesh::Method::kTruncatedCones ? SurfaceKind::kCones : SurfaceKind::kConvolution;
-}
-
 std::string_view name_of(Comparison::Mode mode) {
     switch (mode) {
     case Comparison::Mode::kSideBySide:
@@ -52,18 +39,18 @@ std::optional<Comparison::Mode> comparison_mode_named(std::string_view name) {
     return found == kComparisonModes.end() ? std::nullopt : std::optional(*found);
 }
 
-std::vector<SurfaceKind> compared_surfaces(const Comparison& comparison) {
+std::vector<mesh::Method> compared_surfaces(const Comparison& comparison) {
     if (comparison.mode == Comparison::Mode::kOff) return {};
-    std::vector<SurfaceKind> surfaces = comparison.surfaces;
+    std::vector<mesh::Method> surfaces = comparison.surfaces;
     if (comparison.mode != Comparison::Mode::kSideBySide) surfaces.resize(2);
     return surfaces;
 }
 
-std::string title_of(SurfaceKind kind, const Comparison& comparison) {
-    if (kind == SurfaceKind::kConvolution) return "Convolution surface";
-    if (kind == SurfaceKind::kCones) return "Truncated cones";
-    if (comparison.mask.empty()) return "Isosurface of the tree's voxels";
-    std::string title = "Isosurface of " + std::filesystem::path(comparison.mask).filename().string();
+std::string title_of(mesh::Method method, const Comparison& comparison) {
+    std::string title(mesh::row_of(method).label);
+    if (mesh::row_of(method).of_tree) return title;
+    if (comparison.mask.empty()) return title + " of the tree's voxels";
+    title += " of " + std::filesystem::path(comparison.mask).filename().string();
     for (std::size_t i = 0; i < comparison.labels.size(); ++i)
         title += (i > 0                          ? ", "
                   : comparison.labels.size() > 1 ? ", labels "
@@ -72,15 +59,15 @@ std::string title_of(SurfaceKind kind, const Comparison& comparison) {
     return title;
 }
 
-std::optional<std::vector<SurfaceKind>> surface_list(std::string_view text) {
-    std::vector<SurfaceKind> kinds;
+std::optional<std::vector<mesh::Method>> surface_list(std::string_view text) {
+    std::vector<mesh::Method> methods;
     for (const std::string_view part : parts_of(text)) {
-        const auto kind = surface_kind_named(part);
-        if (!kind || std::ranges::find(kinds, *kind) != kinds.end()) return std::nullopt;
-        kinds.push_back(*kind);
+        const auto method = mesh::method_named(part);
+        if (!method || std::ranges::find(methods, *method) != methods.end()) return std::nullopt;
+        methods.push_back(*method);
     }
-    if (kinds.size() < 2) return std::nullopt;
-    return kinds;
+    if (methods.size() < 2) return std::nullopt;
+    return methods;
 }
 
 std::optional<std::vector<std::int32_t>> label_list(std::string_view text) {

@@ -1,7 +1,7 @@
 // Comparison: which surfaces of one tree are looked at together, and how. Plain values, part of what undo covers.
 #pragma once
 
-#include "core/mesh/surface.h"
+#include "core/mesh/method.h"
 
 #include <array>
 #include <cstdint>
@@ -12,12 +12,6 @@
 
 namespace ramus::app {
 
-enum class SurfaceKind : std::uint8_t { kConvolution, kCones, kIso };
-inline constexpr std::array kSurfaceKinds{SurfaceKind::kConvolution, SurfaceKind::kCones, SurfaceKind::kIso};
-[[nodiscard]] std::string_view name_of(SurfaceKind kind); // "cs", "cones", "iso"
-[[nodiscard]] std::optional<SurfaceKind> surface_kind_named(std::string_view name);
-[[nodiscard]] SurfaceKind kind_of(mesh::Method method);
-
 struct Comparison {
     enum class Mode : std::uint8_t {
         kOff,
@@ -26,7 +20,8 @@ struct Comparison {
         kSuperimposed, // the first shaded, the second as a wireframe over it
     };
     Mode mode = Mode::kOff;
-    std::vector<SurfaceKind> surfaces{SurfaceKind::kConvolution, SurfaceKind::kCones}; // two or three, none twice
+    // Two or three, none twice.
+    std::vector<mesh::Method> surfaces{mesh::Method::kConvolutionSurface, mesh::Method::kTruncatedCones};
     std::string mask;                 // of the isosurface: a file, absolute; empty: the tree's own voxels
     std::vector<std::int32_t> labels; // in the mask, ascending; empty: whatever is inside
     double blend = 0.5;               // 0: the first surface alone; 1: the second
@@ -38,13 +33,13 @@ inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison:
 [[nodiscard]] std::optional<Comparison::Mode> comparison_mode_named(std::string_view name);
 
 // The surfaces that are in the picture, in their order; none when nothing is compared.
-[[nodiscard]] std::vector<SurfaceKind> compared_surfaces(const Comparison& comparison);
+[[nodiscard]] std::vector<mesh::Method> compared_surfaces(const Comparison& comparison);
 
 // "Convolution surface", "Truncated cones", "Isosurface of liver.nii.gz".
-[[nodiscard]] std::string title_of(SurfaceKind kind, const Comparison& comparison);
+[[nodiscard]] std::string title_of(mesh::Method method, const Comparison& comparison);
 
 // "cs,iso": two or three, none twice.
-[[nodiscard]] std::optional<std::vector<SurfaceKind>> surface_list(std::string_view text);
+[[nodiscard]] std::optional<std::vector<mesh::Method>> surface_list(std::string_view text);
 // "1,2": whole numbers other than 0, made ascending, without repeats.
 [[nodiscard]] std::optional<std::vector<std::int32_t>> label_list(std::string_view text);
 

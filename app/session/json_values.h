@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app::session_json {
@@ -19,7 +20,7 @@ struct Refusal {
     std::string what;
 };
 
-inline void expect_only(const json& object, const std::string& name, std::initializer_list<std::string_view> known) {
+inline void expect_only(const json& object, const std::string& name, const std::vector<std::string_view>& known) {
     if (!object.is_object()) throw Refusal{name + " is not an object"};
     for (const auto& [key, value] : object.items())
         if (std::find(known.begin(), known.end(), key) == known.end())

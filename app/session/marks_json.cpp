@@ -1,6 +1,7 @@
 #include "app/session/marks_json.h"
 
 #include "app/session/json_values.h"
+#include "app/session/surface_options.h"
 
 #include <charconv>
 
@@ -10,14 +11,15 @@ using render::BranchState;
 
 json options_json(const Marks& marks) {
     const mesh::SurfaceOptions& options = marks.options;
-    json value{{"method", options.method == mesh::Method::kTruncatedCones ? "cones" : "cs"},
-               {"smooth", options.smooth_passes},
-               {"prune", options.prune_ratio},
-               {"width", options.width},
-               {"detail", options.detail},
+    json value{{"method", std::string(name_of(options.method))},
                {"colour_by", std::string(name_of(marks.colour_by))},
                {"colour_map", std::string(name_of(marks.colour_map))}};
-    if (options.cell_mm > 0.0) value["cell"] = options.cell_mm;
+    for (const SurfaceOption& option : surface_options()) {
+        const double set = option.value(options);
+        if (!option.of_session || (option.only_when_set && set == 0.0)) continue;
+        const std::string key(option.key);
+        option.whole ? value[key] = static_cast<int>(set) : value[key] = set;
+    }
     value["bands"] = marks.planning.bands_mm;
     value["reconstruct"] = marks.planning.reconstruct_mm;
     value["glass_opacity"] = marks.glass.opacity;
@@ -30,20 +32,26 @@ json options_json(const Marks& marks) {
 }
 
 void read_options(const json& value, Marks& marks) {
-    expect_only(value, "options",
-                {"method", "smooth", "prune", "width", "detail", "cell", "colour_by", "colour_map", "bands",
-                 "reconstruct", "glass_opacity", "glass_grey", "skeleton", "depth_cues"});
+    std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",     "reconstruct",
+                                           "glass_opacity", "glass_grey", "skeleton",   "depth_cues"};
+    for (const SurfaceOption& option : surface_options())
+        if (option.of_session) known.push_back(option.key);
+    expect_only(value, "options", known);
     mesh::SurfaceOptions& options = marks.options;
     if (value.contains("method")) {
-        const std::string method = text(value["method"], "method");
-        if (method != "cs" && method != "cones") throw Refusal{"unknown method \"" + method + "\""};
-        options.method = method == "cones" ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
+        const std::string name = text(value["method"], "method");
+        const auto method = mesh::method_named(name);
+        if (!method || !mesh::row_of(*method).of_tree) throw Refusal{"unknown method \"" + name + "\""};
+        options.method = *method;
     }
-    if (value.contains("smooth")) options.smooth_passes = integer(value["smooth"], "smooth", 0, 100);
-    if (value.contains("prune")) options.prune_ratio = number(value["prune"], "prune", 0.0, 1e300);
-    if (value.contains("width")) options.width = number(value["width"], "width", 0.1, 100.0);
-    if (value.contains("detail")) options.detail = integer(value["detail"], "detail", 4, 512);
-    if (value.contains("cell")) options.cell_mm = number(value["cell"], "cell", 0.0, 1e300);
+    for (const SurfaceOption& option : surface_options()) {
+        const std::string key(option.key);
+        if (!option.of_session || !value.contains(key)) continue;
+        const double least = option.only_when_set ? 0.0 : option.least;
+        option.set(options, option.whole
+                                ? integer(value[key], key, static_cast<int>(least), static_cast<int>(option.most))
+                                : number(value[key], key, least, option.most));
+    }
     if (value.contains("bands")) {
         if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
         marks.planning.bands_mm.clear();

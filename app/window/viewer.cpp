@@ -187,7 +187,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     const ShownSurfaces surfaces = workspace_.surfaces();
     render::Sheet sheet =
         compose_sheet(workspace_.document.session(), workspace_.current_assets(), surfaces, viewing(), sheet_viewing);
-    const SurfaceKind own_kind = kind_of(workspace_.document.marks().options.method);
+    const mesh::Method own_kind = workspace_.document.marks().options.method;
     shown_camera_ = camera_on_its_way();
     render::Frame& frame = sheet.panes.front().frame; // the others are seen as quickly as it is
     frame.camera = shown_camera_;

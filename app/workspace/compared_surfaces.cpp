@@ -56,10 +56,10 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
 
 std::vector<ComparedRequest> compared_requests(const Marks& marks) {
     std::vector<ComparedRequest> requests;
-    const std::vector<SurfaceKind> kinds = compared_surfaces(marks.comparison);
+    const std::vector<mesh::Method> kinds = compared_surfaces(marks.comparison);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const bool wire = i > 0 && marks.comparison.mode == Comparison::Mode::kSuperimposed;
-        if (!wire && kinds[i] == kind_of(marks.options.method)) continue;
+        if (!wire && kinds[i] == marks.options.method) continue;
         requests.push_back(compared_request(marks, kinds[i]));
         requests.back().wire = wire;
         if (wire) requests.back().surface.options.detail = std::min(marks.options.detail, kWireDetail);
@@ -67,18 +67,17 @@ std::vector<ComparedRequest> compared_requests(const Marks& marks) {
     return requests;
 }
 
-ComparedRequest compared_request(const Marks& marks, SurfaceKind kind) {
+ComparedRequest compared_request(const Marks& marks, mesh::Method kind) {
     ComparedRequest request;
     request.kind = kind;
-    if (kind == SurfaceKind::kIso) {
+    if (kind == mesh::Method::kIsosurface) {
         request.surface.options.threads = marks.options.threads;
         request.surface.options.memory_bytes = marks.options.memory_bytes;
         request.mask = marks.comparison.mask;
         if (!request.mask.empty()) request.labels = marks.comparison.labels;
     } else {
         request.surface = surface_request(marks);
-        request.surface.options.method =
-            kind == SurfaceKind::kCones ? mesh::Method::kTruncatedCones : mesh::Method::kConvolutionSurface;
+        request.surface.options.method = kind;
     }
     return request;
 }
@@ -86,7 +85,7 @@ ComparedRequest compared_request(const Marks& marks, SurfaceKind kind) {
 Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request, Job& job) {
     ComparedSurface made;
     made.request = request;
-    if (request.kind != SurfaceKind::kIso && request.wire) {
+    if (request.kind != mesh::Method::kIsosurface && request.wire) {
         const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
         mesh::TriangleMesh lines; // of nothing where all is hidden
         if (hidden.empty() || std::ranges::find(hidden, 0) != hidden.end()) {
@@ -97,7 +96,7 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
         take_lines(std::move(lines), made);
         return made;
     }
-    if (request.kind != SurfaceKind::kIso) {
+    if (request.kind != mesh::Method::kIsosurface) {
         auto ready = make_ready(tree, request.surface, job);
         if (!ready) return tl::unexpected(ready.error());
         made.mesh = std::move(ready->mesh);

@@ -14,7 +14,7 @@ namespace ramus::app {
 
 // Everything that it depends on beside its tree.
 struct ComparedRequest {
-    SurfaceKind kind = SurfaceKind::kConvolution;
+    mesh::Method kind = mesh::Method::kConvolutionSurface;
     SurfaceRequest surface;           // of an isosurface threads and memory alone
     std::string mask;                 // of an isosurface; empty: a mask of the tree's own voxels
     std::vector<std::int32_t> labels; // in it; empty: all
@@ -37,7 +37,7 @@ struct ComparedSurface {
     std::vector<std::string> notes;                          // what was assumed where the mask does not say
 };
 
-[[nodiscard]] ComparedRequest compared_request(const Marks& marks, SurfaceKind kind);
+[[nodiscard]] ComparedRequest compared_request(const Marks& marks, mesh::Method kind);
 // All that the picture needs beside the session's own surface, in the order of its panes.
 [[nodiscard]] std::vector<ComparedRequest> compared_requests(const Marks& marks);
 

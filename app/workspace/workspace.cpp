@@ -223,7 +223,7 @@ void Workspace::start_plan() {
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
     for (const ComparedSurface& one : compared_) show(surfaces, one);
-    surfaces.set(kind_of(document.marks().options.method), shown_.mesh, shown_.preview);
+    surfaces.set(document.marks().options.method, shown_.mesh, shown_.preview);
     return surfaces;
 }
 
@@ -254,9 +254,7 @@ void Workspace::start_comparison() {
     if (mesher_.busy() || loader_.busy() || (comparer_.busy() && comparing_ == wanted)) return;
     comparing_ = wanted;
     changed_ = true;
-    comparer_.start("Computing the " + std::string(wanted->kind == SurfaceKind::kIso     ? "isosurface"
-                                                   : wanted->kind == SurfaceKind::kCones ? "cones"
-                                                                                         : "convolution surface"),
+    comparer_.start("Computing the " + std::string(mesh::row_of(wanted->kind).noun),
                     [this, request = *wanted, tree = document.tree()](Job& job, const Worker::Post& post) {
                         const auto made = make_compared(*tree, request, job);
                         if (job.cancelled()) return;

@@ -1,8 +1,9 @@
-// The one way from a vessel tree to a surface, with the options that every command and the window share.
+// How a vessel tree becomes a surface, with the options that every command and the window share.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/job.h"
+#include "core/mesh/method.h"
 #include "core/mesh/surface_sink.h"
 #include "core/tree/prepared_tree.h"
 
@@ -15,11 +16,9 @@ class ConvolutionField;
 
 namespace ramus::mesh {
 
-enum class Method { kConvolutionSurface, kTruncatedCones };
-
 struct SurfaceOptions {
-    Method method = Method::kConvolutionSurface;
-    int smooth_passes = 1;          // binomial passes over points and radii (core/tree/smooth.h)
+    Method method = Method::kConvolutionSurface; // of a tree
+    int smooth_passes = 1;                       // binomial passes over points and radii (core/tree/smooth.h)
     double prune_ratio = 0.0;       // leaf branches shorter than ratio x parent go (core/tree/prune.h); 0 keeps all
     double width = 5.0;             // kernel width; 5 is the paper's, 1 is Bloomenthal's
     int detail = 16;                // triangles around a vessel

@@ -56,11 +56,12 @@ TEST_CASE("a comparison and the skeleton survive the session's file, and are not
     session.tree.path = folder.path() / "tree.swc";
     CHECK_FALSE(to_json(session, folder.path()).contains("comparison"));
     session.marks.skeleton = true;
-    session.marks.comparison = {Mode::kBlend,
-                                {SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution},
-                                (folder.path() / "masks" / "liver.nii.gz").string(),
-                                {-1, 2},
-                                1.0 / 3.0};
+    session.marks.comparison = {
+        Mode::kBlend,
+        {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones, mesh::Method::kConvolutionSurface},
+        (folder.path() / "masks" / "liver.nii.gz").string(),
+        {-1, 2},
+        1.0 / 3.0};
     const auto file = folder.path() / "session.ramus.json";
     REQUIRE(write_session(session, file));
     const auto read = read_session(file);
@@ -93,16 +94,17 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
     stage.good("compare side-by-side iso,cones,cs");
     CHECK(stage.marks().comparison.mode == Mode::kSideBySide);
     CHECK(stage.marks().comparison.surfaces ==
-          std::vector{SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution});
+          std::vector{mesh::Method::kIsosurface, mesh::Method::kTruncatedCones, mesh::Method::kConvolutionSurface});
     stage.good("compare blend");
     CHECK(stage.marks().comparison.surfaces.size() == 3);
-    CHECK(compared_surfaces(stage.marks().comparison) == std::vector{SurfaceKind::kIso, SurfaceKind::kCones});
+    CHECK(compared_surfaces(stage.marks().comparison) ==
+          std::vector{mesh::Method::kIsosurface, mesh::Method::kTruncatedCones});
     stage.good("compare-blend 0.25");
     CHECK(stage.marks().comparison.blend == 0.25);
     stage.good("compare-mask \"" + mask.string() + "\" 3,1,3");
     CHECK(stage.marks().comparison.mask == mask.string());
     CHECK(stage.marks().comparison.labels == std::vector<std::int32_t>{1, 3});
-    CHECK(title_of(SurfaceKind::kIso, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
+    CHECK(title_of(mesh::Method::kIsosurface, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
     stage.good("skeleton");
     CHECK(stage.marks().skeleton);
     stage.good("skeleton off");
@@ -127,12 +129,13 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
 TEST_CASE("panes have one size, lie inside the picture in their order, and do not touch") {
     Marks marks;
     CHECK(panes_of(marks, {800, 600}, 1.0F) ==
-          std::vector<ComparedPane>{{{0, 0}, {800, 600}, SurfaceKind::kConvolution, "", true}});
+          std::vector<ComparedPane>{{{0, 0}, {800, 600}, mesh::Method::kConvolutionSurface, "", true}});
     marks.options.method = mesh::Method::kTruncatedCones;
-    CHECK(panes_of(marks, {800, 600}, 1.0F)[0].surface == SurfaceKind::kCones);
+    CHECK(panes_of(marks, {800, 600}, 1.0F)[0].surface == mesh::Method::kTruncatedCones);
     marks.comparison.mode = Mode::kSideBySide;
     for (const std::size_t count : {2U, 3U}) {
-        marks.comparison.surfaces = {SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution};
+        marks.comparison.surfaces = {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones,
+                                     mesh::Method::kConvolutionSurface};
         marks.comparison.surfaces.resize(count);
         for (const glm::ivec2 size : {glm::ivec2{800, 600}, {801, 600}, {802, 600}, {333, 1000}, {100, 100}, {7, 2}})
             for (const float ratio : {1.0F, 1.5F, 2.0F}) {
@@ -148,7 +151,7 @@ TEST_CASE("panes have one size, lie inside the picture in their order, and do no
                     CHECK(panes[i].size == panes[0].size);
                     CHECK(panes[i].size[1 - along] == size[1 - along]);
                     CHECK(panes[i].surface == marks.comparison.surfaces[i]);
-                    CHECK(panes[i].has_branches == (panes[i].surface != SurfaceKind::kIso));
+                    CHECK(panes[i].has_branches == (panes[i].surface != mesh::Method::kIsosurface));
                     CHECK_FALSE(panes[i].title.empty());
                     if (i == 0 || size.x < 10) continue;
                     const int gap = panes[i].at[along] - panes[i - 1].at[along] - panes[i - 1].size[along];
@@ -184,7 +187,7 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
         const bool iso = i == 0;
         CHECK(frame.camera == stage.document.session().camera);
         CHECK(frame.size == sheet.panes[0].frame.size);
-        const bool cones = stage.marks().comparison.surfaces[i] == SurfaceKind::kCones; // so they move
+        const bool cones = stage.marks().comparison.surfaces[i] == mesh::Method::kTruncatedCones; // so they move
         CHECK((frame.width == 0.0F) == cones);
         CHECK((frame.beyond_ends == 1.0F) == cones);
         CHECK(frame.mesh == surfaces.of(stage.marks().comparison.surfaces[i]));
@@ -225,17 +228,18 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
     stage.good("compare off");
     const render::Sheet plain = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     REQUIRE(plain.panes.size() == 1);
-    CHECK(plain.panes[0].frame ==
-          compose(stage.document.session(), stage.current_assets(), surfaces.of(SurfaceKind::kConvolution), viewing));
+    CHECK(plain.panes[0].frame == compose(stage.document.session(), stage.current_assets(),
+                                          surfaces.of(mesh::Method::kConvolutionSurface), viewing));
 }
 
 TEST_CASE("the surfaces that a comparison needs") {
     Marks marks;
     CHECK(compared_requests(marks).empty());
-    marks.comparison = {Mode::kSideBySide, {SurfaceKind::kConvolution, SurfaceKind::kIso}, "mask.nii", {3}, 0.5};
+    marks.comparison = {
+        Mode::kSideBySide, {mesh::Method::kConvolutionSurface, mesh::Method::kIsosurface}, "mask.nii", {3}, 0.5};
     auto requests = compared_requests(marks);
     REQUIRE(requests.size() == 1); // its own is there
-    CHECK(requests[0].kind == SurfaceKind::kIso);
+    CHECK(requests[0].kind == mesh::Method::kIsosurface);
     CHECK(requests[0].mask == "mask.nii");
     CHECK(requests[0].labels == std::vector<std::int32_t>{3});
     // Hiding and smoothing are nothing to a mask.
@@ -245,10 +249,10 @@ TEST_CASE("the surfaces that a comparison needs") {
     marks.options.method = mesh::Method::kTruncatedCones;
     requests = compared_requests(marks);
     REQUIRE(requests.size() == 2);
-    CHECK(requests[0].kind == SurfaceKind::kConvolution);
+    CHECK(requests[0].kind == mesh::Method::kConvolutionSurface);
     CHECK(requests[0].surface.hidden == std::vector<int>{1});
     marks.comparison.mode = Mode::kSuperimposed;
-    marks.comparison.surfaces = {SurfaceKind::kConvolution, SurfaceKind::kCones};
+    marks.comparison.surfaces = {mesh::Method::kConvolutionSurface, mesh::Method::kTruncatedCones};
     requests = compared_requests(marks);
     REQUIRE(requests.size() == 2); // its own, as lines
     CHECK_FALSE(requests[0].wire);
@@ -261,7 +265,7 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     Marks marks;
     marks.comparison.mask = write_mask(folder.path() / "mask.nii").string();
     Job job;
-    const auto iso = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    const auto iso = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
     REQUIRE_MESSAGE(iso, iso.error().message());
     // A box of voxels whose centres span 3 x 3 x 19 mm, the surface half a voxel farther.
     const render::Box& box = iso->mesh->bounds();
@@ -271,21 +275,21 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     CHECK(iso->voxel_mm == 0.0);
 
     marks.comparison.labels = {1};
-    const auto absent = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    const auto absent = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
     REQUIRE_FALSE(absent);
     CHECK(absent.error().message().find("mask.nii") != std::string::npos);
     marks.comparison.labels = {3};
     marks.comparison.mask = write_mask(folder.path() / "elsewhere.nii", 500.0).string();
-    const auto elsewhere = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    const auto elsewhere = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
     REQUIRE_FALSE(elsewhere);
     CHECK(elsewhere.error().message().find("elsewhere") != std::string::npos);
 
     marks.comparison.mask.clear();
-    const auto own = make_compared(tree, compared_request(marks, SurfaceKind::kIso), job);
+    const auto own = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
     REQUIRE_MESSAGE(own, own.error().message());
     CHECK(own->voxel_mm > 0.0);
     CHECK(own->mesh->triangle_count() > 100);
-    ComparedRequest wire = compared_request(marks, SurfaceKind::kCones);
+    ComparedRequest wire = compared_request(marks, mesh::Method::kTruncatedCones);
     wire.wire = true;
     const auto lines = make_compared(tree, wire, job);
     REQUIRE(lines);
@@ -312,35 +316,36 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     };
     change([](Marks& m) {
         m.comparison.mode = Mode::kSideBySide;
-        m.comparison.surfaces = {SurfaceKind::kIso, SurfaceKind::kCones, SurfaceKind::kConvolution};
+        m.comparison.surfaces = {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones,
+                                 mesh::Method::kConvolutionSurface};
     });
     CHECK(workspace.comparing());
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().empty());
-    CHECK(workspace.surfaces().of(SurfaceKind::kConvolution) == workspace.shown().mesh);
-    const auto iso = workspace.surfaces().of(SurfaceKind::kIso);
-    const auto cones = workspace.surfaces().of(SurfaceKind::kCones);
+    CHECK(workspace.surfaces().of(mesh::Method::kConvolutionSurface) == workspace.shown().mesh);
+    const auto iso = workspace.surfaces().of(mesh::Method::kIsosurface);
+    const auto cones = workspace.surfaces().of(mesh::Method::kTruncatedCones);
     REQUIRE(iso);
     REQUIRE(cones);
 
     // The cones follow what is hidden; the isosurface stays.
     change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kHidden); });
-    CHECK(workspace.surfaces().of(SurfaceKind::kCones) == cones); // until the others are there
+    CHECK(workspace.surfaces().of(mesh::Method::kTruncatedCones) == cones); // until the others are there
     REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
-    CHECK(workspace.surfaces().of(SurfaceKind::kCones) != cones);
-    CHECK(workspace.surfaces().of(SurfaceKind::kIso) == iso);
+    CHECK(workspace.surfaces().of(mesh::Method::kTruncatedCones) != cones);
+    CHECK(workspace.surfaces().of(mesh::Method::kIsosurface) == iso);
 
     std::ofstream(folder.path() / "bad.nii") << "this is no mask";
     change([&](Marks& m) { m.comparison.mask = (folder.path() / "bad.nii").string(); });
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().find("bad.nii") != std::string::npos);
-    CHECK(workspace.surfaces().of(SurfaceKind::kIso) == iso); // what was there before
+    CHECK(workspace.surfaces().of(mesh::Method::kIsosurface) == iso); // what was there before
     change([&](Marks& m) { m.comparison.mask = write_mask(folder.path() / "mask.nii").string(); });
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().empty());
-    CHECK(workspace.surfaces().of(SurfaceKind::kIso) != iso);
+    CHECK(workspace.surfaces().of(mesh::Method::kIsosurface) != iso);
 
     change([](Marks& m) { m.comparison.mode = Mode::kOff; });
     workspace.update();
-    CHECK_FALSE(workspace.surfaces().of(SurfaceKind::kIso)); // nobody looks at it
+    CHECK_FALSE(workspace.surfaces().of(mesh::Method::kIsosurface)); // nobody looks at it
 }

@@ -1,0 +1,131 @@
+#include "app/session/surface_options.h"
+
+#include "app/session/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+using Options = mesh::SurfaceOptions;
+
+constexpr double kLarge = 1e300;
+
+// Reads and writes one member.
+template <auto Member> double value_of(const Options& options) { return static_cast<double>(options.*Member); }
+template <auto Member> void set_to(Options& options, double value) {
+    options.*Member = static_cast<std::remove_reference_t<decltype(options.*Member)>>(value);
+}
+
+constexpr std::array<SurfaceOption, 6> kTable = {{
+    {.key = "smooth",
+     .unit = "N",
+     .help = "Smoothing passes over points and radii (default 1)",
+     .domain = "a whole number from 0 to 100",
+     .least = 0,
+     .most = 100,
+     .whole = true,
+     .of_session = true,
+     .value = value_of<&Options::smooth_passes>,
+     .set = set_to<&Options::smooth_passes>,
+     .label = "Smooth",
+     .tooltip = "Binomial passes over points and radii",
+     .slider_most = 10},
+    {.key = "prune",
+     .unit = "RATIO",
+     .help = "Drop end branches shorter than RATIO x their parent (default 0)",
+     .domain = "a ratio of 0 or more",
+     .least = 0.0,
+     .most = kLarge,
+     .of_session = true,
+     .value = value_of<&Options::prune_ratio>,
+     .set = set_to<&Options::prune_ratio>,
+     .label = "Prune",
+     .tooltip = "Leaf branches shorter than this many lengths of their parent go",
+     .slider_most = 1.0,
+     .zero_is_off = true},
+    // Beyond these, the isovalue 2^-width leaves single precision, or the support (10 radii) covers the whole tree.
+    {.key = "width",
+     .unit = "WIDTH",
+     .help = "Kernel width; 5 follows the vessels (default), 1 blends as Bloomenthal did",
+     .domain = "a width from 0.1 to 100",
+     .least = 0.1,
+     .most = 100.0,
+     .of_session = true,
+     .value = value_of<&Options::width>,
+     .set = set_to<&Options::width>,
+     .label = "Width",
+     .tooltip = "Kernel width: 5 follows the vessels closely, 1 blends them broadly",
+     .slider_least = 1.0,
+     .slider_most = 10.0},
+    {.key = "detail",
+     .unit = "N",
+     .help = "Triangles around a vessel, thick or thin (default 16)",
+     .domain = "a whole number from 4 to 512",
+     .least = 4,
+     .most = 512,
+     .whole = true,
+     .of_session = true,
+     .value = value_of<&Options::detail>,
+     .set = set_to<&Options::detail>,
+     .label = "Detail",
+     .tooltip = "Triangles around a vessel",
+     .slider_least = 6,
+     .slider_most = 48},
+    {.key = "cell",
+     .unit = "MM",
+     .help = "One cell size everywhere, in mm, instead of --detail",
+     .domain = "a length above 0",
+     .least = std::numeric_limits<float>::min(),
+     .most = kLarge,
+     .of_session = true,
+     .value = value_of<&Options::cell_mm>,
+     .set = set_to<&Options::cell_mm>,
+     .instead = "detail",
+     .only_when_set = true},
+    {.key = "threads",
+     .unit = "N",
+     .help = "Threads to work with (default 0: one for each core)",
+     .domain = "a whole number from 0 to 1024",
+     .least = 0,
+     .most = 1024,
+     .whole = true,
+     .value = value_of<&Options::threads>,
+     .set = set_to<&Options::threads>},
+}};
+
+} // namespace
+
+std::span<const SurfaceOption> surface_options() { return kTable; }
+
+const SurfaceOption* surface_option(std::string_view key) {
+    const auto* found = std::ranges::find(kTable, key, &SurfaceOption::key);
+    return found == kTable.end() ? nullptr : found;
+}
+
+bool takes(const SurfaceOption& option, double value) {
+    return std::isfinite(value) && value >= option.least && value <= option.most &&
+           (!option.whole || value == std::floor(value));
+}
+
+std::string surface_command_help() {
+    std::string text;
+    for (const SurfaceOption& option : kTable) {
+        if (option.label.empty()) continue;
+        text.append(option.key).append(option.most < kLarge ? " " : " from ").append(rounded(option.least));
+        if (option.most < kLarge) text += " to " + rounded(option.most);
+        text += ", ";
+    }
+    text += "method ";
+    bool first = true;
+    for (const mesh::MethodRow& row : mesh::kMethods)
+        if (row.of_tree) text.append(std::exchange(first, false) ? "" : " or ").append(row.key);
+    return text;
+}
+
+} // namespace ramus::app

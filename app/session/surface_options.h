@@ -1,0 +1,42 @@
+// The numbers that a surface is made with, one row each: the command line's flags, sessions, the `surface` command and
+// the sliders of the window all read this table, so that an option is a member of mesh::SurfaceOptions and a row.
+#pragma once
+
+#include "core/mesh/surface.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ramus::app {
+
+struct SurfaceOption {
+    std::string_view key;    // "smooth": --smooth, in a session's options, `surface smooth 2`
+    std::string_view unit;   // what the value is called in --help
+    std::string_view help;   // in --help, without the flag
+    std::string_view domain; // "a whole number from 0 to 100"
+    double least, most;
+    bool whole = false;      // only whole numbers
+    bool of_session = false; // saved, and covered by undo; else the machine's business
+    double (*value)(const mesh::SurfaceOptions&) = nullptr;
+    void (*set)(mesh::SurfaceOptions&, double) = nullptr;
+    // The slider; without a label there is none, and the option cannot be set by command.
+    std::string_view label{};
+    std::string_view tooltip{};
+    double slider_least = 0.0, slider_most = 0.0;
+    bool zero_is_off = false;   // shown as "off"
+    std::string_view instead{}; // the option that this one replaces on the command line
+    bool only_when_set = false; // in sessions: left out at its default
+};
+
+[[nodiscard]] std::span<const SurfaceOption> surface_options();
+[[nodiscard]] const SurfaceOption* surface_option(std::string_view key); // null: none of this name
+
+// Whether the option takes it: finite, within its domain, whole where that is asked for.
+[[nodiscard]] bool takes(const SurfaceOption& option, double value);
+
+// "smooth 0 to 100, prune from 0, ..." and the methods: what the `surface` command takes.
+[[nodiscard]] std::string surface_command_help();
+
+} // namespace ramus::app

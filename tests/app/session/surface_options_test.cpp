@@ -1,0 +1,91 @@
+#include "app/session/session_file.h"
+#include "core/io/trees/swc_reader.h"
+#include "app/session/surface_options.h"
+#include "tests/support/command_stage.h"
+
+#include <doctest/doctest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+// Another value than the option's default, which it takes.
+double other_value(const SurfaceOption& option) {
+    const double value = option.value({}) + 1.0;
+    REQUIRE(takes(option, value));
+    return value;
+}
+
+} // namespace
+
+TEST_CASE("every option of the surface has a row that says all about it") {
+    std::set<std::string_view> keys;
+    for (const SurfaceOption& option : surface_options()) {
+        CAPTURE(option.key);
+        CHECK(keys.insert(option.key).second);
+        CHECK(surface_option(option.key) == &option);
+        CHECK_FALSE(option.unit.empty());
+        CHECK_FALSE(option.help.empty());
+        CHECK_FALSE(option.domain.empty());
+        CHECK(option.least < option.most);
+        CHECK((option.only_when_set || takes(option, option.value({}))));
+        CHECK_FALSE(takes(option, option.least - 1.0));
+        CHECK_FALSE(takes(option, std::numeric_limits<double>::quiet_NaN()));
+        CHECK_FALSE(takes(option, std::numeric_limits<double>::infinity()));
+        CHECK(takes(option, 4.5) != option.whole);
+        mesh::SurfaceOptions options;
+        option.set(options, other_value(option));
+        CHECK(option.value(options) == other_value(option));
+        CHECK(options != mesh::SurfaceOptions{});
+        if (!option.instead.empty()) CHECK(surface_option(option.instead) != nullptr);
+        if (option.label.empty()) continue;
+        CHECK(option.of_session);
+        CHECK_FALSE(option.tooltip.empty());
+        CHECK(takes(option, option.slider_least));
+        CHECK(takes(option, option.slider_most));
+        CHECK(surface_command_help().find(option.key) != std::string::npos);
+    }
+    CHECK(surface_option("colour") == nullptr);
+}
+
+TEST_CASE("options of the session are saved under their keys and read back, the machine's are not") {
+    for (const SurfaceOption& option : surface_options()) {
+        CAPTURE(option.key);
+        Session session;
+        option.set(session.marks.options, other_value(option));
+        const nlohmann::json value = to_json(session, "/");
+        CHECK(value["options"].contains(std::string(option.key)) == option.of_session);
+        const auto read = session_from_json(value, "/", "s.json");
+        REQUIRE(read);
+        CHECK((read->session.marks.options == session.marks.options) == option.of_session);
+    }
+}
+
+TEST_CASE("what has a slider can be set by command") {
+    test::CommandStage stage(*io::parse_swc("1 0 0 0 0 1 -1\n2 0 0 0 9 1 1\n", "small.swc"));
+    for (const SurfaceOption& option : surface_options()) {
+        CAPTURE(option.key);
+        const std::string line = "surface " + std::string(option.key) + " " + std::to_string(other_value(option));
+        if (option.label.empty()) {
+            CHECK(stage.bad(line).find("surface takes") != std::string::npos);
+            continue;
+        }
+        stage.good(line);
+        CHECK(option.value(stage.document.marks().options) == other_value(option));
+    }
+    for (const mesh::MethodRow& row : mesh::kMethods) {
+        CAPTURE(row.key);
+        const std::string line = "surface method " + std::string(row.key);
+        if (row.of_tree)
+            stage.good(line);
+        else
+            stage.bad(line);
+        CHECK((stage.document.marks().options.method == row.method) == row.of_tree);
+        CHECK(mesh::method_named(row.key) == row.method);
+        CHECK(mesh::row_of(row.method).key == row.key);
+    }
+}
