@@ -4,6 +4,7 @@
 #include "app/commands/surface_flags.h"
 #include "app/commands/volume_info.h"
 #include "app/session/numbers.h"
+#include "app/session/quantity.h"
 #include "core/io/volumes/volume_format.h"
 #include "core/measure/tree_statistics.h"
 
@@ -31,20 +32,25 @@ ordered_json range_json(const measure::Range& range) {
 
 ordered_json point_json(const tree::Point& point) { return {point.position.x, point.position.y, point.position.z}; }
 
-ordered_json branch_list(const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
+ordered_json quantity_json(const QuantityRow& row, const tree::VesselTree& tree, const TreeFacts& facts, int id) {
+    const double value = row.value(tree, facts, id);
+    if (row.least != nullptr) return range_json({row.least(facts, id), value, row.largest(facts, id)});
+    return row.whole ? ordered_json(static_cast<int>(value)) : ordered_json(value);
+}
+
+ordered_json branch_list(const tree::VesselTree& tree, const TreeFacts& facts) {
     ordered_json list = ordered_json::array();
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
         const tree::Branch& branch = tree.branches[id];
-        const measure::BranchStatistics& figures = statistics.branches[id];
-        list.push_back({{"id", id},
-                        {"parent", branch.parent == tree::kNoBranch ? ordered_json() : ordered_json(branch.parent)},
-                        {"children", branch.children},
-                        {"generation", branch.generation},
-                        {"strahler", branch.strahler},
-                        {"length_mm", figures.length_mm},
-                        {"diameter_mm", range_json(figures.diameter_mm)},
-                        {"first", point_json(tree.points[branch.points.front()])},
-                        {"last", point_json(tree.points[branch.points.back()])}});
+        ordered_json entry = {
+            {"id", id},
+            {"parent", branch.parent == tree::kNoBranch ? ordered_json() : ordered_json(branch.parent)},
+            {"children", branch.children}};
+        for (const QuantityRow* row : rows_with(&QuantityRow::info))
+            entry[std::string(row->info.json)] = quantity_json(*row, tree, facts, static_cast<int>(id));
+        entry["first"] = point_json(tree.points[branch.points.front()]);
+        entry["last"] = point_json(tree.points[branch.points.back()]);
+        list.push_back(std::move(entry));
     }
     return list;
 }
@@ -59,26 +65,36 @@ void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& sta
                            {"radius_mm", range_json(statistics.radius_mm)},
                            {"generations", statistics.generations},
                            {"repairs", tree.repairs}};
-    if (branches) report["branch_list"] = branch_list(tree, statistics);
+    if (branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     // File names in repairs may hold bytes that are not UTF-8.
     std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
-void print_branches(const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
-    const int widths[] = {8, 8, 6, 9, 11, 12, 10, 10};
-    const auto row = [&](std::initializer_list<std::string> cells) {
-        const int* width = widths;
-        for (const std::string& cell : cells) std::cout << std::setw(*width++) << cell;
-        std::cout << '\n';
-    };
+void print_branches(const tree::VesselTree& tree) {
+    const TreeFacts facts = facts_of(tree);
+    const auto columns = rows_with(&QuantityRow::info);
+    const auto cell = [](int width, std::string_view text) { std::cout << std::setw(width) << text; };
+    constexpr int kRange = 10; // of least and largest
     std::cout << '\n';
-    row({"branch", "parent", "gen.", "Strahler", "length mm", "diameter mm", "min", "max"});
-    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
-        const tree::Branch& branch = tree.branches[id];
-        const measure::BranchStatistics& figures = statistics.branches[id];
-        row({std::to_string(id), branch.parent == tree::kNoBranch ? "-" : std::to_string(branch.parent),
-             std::to_string(branch.generation), std::to_string(branch.strahler), rounded(figures.length_mm),
-             rounded(figures.diameter_mm.mean), rounded(figures.diameter_mm.min), rounded(figures.diameter_mm.max)});
+    cell(8, "branch");
+    cell(8, "parent");
+    for (const QuantityRow* row : columns) {
+        cell(row->info.width, row->info.heading);
+        if (row->least != nullptr) cell(kRange, "min"), cell(kRange, "max");
+    }
+    std::cout << '\n';
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {
+        const int parent = tree.branches[static_cast<std::size_t>(id)].parent;
+        cell(8, std::to_string(id));
+        cell(8, parent == tree::kNoBranch ? "-" : std::to_string(parent));
+        for (const QuantityRow* row : columns) {
+            const double value = row->value(tree, facts, id);
+            cell(row->info.width, row->whole ? std::to_string(static_cast<int>(value)) : rounded(value));
+            if (row->least == nullptr) continue;
+            cell(kRange, rounded(row->least(facts, id)));
+            cell(kRange, rounded(row->largest(facts, id)));
+        }
+        std::cout << '\n';
     }
 }
 
@@ -100,7 +116,7 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
                        rounded(statistics.radius_mm.mean) + " mm");
     line("repairs", tree.repairs.empty() ? "none" : grouped(tree.repairs.size()));
     for (const std::string& sentence : tree.repairs) std::cout << "  " << sentence << '\n';
-    if (flags.branches) print_branches(tree, statistics);
+    if (flags.branches) print_branches(tree);
 }
 
 Result<int> run_info(const InfoFlags& flags) {

@@ -14,26 +14,14 @@ namespace ramus::app {
 
 namespace {
 
-enum Column : ImGuiID { kMark, kId, kName, kGeneration, kStrahler, kDiameter, kLength, kDependents };
-constexpr int kColumns = 8;
+// Columns of the table; those of quantities follow.
+enum Column : ImGuiID { kMark, kId, kName, kFirstQuantity };
 
 std::size_t index_of(int id) { return static_cast<std::size_t>(id); }
 
-BranchQuantity quantity_of(ImGuiID column) {
-    switch (column) {
-    case kGeneration:
-        return BranchQuantity::kGeneration;
-    case kStrahler:
-        return BranchQuantity::kStrahler;
-    case kDiameter:
-        return BranchQuantity::kDiameter;
-    case kLength:
-        return BranchQuantity::kLength;
-    case kDependents:
-        return BranchQuantity::kDependents;
-    default:
-        return BranchQuantity::kId;
-    }
+Quantity quantity_of(ImGuiID column) {
+    if (column < kFirstQuantity) return Quantity::kId;
+    return rows_with(&QuantityRow::list)[column - kFirstQuantity]->quantity;
 }
 
 // Takes over the filter that is typed, when it can be understood; else the last one stays.
@@ -81,7 +69,7 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
         });
         return;
     }
-    const BranchQuantity quantity = quantity_of(column);
+    const Quantity quantity = quantity_of(column);
     std::vector<double> values(tree.branches.size());
     for (const int id : list.rows) values[index_of(id)] = value_of(quantity, tree, facts, id);
     std::ranges::stable_sort(list.rows, [&](int a, int b) {
@@ -168,8 +156,6 @@ void name_cell(InterfaceContext& context, int id) {
 
 void draw_row(InterfaceContext& context, int id) {
     const Document& document = context.workspace.document;
-    const BranchFacts& facts = context.workspace.facts()->branches[index_of(id)];
-    const tree::Branch& branch = document.tree()->branches[index_of(id)];
     const render::BranchState state = state_of(document.marks(), id);
     const bool lit = state == render::BranchState::kHighlighted;
     const bool faint = state == render::BranchState::kHidden;
@@ -192,11 +178,10 @@ void draw_row(InterfaceContext& context, int id) {
     if (!lit) ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) context.interface.listed = id;
     name_cell(context, id);
-    number_cell(std::to_string(branch.generation));
-    number_cell(std::to_string(branch.strahler));
-    number_cell(digits(facts.mean_diameter_mm));
-    number_cell(digits(facts.length_mm));
-    number_cell(grouped(static_cast<std::uint64_t>(facts.dependents)));
+    for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
+        const double value = row->value(*document.tree(), *context.workspace.facts(), id);
+        number_cell(row->whole ? grouped(static_cast<std::uint64_t>(value)) : digits(value));
+    }
     if (lit) ImGui::PopStyleColor();
     ImGui::PopID();
 }
@@ -270,6 +255,13 @@ void select_rows(InterfaceContext& context) {
     if (!words.empty()) context.perform("select", words);
 }
 
+std::string filter_examples() {
+    std::string text;
+    for (const QuantityRow& row : quantities())
+        if (!row.filter_example.empty()) text.append(text.empty() ? "" : ", ").append(row.filter_example);
+    return text;
+}
+
 void draw_filter(InterfaceContext& context) {
     BranchList& list = context.interface.list;
     const float scale = theme::scale();
@@ -285,8 +277,9 @@ void draw_filter(InterfaceContext& context) {
     if (!ImGui::IsItemActive())
         widgets::tooltip(
             wrong ? list.trouble.c_str()
-                  : "Conditions, all of which hold: d>3, len>=20, gen<5, strahler=1, deps>10, vol, dist, id; "
-                    "is:hidden, is:selected, is:leaf, is:named; words of a name. Enter selects.");
+                  : ("Conditions, all of which hold: " + filter_examples() +
+                     "; is:hidden, is:selected, is:leaf, is:named; words of a name. Enter selects.")
+                        .c_str());
     ImGui::SameLine(0.0F, 6.0F * scale);
     ImGui::BeginDisabled(list.rows.empty() || wrong);
     if (ImGui::Button(button.c_str(), {width, 0.0F}) || (entered && !wrong)) select_rows(context);
@@ -297,20 +290,20 @@ void draw_filter(InterfaceContext& context) {
 
 void set_up_columns(bool named, float width) {
     const float scale = theme::scale();
-    const auto column = [](const char* name, Column id, float weight, ImGuiTableColumnFlags flags = 0) {
+    const auto column = [](const char* name, ImGuiID id, float weight, ImGuiTableColumnFlags flags = 0) {
         ImGui::TableSetupColumn(name, flags | ImGuiTableColumnFlags_NoResize, weight, id);
     };
     const auto shown = [](bool is) { return is ? 0 : ImGuiTableColumnFlags_Disabled; };
     column("State", kMark, 8.0F * scale, ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort);
     column("Id", kId, 1.1F, ImGuiTableColumnFlags_DefaultSort);
     column("Name", kName, 1.9F, shown(named));
-    column("Gen", kGeneration, 0.85F);
-    // What a narrow panel has no room for.
-    column("Str", kStrahler, 0.7F, shown(width >= (named ? 330.0F : 250.0F) * scale));
-    column("\xC3\x98 mm", kDiameter, 1.1F, ImGuiTableColumnFlags_PreferSortDescending);
-    column("Length", kLength, 1.15F,
-           ImGuiTableColumnFlags_PreferSortDescending | shown(!named || width >= 290.0F * scale));
-    column("Deps", kDependents, 1.0F, ImGuiTableColumnFlags_PreferSortDescending);
+    ImGuiID id = kFirstQuantity;
+    for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
+        const float least = named ? row->list.least_width_named : row->list.least_width; // a narrow panel has no room
+        column(row->list.heading, id++, row->list.weight,
+               (row->list.largest_first ? ImGuiTableColumnFlags_PreferSortDescending : 0) |
+                   shown(width >= least * scale));
+    }
 }
 
 } // namespace
@@ -325,7 +318,7 @@ void draw_branch_list(InterfaceContext& context) {
     const float least = 8.0F * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 size(0.0F, std::max(least, ImGui::GetContentRegionAvail().y));
     const float width = ImGui::GetContentRegionAvail().x;
-    if (ImGui::BeginTable("branches", kColumns,
+    if (ImGui::BeginTable("branches", static_cast<int>(kFirstQuantity + rows_with(&QuantityRow::list).size()),
                           ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp |
                               ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX,
                           size)) {

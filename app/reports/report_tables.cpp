@@ -2,7 +2,9 @@
 
 #include "app/assets/assets.h"
 #include "app/session/labels.h"
+#include "app/session/quantity.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -25,10 +27,31 @@ private:
     std::vector<int> sources_;
 };
 
-const std::vector<Column> kDependents{{"dependent_branches", "Depend on it"},
-                                      {"dependent_length_mm", "their length, mm"},
-                                      {"dependent_volume_mm3", "volume, mm\xC2\xB3"},
-                                      {"dependent_leaves", "ends"}};
+// Of quantities that vary along a branch: mean, least and largest.
+void add_columns(std::vector<Column>& columns, const QuantityRow& row) {
+    const std::string name(row.report.name), heading(row.report.heading);
+    if (row.least == nullptr) {
+        columns.push_back({name, heading});
+        return;
+    }
+    columns.insert(columns.end(),
+                   {{"mean_" + name, heading}, {"least_" + name, "least"}, {"largest_" + name, "largest"}});
+}
+
+void add_cells(std::vector<Cell>& cells, const QuantityRow& row, const Document& document, int branch) {
+    const TreeFacts& facts = *document.facts();
+    cells.emplace_back(row.value(*document.tree(), facts, branch));
+    if (row.least == nullptr) return;
+    cells.emplace_back(row.least(facts, branch));
+    cells.emplace_back(row.largest(facts, branch));
+}
+
+// What depends on a branch: as add() gives it.
+void add_dependents(std::vector<Column>& columns) {
+    for (const Quantity quantity :
+         {Quantity::kDependents, Quantity::kDependentLength, Quantity::kDependentVolume, Quantity::kDependentLeaves})
+        add_columns(columns, row_of(quantity));
+}
 
 void add(std::vector<Cell>& row, const measure::Amount& amount) {
     row.insert(row.end(), {amount.branches, amount.length_mm, amount.volume_mm3, amount.leaves});
@@ -37,40 +60,24 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
 } // namespace
 
 Table selection_table(const Document& document, const Assets& assets) {
-    Table table{"Selection",
-                {{"branch", "Branch"},
-                 {"name", "Name"},
-                 {"mean_diameter_mm", "Diameter, mm"},
-                 {"least_diameter_mm", "least"},
-                 {"largest_diameter_mm", "largest"},
-                 {"length_mm", "Length, mm"},
-                 {"volume_mm3", "Volume, mm\xC2\xB3"},
-                 {"generation", "Generation"},
-                 {"strahler", "Strahler order"},
-                 {"state", "State"}},
-                {}};
-    table.columns.insert(table.columns.end(), kDependents.begin(), kDependents.end());
+    Table table{"Selection", {{"branch", "Branch"}, {"name", "Name"}}, {}};
+    const std::vector<const QuantityRow*> quantities = rows_with(&QuantityRow::report);
+    const auto behind =
+        std::ranges::find_if(quantities, [](const auto* row) { return row->report.order > kBeforeState; });
+    for (auto row = quantities.begin(); row != behind; ++row) add_columns(table.columns, **row);
+    table.columns.push_back({"state", "State"});
+    for (auto row = behind; row != quantities.end(); ++row) add_columns(table.columns, **row);
     const Plan& plan = *assets.plan;
     const bool lesions = !plan.lesion_distances_mm.empty();
     if (lesions) table.columns.push_back({"lesion_distance_mm", "To lesion, mm"});
     const Names names(document);
     for (const int id : document.marks().selection) {
-        const auto index = static_cast<std::size_t>(id);
-        const BranchFacts& facts = document.facts()->branches[index];
-        const tree::Branch& branch = document.tree()->branches[index];
-        std::vector<Cell> row{id,
-                              names.of(id),
-                              facts.mean_diameter_mm,
-                              facts.min_diameter_mm,
-                              facts.max_diameter_mm,
-                              facts.length_mm,
-                              facts.volume_mm3,
-                              branch.generation,
-                              branch.strahler,
-                              std::string(name_of(state_of(document.marks(), id)))};
-        add(row, document.facts()->dependents[index]);
-        if (lesions) row.emplace_back(plan.lesion_distances_mm[index]);
-        table.rows.push_back(std::move(row));
+        std::vector<Cell> cells{id, names.of(id)};
+        for (auto row = quantities.begin(); row != behind; ++row) add_cells(cells, **row, document, id);
+        cells.emplace_back(std::string(name_of(state_of(document.marks(), id))));
+        for (auto row = behind; row != quantities.end(); ++row) add_cells(cells, **row, document, id);
+        if (lesions) cells.emplace_back(plan.lesion_distances_mm[static_cast<std::size_t>(id)]);
+        table.rows.push_back(std::move(cells));
     }
     return table;
 }
@@ -115,7 +122,7 @@ Table bands_table(const Document& document, const Assets& assets) {
                  {"mean_diameter_mm", "Diameter, mm"},
                  {"lesion_distance_mm", "To lesion, mm"}},
                 {}};
-    table.columns.insert(table.columns.end(), kDependents.begin(), kDependents.end());
+    add_dependents(table.columns);
     const Names names(document);
     const Plan& plan = *assets.plan;
     for (const measure::Band& band : plan.bands)

@@ -1,5 +1,7 @@
 #include "app/session/branch_filter.h"
 
+#include "core/io/file_format.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,24 +12,6 @@
 namespace ramus::app {
 
 namespace {
-
-constexpr std::pair<std::string_view, BranchQuantity> kQuantities[] = {
-    {"id", BranchQuantity::kId},
-    {"gen", BranchQuantity::kGeneration},
-    {"generation", BranchQuantity::kGeneration},
-    {"str", BranchQuantity::kStrahler},
-    {"strahler", BranchQuantity::kStrahler},
-    {"d", BranchQuantity::kDiameter},
-    {"diameter", BranchQuantity::kDiameter},
-    {"len", BranchQuantity::kLength},
-    {"length", BranchQuantity::kLength},
-    {"deps", BranchQuantity::kDependents},
-    {"dependents", BranchQuantity::kDependents},
-    {"vol", BranchQuantity::kVolume},
-    {"volume", BranchQuantity::kVolume},
-    {"dist", BranchQuantity::kRootDistance},
-    {"distance", BranchQuantity::kRootDistance},
-};
 
 constexpr std::pair<std::string_view, BranchProperty> kProperties[] = {
     {"normal", BranchProperty::kNormal},       {"highlighted", BranchProperty::kHighlighted},
@@ -66,6 +50,14 @@ std::optional<double> number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
     return value;
+}
+
+// "d, len, gen or id"
+std::string quantity_names() {
+    std::vector<std::string_view> names;
+    for (const QuantityRow& row : quantities())
+        if (!row.filter_names.empty()) names.push_back(row.filter_names.front());
+    return io::listed(names);
 }
 
 class Parser {
@@ -128,9 +120,9 @@ private:
     }
 
     Result<BranchCondition> quantity_condition(const std::string& word, Relation comparison) {
-        if (word.empty()) return fail("what shall be compared?", {}, "d, len, gen, strahler, deps, vol, dist or id");
-        const auto quantity = named(kQuantities, word);
-        if (!quantity) return fail("\"" + word + "\" is not known", {}, "d, len, gen, strahler, deps, vol, dist or id");
+        if (word.empty()) return fail("what shall be compared?", {}, quantity_names());
+        const auto quantity = filtered_quantity(word);
+        if (!quantity) return fail("\"" + word + "\" is not known", {}, quantity_names());
         skip_blanks();
         std::string value = lower(take_word());
         const auto is_unit = [](std::string_view unit) {
@@ -178,11 +170,6 @@ bool holds(double value, Relation comparison, double wanted, double precision) {
     return false;
 }
 
-bool is_whole(BranchQuantity quantity) {
-    return quantity == BranchQuantity::kId || quantity == BranchQuantity::kGeneration ||
-           quantity == BranchQuantity::kStrahler || quantity == BranchQuantity::kDependents;
-}
-
 bool has(BranchProperty property, const tree::VesselTree& tree, const Marks& marks, int id, int source) {
     using render::BranchState;
     switch (property) {
@@ -208,30 +195,6 @@ bool has(BranchProperty property, const tree::VesselTree& tree, const Marks& mar
 
 Result<BranchFilter> parse_branch_filter(std::string_view text) { return Parser(text).parse(); }
 
-double value_of(BranchQuantity quantity, const tree::VesselTree& tree, const TreeFacts& facts, int id) {
-    const auto index = static_cast<std::size_t>(id);
-    const BranchFacts& own = facts.branches[index];
-    switch (quantity) {
-    case BranchQuantity::kId:
-        return id;
-    case BranchQuantity::kGeneration:
-        return tree.branches[index].generation;
-    case BranchQuantity::kStrahler:
-        return tree.branches[index].strahler;
-    case BranchQuantity::kDiameter:
-        return own.mean_diameter_mm;
-    case BranchQuantity::kLength:
-        return own.length_mm;
-    case BranchQuantity::kDependents:
-        return own.dependents;
-    case BranchQuantity::kVolume:
-        return own.volume_mm3;
-    case BranchQuantity::kRootDistance:
-        return own.root_distance_mm;
-    }
-    return 0.0;
-}
-
 std::vector<int> branches_passing(const BranchFilter& filter, const tree::VesselTree& tree, const TreeFacts& facts,
                                   const Marks& marks) {
     const std::vector<int> sources = label_sources(facts.dependency, marks.names);
@@ -243,7 +206,7 @@ std::vector<int> branches_passing(const BranchFilter& filter, const tree::Vessel
         case BranchCondition::Kind::kQuantity: {
             const double value = value_of(condition.quantity, tree, facts, id);
             return holds(value, condition.comparison, condition.value,
-                         is_whole(condition.quantity) ? 0.0 : kShownPrecision);
+                         row_of(condition.quantity).whole ? 0.0 : kShownPrecision);
         }
         case BranchCondition::Kind::kProperty:
             return has(condition.property, tree, marks, id, source);

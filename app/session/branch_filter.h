@@ -9,8 +9,8 @@
 // Parsing is pure and total: it gives a filter or says what is wrong with the text.
 #pragma once
 
-#include "app/session/branch_facts.h"
 #include "app/session/labels.h"
+#include "app/session/quantity.h"
 #include "app/session/session.h"
 #include "core/base/error.h"
 
@@ -20,14 +20,13 @@
 
 namespace ramus::app {
 
-enum class BranchQuantity { kId, kGeneration, kStrahler, kDiameter, kLength, kDependents, kVolume, kRootDistance };
 enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
 enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
 
 struct BranchCondition {
     enum class Kind { kQuantity, kProperty, kText };
     Kind kind = Kind::kText;
-    BranchQuantity quantity = BranchQuantity::kId;
+    Quantity quantity = Quantity::kId;
     Relation comparison = Relation::kEqual;
     double value = 0.0;
     BranchProperty property = BranchProperty::kNormal;
@@ -38,8 +37,6 @@ struct BranchCondition {
 using BranchFilter = std::vector<BranchCondition>; // empty: every branch passes
 
 [[nodiscard]] Result<BranchFilter> parse_branch_filter(std::string_view text);
-
-[[nodiscard]] double value_of(BranchQuantity quantity, const tree::VesselTree& tree, const TreeFacts& facts, int id);
 
 // The branches that pass, ascending. Linear.
 [[nodiscard]] std::vector<int> branches_passing(const BranchFilter& filter, const tree::VesselTree& tree,
