@@ -1,7 +1,7 @@
 // Where the camera goes by itself: to a branch, to a place, or along the vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
     } else {
         const auto id = branch_id(context.document, arguments[0]);
         if (!id) return tl::unexpected(id.error());
-        target = measure::place_on(*context.document.tree(), *id, 0.5).position;
+        target = measure::point_on(*context.document.tree(), *id, 0.5).position;
     }
     context.document.set_camera(render::centred_on(context.document.session().camera, target));
     context.host.camera_leapt();

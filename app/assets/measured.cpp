@@ -2,7 +2,7 @@
 
 #include "app/assets/ring.h"
 #include "app/session/numbers.h"
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 #include "core/measure/tree_measure.h"
 
 #include <cmath>
@@ -64,7 +64,7 @@ Result<Measured> path(const tree::VesselTree& tree, const Measurement& m) {
 }
 
 Measured diameter(const tree::VesselTree& tree, const Measurement& m) {
-    const measure::BranchPlace place = measure::place_on(tree, m.branches[0], m.fraction);
+    const measure::BranchPoint place = measure::point_on(tree, m.branches[0], m.fraction);
     Measured found{.kind = "Diameter",
                    .what = branch_text(m.branches[0]) + " at " + digits(100.0 * m.fraction, 3) + " %",
                    .value = 2.0 * place.radius_mm,
@@ -101,7 +101,7 @@ Result<Measured> angle(const tree::VesselTree& tree, const Measurement& m) {
     }
     for (const auto& [sibling, degrees] : siblings)
         found.details.emplace_back("to " + branch_text(sibling), digits(degrees) + "\xC2\xB0");
-    const double reach = 6.0 * measure::place_on(tree, id, 0.0).radius_mm;
+    const double reach = 6.0 * measure::point_on(tree, id, 0.0).radius_mm;
     found.lines = {{branching.place + reach * own, branching.place, branching.place + reach * other}};
     found.label = digits(found.value) + "\xB0";
     found.label_place = branching.place + 0.7 * reach * own;

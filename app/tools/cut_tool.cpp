@@ -2,7 +2,7 @@
 
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ ToolDrawing CutTool::drawing(const Pointing& pointing) const {
     if (!on_tree(pointing, under_)) return drawing;
     const tree::VesselTree& tree = *pointing.document.tree();
     const double fraction = measure::nearest_fraction(tree, under_.branch, under_.position);
-    const measure::BranchPlace place = measure::place_on(tree, under_.branch, fraction);
+    const measure::BranchPoint place = measure::point_on(tree, under_.branch, fraction);
     const glm::dvec3 aside = std::abs(place.direction.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(place.direction, aside));
     const glm::dvec3 v = glm::cross(place.direction, u);

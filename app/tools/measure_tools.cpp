@@ -2,7 +2,7 @@
 
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/measure/cuts.h"
 
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 #include "core/tree/network.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ CutReport cut_report(const tree::VesselTree& tree, const tree::Dependency& depen
     for (const auto& [branch, where] : cuts) {
         const auto b = static_cast<std::size_t>(branch);
         CutFigures figures;
-        figures.diameter_mm = 2.0 * place_on(tree, branch, where).radius_mm;
+        figures.diameter_mm = 2.0 * point_on(tree, branch, where).radius_mm;
         figures.reconstruct = figures.diameter_mm > reconstruct_mm;
         if (dependency.is_bridge(branch)) {
             figures.lost = dependents[b];

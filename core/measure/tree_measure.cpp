@@ -1,7 +1,7 @@
 #include "core/measure/tree_measure.h"
 
 #include "core/base/infinity.h"
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 #include "core/tree/network.h"
 
 #include <algorithm>
@@ -19,14 +19,14 @@ namespace {
 void append_places(const tree::VesselTree& tree, int branch, double from, double to, std::vector<glm::dvec3>& places) {
     const auto& points = tree.branches[static_cast<std::size_t>(branch)].points;
     const double length = tree::length_mm(tree, tree.branches[static_cast<std::size_t>(branch)]);
-    std::vector<glm::dvec3> way{place_on(tree, branch, std::min(from, to)).position};
+    std::vector<glm::dvec3> way{point_on(tree, branch, std::min(from, to)).position};
     double before = 0.0;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         before += glm::distance(tree.points[points[i - 1]].position, tree.points[points[i]].position);
         if (before > std::min(from, to) * length && before < std::max(from, to) * length)
             way.push_back(tree.points[points[i]].position);
     }
-    way.push_back(place_on(tree, branch, std::max(from, to)).position);
+    way.push_back(point_on(tree, branch, std::max(from, to)).position);
     if (from > to) std::ranges::reverse(way);
     for (const glm::dvec3& place : way)
         if (places.empty() || places.back() != place) places.push_back(place);
@@ -44,11 +44,11 @@ glm::dvec3 chord(const tree::VesselTree& tree, int branch, bool from_end) {
     const tree::Point& node = tree.points[from_end ? whole.points.back() : whole.points.front()];
     const double length = tree::length_mm(tree, whole);
     const double share = std::min(kChordDiameters * 2.0 * node.radius / length, 1.0);
-    const BranchPlace place = place_on(tree, branch, from_end ? 1.0 - share : share);
+    const BranchPoint place = point_on(tree, branch, from_end ? 1.0 - share : share);
     const glm::dvec3 way = place.position - node.position;
     const double far = glm::length(way);
     if (far > 1e-9 * length) return way / far;
-    return from_end ? -place_on(tree, branch, 1.0).direction : place_on(tree, branch, 0.0).direction; // a ring
+    return from_end ? -point_on(tree, branch, 1.0).direction : point_on(tree, branch, 0.0).direction; // a ring
 }
 
 } // namespace
@@ -57,7 +57,7 @@ std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to)
     Path path;
     path.branches = {from};
     if (from == to) {
-        path.places = {place_on(tree, from, 0.5).position};
+        path.places = {point_on(tree, from, 0.5).position};
         return path;
     }
     const tree::Network network(tree);

@@ -1,5 +1,5 @@
 // What people measure on a tree: ways along the vessels, angles where they branch. Straight distances and diameters at
-// a place are in core/measure/branch_place.h. mm and degrees.
+// a place are in core/measure/branch_point.h. mm and degrees.
 #pragma once
 
 #include "core/tree/vessel_tree.h"

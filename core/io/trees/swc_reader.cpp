@@ -13,10 +13,15 @@ namespace {
 struct Row {
     long long id = 0;
     long long parent = 0;
+    int type = 0;
+    tree::Point point;
     std::size_t line = 0;
 };
 
-struct Line {
+constexpr const char* kLayout = "a line is: id type x y z radius parent";
+
+// The columns of one line, without its comment.
+struct Fields {
     std::vector<std::string_view> fields;
 
     void split(std::string_view text) {
@@ -56,6 +61,58 @@ std::string quoted(std::string_view text) {
 }
 
 bool looks_binary(std::string_view text) { return text.substr(0, 4096).find('\0') != std::string_view::npos; }
+
+// `content`: the line that `fields` are of; `where`: the file and the line's number.
+Result<Row> row_of(const std::vector<std::string_view>& fields, std::string_view content, const std::string& where) {
+    if (fields.size() < 7) return fail("expected 7 columns, found " + std::to_string(fields.size()), where, kLayout);
+    // Some programs add columns of their own, but a comma in one too many is more likely half a number.
+    if (fields.size() > 7 && content.substr(0, content.find('#')).find(',') != std::string_view::npos)
+        return fail("expected 7 columns, found " + std::to_string(fields.size()) + " columns between commas", where,
+                    std::string(kLayout) + "; numbers take a decimal point");
+    const auto id = to_whole(fields[0]);
+    const auto type = to_whole(fields[1]);
+    const auto parent = to_whole(fields[6]);
+    if (!id || *id < 0) return fail("the id " + quoted(fields[0]) + " is not a whole number from 0", where, kLayout);
+    if (!type || std::abs(*type) > 2147483647LL)
+        return fail("the type " + quoted(fields[1]) + " is not a whole number", where, kLayout);
+    if (!parent) return fail("the parent " + quoted(fields[6]) + " is not a whole number", where, kLayout);
+    Row row{*id, *parent, static_cast<int>(*type), {}, 0};
+    constexpr const char* kNames[4] = {"x", "y", "z", "radius"};
+    for (std::size_t column = 0; column < 4; ++column) {
+        const std::string_view field = fields[2 + column];
+        const auto value = to_real(field);
+        const bool is_radius = column == 3;
+        const std::string named = std::string("the ") + kNames[column] + " " + quoted(field);
+        if (!value) return fail(named + " is not a number", where, kLayout);
+        if (!std::isfinite(*value))
+            return fail(named + " is not finite", where,
+                        is_radius ? "write a positive radius" : "correct or remove the point");
+        (is_radius ? row.point.radius : row.point.position[static_cast<int>(column)]) = *value;
+    }
+    return row;
+}
+
+// All points of the file, in its order.
+Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name) {
+    std::vector<Row> rows;
+    Fields line;
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = text.find_first_of("\r\n", at); // a lone CR ends a line too: old Macintosh files
+        if (end == std::string_view::npos) end = text.size();
+        const std::string_view content = text.substr(at, end - at);
+        at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+        ++number;
+        line.split(content);
+        if (line.fields.empty()) continue;
+        auto row = row_of(line.fields, content, name + ":" + std::to_string(number));
+        if (!row) return tl::unexpected(row.error());
+        row->line = number;
+        rows.push_back(*row);
+    }
+    if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
+    return rows;
+}
 
 // Parents by id, and the check that following them ends at a root.
 class ParentFinder {
@@ -100,71 +157,18 @@ std::optional<std::uint32_t> find_cycle(const std::vector<std::uint32_t>& parent
     return std::nullopt;
 }
 
-} // namespace
-
-Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& name, const ReadOptions& options) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    if (text.empty()) return fail("the file is empty", name, "choose another file");
-    if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
-
+// Points, labels, roots, and edges from every parent. `line_of(point)` says where a point stands.
+template <class LineOf> Result<tree::Graph> graph_of(const std::vector<Row>& rows, const LineOf& line_of) {
     tree::Graph graph;
-    std::vector<Row> rows;
-    Line line;
-    std::size_t number = 0;
-    const auto here = [&] { return name + ":" + std::to_string(number); };
-    for (std::size_t at = 0; at < text.size();) {
-        std::size_t end = text.find_first_of("\r\n", at); // a lone CR ends a line too: old Macintosh files
-        if (end == std::string_view::npos) end = text.size();
-        const std::string_view content = text.substr(at, end - at);
-        at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
-        ++number;
-        line.split(content);
-        if (line.fields.empty()) continue;
-        const char* layout = "a line is: id type x y z radius parent";
-        if (line.fields.size() < 7)
-            return fail("expected 7 columns, found " + std::to_string(line.fields.size()), here(), layout);
-        // Some programs add columns of their own, but a comma in one too many is more likely half a number.
-        if (line.fields.size() > 7 && content.substr(0, content.find('#')).find(',') != std::string_view::npos)
-            return fail("expected 7 columns, found " + std::to_string(line.fields.size()) + " columns between commas",
-                        here(), std::string(layout) + "; numbers take a decimal point");
-        Row row;
-        row.line = number;
-        const auto id = to_whole(line.fields[0]);
-        const auto type = to_whole(line.fields[1]);
-        const auto parent = to_whole(line.fields[6]);
-        if (!id || *id < 0)
-            return fail("the id " + quoted(line.fields[0]) + " is not a whole number from 0", here(), layout);
-        if (!type || std::abs(*type) > 2147483647LL)
-            return fail("the type " + quoted(line.fields[1]) + " is not a whole number", here(), layout);
-        if (!parent) return fail("the parent " + quoted(line.fields[6]) + " is not a whole number", here(), layout);
-        row.id = *id;
-        row.parent = *parent;
-        tree::Point point;
-        constexpr const char* kNames[4] = {"x", "y", "z", "radius"};
-        for (std::size_t column = 0; column < 4; ++column) {
-            const std::string_view field = line.fields[2 + column];
-            const auto value = to_real(field);
-            const bool is_radius = column == 3;
-            if (!value)
-                return fail(std::string("the ") + kNames[column] + " " + quoted(field) + " is not a number", here(),
-                            layout);
-            if (!std::isfinite(*value))
-                return fail(std::string("the ") + kNames[column] + " " + quoted(field) + " is not finite", here(),
-                            is_radius ? "write a positive radius" : "correct or remove the point");
-            (is_radius ? point.radius : point.position[static_cast<int>(column)]) = *value;
-        }
-        rows.push_back(row);
-        graph.points.push_back(point);
-        graph.labels.push_back(static_cast<int>(*type));
+    for (const Row& row : rows) {
+        graph.points.push_back(row.point);
+        graph.labels.push_back(row.type);
     }
-    if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
-
-    const auto place = [&](std::uint32_t point) { return name + ":" + std::to_string(rows[point].line); };
     const ParentFinder finder(rows);
     if (const auto twins = finder.duplicate())
         return fail("id " + std::to_string(rows[twins->second].id) + " was given before, in line " +
                         std::to_string(rows[twins->first].line),
-                    place(twins->second), "give every point its own id");
+                    line_of(twins->second), "give every point its own id");
     constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     std::vector<std::uint32_t> parents(rows.size(), kNone);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
@@ -174,16 +178,30 @@ Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& nam
         }
         const auto parent = finder.find(rows[i].parent);
         if (!parent)
-            return fail("parent " + std::to_string(rows[i].parent) + " does not exist", place(i),
+            return fail("parent " + std::to_string(rows[i].parent) + " does not exist", line_of(i),
                         "name an existing id, or -1 for a root");
         parents[i] = *parent;
         graph.edges.emplace_back(*parent, i);
     }
     if (const auto on_cycle = find_cycle(parents, kNone))
         return fail("following the parents of point " + std::to_string(rows[*on_cycle].id) + " leads back to it",
-                    place(*on_cycle), "break the cycle: one of its points needs parent -1 or another parent");
-    if (rows.size() == 1) return fail("the tree has a single point", place(0), "a vessel needs two points at least");
-    return tree::build_tree(std::move(graph), options.repair, place);
+                    line_of(*on_cycle), "break the cycle: one of its points needs parent -1 or another parent");
+    return graph;
+}
+
+} // namespace
+
+Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& name, const ReadOptions& options) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (text.empty()) return fail("the file is empty", name, "choose another file");
+    if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
+    auto rows = rows_of(text, name);
+    if (!rows) return tl::unexpected(rows.error());
+    const auto line_of = [&](std::uint32_t point) { return name + ":" + std::to_string((*rows)[point].line); };
+    auto graph = graph_of(*rows, line_of);
+    if (!graph) return tl::unexpected(graph.error());
+    if (rows->size() == 1) return fail("the tree has a single point", line_of(0), "a vessel needs two points at least");
+    return tree::build_tree(std::move(*graph), options.repair, line_of);
 }
 
 } // namespace ramus::io

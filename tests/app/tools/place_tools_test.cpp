@@ -2,7 +2,7 @@
 #include "app/tools/cut_tool.h"
 #include "app/tools/lesion_tool.h"
 #include "app/tools/measure_tools.h"
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 #include "core/tree/build_tree.h"
 
 #include <cmath>
@@ -172,7 +172,7 @@ TEST_CASE("the measuring tools take one place or two") {
 TEST_CASE("the nearest fraction is where a place on the centerline lies") {
     const ToolStage stage;
     for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
-        const auto place = measure::place_on(*stage.document.tree(), 0, fraction);
+        const auto place = measure::point_on(*stage.document.tree(), 0, fraction);
         CHECK(measure::nearest_fraction(*stage.document.tree(), 0, place.position) == doctest::Approx(fraction));
         CHECK(measure::nearest_fraction(*stage.document.tree(), 0, place.position + glm::dvec3(2, -1, 0)) ==
               doctest::Approx(fraction));

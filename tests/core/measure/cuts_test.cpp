@@ -1,4 +1,4 @@
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 #include "core/measure/cuts.h"
 #include "core/measure/tree_measure.h"
 #include "core/tree/build_tree.h"
@@ -55,16 +55,16 @@ double cylinder(double r, double length) { return std::numbers::pi * r * r * len
 TEST_CASE("places along a branch go by length, radii are linear between points") {
     const VesselTree tree = built({{{0, 0, 0}, 4}, {{0, 0, 6}, 1}, {{0, 2, 6}, 2}}, {{0, 1}, {1, 2}});
     REQUIRE(tree.branches.size() == 1);
-    const auto middle = measure::place_on(tree, 0, 0.5); // 4 of 8 mm
+    const auto middle = measure::point_on(tree, 0, 0.5); // 4 of 8 mm
     CHECK(middle.position.z == doctest::Approx(4.0));
     CHECK(middle.radius_mm == doctest::Approx(2.0));
     CHECK(middle.direction == glm::dvec3(0.0, 0.0, 1.0));
-    const auto late = measure::place_on(tree, 0, 0.875); // 7 mm: half of the second segment
+    const auto late = measure::point_on(tree, 0, 0.875); // 7 mm: half of the second segment
     CHECK(late.position.y == doctest::Approx(1.0));
     CHECK(late.radius_mm == doctest::Approx(1.5));
     CHECK(late.direction.y == doctest::Approx(1.0));
-    CHECK(measure::place_on(tree, 0, -1.0).position == glm::dvec3(0.0));
-    CHECK(measure::place_on(tree, 0, 9.0).radius_mm == doctest::Approx(2.0));
+    CHECK(measure::point_on(tree, 0, -1.0).position == glm::dvec3(0.0));
+    CHECK(measure::point_on(tree, 0, 9.0).radius_mm == doctest::Approx(2.0));
 
     // The part from 2 to 7 mm: cones of radii 3 to 1 over 4 mm and 1 to 1.5 over 1 mm.
     const auto part = measure::part_of(tree, 0, 0.25, 0.875);
@@ -201,8 +201,8 @@ TEST_CASE("ways go along centerlines, from middle to middle, and take the shorte
     double along = 0.0;
     for (std::size_t i = 1; i < far->places.size(); ++i) along += glm::distance(far->places[i - 1], far->places[i]);
     CHECK(along == doctest::Approx(far->length_mm));
-    CHECK(far->places.front() == measure::place_on(tree, 4, 0.5).position);
-    CHECK(far->places.back() == measure::place_on(tree, 2, 0.5).position);
+    CHECK(far->places.front() == measure::point_on(tree, 4, 0.5).position);
+    CHECK(far->places.back() == measure::point_on(tree, 2, 0.5).position);
 
     // Two ways of 4 and 16 mm between the same nodes, with a stem and a tail of 2 mm.
     const VesselTree ring =

@@ -1,4 +1,4 @@
-// Places along a branch's centerline: what the vessel is like at a fraction of its length, and how much of it lies
+// Points along a branch's centerline: what the vessel is like at a fraction of its length, and how much of it lies
 // between two fractions. Fractions run from 0 at the parent's end to 1, by length; radii are linear between the points,
 // volumes those of the truncated cones between them. mm, mm3.
 #pragma once
@@ -9,14 +9,15 @@
 
 namespace ramus::measure {
 
-struct BranchPlace {
+// The centerline at one point of it.
+struct BranchPoint {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, 0.0, 1.0}; // of the segment there, outward, unit length
     double radius_mm = 0.0;
 };
 
 // `fraction` outside 0 to 1 means the nearer end.
-[[nodiscard]] BranchPlace place_on(const tree::VesselTree& tree, int branch, double fraction);
+[[nodiscard]] BranchPoint point_on(const tree::VesselTree& tree, int branch, double fraction);
 
 // The fraction at which the centerline of a branch is nearest to a point.
 [[nodiscard]] double nearest_fraction(const tree::VesselTree& tree, int branch, const glm::dvec3& point);

@@ -1,4 +1,4 @@
-#include "core/measure/branch_place.h"
+#include "core/measure/branch_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace ramus::measure {
 
-BranchPlace place_on(const tree::VesselTree& tree, int branch, double fraction) {
+BranchPoint point_on(const tree::VesselTree& tree, int branch, double fraction) {
     const auto& points = tree.branches[static_cast<std::size_t>(branch)].points;
     const double wanted =
         std::clamp(fraction, 0.0, 1.0) * tree::length_mm(tree, tree.branches[static_cast<std::size_t>(branch)]);
