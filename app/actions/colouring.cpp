@@ -1,6 +1,7 @@
 // What colours say.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "core/io/file_format.h"
 
 #include <algorithm>
 
@@ -15,9 +16,12 @@ std::string all_names(const auto& things) {
 }
 
 Result<void> colour_by(ActionContext& context, Arguments arguments) {
-    const auto found = std::ranges::find_if(
-        kColourings, [&](ColourBy quantity) { return arguments.size() == 1 && name_of(quantity) == arguments[0]; });
-    if (found == kColourings.end()) return fail("colour-by takes a quantity", {}, "one of " + all_names(kColourings));
+    const auto found = arguments.size() == 1 ? colouring_named(arguments[0]) : std::nullopt;
+    if (!found) {
+        std::string names;
+        for (const ColouringRow& row : colourings()) names.append(names.empty() ? "" : ", ").append(row.key);
+        return fail("colour-by takes a quantity", {}, "one of " + names);
+    }
     Marks next = context.document.marks();
     next.colour_by = *found;
     context.document.change(std::move(next));
@@ -34,14 +38,13 @@ Result<void> colour_map(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-template <ColourBy quantity> bool colours_by(const Document& document) {
-    return document.marks().colour_by == quantity;
-}
 template <ColourMap map> bool colours_with(const Document& document) { return document.marks().colour_map == map; }
 
-template <ColourBy quantity> Command quantity_entry(const char* label, const char* help) {
-    return {"colour-by", "QUANTITY",          help, "Colour", label, {}, colour_by, {std::string(name_of(quantity))},
-            has_tree,    colours_by<quantity>};
+Command colouring_entry(const ColouringRow& row) {
+    Command entry{"colour-by", "QUANTITY", std::string(row.help),  "Colour", std::string(row.label),
+                  {},          colour_by,  {std::string(row.key)}, has_tree};
+    entry.checked = [by = row.by](const Document& document) { return document.marks().colour_by == by; };
+    return entry;
 }
 
 template <ColourMap map> Command map_entry(const char* label) {
@@ -60,29 +63,19 @@ template <ColourMap map> Command map_entry(const char* label) {
 } // namespace
 
 std::vector<Command> colour_commands() {
-    return {
-        {"colour-by",
-         "QUANTITY",
-         "Colours by nothing, state, generation, strahler, diameter, root-distance, lesion, label or branch.",
-         "",
-         "",
-         {},
-         colour_by},
-        quantity_entry<ColourBy::kNothing>("One colour", "One colour for the whole tree."),
-        quantity_entry<ColourBy::kState>("State", "Explains what is highlighted, defocused, selected and lost."),
-        quantity_entry<ColourBy::kGeneration>("Generation", "Colours by the number of branchings from the root."),
-        quantity_entry<ColourBy::kStrahler>("Strahler order", "Colours by Strahler order: 1 at the leaves."),
-        quantity_entry<ColourBy::kDiameter>("Diameter", "Colours every place by how wide the vessel is there."),
-        quantity_entry<ColourBy::kRootDistance>("Distance from root",
-                                                "Colours every place by its way from the root along the vessels."),
-        quantity_entry<ColourBy::kLesion>("Distance to lesion", "Colours the margins around the lesions."),
-        quantity_entry<ColourBy::kLabel>("Names", "Colours named branches and what depends on them."),
-        quantity_entry<ColourBy::kBranch>("Branch", "Tells neighbouring branches apart."),
+    std::vector<std::string_view> keys;
+    for (const ColouringRow& row : colourings()) keys.push_back(row.key);
+    std::vector<Command> commands = {
+        {"colour-by", "QUANTITY", "Colours by " + io::listed(keys) + ".", "", "", {}, colour_by}};
+    for (const ColouringRow& row : colourings()) commands.push_back(colouring_entry(row));
+    const std::vector<Command> maps = {
         {"colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", "", "", {}, colour_map},
         map_entry<ColourMap::kViridis>("Viridis"),
         map_entry<ColourMap::kCividis>("Cividis"),
         map_entry<ColourMap::kMagma>("Magma"),
     };
+    commands.insert(commands.end(), maps.begin(), maps.end());
+    return commands;
 }
 
 } // namespace ramus::app::actions

@@ -13,6 +13,7 @@
 #include "render/renderer/renderer.h"
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -96,7 +97,7 @@ struct Command {
     Result<void> (*action)(ActionContext&, Arguments) = nullptr;
     std::vector<std::string> preset{};                             // arguments that the menu and the keys give
     bool (*enabled)(const Document&) = nullptr;                    // null: always
-    bool (*checked)(const Document&) = nullptr;                    // null: not a switch
+    std::function<bool(const Document&)> checked{};                // null: not a switch
     bool (*in_use)(Host&, const Command&) = nullptr;               // a switch of the interface, not of the document
     std::string (*label_now)(const Document&) = nullptr;           // the label, when it depends on the document
     [[nodiscard]] bool scripted() const { return preset.empty(); } // false: an entry that gives arguments to another

@@ -60,7 +60,7 @@ std::vector<double> round_numbers(double low, double high, bool logarithmic) {
     return found;
 }
 
-Legend bar_legend(const char* title, ColourMap map, double low, double high, bool logarithmic) {
+Legend bar_legend(const std::string& title, ColourMap map, double low, double high, bool logarithmic) {
     Legend legend;
     legend.title = title;
     legend.bar = ramp_of(map);
@@ -75,22 +75,34 @@ Legend bar_legend(const char* title, ColourMap map, double low, double high, boo
 }
 
 // Whole numbers: each its swatch while they are few.
-void colour_by_count(Colouring& colouring, const std::vector<int>& values, ColourMap map, const char* title) {
-    if (values.empty()) return;
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const auto share = [&](int v) { return *most > *least ? double(v - *least) / double(*most - *least) : 0.5; };
-    for (const int v : values) colouring.branches.push_back(colour_at(map, share(v)));
+void colour_by_count(Colouring& colouring, const std::vector<double>& values, ColourMap map, const std::string& title) {
+    const auto [least, most] = std::ranges::minmax(values);
+    const auto share = [least = least, most = most](double v) {
+        return most > least ? (v - least) / (most - least) : 0.5;
+    };
+    for (const double v : values) colouring.branches.push_back(colour_at(map, share(v)));
     constexpr int kFew = 9;
-    if (*most - *least >= kFew) {
-        colouring.legend = bar_legend(title, map, *least, *most, false);
+    if (most - least >= kFew) {
+        colouring.legend = bar_legend(title, map, least, most, false);
         return;
     }
     colouring.legend.title = title;
-    for (int v = *most; v >= *least; --v)
+    for (int v = static_cast<int>(most); v >= static_cast<int>(least); --v)
         colouring.legend.swatches.push_back({colour_at(map, share(v)), std::to_string(v)});
 }
 
-void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, ColourMap map) {
+void colour_by_measure(Colouring& colouring, const std::vector<double>& values, ColourMap map, const std::string& title,
+                       bool logarithmic) {
+    const auto [low, high] = std::ranges::minmax(values);
+    const bool by_ratio = logarithmic && low > 0.0;
+    for (const double v : values)
+        colouring.branches.push_back(colour_at(map, !(high > low) ? 0.5
+                                                    : by_ratio    ? std::log(v / low) / std::log(high / low)
+                                                                  : (v - low) / (high - low)));
+    colouring.legend = bar_legend(title, map, low, high, by_ratio);
+}
+
+void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, ColourMap map, const std::string& title) {
     double low = 1e300, high = 0.0;
     for (const tree::Branch& branch : tree.branches)
         for (const auto point : branch.points) {
@@ -102,12 +114,13 @@ void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, Colo
         const double share = high > low ? std::log(mean_diameter(tree, branch) / low) / std::log(high / low) : 0.5;
         colouring.branches.push_back(colour_at(map, share));
     }
-    colouring.legend = bar_legend("Diameter (mm)", map, low, high, true);
+    colouring.legend = bar_legend(title, map, low, high, true);
     colouring.scale = {render::ColourScale::Value::kDiameter, static_cast<float>(low), static_cast<float>(high), true,
                        ramp_of(map)};
 }
 
-void colour_by_root_distance(Colouring& colouring, const tree::VesselTree& tree, ColourMap map) {
+void colour_by_root_distance(Colouring& colouring, const tree::VesselTree& tree, ColourMap map,
+                             const std::string& title) {
     std::vector<double> begin(tree.branches.size(), 0.0), length(tree.branches.size(), 0.0);
     std::vector<int> order; // parents before children
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
@@ -127,9 +140,22 @@ void colour_by_root_distance(Colouring& colouring, const tree::VesselTree& tree,
     if (!(farthest > 0.0)) return;
     for (std::size_t id = 0; id < begin.size(); ++id)
         colouring.branches.push_back(colour_at(map, (begin[id] + 0.5 * length[id]) / farthest));
-    colouring.legend = bar_legend("Distance from root (mm)", map, 0.0, farthest, false);
+    colouring.legend = bar_legend(title, map, 0.0, farthest, false);
     colouring.scale = {render::ColourScale::Value::kRootDistance, 0.0F, static_cast<float>(farthest), false,
                        ramp_of(map)};
+}
+
+// What the shaders know along a branch has colours of its own; every other quantity one colour for each branch.
+void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree::VesselTree& tree,
+                        const TreeFacts& facts, ColourMap map) {
+    const std::string title = std::string(row.label) + (row.unit.empty() ? "" : " (" + std::string(row.unit) + ")");
+    if (row.quantity == Quantity::kDiameter) return colour_by_diameter(colouring, tree, map, title);
+    if (row.quantity == Quantity::kRootDistance) return colour_by_root_distance(colouring, tree, map, title);
+    if (tree.branches.empty()) return;
+    std::vector<double> values;
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) values.push_back(row.value(tree, facts, id));
+    if (row.whole) return colour_by_count(colouring, values, map, title);
+    colour_by_measure(colouring, values, map, title, row.colours.logarithmic);
 }
 
 void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan, std::size_t branches) {
@@ -212,28 +238,16 @@ std::string latin1(const std::string& utf8) {
     return text;
 }
 
-Colouring colouring_of(const tree::VesselTree& tree, const Marks& marks, const Plan* plan) {
+Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks, const Plan* plan) {
     Colouring colouring;
-    std::vector<int> values;
-    switch (marks.colour_by) {
+    switch (marks.colour_by.kind) {
     case ColourBy::kNothing:
         return colouring;
     case ColourBy::kState:
         explain_states(colouring, marks, tree.branches.size());
         break;
-    case ColourBy::kGeneration:
-        for (const tree::Branch& branch : tree.branches) values.push_back(branch.generation);
-        colour_by_count(colouring, values, marks.colour_map, "Generation");
-        break;
-    case ColourBy::kStrahler:
-        for (const tree::Branch& branch : tree.branches) values.push_back(branch.strahler);
-        colour_by_count(colouring, values, marks.colour_map, "Strahler order");
-        break;
-    case ColourBy::kDiameter:
-        colour_by_diameter(colouring, tree, marks.colour_map);
-        break;
-    case ColourBy::kRootDistance:
-        colour_by_root_distance(colouring, tree, marks.colour_map);
+    case ColourBy::kQuantity:
+        colour_by_quantity(colouring, row_of(marks.colour_by.quantity), tree, facts, marks.colour_map);
         break;
     case ColourBy::kLesion:
         colour_by_lesion(colouring, marks, plan, tree.branches.size());

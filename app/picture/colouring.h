@@ -18,8 +18,9 @@ struct Colouring {
     render::Legend legend;           // without a title when there is nothing to explain
 };
 
-// `plan`: of the same marks (Assets::plan); null: as without lesions and cuts.
-[[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const Marks& marks, const Plan* plan);
+// `facts` of the tree; `plan`: of the same marks (Assets::plan); null: as without lesions and cuts.
+[[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks,
+                                     const Plan* plan);
 
 // The colour of a margin around lesions, the innermost first; beyond all of them.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);

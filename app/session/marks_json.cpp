@@ -79,9 +79,8 @@ void read_options(const json& value, Marks& marks) {
     }
     if (value.contains("colour_by")) {
         const std::string wanted = text(value["colour_by"], "colour_by");
-        const auto found =
-            std::find_if(kColourings.begin(), kColourings.end(), [&](ColourBy c) { return name_of(c) == wanted; });
-        if (found == kColourings.end()) throw Refusal{"unknown colour_by \"" + wanted + "\""};
+        const auto found = colouring_named(wanted);
+        if (!found) throw Refusal{"unknown colour_by \"" + wanted + "\""};
         marks.colour_by = *found;
     }
     if (value.contains("colour_map")) {

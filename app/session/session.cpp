@@ -6,30 +6,6 @@ namespace ramus::app {
 
 using render::BranchState;
 
-std::string_view name_of(ColourBy quantity) {
-    switch (quantity) {
-    case ColourBy::kNothing:
-        return "nothing";
-    case ColourBy::kState:
-        return "state";
-    case ColourBy::kGeneration:
-        return "generation";
-    case ColourBy::kStrahler:
-        return "strahler";
-    case ColourBy::kDiameter:
-        return "diameter";
-    case ColourBy::kRootDistance:
-        return "root-distance";
-    case ColourBy::kLesion:
-        return "lesion";
-    case ColourBy::kLabel:
-        return "label";
-    case ColourBy::kBranch:
-        return "branch";
-    }
-    return "";
-}
-
 std::string_view name_of(DepthCue cue) {
     switch (cue) {
     case DepthCue::kOcclusion:

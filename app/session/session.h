@@ -7,6 +7,7 @@
 // sessions compare equal however they came about. The functions below keep them so.
 #pragma once
 
+#include "app/session/colour_by.h"
 #include "app/session/colour_maps.h"
 #include "app/session/comparison.h"
 #include "core/mesh/surface.h"
@@ -27,13 +28,6 @@ struct TreeFile {
     std::string checksum;       // of the file's bytes (app/session/session_file.h); empty when not known
     bool operator==(const TreeFile&) const = default;
 };
-
-// What a branch's colour says.
-enum class ColourBy { kNothing, kState, kGeneration, kStrahler, kDiameter, kRootDistance, kLesion, kLabel, kBranch };
-inline constexpr std::array kColourings{ColourBy::kNothing,  ColourBy::kState,    ColourBy::kGeneration,
-                                        ColourBy::kStrahler, ColourBy::kDiameter, ColourBy::kRootDistance,
-                                        ColourBy::kLesion,   ColourBy::kLabel,    ColourBy::kBranch};
-[[nodiscard]] std::string_view name_of(ColourBy quantity); // "nothing", "generation", ...
 
 // Something measured, kept and drawn until it is removed.
 struct Measurement {
@@ -100,7 +94,7 @@ struct Marks {
     std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;
-    ColourBy colour_by = ColourBy::kNothing;
+    ColourBy colour_by;
     ColourMap colour_map = ColourMap::kViridis;
     Planning planning;
     GlassLook glass;

@@ -89,7 +89,7 @@ Marks edited(Marks marks, int branches, std::mt19937& random) {
     }
     default:
         marks.glass.opacity = length / 125.0;
-        marks.colour_by = kColourings[static_cast<std::size_t>(below(5))];
+        marks.colour_by = colourings()[static_cast<std::size_t>(below(5))].by;
         marks.options.detail = 8 + below(20);
     }
     return marks;

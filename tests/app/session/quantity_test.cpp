@@ -1,8 +1,11 @@
+#include "app/actions/command_table.h"
 #include "app/assets/assets.h"
+#include "app/picture/colouring.h"
 #include "app/reports/report_tables.h"
 #include "app/session/branch_filter.h"
 #include "app/session/quantity.h"
 #include "core/io/trees/swc_reader.h"
+#include "tests/support/command_stage.h"
 
 #include <doctest/doctest.h>
 #include <set>
@@ -77,4 +80,45 @@ TEST_CASE("a quantity is what the filter, the list and the report say it is") {
         }
     }
     for (const auto& cells : table.rows) CHECK(cells.size() == table.columns.size());
+}
+
+TEST_CASE("every colouring has a key, stands in the menu and colours a tree") {
+    const auto tree = small_tree();
+    const TreeFacts facts = facts_of(*tree);
+    test::CommandStage stage(*tree);
+    std::set<std::string_view> keys;
+    for (const ColouringRow& row : colourings()) {
+        CAPTURE(row.key);
+        CHECK(keys.insert(row.key).second);
+        CHECK(colouring_named(row.key) == row.by);
+        CHECK(name_of(row.by) == row.key);
+        CHECK_FALSE(row.label.empty());
+        CHECK(row.help.ends_with('.'));
+        stage.good("colour-by " + std::string(row.key));
+        CHECK(stage.marks().colour_by == row.by);
+        const auto entry = std::ranges::find_if(command_table(), [&](const Command& command) {
+            return command.name == "colour-by" && command.preset == std::vector<std::string>{std::string(row.key)};
+        });
+        REQUIRE(entry != command_table().end());
+        CHECK(entry->checked(stage.document));
+        CHECK(find_command("colour-by")->help.find(row.key) != std::string::npos);
+        if (row.by.kind != ColourBy::kQuantity) continue;
+        const Colouring colouring = colouring_of(*tree, facts, stage.marks(), nullptr);
+        CHECK(colouring.branches.size() == tree->branches.size());
+        CHECK(colouring.legend.title.starts_with(row_of(row.by.quantity).label));
+    }
+    CHECK_FALSE(colouring_named("nonsense"));
+    for (const QuantityRow* row : rows_with(&QuantityRow::colours)) CHECK(colouring_named(row->key) == row->quantity);
+}
+
+TEST_CASE("a quantity that is a length colours each branch between the least and the largest") {
+    const auto tree = small_tree();
+    Marks marks;
+    marks.colour_by = Quantity::kLength;
+    const Colouring colouring = colouring_of(*tree, facts_of(*tree), marks, nullptr);
+    REQUIRE(colouring.branches.size() == 3);
+    CHECK(colouring.branches[0] == colour_at(marks.colour_map, 1.0)); // 9 mm; the others are 4.2 and 6.7
+    CHECK(colouring.branches[1] == colour_at(marks.colour_map, 0.0));
+    CHECK(colouring.legend.title == "Length (mm)");
+    CHECK(colouring.scale.value == render::ColourScale::Value::kNone);
 }

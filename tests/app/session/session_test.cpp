@@ -35,7 +35,7 @@ Session lively_session(const fs::path& folder) {
         {Measurement::Kind::kAngle, {}, {1, -1}, 0.5}};
     session.marks.planning = {{2.5, 7.0, 11.0 / 3.0 + 10.0}, 4.0};
     session.marks.glass = {1.75, 0.25};
-    session.marks.colour_by = ColourBy::kStrahler;
+    session.marks.colour_by = Quantity::kStrahler;
     session.marks.options.detail = 24;
     session.marks.options.prune_ratio = 0.1;
     session.camera.position = {0.1, 1.0 / 3.0, -7e-5};
