@@ -1,13 +1,8 @@
 // The command line: one CLI::App, one file of app/commands for each subcommand, and the window without one.
 #include "app/commands/command.h"
-#include "app/commands/convert.h"
-#include "app/commands/grow.h"
-#include "app/commands/info.h"
 #include "app/commands/interrupt.h"
-#include "app/commands/mesh.h"
 #include "app/commands/picture_flags.h"
-#include "app/commands/render.h"
-#include "app/commands/study.h"
+#include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
 
@@ -73,14 +68,9 @@ int run(int argc, char** argv) {
     app.add_option("FILE", window.files, "Vessel tree or session to open in the window; without one, the demo tree")
         ->type_name("");
     add_surface_flags(app, window_flags);
-    register_grow(app, chosen);
     add_window_flags(app, window);
 
-    register_render(app, chosen);
-    register_study(app, chosen);
-    register_mesh(app, chosen);
-    register_info(app, chosen);
-    register_convert(app, chosen);
+    for (const auto& subcommand : kSubcommands) subcommand(app, chosen);
 
     try {
         app.parse(argc, argv);

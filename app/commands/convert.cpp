@@ -1,6 +1,6 @@
-#include "app/commands/convert.h"
-
+// ramus convert FILE -o FILE: a vessel tree in another format.
 #include "app/commands/load_tree.h"
+#include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "core/io/trees/tree_file.h"
 

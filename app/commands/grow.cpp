@@ -1,10 +1,11 @@
-#include "app/commands/grow.h"
+// ramus grow: a synthetic organ tree, written as a tree file.
+#include "core/tree/grow/grow.h"
 
 #include "app/commands/interrupt.h"
 #include "app/commands/progress_bar.h"
+#include "app/commands/subcommands.h"
 #include "core/io/trees/tree_file.h"
 #include "core/tree/build_tree.h"
-#include "core/tree/grow/grow.h"
 
 #include <chrono>
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "app/commands/info.h"
-
+// ramus info FILE: what a vessel tree consists of.
 #include "app/commands/load_tree.h"
+#include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/volume_info.h"
 #include "app/session/numbers.h"

@@ -1,8 +1,8 @@
-#include "app/commands/mesh.h"
-
+// ramus mesh FILE -o MESH: the surface of a vessel tree as a file.
 #include "app/commands/load_tree.h"
 #include "app/commands/mesh_of_mask.h"
 #include "app/commands/open_session.h"
+#include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/write_surface.h"
 #include "app/session/numbers.h"

@@ -1,5 +1,4 @@
-#include "app/commands/render.h"
-
+// `ramus render`: the window's picture without a window.
 #include "app/actions/script.h"
 #include "app/assets/context_shapes.h"
 #include "app/commands/comparison_flags.h"
@@ -8,6 +7,7 @@
 #include "app/commands/picture_flags.h"
 #include "app/commands/picture_stage.h"
 #include "app/commands/several_views.h"
+#include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
 #include "app/panels/interface.h"

@@ -1,0 +1,20 @@
+// The subcommands of `ramus`, in the order of `ramus --help`. A new one is a file beside this and a name in both lists.
+#pragma once
+
+#include "app/commands/command.h"
+
+#include <array>
+
+namespace ramus::app {
+
+void register_grow(CLI::App& app, Action& chosen);
+void register_render(CLI::App& app, Action& chosen);
+void register_study(CLI::App& app, Action& chosen);
+void register_mesh(CLI::App& app, Action& chosen);
+void register_info(CLI::App& app, Action& chosen);
+void register_convert(CLI::App& app, Action& chosen);
+
+inline constexpr std::array kSubcommands{register_grow, register_render, register_study,
+                                         register_mesh, register_info,   register_convert};
+
+} // namespace ramus::app
