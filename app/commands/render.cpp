@@ -149,26 +149,69 @@ nlohmann::json description_of(render::Backend backend) {
             {"version", render::gl_version().text()}};
 }
 
-Result<int> run_render(const RenderFlags& flags) {
-    const auto say = [&](const std::string& line) { app::say(flags.common, line); };
-    // What can be wrong is found before the long work.
+// What is read beside the tree.
+struct Inputs {
     std::optional<render::Camera> camera;
+    std::vector<ScriptLine> script;
+};
+
+// Fails on a picture that cannot be written and on a reference that cannot be read, too.
+Result<Inputs> read_inputs(const RenderFlags& flags) {
+    Inputs inputs;
     if (!flags.camera.empty()) {
         auto read = read_camera(flags.camera);
         if (!read) return tl::unexpected(read.error());
-        camera = *read;
+        inputs.camera = *read;
     }
-    std::vector<ScriptLine> script;
     if (!flags.commands.empty()) {
         auto read = read_script(flags.commands);
         if (!read) return tl::unexpected(read.error());
-        script = std::move(*read);
+        inputs.script = std::move(*read);
     }
     if (!flags.output.empty())
         if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
     if (!flags.reference.empty())
         if (auto can = render::read_png(flags.reference); !can) return tl::unexpected(can.error());
+    return inputs;
+}
 
+// Pictures once around the tree, as files.
+Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheets, const render::Sheet& sheet,
+                          bool keep_camera) {
+    const auto files = write_turntable(sheets, sheet, flags.figure, keep_camera, flags.output);
+    if (!files) return tl::unexpected(files.error());
+    say(flags.common, "wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());
+    nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
+    for (const auto& file : *files) report["pictures"].push_back(file.string());
+    if (flags.json) std::cout << report.dump(2) << '\n';
+    return kDone;
+}
+
+// The picture written, and held against the reference: adds to the report and returns the exit status.
+Result<int> finish_picture(const render::Image& image, const RenderFlags& flags, nlohmann::json& report) {
+    if (!flags.output.empty()) {
+        if (auto written = render::write_png(image, flags.output); !written) return tl::unexpected(written.error());
+        report["picture"] = flags.output.string();
+        say(flags.common, "wrote " + flags.output.string());
+    }
+    return flags.reference.empty() ? Result<int>(kDone) : judge(image, flags, report);
+}
+
+// The camera that was given, or the session's, or one that sees the whole tree.
+void set_camera(Document& document, const Inputs& inputs, bool session_has_one, const RenderFlags& flags,
+                const PictureStage& stage) {
+    if (inputs.camera)
+        document.set_camera(*inputs.camera);
+    else if (!session_has_one || flags.view_given)
+        document.set_camera(render::camera_for(stage.surface().mesh->positions(), flags.view, stage.picture_size(),
+                                               flags.orthographic));
+    if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
+}
+
+Result<int> run_render(const RenderFlags& flags) {
+    // What can be wrong is found before the long work.
+    const auto inputs = read_inputs(flags);
+    if (!inputs) return tl::unexpected(inputs.error());
     Document document;
     const auto has_camera = open_document(flags, document);
     if (!has_camera) return tl::unexpected(has_camera.error());
@@ -177,18 +220,13 @@ Result<int> run_render(const RenderFlags& flags) {
     viewing.transparent = flags.transparent;
     PictureStage stage(document, flags.common, viewing);
     if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
-    if (!camera && (!*has_camera || flags.view_given))
-        camera =
-            render::camera_for(stage.surface().mesh->positions(), flags.view, stage.picture_size(), flags.orthographic);
-    if (camera) document.set_camera(*camera);
-    if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
-
+    set_camera(document, *inputs, *has_camera, flags, stage);
     const auto context = open_context(flags);
     if (!context) return tl::unexpected(context.error());
     const auto renderer = render::Renderer::create(render::kGlassBytes, flags.graphics_bytes);
     if (!renderer) return tl::unexpected(renderer.error());
     stage.draw_with(**renderer);
-    const auto run = [&](ActionContext& where) { return run_script(where, script, flags.commands); };
+    const auto run = [&](ActionContext& where) { return run_script(where, inputs->script, flags.commands); };
     ActionContext here{document, stage, stage.assets};
     for (const std::string& file : flags.context) {
         const std::array<std::string, 2> words{"context", file};
@@ -201,16 +239,8 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!sheet) return tl::unexpected(sheet.error());
     dress(*sheet, flags.figure);
     render::SheetRenderer& sheets = stage.sheet_renderer();
-    if (flags.figure.turntable > 0) {
-        const bool keep_camera = !flags.camera.empty() || (*has_camera && !flags.view_given);
-        const auto files = write_turntable(sheets, *sheet, flags.figure, keep_camera, flags.output);
-        if (!files) return tl::unexpected(files.error());
-        say("wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());
-        nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
-        for (const auto& file : *files) report["pictures"].push_back(file.string());
-        if (flags.json) std::cout << report.dump(2) << '\n';
-        return kDone;
-    }
+    if (flags.figure.turntable > 0)
+        return run_turntable(flags, sheets, *sheet, inputs->camera || (*has_camera && !flags.view_given));
     const Stopwatch watch;
     const auto done = sheets.draw(*sheet);
     if (!done) return tl::unexpected(done.error());
@@ -227,17 +257,8 @@ Result<int> run_render(const RenderFlags& flags) {
         {"size", {image->width, image->height}}, {"triangles", done->triangles},
         {"mesh_s", stage.surface().seconds},     {"draw_s", draw_seconds},
         {"gl", description_of(flags.backend)},   {"camera", render::to_json(document.session().camera)}};
-    int status = kDone;
-    if (!flags.output.empty()) {
-        if (auto written = render::write_png(*image, flags.output); !written) return tl::unexpected(written.error());
-        report["picture"] = flags.output.string();
-        say("wrote " + flags.output.string());
-    }
-    if (!flags.reference.empty()) {
-        const auto verdict = judge(*image, flags, report);
-        if (!verdict) return tl::unexpected(verdict.error());
-        status = *verdict;
-    }
+    const auto status = finish_picture(*image, flags, report);
+    if (!status) return status;
     if (flags.benchmark > 0) {
         const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;
         if (auto ran = run_turn_benchmark(sheets, *sheet, flags.benchmark, hurry, report); !ran)
@@ -245,7 +266,64 @@ Result<int> run_render(const RenderFlags& flags) {
         if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
     }
     if (flags.json) std::cout << report.dump(2) << '\n';
-    return status;
+    return *status;
+}
+
+// What the picture is compared with, and how fast it is drawn.
+void add_checking_flags(CLI::App& command, RenderFlags& flags) {
+    CLI::Option* reference =
+        command.add_option("--reference", flags.reference, "Compare with this PNG; exit status 3 when they differ")
+            ->type_name("PNG");
+    command
+        .add_option("--tolerance", flags.tolerance,
+                    "Share of the pixels that may differ from the reference by more than 8/255 (default 0.001)")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 1.0).description(""))
+        ->needs(reference);
+    command
+        .add_option("--noticeable", flags.noticeable,
+                    "Instead: share of the pixels that may differ so that an eye before a screen sees it")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 1.0).description(""))
+        ->needs(reference);
+    command
+        .add_option("--benchmark", flags.benchmark,
+                    "Turn once around the tree in N frames, as the window does, and tell how fast that was")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000).description(""));
+    command.add_flag("--benchmark-full", flags.benchmark_full,
+                     "With --benchmark: draw every frame as if the view rested");
+}
+
+// What draws.
+void add_backend_flags(CLI::App& command, RenderFlags& flags) {
+    const std::map<std::string, render::Backend> backends{{"osmesa", render::Backend::kOsMesa},
+                                                          {"egl", render::Backend::kEgl}};
+    command
+        .add_option("--backend", flags.backend,
+                    "What draws: osmesa, on the processor (default), or egl, on a graphics card where there is one")
+        ->type_name("NAME")
+        ->transform(CLI::CheckedTransformer(backends).description(""));
+    command
+        .add_option("--device", flags.device,
+                    "With --backend egl: this one of its devices, from 0; --verbose lists them")
+        ->type_name("N")
+        ->check(CLI::Range(0, 63).description(""));
+}
+
+// What cannot be combined; wrong usage.
+void check_flags(const CLI::App& command, const RenderFlags& flags) {
+    if (flags.file.empty() && flags.session.empty()) throw CLI::RequiredError("FILE or --session");
+    if (flags.device >= 0 && flags.backend != render::Backend::kEgl)
+        throw CLI::ValidationError("--device", "needs --backend egl");
+    if (flags.figure.turntable > 0 && flags.output.empty()) throw CLI::RequiredError("-o");
+    if (flags.figure.turntable > 0 && (flags.interface || !flags.reference.empty() || flags.benchmark > 0))
+        throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
+    check_comparison_flags(command, flags.comparison);
+    if (flags.figure.sheet && flags.interface) throw CLI::ValidationError("--sheet", "cannot be combined with --ui");
+    const bool other_result = flags.benchmark > 0 || !flags.commands.empty();
+    if (flags.output.empty() && (!other_result || !flags.reference.empty() || flags.interface))
+        throw CLI::RequiredError("-o");
 }
 
 } // namespace
@@ -277,58 +355,15 @@ void register_render(CLI::App& app, Action& chosen) {
                       "Parallel projection: equal lengths look equal near and far");
     add_method_flag(*command, false, [flags](mesh::Method method) { flags->common.surface.method = method; });
     command->add_flag("--transparent", flags->transparent, "Nothing behind the tree instead of the background");
-    CLI::Option* reference =
-        command->add_option("--reference", flags->reference, "Compare with this PNG; exit status 3 when they differ")
-            ->type_name("PNG");
-    command
-        ->add_option("--tolerance", flags->tolerance,
-                     "Share of the pixels that may differ from the reference by more than 8/255 (default 0.001)")
-        ->type_name("T")
-        ->check(CLI::Range(0.0, 1.0).description(""))
-        ->needs(reference);
-    command
-        ->add_option("--noticeable", flags->noticeable,
-                     "Instead: share of the pixels that may differ so that an eye before a screen sees it")
-        ->type_name("T")
-        ->check(CLI::Range(0.0, 1.0).description(""))
-        ->needs(reference);
-    command
-        ->add_option("--benchmark", flags->benchmark,
-                     "Turn once around the tree in N frames, as the window does, and tell how fast that was")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1000000).description(""));
-    command->add_flag("--benchmark-full", flags->benchmark_full,
-                      "With --benchmark: draw every frame as if the view rested");
-    const std::map<std::string, render::Backend> backends{{"osmesa", render::Backend::kOsMesa},
-                                                          {"egl", render::Backend::kEgl}};
-    command
-        ->add_option("--backend", flags->backend,
-                     "What draws: osmesa, on the processor (default), or egl, on a graphics card where there is one")
-        ->type_name("NAME")
-        ->transform(CLI::CheckedTransformer(backends).description(""));
-    CLI::Option* device = command
-                              ->add_option("--device", flags->device,
-                                           "With --backend egl: this one of its devices, from 0; --verbose lists them")
-                              ->type_name("N")
-                              ->check(CLI::Range(0, 63).description(""));
+    add_checking_flags(*command, *flags);
+    add_backend_flags(*command, *flags);
     add_figure_flags(*command, flags->figure);
     add_comparison_flags(*command, flags->comparison);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
-    command->callback([flags, command, view, device, &chosen] {
-        if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");
+    command->callback([flags, command, view, &chosen] {
         flags->view_given = view->count() > 0;
-        if (device->count() > 0 && flags->backend != render::Backend::kEgl)
-            throw CLI::ValidationError("--device", "needs --backend egl");
-        if (flags->figure.turntable > 0 && flags->output.empty()) throw CLI::RequiredError("-o");
-        if (flags->figure.turntable > 0 && (flags->interface || !flags->reference.empty() || flags->benchmark > 0))
-            throw CLI::ValidationError("--turntable", "cannot be combined with --ui, --reference or --benchmark");
-        check_comparison_flags(*command, flags->comparison);
-        if (flags->figure.sheet && flags->interface)
-            throw CLI::ValidationError("--sheet", "cannot be combined with --ui");
-        const bool other_result = flags->benchmark > 0 || !flags->commands.empty();
-        if (flags->output.empty() && (!other_result || !flags->reference.empty() || flags->interface))
-            throw CLI::RequiredError("-o");
+        check_flags(*command, *flags);
         chosen = [flags] { return run_render(*flags); };
     });
 }
