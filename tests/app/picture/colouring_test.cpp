@@ -64,7 +64,8 @@ TEST_CASE("colour maps get brighter from end to end, and their dark end is seen 
 TEST_CASE("every quantity colours every branch and says so in a legend") {
     ColouringStage stage(60);
     REQUIRE(stage.run("name 3 Segment\nlesion 0,0,0,4"));
-    for (const ColourBy quantity : kColourings) {
+    for (const ColouringRow& row : colourings()) {
+        const ColourBy quantity = row.by;
         CAPTURE(name_of(quantity));
         REQUIRE(stage.run("colour-by " + std::string(name_of(quantity))));
         const render::Frame frame = stage.frame();
@@ -78,7 +79,7 @@ TEST_CASE("every quantity colours every branch and says so in a legend") {
             CHECK(tick.at <= 1.0 + 1e-9);
         }
         CHECK((frame.scale.value != ColourScale::Value::kNone) ==
-              (quantity == ColourBy::kDiameter || quantity == ColourBy::kRootDistance));
+              (quantity == Quantity::kDiameter || quantity == Quantity::kRootDistance));
         CHECK(frame.margins.bands.empty() == (quantity != ColourBy::kLesion));
     }
     CHECK_FALSE(stage.run("colour-by weather"));
