@@ -74,6 +74,20 @@ Result<std::filesystem::path> file_argument(ActionContext& context, Arguments ar
     return path;
 }
 
+Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without) {
+    if (context.files == nullptr) return without;
+    context.files->ask_for_file(purpose);
+    return {};
+}
+
+Result<void> toggle_part(ActionContext& context, const std::string& part) {
+    if (context.window == nullptr) return no_window(part);
+    context.window->toggle(part);
+    return {};
+}
+
+tl::unexpected<Error> no_window(const std::string& part) { return fail("there is no " + part + " without a window"); }
+
 void select_these(Document& document, std::vector<int> ids) {
     Marks next = document.marks();
     next.selection = canonical(std::move(ids));

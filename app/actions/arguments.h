@@ -21,6 +21,12 @@ namespace ramus::app::actions {
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
 
+// Shows the window's dialog for a file; fails with `without` where there is no window.
+[[nodiscard]] Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without);
+// Shows a part of the window that is hidden, and hides one that is shown.
+[[nodiscard]] Result<void> toggle_part(ActionContext& context, const std::string& part);
+[[nodiscard]] tl::unexpected<Error> no_window(const std::string& part); // "there is no help without a window"
+
 inline constexpr double kFarthestMm = 1e6; // of places, distances and diameters that people give
 
 // Makes these branches, in any order, the selection.

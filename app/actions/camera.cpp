@@ -9,20 +9,22 @@ namespace ramus::app::actions {
 
 namespace {
 
+constexpr const char* kNoClipboard = "there is no clipboard without a window";
+
 // All that is not hidden, from where `camera` looks.
 render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
-    const auto mesh = context.host.picture_mesh();
+    const auto mesh = context.picture.picture_mesh();
     if (!mesh) return camera;
     // A surface from before they were hidden may be what there is.
     const Marks& marks = context.document.marks();
     const auto visible =
         mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
-    return visible.empty() ? camera : render::fitted(camera, visible, context.host.picture_size());
+    return visible.empty() ? camera : render::fitted(camera, visible, context.picture.picture_size());
 }
 
 void move_camera(ActionContext& context, const render::Camera& camera) {
     context.document.set_camera(camera);
-    context.host.camera_leapt();
+    context.picture.camera_leapt();
 }
 
 Result<void> view(ActionContext& context, Arguments arguments) {
@@ -48,14 +50,15 @@ Result<void> orthographic(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> camera_copy(ActionContext& context, Arguments) {
-    if (auto copied = context.host.copy_text(render::to_json(context.document.session().camera).dump()); !copied)
-        return copied;
-    context.host.say("Camera copied as text");
+    if (context.clipboard == nullptr) return fail(kNoClipboard);
+    context.clipboard->copy_text(render::to_json(context.document.session().camera).dump());
+    context.say("Camera copied as text");
     return {};
 }
 
 Result<void> camera_paste(ActionContext& context, Arguments) {
-    const auto text = context.host.pasted_text();
+    if (context.clipboard == nullptr) return fail(kNoClipboard);
+    const auto text = context.clipboard->pasted_text();
     if (!text) return tl::unexpected(text.error());
     const auto camera = render::parse_camera(*text, "clipboard");
     if (!camera) return tl::unexpected(camera.error());

@@ -22,10 +22,10 @@ bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
 
 // Panes are narrower than the picture: a tree that was whole in it is whole in them.
 void change(ActionContext& context, Marks next) {
-    const glm::ivec2 before = context.host.picture_size();
+    const glm::ivec2 before = context.picture.picture_size();
     const bool whole = whole_in_picture(context, before);
     context.document.change(std::move(next));
-    if (whole && context.host.picture_size() != before)
+    if (whole && context.picture.picture_size() != before)
         if (const Command* fit = find_command("fit")) (void)fit->action(context, {});
 }
 
@@ -57,7 +57,8 @@ Result<void> compare_blend(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> compare_mask(ActionContext& context, Arguments arguments) {
-    if (arguments.empty()) return context.host.ask_for_mask();
+    if (arguments.empty())
+        return ask_for_file(context, FilePurpose::kMask, fail("compare-mask needs a FILE here", {}, ".nii or .nii.gz"));
     if (arguments.size() > 2)
         return fail("compare-mask takes a file, and labels in it", {}, "put quotes around a name with blanks");
     Marks next = context.document.marks();

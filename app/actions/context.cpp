@@ -82,28 +82,49 @@ std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree
                       : std::string();
 }
 
-Result<void> context(ActionContext& context, Arguments arguments) {
-    if (!has_tree(context.document)) return fail("there is no tree to show it beside");
-    if (arguments.empty()) return context.host.ask_for_context();
-    Marks next = context.document.marks();
-    const auto item = item_in(arguments, next.context);
-    if (!item) return tl::unexpected(item.error());
+// What the words ask for, in a colour that the document does not have yet.
+Result<ContextItem> new_item(const Document& document, Arguments arguments) {
+    const auto& context = document.marks().context;
+    auto item = item_in(arguments, context);
+    if (!item) return item;
     if (!can_be_context(item->file))
         return fail("this is neither a mask nor a mesh", item->file, "context is .nii, .nii.gz, .stl, .ply or .obj");
     const auto same = [&](const ContextItem& other) {
         return source_of(other) == source_of(*item) && other.wireframe == item->wireframe;
     };
-    if (std::ranges::any_of(next.context, same)) return fail("this is shown already", item->file);
-    if (context.host.reads_context(*item, arguments)) return {};
-    Job job;
-    const auto shape = load_context_shape(context.assets, source_of(*item), job);
-    if (!shape) return tl::unexpected(shape.error());
-    context.host.say(std::filesystem::path(item->file).filename().string() + ": " +
-                     counted((*shape)->mesh->triangles.size(), "triangle", "triangles") +
-                     distance_text(*(*shape)->mesh, *context.document.tree()));
+    if (std::ranges::any_of(context, same)) return fail("this is shown already", item->file);
+    return item;
+}
+
+Result<void> add_context(ActionContext& context, Arguments arguments, const mesh::TriangleMesh& mesh) {
+    const auto item = new_item(context.document, arguments);
+    if (!item) return tl::unexpected(item.error());
+    context.say(std::filesystem::path(item->file).filename().string() + ": " +
+                counted(mesh.triangles.size(), "triangle", "triangles") +
+                distance_text(mesh, *context.document.tree()));
+    Marks next = context.document.marks();
     next.context.push_back(*item);
     context.document.change(std::move(next));
     return {};
+}
+
+Result<Outcome> context(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to show it beside");
+    if (arguments.empty())
+        return outcome_of(ask_for_file(context, FilePurpose::kContext,
+                                       fail("context needs a FILE here", {}, ".nii, .stl, .ply or .obj")));
+    const auto item = new_item(context.document, arguments);
+    if (!item) return tl::unexpected(item.error());
+    return Pending{"Reading " + std::filesystem::path(item->file).filename().string(),
+                   [source = source_of(*item), words = std::vector(arguments.begin(), arguments.end()),
+                    assets = context.assets](Job& job) mutable -> Result<Continuation> {
+                       const auto shape = load_context_shape(assets, source, job);
+                       if (!shape) return tl::unexpected(shape.error());
+                       return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
+                           then.assets.put(source, read);
+                           return add_context(then, words, *(*read.value)->mesh);
+                       };
+                   }};
 }
 
 // The N-th of the list, changed as `change` says; that fails on what is no such value.

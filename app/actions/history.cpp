@@ -25,7 +25,7 @@ Result<void> undo(ActionContext& context, Arguments arguments) {
     if (!wanted) return tl::unexpected(wanted.error());
     const render::Camera before = context.document.session().camera;
     while ((*wanted)-- > 0) context.document.undo();
-    if (context.document.session().camera != before) context.host.camera_leapt();
+    if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }
 
@@ -34,7 +34,7 @@ Result<void> redo(ActionContext& context, Arguments arguments) {
     if (!wanted) return tl::unexpected(wanted.error());
     const render::Camera before = context.document.session().camera;
     while ((*wanted)-- > 0) context.document.redo();
-    if (context.document.session().camera != before) context.host.camera_leapt();
+    if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }
 

@@ -60,16 +60,17 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
     if (!context.document.tree()) return fail("there is no tree to lasso");
     std::optional<render::BranchPicture> picture;
     if (wanted->visible) {
-        auto taken = context.host.branch_picture();
+        auto taken = context.picture.branch_picture();
         if (!taken) return tl::unexpected(taken.error());
         picture = std::move(*taken);
     }
     const Document& document = context.document;
     const LassoRule rule{.any_part = wanted->any_part, .visible = picture ? &*picture : nullptr};
     const std::vector<int> hidden = branches_in_state(document.marks(), render::BranchState::kHidden);
-    std::vector<int> inside = branches_inside(*document.tree(), document.session().camera, context.host.picture_size(),
-                                              PixelPolygon(std::move(wanted->corners)), rule,
-                                              hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
+    std::vector<int> inside =
+        branches_inside(*document.tree(), document.session().camera, context.picture.picture_size(),
+                        PixelPolygon(std::move(wanted->corners)), rule,
+                        hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
     const std::string count = counted(inside.size(), "branch", "branches");
     const auto& selection = document.marks().selection;
     std::vector<int> next;
@@ -81,7 +82,7 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
         next = std::move(inside);
     const bool more = !next.empty() && !wanted->remove;
     select_these(context.document, std::move(next));
-    context.host.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
+    context.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
     return {};
 }
 
@@ -90,10 +91,9 @@ Result<void> set_switch(ActionContext& context, Arguments arguments, std::string
     const auto found = arguments.size() == 1 ? std::ranges::find(values, arguments[0]) : values.end();
     if (found == values.end())
         return fail(std::string(command) + " is " + std::string(values[0]) + " or " + std::string(values[1]));
-    ToolSettings* settings = context.host.tool_settings();
-    if (settings == nullptr)
+    if (context.tools == nullptr)
         return fail("there is no lasso in hand without a window", {}, "give lasso --any or --visible");
-    settings->*setting = found != values.begin();
+    context.tools->tool_settings().*setting = found != values.begin();
     return {};
 }
 
@@ -105,14 +105,13 @@ Result<void> lasso_depth(ActionContext& context, Arguments arguments) {
     return set_switch(context, arguments, "lasso-depth", {"through", "visible"}, &ToolSettings::lasso_visible);
 }
 
-bool is_mode(Host& host, const Command& entry) {
-    const ToolSettings* settings = host.tool_settings();
-    return settings != nullptr && settings->lasso_any_part == (entry.preset.front() == "any");
+bool is_mode(const ActionContext& context, const Command& entry) {
+    return context.tools != nullptr && context.tools->tool_settings().lasso_any_part == (entry.preset.front() == "any");
 }
 
-bool is_depth(Host& host, const Command& entry) {
-    const ToolSettings* settings = host.tool_settings();
-    return settings != nullptr && settings->lasso_visible == (entry.preset.front() == "visible");
+bool is_depth(const ActionContext& context, const Command& entry) {
+    return context.tools != nullptr &&
+           context.tools->tool_settings().lasso_visible == (entry.preset.front() == "visible");
 }
 
 } // namespace

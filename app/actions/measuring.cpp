@@ -57,7 +57,7 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     if (std::ranges::find(next.measurements, *wanted) == next.measurements.end()) next.measurements.push_back(*wanted);
     context.document.change(std::move(next));
-    context.host.say(found->sentence());
+    context.say(found->sentence());
     return {};
 }
 

@@ -24,7 +24,7 @@ Result<void> select_found(ActionContext& context, std::vector<int> ids, const st
 
 // A selection by value may well come out empty; how many it took is said.
 Result<void> select_and_say(ActionContext& context, std::vector<int> ids, const std::string& what) {
-    context.host.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
+    context.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
     select_these(context.document, std::move(ids));
     return {};
 }
@@ -103,7 +103,22 @@ Result<void> select_diameter(ActionContext& context, Arguments arguments) {
     return select_and_say(context, std::move(ids), "of " + arguments[0] + " to " + arguments[1] + " mm diameter");
 }
 
-Result<void> select_within(ActionContext& context, Arguments arguments) {
+Result<void> select_closer(ActionContext& context, double reach, const std::vector<double>& distances,
+                           const std::string& what) {
+    std::vector<int> ids;
+    for (std::size_t id = 0; id < distances.size(); ++id)
+        if (distances[id] <= reach) ids.push_back(static_cast<int>(id));
+    return select_and_say(context, std::move(ids), "within " + what);
+}
+
+Result<void> select_by_plan(ActionContext& context, double reach, const Plan& plan, const std::string& what) {
+    if (plan.lesion_distances_mm.empty())
+        return plan.troubles.empty() ? fail("there is no lesion", {}, "place one first, or give a point X,Y,Z")
+                                     : fail(plan.troubles.front());
+    return select_closer(context, reach, plan.lesion_distances_mm, what);
+}
+
+Result<Outcome> select_within(ActionContext& context, Arguments arguments) {
     const Document& document = context.document;
     if (!has_tree(document)) return fail("there is no tree");
     const auto reach =
@@ -111,25 +126,24 @@ Result<void> select_within(ActionContext& context, Arguments arguments) {
     const auto point = arguments.size() == 2 ? numbers_in(arguments[1], 3, kFarthestMm) : std::nullopt;
     if (!reach || (arguments.size() == 2 && !point))
         return fail("select-within takes a distance in mm, and may take a point X,Y,Z to count from");
-    std::vector<double> distances;
     if (point) {
-        const measure::Lesions place{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
-        distances = measure::wall_distances(*document.tree(), place);
-    } else {
-        if (context.host.unhurried()) complete_lesions(context.assets, document);
-        const Plan& plan = refresh_plan(context.assets, document);
-        if (plan.measuring)
-            return fail("the distances to the lesions are still being measured", {}, "try again in a moment");
-        if (plan.lesion_distances_mm.empty())
-            return plan.troubles.empty() ? fail("there is no lesion", {}, "place one first, or give a point X,Y,Z")
-                                         : fail(plan.troubles.front());
-        distances = plan.lesion_distances_mm;
+        const measure::Lesions at{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
+        return outcome_of(select_closer(context, *reach, measure::wall_distances(*document.tree(), at),
+                                        arguments[0] + " mm of the point"));
     }
-    std::vector<int> ids;
-    for (std::size_t id = 0; id < distances.size(); ++id)
-        if (distances[id] <= *reach) ids.push_back(static_cast<int>(id));
-    return select_and_say(context, std::move(ids),
-                          "within " + arguments[0] + (point ? " mm of the point" : " mm of the lesions"));
+    const std::string what = arguments[0] + " mm of the lesions";
+    const Plan& plan = refresh_plan(context.assets, document);
+    if (!plan.measuring) return outcome_of(select_by_plan(context, *reach, plan, what));
+    return Pending{"Measuring distances",
+                   [assets = context.assets, marks = document.marks(), reach = *reach,
+                    what](Job&) mutable -> Result<Continuation> {
+                       complete_lesions(assets, marks, GridIs::kMadeWhenShown);
+                       return [assets, plan = make_plan(assets, marks), reach, what](ActionContext& then) mutable {
+                           assets.lesion_grid = then.assets.lesion_grid; // others make it
+                           merge(then.assets, assets);
+                           return select_by_plan(then, reach, plan, what);
+                       };
+                   }};
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 // error's place is file:line.
 #pragma once
 
-#include "app/actions/command_table.h"
+#include "app/actions/command_runner.h"
 
 namespace ramus::app {
 

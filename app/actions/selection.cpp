@@ -70,7 +70,7 @@ Result<void> select_invert(ActionContext& context, Arguments) {
 }
 
 Result<void> dismiss(ActionContext& context, Arguments arguments) {
-    return context.host.dismiss() ? Result<void>{} : select_none(context, arguments);
+    return context.window != nullptr && context.window->dismiss() ? Result<void>{} : select_none(context, arguments);
 }
 
 } // namespace

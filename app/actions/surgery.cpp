@@ -42,22 +42,41 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-Result<void> lesion_mesh(ActionContext& context, Arguments arguments) {
-    if (arguments.empty()) return context.host.ask_for_lesion_mesh();
-    if (arguments.size() != 1)
-        return fail("lesion-mesh takes a file: .stl, .ply or .obj", {}, "put quotes around a name with blanks");
-    const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
-    Marks next = context.document.marks();
-    if (std::ranges::find(next.lesion_meshes, path.string()) != next.lesion_meshes.end())
+Result<void> expect_new_lesion(const Document& document, const std::filesystem::path& path) {
+    const auto& meshes = document.marks().lesion_meshes;
+    if (std::ranges::find(meshes, path.string()) != meshes.end())
         return fail("this lesion is there already", path.string());
-    if (context.host.reads_lesion_mesh(path)) return {};
-    const auto mesh = load_lesion_mesh(context.assets, path.string());
-    if (!mesh) return tl::unexpected(mesh.error());
-    context.host.say("Lesion of " + counted((*mesh)->mesh.triangles.size(), "triangle", "triangles") + ": " +
-                     path.filename().string());
+    return {};
+}
+
+Result<void> add_lesion_mesh(ActionContext& context, const std::filesystem::path& path, const LesionMesh& lesion) {
+    if (auto is_new = expect_new_lesion(context.document, path); !is_new) return is_new;
+    context.say("Lesion of " + counted(lesion.mesh.triangles.size(), "triangle", "triangles") + ": " +
+                path.filename().string());
+    Marks next = context.document.marks();
     next.lesion_meshes.push_back(path.string());
     context.document.change(std::move(next));
     return {};
+}
+
+Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
+    constexpr const char* kEndings = ".stl, .ply or .obj";
+    if (arguments.empty())
+        return outcome_of(
+            ask_for_file(context, FilePurpose::kLesionMesh, fail("lesion-mesh needs a FILE here", {}, kEndings)));
+    if (arguments.size() != 1)
+        return fail(std::string("lesion-mesh takes a file: ") + kEndings, {}, "put quotes around a name with blanks");
+    const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
+    if (auto is_new = expect_new_lesion(context.document, path); !is_new) return tl::unexpected(is_new.error());
+    return Pending{"Reading " + path.filename().string(),
+                   [path, assets = context.assets](Job&) mutable -> Result<Continuation> {
+                       const auto mesh = load_lesion_mesh(assets, path.string());
+                       if (!mesh) return tl::unexpected(mesh.error());
+                       return [path, read = assets.lesion_meshes.at(path.string())](ActionContext& then) {
+                           then.assets.put(path.string(), read);
+                           return add_lesion_mesh(then, path, **read.value);
+                       };
+                   }};
 }
 
 // Spheres first, then meshes: as lists show them.
@@ -118,10 +137,10 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     if (added == 0) return fail("there is a cut already");
     document.change(std::move(next));
     if (added == 1)
-        context.host.say("Cut " + std::to_string(before + 1) + ": " +
-                         cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back()));
+        context.say("Cut " + std::to_string(before + 1) + ": " +
+                    cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back()));
     else
-        context.host.say(counted(added, "cut", "cuts"));
+        context.say(counted(added, "cut", "cuts"));
     return {};
 }
 
@@ -201,11 +220,11 @@ Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
     const auto share = [](double part, double whole) {
         return digits(whole > 0.0 ? 100.0 * part / whole : 0.0, 2) + " %";
     };
-    context.host.say(std::string(way->done) + ": " + grouped(thin.size()) + " of " +
-                     counted(facts.branches.size(), "branch", "branches") + " below " + arguments[0] + " mm, " +
-                     share(static_cast<double>(thin.size()), static_cast<double>(facts.branches.size())) +
-                     " of them, " + share(length, facts.length_mm) + " of the length, " +
-                     share(volume, facts.volume_mm3) + " of the volume");
+    context.say(std::string(way->done) + ": " + grouped(thin.size()) + " of " +
+                counted(facts.branches.size(), "branch", "branches") + " below " + arguments[0] + " mm, " +
+                share(static_cast<double>(thin.size()), static_cast<double>(facts.branches.size())) + " of them, " +
+                share(length, facts.length_mm) + " of the length, " + share(volume, facts.volume_mm3) +
+                " of the volume");
     return {};
 }
 

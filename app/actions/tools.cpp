@@ -13,10 +13,14 @@ Result<void> tool(ActionContext& context, Arguments arguments) {
         for (const ToolKind& each : tool_kinds()) names += (names.empty() ? "" : ", ") + each.name;
         return fail("tool takes the name of a tool", {}, names);
     }
-    return context.host.use_tool(kind->name);
+    if (context.tools == nullptr) return fail("there is no tool without a window");
+    context.tools->use_tool(kind->name);
+    return {};
 }
 
-bool is_in_hand(Host& host, const Command& entry) { return host.tool() == entry.preset.front(); }
+bool is_in_hand(const ActionContext& context, const Command& entry) {
+    return entry.preset.front() == (context.tools != nullptr ? context.tools->tool() : kNavigate);
+}
 
 } // namespace
 

@@ -22,7 +22,7 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
         target = measure::place_on(*context.document.tree(), *id, 0.5).position;
     }
     context.document.set_camera(render::centred_on(context.document.session().camera, target));
-    context.host.camera_leapt();
+    context.picture.camera_leapt();
     return {};
 }
 
@@ -33,9 +33,9 @@ Result<void> fly(ActionContext& context, Arguments arguments) {
     if (!id) return tl::unexpected(id.error());
     const auto fraction = number_in(arguments[1], 0.0, 1.0);
     if (!fraction) return fail("\"" + arguments[1] + "\" is not a number from 0 to 1");
-    const auto path = context.host.flights.to(context.document.tree(), *id);
+    const auto path = context.picture.flights.to(context.document.tree(), *id);
     context.document.set_camera(path->camera_at(*fraction, context.document.session().camera));
-    context.host.flew(*id, *fraction);
+    context.picture.flew(*id, *fraction);
     return {};
 }
 
@@ -57,14 +57,21 @@ int farthest_end(const Document& document) {
 Result<void> fly_along(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("fly-along takes the id of one branch");
     if (context.document.branch_count() == 0) return fail("there is no tree to fly along");
-    if (arguments.empty() && context.host.shows("fly-along")) return context.host.toggle("fly-along");
+    if (arguments.empty() && context.window != nullptr && context.window->shows("fly-along")) {
+        context.window->close_flight();
+        return {};
+    }
     const auto id =
         arguments.empty() ? Result<int>(farthest_end(context.document)) : branch_id(context.document, arguments[0]);
     if (!id) return tl::unexpected(id.error());
-    return context.host.arrange("fly-along", std::to_string(*id));
+    if (context.window == nullptr) return no_window("fly-along");
+    context.window->open_flight(*id);
+    return {};
 }
 
-bool is_flying(Host& host, const Command&) { return host.shows("fly-along"); }
+bool is_flying(const ActionContext& context, const Command&) {
+    return context.window != nullptr && context.window->shows("fly-along");
+}
 
 } // namespace
 

@@ -1,9 +1,9 @@
 // The bar under the picture that flies the camera along the vessels: play, and a slider from the root to the end.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ void draw_fly(InterfaceContext& context) {
         fly.open = fly.playing = false;
         return;
     }
-    const FlyPath& path = *context.host.flights.to(document.tree(), fly.branch);
+    const FlyPath& path = *context.actions.picture.flights.to(document.tree(), fly.branch);
     play_on(context, path);
 
     const float scale = theme::scale();

@@ -1,7 +1,7 @@
 #include "app/panels/interface.h"
 
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,17 +82,24 @@ bool Interface::dismiss() {
     return true;
 }
 
+void Interface::forget_tree() {
+    hovered = tree::kNoBranch;
+    list.of = nullptr;
+    list.shown = list.cursor = list.anchor = tree::kNoBranch;
+    overview.shown_selection = tree::kNoBranch;
+    overview.layout_of = nullptr;
+    rename.open = fly.open = fly.playing = false;
+}
+
 void InterfaceContext::perform(const Command& command) {
-    ActionContext action{workspace.document, host, workspace.assets};
-    if (const auto done = run_entry(action, command); !done) interface.tell(done.error().message(), now, true);
+    if (const auto done = commands.run(actions, command); !done) interface.tell(done.error().message(), now, true);
 }
 
 void InterfaceContext::perform(std::string_view name, const std::vector<std::string>& arguments) {
     std::vector<std::string> words{std::string(name)};
     words.insert(words.end(), arguments.begin(), arguments.end());
     interface.last_command = words;
-    ActionContext action{workspace.document, host, workspace.assets};
-    if (const auto done = run_command(action, words); !done) interface.tell(done.error().message(), now, true);
+    if (const auto done = commands.run(actions, words); !done) interface.tell(done.error().message(), now, true);
 }
 
 void draw_interface(InterfaceContext& context) {

@@ -2,7 +2,7 @@
 // It needs an ImGui context and nothing of a window: `ramus render --ui` draws the same one.
 #pragma once
 
-#include "app/actions/command_table.h"
+#include "app/actions/command_runner.h"
 #include "app/panels/branch_list.h"
 #include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
@@ -96,13 +96,15 @@ struct Interface {
     [[nodiscard]] bool dialog_open() const {
         return help_open || rename.open || open_dialog.open || recovery.open || unsaved.open() || !errors.empty();
     }
-    bool dismiss(); // closes what lies on top; false: nothing does
+    bool dismiss();     // closes what lies on top; false: nothing does
+    void forget_tree(); // another one was opened
 };
 
 struct InterfaceContext {
     Interface& interface;
     Workspace& workspace;
-    Host& host;
+    ActionContext& actions;
+    CommandRunner& commands;
     const Layout& layout;
     double now; // seconds, any origin
 

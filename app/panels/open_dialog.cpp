@@ -2,11 +2,11 @@
 
 #include "app/assets/context_shapes.h"
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/storage/places.h"
 #include "app/storage/recent_files.h"
-#include "app/window/theme.h"
 #include "core/volume/read_volume.h"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ bool can_be_opened(const fs::path& path) { return ends_in(path, {".swc", ".json"
 bool can_be_mask(const fs::path& path) { return volume::names_volume(path); }
 bool can_be_lesion_mesh(const fs::path& path) { return ends_in(path, {".stl", ".ply", ".obj"}); }
 
-void OpenDialog::show(const fs::path& start) {
-    purpose = Purpose::kOpen;
+void OpenDialog::show(const fs::path& start, FilePurpose wanted) {
+    purpose = wanted;
     open = true;
     filter.fill('\0');
     std::error_code ignored;
@@ -46,8 +46,7 @@ void OpenDialog::show(const fs::path& start) {
 }
 
 void OpenDialog::show_to_save(const fs::path& suggestion) {
-    show(suggestion.parent_path());
-    purpose = Purpose::kSave;
+    show(suggestion.parent_path(), FilePurpose::kSave);
     name_focused = false;
     replace_asked = false;
     const std::string text = suggestion.filename().string();
@@ -92,10 +91,10 @@ void OpenDialog::enter(const fs::path& where) {
 namespace {
 
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    const bool known = dialog.purpose == OpenDialog::Purpose::kLesionMesh ? can_be_lesion_mesh(entry.name)
-                       : dialog.purpose == OpenDialog::Purpose::kContext  ? can_be_context(entry.name)
-                       : dialog.purpose == OpenDialog::Purpose::kMask     ? can_be_mask(entry.name)
-                                                                          : can_be_opened(entry.name);
+    const bool known = dialog.purpose == FilePurpose::kLesionMesh ? can_be_lesion_mesh(entry.name)
+                       : dialog.purpose == FilePurpose::kContext  ? can_be_context(entry.name)
+                       : dialog.purpose == FilePurpose::kMask     ? can_be_mask(entry.name)
+                                                                  : can_be_opened(entry.name);
     if (!entry.folder && !dialog.every_file && !known) return false;
     const std::string_view wanted = dialog.filter.data();
     const auto same = [](char a, char b) {
@@ -158,7 +157,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
                 dialog.marked = static_cast<int>(i);
-                if (!entry.folder && dialog.purpose == OpenDialog::Purpose::kSave) {
+                if (!entry.folder && dialog.purpose == FilePurpose::kSave) {
                     dialog.name.fill('\0');
                     std::memcpy(dialog.name.data(), entry.name.data(),
                                 std::min(entry.name.size(), dialog.name.size() - 1));
@@ -178,12 +177,12 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     }
     if (!any && dialog.problem.empty())
         widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
-                               : dialog.purpose == OpenDialog::Purpose::kContext
+                               : dialog.purpose == FilePurpose::kContext
                                    ? "No masks (NIfTI) and no STL, PLY or OBJ files here. Choose another folder, or "
                                      "show all files."
-                               : dialog.purpose == OpenDialog::Purpose::kLesionMesh
+                               : dialog.purpose == FilePurpose::kLesionMesh
                                    ? "No STL, PLY or OBJ files here. Choose another folder, or show all files."
-                               : dialog.purpose == OpenDialog::Purpose::kMask
+                               : dialog.purpose == FilePurpose::kMask
                                    ? "No NIfTI files here. Choose another folder, or show all files."
                                    : "No SWC or JSON files here. Choose another folder, or show all files.");
     ImGui::EndChild();
@@ -234,10 +233,10 @@ void draw_open_dialog(InterfaceContext& context) {
     if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
     const float scale = theme::scale();
     fs::path chosen;
-    const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
-    const bool lesion = dialog.purpose == OpenDialog::Purpose::kLesionMesh;
-    const bool beside = dialog.purpose == OpenDialog::Purpose::kContext;
-    const bool mask = dialog.purpose == OpenDialog::Purpose::kMask;
+    const bool saving = dialog.purpose == FilePurpose::kSave;
+    const bool lesion = dialog.purpose == FilePurpose::kLesionMesh;
+    const bool beside = dialog.purpose == FilePurpose::kContext;
+    const bool mask = dialog.purpose == FilePurpose::kMask;
     widgets::heading(saving   ? "Save the session"
                      : lesion ? "Choose the mesh of a lesion"
                      : beside ? "Choose a mask or a mesh to show beside the tree"

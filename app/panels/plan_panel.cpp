@@ -1,10 +1,10 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
 // is Assets::plan; everything done goes through commands.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <array>

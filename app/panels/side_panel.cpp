@@ -1,10 +1,10 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
 #include "app/panels/interface.h"
 #include "app/panels/slider_row.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>

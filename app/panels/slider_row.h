@@ -2,8 +2,8 @@
 // it says while it is held is there to be tried.
 #pragma once
 
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <imgui.h>
 

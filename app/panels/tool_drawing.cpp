@@ -1,8 +1,8 @@
 // What the current tool wants drawn, over the picture and under the panels.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/tools/pixel_polygon.h"
-#include "app/window/theme.h"
 
 #include <cmath>
 #include <imgui.h>
