@@ -3,6 +3,7 @@
 #include "app/actions/groups.h"
 #include "core/io/tree_reader.h"
 
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 namespace ramus::app::actions {
@@ -83,6 +84,12 @@ Result<void> camera(ActionContext& context, Arguments arguments) {
 
 bool is_orthographic(const Document& document) { return document.session().camera.orthographic; }
 
+Command view_entry(const char* label, const char* key, const char* help) {
+    std::string name(label);
+    name.front() = static_cast<char>(std::tolower(name.front()));
+    return {"view", "NAME", help, "View", label, {key}, view, {name}, has_tree};
+}
+
 } // namespace
 
 std::vector<Command> camera_commands() {
@@ -94,44 +101,12 @@ std::vector<Command> camera_commands() {
          "",
          {},
          view},
-        {"view",
-         "NAME",
-         "The viewer stands in front of the patient.",
-         "View",
-         "Anterior",
-         {"A"},
-         view,
-         {"anterior"},
-         has_tree},
-        {"view",
-         "NAME",
-         "The viewer stands behind the patient.",
-         "View",
-         "Posterior",
-         {"P"},
-         view,
-         {"posterior"},
-         has_tree},
-        {"view", "NAME", "The viewer stands at the patient's left.", "View", "Left", {"L"}, view, {"left"}, has_tree},
-        {"view",
-         "NAME",
-         "The viewer stands at the patient's right.",
-         "View",
-         "Right",
-         {"R"},
-         view,
-         {"right"},
-         has_tree},
-        {"view",
-         "NAME",
-         "The viewer looks down from the head.",
-         "View",
-         "Superior",
-         {"S"},
-         view,
-         {"superior"},
-         has_tree},
-        {"view", "NAME", "The viewer looks up from the feet.", "View", "Inferior", {"I"}, view, {"inferior"}, has_tree},
+        view_entry("Anterior", "A", "The viewer stands in front of the patient."),
+        view_entry("Posterior", "P", "The viewer stands behind the patient."),
+        view_entry("Left", "L", "The viewer stands at the patient's left."),
+        view_entry("Right", "R", "The viewer stands at the patient's right."),
+        view_entry("Superior", "S", "The viewer looks down from the head."),
+        view_entry("Inferior", "I", "The viewer looks up from the feet."),
         {"fit",
          "",
          "Brings the whole tree into the picture, from where the viewer stands.",

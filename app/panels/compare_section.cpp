@@ -1,6 +1,5 @@
 // Which surfaces are looked at together, and the skeleton over them.
 #include "app/panels/interface.h"
-#include "app/panels/slider_row.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 
@@ -123,7 +122,7 @@ void draw_compare(InterfaceContext& context) {
         const auto shown = compared_surfaces(comparison);
         if (std::ranges::find(shown, SurfaceKind::kIso) != shown.end()) draw_mask_row(context, comparison);
         if (comparison.mode == Mode::kBlend) {
-            static widgets::Slider<float> blend;
+            widgets::Slider<float>& blend = context.interface.editing.blend;
             const bool changed = widgets::slider_row(
                 "Blend", "How much there is of the second surface", blend, static_cast<float>(comparison.blend),
                 [&](float& value) {

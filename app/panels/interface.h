@@ -7,6 +7,7 @@
 #include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
+#include "app/panels/slider_row.h"
 #include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace/workspace.h"
@@ -62,6 +63,25 @@ struct Fly {
     std::vector<int> selection; // the one that `branch` is from
 };
 
+// What the side panel's sliders and fields hold while they are being changed: the session hears of it when they are let
+// go, so that it is one step of undo.
+struct Editing {
+    widgets::Slider<int> smooth, detail;
+    widgets::Slider<float> prune, width, glass_opacity, glass_grey, blend;
+    // Of one entry of the context, counted from 1, its colour or its opacity.
+    struct Context {
+        int of = -1;
+        ContextItem item;
+        int opacity_of = -1; // whose slider the mouse has
+        float opacity = 0.0F;
+    } context;
+    // One field for numbers has the keyboard at a time.
+    struct Numbers {
+        std::string field; // its id; empty: none
+        std::array<char, 64> typed{};
+    } numbers;
+};
+
 struct Interface {
     bool panel_open = true;
     bool menu_open = false, close_menu = false; // a menu of the bar: it is there; it shall go
@@ -84,6 +104,7 @@ struct Interface {
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
     std::optional<double> tried_blend;                     // likewise
+    Editing editing;
     Overview overview;
     PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();

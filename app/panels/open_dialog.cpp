@@ -10,6 +10,7 @@
 #include "core/volume/read_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <imgui.h>
@@ -90,12 +91,31 @@ void OpenDialog::enter(const fs::path& where) {
 
 namespace {
 
+// What a dialog is for.
+struct Purpose {
+    FilePurpose purpose;
+    const char* title;
+    bool (*fits)(const fs::path&); // files that are shown, unless all are
+    const char* none;              // when there are no such files
+    const char* command;           // that gets the file
+};
+
+constexpr std::array<Purpose, 5> kPurposes{
+    {{FilePurpose::kOpen, "Open a vessel tree or a session", can_be_opened, "No SWC or JSON files here.", "open"},
+     {FilePurpose::kSave, "Save the session", can_be_opened, "No SWC or JSON files here.", "save"},
+     {FilePurpose::kLesionMesh, "Choose the mesh of a lesion", can_be_lesion_mesh, "No STL, PLY or OBJ files here.",
+      "lesion-mesh"},
+     {FilePurpose::kContext, "Choose a mask or a mesh to show beside the tree",
+      [](const fs::path& path) { return can_be_context(path.string()); },
+      "No masks (NIfTI) and no STL, PLY or OBJ files here.", "context"},
+     {FilePurpose::kMask, "Choose a mask of the same vessels", can_be_mask, "No NIfTI files here.", "compare-mask"}}};
+
+const Purpose& purpose_of(const OpenDialog& dialog) {
+    return *std::ranges::find(kPurposes, dialog.purpose, &Purpose::purpose);
+}
+
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    const bool known = dialog.purpose == FilePurpose::kLesionMesh ? can_be_lesion_mesh(entry.name)
-                       : dialog.purpose == FilePurpose::kContext  ? can_be_context(entry.name)
-                       : dialog.purpose == FilePurpose::kMask     ? can_be_mask(entry.name)
-                                                                  : can_be_opened(entry.name);
-    if (!entry.folder && !dialog.every_file && !known) return false;
+    if (!entry.folder && !dialog.every_file && !purpose_of(dialog).fits(entry.name)) return false;
     const std::string_view wanted = dialog.filter.data();
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -176,15 +196,10 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
         ImGui::EndTable();
     }
     if (!any && dialog.problem.empty())
-        widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
-                               : dialog.purpose == FilePurpose::kContext
-                                   ? "No masks (NIfTI) and no STL, PLY or OBJ files here. Choose another folder, or "
-                                     "show all files."
-                               : dialog.purpose == FilePurpose::kLesionMesh
-                                   ? "No STL, PLY or OBJ files here. Choose another folder, or show all files."
-                               : dialog.purpose == FilePurpose::kMask
-                                   ? "No NIfTI files here. Choose another folder, or show all files."
-                                   : "No SWC or JSON files here. Choose another folder, or show all files.");
+        widgets::quiet_wrapped(
+            dialog.every_file
+                ? "Nothing here."
+                : (std::string(purpose_of(dialog).none) + " Choose another folder, or show all files.").c_str());
     ImGui::EndChild();
     return chosen;
 }
@@ -226,91 +241,80 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     return target;
 }
 
+// Up, the path and the filter. Returns what was chosen with them.
+fs::path draw_path_row(OpenDialog& dialog) {
+    fs::path chosen;
+    const float filter_width = 150.0F * theme::scale();
+    if (ImGui::Button("Up", {44.0F * theme::scale(), 0.0F})) chosen = dialog.folder.parent_path();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - filter_width - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::InputText("##path", dialog.typed.data(), dialog.typed.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        chosen = dialog.typed.data();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(filter_width);
+    if (ImGui::IsWindowAppearing() && dialog.purpose != FilePurpose::kSave) ImGui::SetKeyboardFocusHere();
+    if (!ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
+                                  ImGuiInputTextFlags_EnterReturnsTrue))
+        return chosen;
+    // Enter takes the first that is left.
+    const auto first = std::ranges::find_if(dialog.entries, [&](const auto& each) { return matches(dialog, each); });
+    return first == dialog.entries.end() ? chosen : dialog.folder / first->name;
+}
+
+// Cancel and Open. Returns what was chosen with them.
+fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
+    ImGui::Checkbox("All files", &dialog.every_file);
+    ImGui::SameLine();
+    widgets::align_right(2.0F * button_width + ImGui::GetStyle().ItemSpacing.x);
+    cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
+    ImGui::SameLine();
+    const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
+    ImGui::BeginDisabled(!can_open);
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
+    const bool opens = ImGui::Button("Open", {button_width, 0.0F});
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    return opens ? dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name : fs::path();
+}
+
 } // namespace
 
 void draw_open_dialog(InterfaceContext& context) {
     OpenDialog& dialog = context.interface.open_dialog;
     if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
     const float scale = theme::scale();
-    fs::path chosen;
+    const Purpose& purpose = purpose_of(dialog);
     const bool saving = dialog.purpose == FilePurpose::kSave;
-    const bool lesion = dialog.purpose == FilePurpose::kLesionMesh;
-    const bool beside = dialog.purpose == FilePurpose::kContext;
-    const bool mask = dialog.purpose == FilePurpose::kMask;
-    widgets::heading(saving   ? "Save the session"
-                     : lesion ? "Choose the mesh of a lesion"
-                     : beside ? "Choose a mask or a mesh to show beside the tree"
-                     : mask   ? "Choose a mask of the same vessels"
-                              : "Open a vessel tree or a session");
+    fs::path chosen; // by the last of the parts that chose one
+    const auto take = [&](fs::path path) {
+        if (!path.empty()) chosen = std::move(path);
+    };
+    widgets::heading(purpose.title);
     ImGui::Dummy({0.0F, 2.0F * scale});
-
-    const float places_width = 190.0F * scale;
-    const bool trees = !saving && !lesion && !beside && !mask;
-    if (const fs::path place = draw_places(places_width, trees); !place.empty()) chosen = place;
+    take(draw_places(190.0F * scale, dialog.purpose == FilePurpose::kOpen));
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
-    const float up_width = 44.0F * scale;
-    const float filter_width = 150.0F * scale;
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    if (ImGui::Button("Up", {up_width, 0.0F})) chosen = dialog.folder.parent_path();
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - filter_width - gap);
-    if (ImGui::InputText("##path", dialog.typed.data(), dialog.typed.size(), ImGuiInputTextFlags_EnterReturnsTrue))
-        chosen = dialog.typed.data();
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(filter_width);
-    if (ImGui::IsWindowAppearing() && !saving) ImGui::SetKeyboardFocusHere();
-    const bool filtered = ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
-                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    if (filtered) { // Enter takes the first that is left
-        for (const OpenDialog::Entry& entry : dialog.entries) {
-            if (!matches(dialog, entry)) continue;
-            chosen = dialog.folder / entry.name;
-            break;
-        }
-    }
+    take(draw_path_row(dialog));
     ImGui::Dummy({0.0F, 2.0F * scale});
     const float buttons = ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().ItemSpacing.y + 2.0F * scale;
-    if (const fs::path entry = draw_entries(dialog, -buttons); !entry.empty()) chosen = entry;
+    take(draw_entries(dialog, -buttons));
     ImGui::Dummy({0.0F, 2.0F * scale});
-
     const float button_width = 90.0F * scale;
     bool cancelled = false;
     fs::path target;
-    if (saving) {
+    if (saving)
         target = draw_name(dialog, button_width, cancelled);
-    } else {
-        ImGui::Checkbox("All files", &dialog.every_file);
-        ImGui::SameLine();
-        widgets::align_right(2.0F * button_width + gap);
-        cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
-        ImGui::SameLine();
-        const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
-        ImGui::BeginDisabled(!can_open);
-        ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-        if (ImGui::Button("Open", {button_width, 0.0F}))
-            chosen = dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
-        ImGui::PopStyleColor();
-        ImGui::EndDisabled();
-    }
+    else
+        take(draw_buttons(dialog, button_width, cancelled));
     ImGui::EndGroup();
 
     std::error_code ignored;
     if (!chosen.empty() && fs::is_directory(chosen, ignored))
         dialog.enter(chosen);
-    else if (!chosen.empty() && !saving) {
-        dialog.open = false;
-        context.perform(lesion   ? "lesion-mesh"
-                        : beside ? "context"
-                        : mask   ? "compare-mask"
-                                 : "open",
-                        {chosen.string()});
-    }
-    if (!target.empty()) {
-        dialog.open = false;
-        context.perform("save", {target.string()});
-    }
-    if (cancelled) dialog.open = false;
+    else if (!chosen.empty() && !saving)
+        target = chosen;
+    if (!target.empty() || cancelled) dialog.open = false;
+    if (!target.empty()) context.perform(purpose.command, {target.string()});
     if (!dialog.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();
 }

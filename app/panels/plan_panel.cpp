@@ -49,10 +49,8 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
 }
 
 // A number or several, typed and entered. Returns what was entered, else nothing.
-std::vector<std::string> entry(const char* id, const std::string& current, float width) {
-    // One field at a time has the keyboard: what is typed belongs to it.
-    static std::string owner;
-    static std::array<char, 64> typed{};
+std::vector<std::string> entry(Editing::Numbers& numbers, const char* id, const std::string& current, float width) {
+    auto& [owner, typed] = numbers;
     std::array<char, 64> shown{};
     std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());
     const bool mine = owner == id;
@@ -191,7 +189,9 @@ void draw_margins(InterfaceContext& context) {
     ImGui::SameLine();
     const float room = 110.0F * theme::scale();
     widgets::align_right(room);
-    if (const auto words = entry("##bands", spelled_list(marks.planning.bands_mm), room); !words.empty())
+    if (const auto words =
+            entry(context.interface.editing.numbers, "##bands", spelled_list(marks.planning.bands_mm), room);
+        !words.empty())
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
     bool coloured = marks.colour_by == ColourBy::kLesion;
@@ -210,7 +210,9 @@ void draw_cuts(InterfaceContext& context) {
     ImGui::SameLine();
     const float room = 56.0F * theme::scale();
     widgets::align_right(room);
-    if (const auto words = entry("##reconstruct", rounded(marks.planning.reconstruct_mm), room); words.size() == 1)
+    if (const auto words =
+            entry(context.interface.editing.numbers, "##reconstruct", rounded(marks.planning.reconstruct_mm), room);
+        words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
     const auto plan = context.workspace.current_assets().plan; // kept here: removing a cut makes the document another

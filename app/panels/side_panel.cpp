@@ -1,6 +1,5 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
 #include "app/panels/interface.h"
-#include "app/panels/slider_row.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
@@ -53,8 +52,9 @@ void draw_tree(InterfaceContext& context) {
 
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions& options = context.workspace.document.marks().options;
-    static widgets::Slider<int> smooth, detail;
-    static widgets::Slider<float> prune, width;
+    Editing& editing = context.interface.editing;
+    auto &smooth = editing.smooth, &detail = editing.detail;
+    auto &prune = editing.prune, &width = editing.width;
     const auto row = [&](const char* label, const char* name, const char* help, auto& slider, auto current, auto draw,
                          auto as_text) {
         using T = decltype(slider.value);

@@ -1,5 +1,5 @@
 // ContextReader: reads what is shown beside the tree (app/assets/context_shapes.h) on a worker, one file after the
-// other: what a command asks for, so that it need not wait, and what a session names. For one thread, its owner's.
+// other, as a session names them. For one thread, its owner's.
 #pragma once
 
 #include "app/assets/assets.h"

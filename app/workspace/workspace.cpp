@@ -191,7 +191,6 @@ const Assets& Workspace::current_assets() {
     return assets;
 }
 
-// What commands wait for is read before distances are measured.
 void Workspace::start_plan() {
     if (planner_.busy() || !lesions_awaited(assets, document.marks(), GridIs::kMadeAhead)) return;
     planner_.start("Measuring distances",
