@@ -87,70 +87,37 @@ bool is_orthographic(const Document& document) { return document.session().camer
 Command view_entry(const char* label, const char* key, const char* help) {
     std::string name(label);
     name.front() = static_cast<char>(std::tolower(name.front()));
-    return {"view", "NAME", help, "View", label, {key}, view, {name}, has_tree};
+    return Command("view", "NAME", help, view).in_menu("View", label, {key}).giving({name}).when(has_tree);
 }
 
 } // namespace
 
 std::vector<Command> camera_commands() {
     return {
-        {"view",
-         "NAME",
-         "Looks from anterior, posterior, left, right, superior or inferior at the whole tree.",
-         "",
-         "",
-         {},
-         view},
+        Command("view", "NAME", "Looks from anterior, posterior, left, right, superior or inferior at the whole tree.",
+                view),
         view_entry("Anterior", "A", "The viewer stands in front of the patient."),
         view_entry("Posterior", "P", "The viewer stands behind the patient."),
         view_entry("Left", "L", "The viewer stands at the patient's left."),
         view_entry("Right", "R", "The viewer stands at the patient's right."),
         view_entry("Superior", "S", "The viewer looks down from the head."),
         view_entry("Inferior", "I", "The viewer looks up from the feet."),
-        {"fit",
-         "",
-         "Brings the whole tree into the picture, from where the viewer stands.",
-         "View",
-         "Fit",
-         {"F", "0"},
-         fit,
-         {},
-         has_tree},
-        {"orthographic",
-         "[on|off]",
-         "Switches between parallel and central projection.",
-         "View",
-         "Orthographic",
-         {"O"},
-         orthographic,
-         {},
-         has_tree,
-         is_orthographic},
-        {"camera",
-         "JSON|FILE",
-         "Looks from a camera that was copied as text: {\"position\": [0, -500, 0], ...}.",
-         "",
-         "",
-         {},
-         camera},
-        {"camera-copy",
-         "",
-         "Copies the camera as text, for camera-paste, scripts and ramus render --camera.",
-         "Edit",
-         "Copy camera",
-         {"Ctrl+C"},
-         camera_copy,
-         {},
-         has_tree},
-        {"camera-paste",
-         "",
-         "Looks from the camera that was copied as text.",
-         "Edit",
-         "Paste camera",
-         {"Ctrl+V"},
-         camera_paste,
-         {},
-         has_tree},
+        Command("fit", "", "Brings the whole tree into the picture, from where the viewer stands.", fit)
+            .in_menu("View", "Fit", {"F", "0"})
+            .when(has_tree),
+        Command("orthographic", "[on|off]", "Switches between parallel and central projection.", orthographic)
+            .in_menu("View", "Orthographic", {"O"})
+            .when(has_tree)
+            .checked_when(is_orthographic),
+        Command("camera", "JSON|FILE",
+                "Looks from a camera that was copied as text: {\"position\": [0, -500, 0], ...}.", camera),
+        Command("camera-copy", "", "Copies the camera as text, for camera-paste, scripts and ramus render --camera.",
+                camera_copy)
+            .in_menu("Edit", "Copy camera", {"Ctrl+C"})
+            .when(has_tree),
+        Command("camera-paste", "", "Looks from the camera that was copied as text.", camera_paste)
+            .in_menu("Edit", "Paste camera", {"Ctrl+V"})
+            .when(has_tree),
     };
 }
 

@@ -40,34 +40,28 @@ template <ColourBy quantity> bool colours_by(const Document& document) {
 template <ColourMap map> bool colours_with(const Document& document) { return document.marks().colour_map == map; }
 
 template <ColourBy quantity> Command quantity_entry(const char* label, const char* help) {
-    return {"colour-by", "QUANTITY",          help, "Colour", label, {}, colour_by, {std::string(name_of(quantity))},
-            has_tree,    colours_by<quantity>};
+    return Command("colour-by", "QUANTITY", help, colour_by)
+        .in_menu("Colour", label)
+        .giving({std::string(name_of(quantity))})
+        .when(has_tree)
+        .checked_when(colours_by<quantity>);
 }
 
 template <ColourMap map> Command map_entry(const char* label) {
-    return {"colour-map",
-            "NAME",
-            "Shows quantities in this colour map.",
-            "Colour",
-            label,
-            {},
-            colour_map,
-            {std::string(name_of(map))},
-            has_tree,
-            colours_with<map>};
+    return Command("colour-map", "NAME", "Shows quantities in this colour map.", colour_map)
+        .in_menu("Colour", label)
+        .giving({std::string(name_of(map))})
+        .when(has_tree)
+        .checked_when(colours_with<map>);
 }
 
 } // namespace
 
 std::vector<Command> colour_commands() {
     return {
-        {"colour-by",
-         "QUANTITY",
-         "Colours by nothing, state, generation, strahler, diameter, root-distance, lesion, label or branch.",
-         "",
-         "",
-         {},
-         colour_by},
+        Command("colour-by", "QUANTITY",
+                "Colours by nothing, state, generation, strahler, diameter, root-distance, lesion, label or branch.",
+                colour_by),
         quantity_entry<ColourBy::kNothing>("One colour", "One colour for the whole tree."),
         quantity_entry<ColourBy::kState>("State", "Explains what is highlighted, defocused, selected and lost."),
         quantity_entry<ColourBy::kGeneration>("Generation", "Colours by the number of branchings from the root."),
@@ -78,7 +72,7 @@ std::vector<Command> colour_commands() {
         quantity_entry<ColourBy::kLesion>("Distance to lesion", "Colours the margins around the lesions."),
         quantity_entry<ColourBy::kLabel>("Names", "Colours named branches and what depends on them."),
         quantity_entry<ColourBy::kBranch>("Branch", "Tells neighbouring branches apart."),
-        {"colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", "", "", {}, colour_map},
+        Command("colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", colour_map),
         map_entry<ColourMap::kViridis>("Viridis"),
         map_entry<ColourMap::kCividis>("Cividis"),
         map_entry<ColourMap::kMagma>("Magma"),

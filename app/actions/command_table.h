@@ -11,19 +11,40 @@
 namespace ramus::app {
 
 struct Command {
-    std::string name;                // as in a commands file
-    std::string arguments{};         // "ID...", "[FILE]", "NAME"; empty: none
-    std::string help{};              // one sentence
-    std::string menu{};              // menu that it is in; empty: none
-    std::string label{};             // its text there
-    std::vector<std::string> keys{}; // "Ctrl+Z"; the first one is shown in the menu
-    CommandAction action{};
-    std::vector<std::string> preset{};                              // arguments that the menu and the keys give
+    std::string name;              // as in a commands file
+    std::string arguments;         // "ID...", "[FILE]", "NAME"; empty: none
+    std::string help;              // one sentence
+    std::string menu;              // menu that it is in; empty: none
+    std::string label;             // its text there
+    std::vector<std::string> keys; // "Ctrl+Z"; the first one is shown in the menu
+    CommandAction action;
+    std::vector<std::string> preset;                                // arguments that the menu and the keys give
     bool (*enabled)(const Document&) = nullptr;                     // null: always
     bool (*checked)(const Document&) = nullptr;                     // null: not a switch
     bool (*in_use)(const ActionContext&, const Command&) = nullptr; // a switch of the interface, not of the document
     std::string (*label_now)(const Document&) = nullptr;            // the label, when it depends on the document
     [[nodiscard]] bool scripted() const { return preset.empty(); }  // false: an entry that gives arguments to another
+
+    // For tables: Command("fit", "", "Brings ...", fit).in_menu("View", "Fit", {"F"}).when(has_tree).
+    Command(std::string its_name, std::string its_arguments, std::string its_help, CommandAction its_action)
+        : name(std::move(its_name)), arguments(std::move(its_arguments)), help(std::move(its_help)),
+          action(std::move(its_action)) {}
+    Command in_menu(std::string its_menu, std::string its_label, std::vector<std::string> its_keys = {}) && {
+        menu = std::move(its_menu), label = std::move(its_label), keys = std::move(its_keys);
+        return std::move(*this);
+    }
+    Command on_keys(std::vector<std::string> its_keys) && { return with(&Command::keys, std::move(its_keys)); }
+    Command giving(std::vector<std::string> words) && { return with(&Command::preset, std::move(words)); }
+    Command when(bool (*is)(const Document&)) && { return with(&Command::enabled, is); }
+    Command checked_when(bool (*is)(const Document&)) && { return with(&Command::checked, is); }
+    Command in_use_when(bool (*is)(const ActionContext&, const Command&)) && { return with(&Command::in_use, is); }
+    Command labelled(std::string (*now)(const Document&)) && { return with(&Command::label_now, now); }
+
+private:
+    template <class Value> Command with(Value Command::*member, Value value) {
+        this->*member = std::move(value);
+        return std::move(*this);
+    }
 };
 
 // In the order of menus and help. Several entries may have one name, with other presets: the views.

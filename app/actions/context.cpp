@@ -204,55 +204,25 @@ bool has_context(const Document& document) { return !document.marks().context.em
 
 std::vector<Command> context_commands() {
     return {
-        {"context",
-         "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]]",
-         "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
-         "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
-         "File",
-         "Add context...",
-         {},
-         context,
-         {},
-         has_tree},
-        {"context-remove", "N", "Takes the N-th context mesh away.", "", "", {}, context_remove, {}, has_context},
-        {"context-clear", "", "Takes all context meshes away.", "", "", {}, context_clear, {}, has_context},
-        {"context-show", "N", "Shows the N-th context mesh again.", "", "", {}, context_show, {}, has_context},
-        {"context-hide",
-         "N",
-         "Keeps the N-th context mesh, and does not show it.",
-         "",
-         "",
-         {},
-         context_hide,
-         {},
-         has_context},
-        {"context-opacity",
-         "N X",
-         "How dense the N-th context mesh is, from 0 to 1, which is solid.",
-         "",
-         "",
-         {},
-         context_opacity,
-         {},
-         has_context},
-        {"context-colour",
-         "N RRGGBB",
-         "The colour of the N-th context mesh.",
-         "",
-         "",
-         {},
-         context_colour,
-         {},
-         has_context},
-        {"context-style",
-         "N surface|wireframe",
-         "Draws the N-th context mesh as a surface, or as the edges of its triangles.",
-         "",
-         "",
-         {},
-         context_style,
-         {},
-         has_context},
+        Command(
+            "context", "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]]",
+            "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
+            "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
+            context)
+            .in_menu("File", "Add context...")
+            .when(has_tree),
+        Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),
+        Command("context-clear", "", "Takes all context meshes away.", context_clear).when(has_context),
+        Command("context-show", "N", "Shows the N-th context mesh again.", context_show).when(has_context),
+        Command("context-hide", "N", "Keeps the N-th context mesh, and does not show it.", context_hide)
+            .when(has_context),
+        Command("context-opacity", "N X", "How dense the N-th context mesh is, from 0 to 1, which is solid.",
+                context_opacity)
+            .when(has_context),
+        Command("context-colour", "N RRGGBB", "The colour of the N-th context mesh.", context_colour).when(has_context),
+        Command("context-style", "N surface|wireframe",
+                "Draws the N-th context mesh as a surface, or as the edges of its triangles.", context_style)
+            .when(has_context),
     };
 }
 

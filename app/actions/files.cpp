@@ -97,92 +97,47 @@ Result<void> help(ActionContext& context, Arguments) { return toggle_part(contex
 
 std::vector<Command> file_commands() {
     return {
-        {"open",
-         "[FILE]",
-         "Opens a tree or a session; without FILE, asks for one.",
-         "File",
-         "Open...",
-         {"Ctrl+O"},
-         open},
-        {"save",
-         "[FILE]",
-         "Writes the session: what is selected, hidden and highlighted, the camera, the options.",
-         "File",
-         "Save session",
-         {"Ctrl+S"},
-         save,
-         {},
-         has_tree},
-        {"save-as",
-         "",
-         "Asks where to write the session.",
-         "File",
-         "Save session as...",
-         {"Ctrl+Shift+S"},
-         save_as,
-         {},
-         has_tree},
-        {"recover",
-         "[N]",
-         "Shows what is left of runs that did not end well, or brings the N-th of them back.",
-         "File",
-         "Recover...",
-         {},
-         recover},
-        {"discard-recovery",
-         "N",
-         "Throws the N-th away of what is left of runs that did not end well.",
-         "",
-         "",
-         {},
-         discard_recovery},
-        {"shot", "[FILE]", "Writes the picture as PNG.", "File", "Save picture", {"F12"}, shot, {}, has_tree},
-        {"quit", "", "Closes ramus.", "File", "Quit", {"Ctrl+Q"}, quit},
+        Command("open", "[FILE]", "Opens a tree or a session; without FILE, asks for one.", open)
+            .in_menu("File", "Open...", {"Ctrl+O"}),
+        Command("save", "[FILE]",
+                "Writes the session: what is selected, hidden and highlighted, the camera, the options.", save)
+            .in_menu("File", "Save session", {"Ctrl+S"})
+            .when(has_tree),
+        Command("save-as", "", "Asks where to write the session.", save_as)
+            .in_menu("File", "Save session as...", {"Ctrl+Shift+S"})
+            .when(has_tree),
+        Command("recover", "[N]", "Shows what is left of runs that did not end well, or brings the N-th of them back.",
+                recover)
+            .in_menu("File", "Recover..."),
+        Command("discard-recovery", "N", "Throws the N-th away of what is left of runs that did not end well.",
+                discard_recovery),
+        Command("shot", "[FILE]", "Writes the picture as PNG.", shot)
+            .in_menu("File", "Save picture", {"F12"})
+            .when(has_tree),
+        Command("quit", "", "Closes ramus.", quit).in_menu("File", "Quit", {"Ctrl+Q"}),
     };
 }
 
 std::vector<Command> window_commands() {
     return {
-        {"panel",
-         "[explore|plan]",
-         "Shows or hides the side panel, or shows the half of it that explores or the one that plans.",
-         "View",
-         "Side panel",
-         {"Tab"},
-         panel},
-        {"panel",
-         "[explore|plan]",
-         "Goes from the exploring half of the side panel to the planning half, and back.",
-         "View",
-         "Explore or plan",
-         {"B"},
-         panel,
-         {"other"},
-         has_tree},
-        {"ui-scale",
-         "FACTOR|larger|smaller|auto",
-         "Sets how large text and panels are, in pixels per point; auto is what the display says.",
-         "",
-         "",
-         {},
-         ui_scale},
-        {"ui-scale",
-         "FACTOR|larger|smaller|auto",
-         "Makes text and panels larger.",
-         "View",
-         "Larger interface",
-         {},
-         ui_scale,
-         {"larger"}},
-        {"ui-scale",
-         "FACTOR|larger|smaller|auto",
-         "Makes text and panels smaller.",
-         "View",
-         "Smaller interface",
-         {},
-         ui_scale,
-         {"smaller"}},
-        {"help", "", "Shows what the mouse and the keys do.", "Help", "Mouse and keys", {"F1", "?"}, help},
+        Command("panel", "[explore|plan]",
+                "Shows or hides the side panel, or shows the half of it that explores or the one that plans.", panel)
+            .in_menu("View", "Side panel", {"Tab"}),
+        Command("panel", "[explore|plan]",
+                "Goes from the exploring half of the side panel to the planning half, and back.", panel)
+            .in_menu("View", "Explore or plan", {"B"})
+            .giving({"other"})
+            .when(has_tree),
+        Command("ui-scale", "FACTOR|larger|smaller|auto",
+                "Sets how large text and panels are, in pixels per point; auto is what the display says.", ui_scale),
+        Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels larger.", ui_scale)
+            .in_menu("View", "Larger interface")
+            .giving({"larger"}),
+        Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels smaller.", ui_scale)
+            .in_menu("View", "Smaller interface")
+            .giving({"smaller"}),
+        Command("help", "", "Shows what the mouse and the keys do.", help)
+            .in_menu("Help", "Mouse and keys", {"F1", "?"}),
     };
 }
 

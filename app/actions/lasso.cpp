@@ -114,44 +114,30 @@ bool is_depth(const ActionContext& context, const Command& entry) {
            context.tools->tool_settings().lasso_visible == (entry.preset.front() == "visible");
 }
 
+Command lasso_mode_entry(const char* value, const char* label, const char* help) {
+    return Command("lasso-mode", "", help, lasso_mode).in_menu("Tools", label).giving({value}).in_use_when(is_mode);
+}
+
+Command lasso_depth_entry(const char* value, const char* label, const char* help) {
+    return Command("lasso-depth", "", help, lasso_depth).in_menu("Tools", label).giving({value}).in_use_when(is_depth);
+}
+
 } // namespace
 
 std::vector<Command> lasso_commands() {
-    std::vector<Command> commands{
-        {"lasso",
-         "[--any] [--visible] [--add|--remove] X,Y X,Y X,Y...",
-         "Selects what lies inside a polygon of pixels: branches with at least half their length inside, or any part.",
-         "",
-         "",
-         {},
-         lasso},
-        {"lasso-mode",
-         "half|any",
-         "What a lasso takes: at least half a branch, or any part of it.",
-         "",
-         "",
-         {},
-         lasso_mode},
-        {"lasso-depth",
-         "through|visible",
-         "Whether a lasso takes what lies behind, or only what is visible.",
-         "",
-         "",
-         {},
-         lasso_depth},
+    return {
+        Command("lasso", "[--any] [--visible] [--add|--remove] X,Y X,Y X,Y...",
+                "Selects what lies inside a polygon of pixels: branches with at least half their length inside, or any "
+                "part.",
+                lasso),
+        Command("lasso-mode", "half|any", "What a lasso takes: at least half a branch, or any part of it.", lasso_mode),
+        Command("lasso-depth", "through|visible", "Whether a lasso takes what lies behind, or only what is visible.",
+                lasso_depth),
+        lasso_mode_entry("half", "Lasso at least half", "A branch is in with at least half its length."),
+        lasso_mode_entry("any", "Lasso any part", "A branch is in with any part of it."),
+        lasso_depth_entry("through", "Lasso through the tree", "What lies behind is taken too."),
+        lasso_depth_entry("visible", "Lasso what is visible", "Only what can be seen is taken."),
     };
-    const auto entry = [&](const char* name, const char* value, const char* label, const char* help, auto action,
-                           auto in_use) {
-        Command command{name, "", help, "Tools", label, {}, action, {value}};
-        command.in_use = in_use;
-        commands.push_back(std::move(command));
-    };
-    entry("lasso-mode", "half", "Lasso at least half", "A branch is in with at least half its length.", lasso_mode,
-          is_mode);
-    entry("lasso-mode", "any", "Lasso any part", "A branch is in with any part of it.", lasso_mode, is_mode);
-    entry("lasso-depth", "through", "Lasso through the tree", "What lies behind is taken too.", lasso_depth, is_depth);
-    entry("lasso-depth", "visible", "Lasso what is visible", "Only what can be seen is taken.", lasso_depth, is_depth);
-    return commands;
 }
 
 } // namespace ramus::app::actions

@@ -56,24 +56,16 @@ bool shows_overview(const ActionContext& context, const Command&) {
 } // namespace
 
 std::vector<Command> overview_commands() {
-    Command entry{"overview",
-                  "[on|off|generation|distance]",
-                  "Shows or hides the tree as a flat picture: generation or distance from the root downwards.",
-                  "View",
-                  "Overview",
-                  {"T"},
-                  overview};
-    entry.in_use = shows_overview;
-    return {entry,
-            {"rename",
-             "[ID]",
-             "Asks for the name of the selected branch, which all that depends on it bears too.",
-             "Branches",
-             "Name...",
-             {"F2"},
-             rename,
-             {},
-             has_selection}};
+    return {
+        Command("overview", "[on|off|generation|distance]",
+                "Shows or hides the tree as a flat picture: generation or distance from the root downwards.", overview)
+            .in_menu("View", "Overview", {"T"})
+            .in_use_when(shows_overview),
+        Command("rename", "[ID]", "Asks for the name of the selected branch, which all that depends on it bears too.",
+                rename)
+            .in_menu("Branches", "Name...", {"F2"})
+            .when(has_selection),
+    };
 }
 
 } // namespace ramus::app::actions

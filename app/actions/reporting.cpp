@@ -109,16 +109,12 @@ Result<void> report(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> report_commands() {
     return {
-        {"report",
-         "[FILE [KIND]]",
-         "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
-         "measurements, the first of cuts, bands, selection, measurements that there is unless told.",
-         "Plan",
-         "Save report",
-         {},
-         report,
-         {},
-         has_tree},
+        Command("report", "[FILE [KIND]]",
+                "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
+                "measurements, the first of cuts, bands, selection, measurements that there is unless told.",
+                report)
+            .in_menu("Plan", "Save report")
+            .when(has_tree),
     };
 }
 

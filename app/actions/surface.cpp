@@ -42,13 +42,8 @@ Result<void> surface(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> surface_commands() {
     return {
-        {"surface",
-         "NAME VALUE",
-         "Sets smooth, prune, width, detail or method (cs, cones) of the surface.",
-         "",
-         "",
-         {},
-         surface},
+        Command("surface", "NAME VALUE", "Sets smooth, prune, width, detail or method (cs, cones) of the surface.",
+                surface),
     };
 }
 

@@ -25,19 +25,13 @@ bool is_in_hand(const ActionContext& context, const Command& entry) {
 } // namespace
 
 std::vector<Command> tool_commands() {
-    std::vector<Command> commands{
-        {"tool",
-         "NAME",
-         "Gives the mouse a tool over the picture: navigate, lasso, lasso-polygon and others.",
-         "",
-         "",
-         {},
-         tool}};
-    for (const ToolKind& kind : tool_kinds()) {
-        Command entry{"tool", "NAME", kind.help, "Tools", kind.label, kind.keys, tool, {kind.name}};
-        entry.in_use = is_in_hand;
-        commands.push_back(std::move(entry));
-    }
+    std::vector<Command> commands{Command(
+        "tool", "NAME", "Gives the mouse a tool over the picture: navigate, lasso, lasso-polygon and others.", tool)};
+    for (const ToolKind& kind : tool_kinds())
+        commands.push_back(Command("tool", "NAME", kind.help, tool)
+                               .in_menu("Tools", kind.label, kind.keys)
+                               .giving({kind.name})
+                               .in_use_when(is_in_hand));
     return commands;
 }
 

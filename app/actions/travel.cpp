@@ -76,28 +76,17 @@ bool is_flying(const ActionContext& context, const Command&) {
 } // namespace
 
 std::vector<Command> travel_commands() {
-    Command along{
-        "fly-along", "[ID]",      "Opens or closes the bar that flies the camera along the vessels to a branch.",
-        "View",      "Fly along", {"J"},
-        fly_along,   {},          has_tree};
-    along.in_use = is_flying;
     return {
-        {"centre",
-         "ID|X,Y,Z",
-         "Brings the middle of a branch, or a place, into the middle of the picture.",
-         "",
-         "",
-         {},
-         centre},
-        {"go-to", "ID|X,Y,Z", "Another name of centre.", "", "", {}, centre},
-        {"fly",
-         "ID FRACTION",
-         "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch.",
-         "",
-         "",
-         {},
-         fly},
-        along,
+        Command("centre", "ID|X,Y,Z", "Brings the middle of a branch, or a place, into the middle of the picture.",
+                centre),
+        Command("go-to", "ID|X,Y,Z", "Another name of centre.", centre),
+        Command("fly", "ID FRACTION",
+                "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch.", fly),
+        Command("fly-along", "[ID]", "Opens or closes the bar that flies the camera along the vessels to a branch.",
+                fly_along)
+            .in_menu("View", "Fly along", {"J"})
+            .when(has_tree)
+            .in_use_when(is_flying),
     };
 }
 

@@ -1,6 +1,7 @@
 // Commands that have to work before they can finish: at once in scripts, on a thread of their own in a window. Order,
 // undo, failure, cancelling. No GL, no window.
 #include "app/actions/command_runner.h"
+#include "app/assets/assets.h"
 #include "core/io/mesh_writer.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/grown_tree.h"
@@ -33,20 +34,21 @@ struct Gate {
         while (!open && !job.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     [[nodiscard]] Command select_slowly(int branch) {
-        return {.name = "select-slowly",
-                .action = [this, branch](ActionContext&, Arguments) -> Result<Outcome> {
-                    return Pending{"Thinking of " + std::to_string(branch),
-                                   [this, branch](Job& job) -> Result<Continuation> {
-                                       wait(job);
-                                       return [branch](ActionContext& then) -> Result<void> {
-                                           Marks next = then.document.marks();
-                                           next.selection.push_back(branch);
-                                           then.document.change(std::move(next));
-                                           return {};
-                                       };
-                                   }};
-                },
-                .preset = {std::to_string(branch)}};
+        const auto add = [branch](ActionContext& then) -> Result<void> {
+            Marks next = then.document.marks();
+            next.selection.push_back(branch);
+            then.document.change(std::move(next));
+            return {};
+        };
+        const auto work = [this, add](Job& job) -> Result<Continuation> {
+            wait(job);
+            return add;
+        };
+        const std::string id = std::to_string(branch);
+        const auto action = [=](ActionContext&, Arguments) -> Result<Outcome> {
+            return Pending{"Thinking of " + id, work};
+        };
+        return Command("select-slowly", "", "", action).giving({id});
     }
 };
 
@@ -83,7 +85,7 @@ TEST_CASE("a pending command changes nothing until its work is done, and then is
     CHECK(stage.marks().selection.empty());
     CHECK(stage.document.step_count() == 0);
     // What needs no work does not wait for it.
-    REQUIRE(runner.run(stage.context, std::vector<std::string>{"hide", "5"}));
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"lesion", "0,0,0,3"}));
     CHECK(stage.document.step_count() == 1);
     gate.open = true;
     CHECK(settle(runner, stage.context).empty());
@@ -92,7 +94,7 @@ TEST_CASE("a pending command changes nothing until its work is done, and then is
     CHECK(stage.document.step_name(1) == "select slowly: branch 3");
     REQUIRE(stage.document.undo());
     CHECK(stage.marks().selection.empty());
-    CHECK(state_of(stage.marks(), 5) == render::BranchState::kHidden);
+    CHECK(stage.marks().lesions.size() == 1);
 }
 
 TEST_CASE("pending commands finish in the order in which they came, one at a time") {
@@ -116,9 +118,8 @@ TEST_CASE("what fails in its work, in its continuation or by an exception leaves
     gate.open = true;
     CommandRunner runner({});
     const auto failing = [](std::function<Result<Continuation>(Job&)> work) {
-        return Command{.name = "try", .action = [work](ActionContext&, Arguments) -> Result<Outcome> {
-                           return Pending{"Trying", work};
-                       }};
+        const auto action = [work](ActionContext&, Arguments) -> Result<Outcome> { return Pending{"Trying", work}; };
+        return Command("try", "", "", action);
     };
     const Command in_work = failing([](Job&) -> Result<Continuation> { return fail("the file is empty"); });
     const Command after = failing([](Job&) -> Result<Continuation> {
@@ -180,6 +181,8 @@ TEST_CASE("a script's next line sees what the one before it read") {
     REQUIRE(stage.document.step_count() == 4);
     CHECK(stage.document.step_name(0).starts_with("lesion mesh"));
     CHECK(stage.said.starts_with("ball.stl: "));
+    CHECK(stage.assets.context_shape({ball, 0, false}) != nullptr); // what was read is there for the picture
+    CHECK(stage.assets.lesion_mesh(other) != nullptr);
     CHECK(stage.bad("context " + ball).find("shown already") != std::string::npos);
     CHECK(stage.bad("lesion-mesh " + other).find("there already") != std::string::npos);
 }
