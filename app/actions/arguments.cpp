@@ -48,7 +48,7 @@ std::optional<std::vector<double>> numbers_in(const std::string& word, std::size
     return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
-Result<std::size_t> place_in_list(Arguments arguments, std::size_t count, const std::string& what) {
+Result<std::size_t> list_index(Arguments arguments, std::size_t count, const std::string& what) {
     if (count == 0) return fail("there is no " + what);
     const auto number =
         arguments.size() == 1 ? number_in(arguments[0], 1.0, static_cast<double>(count)) : std::optional<double>();

@@ -133,7 +133,7 @@ Result<void> change_one(ActionContext& context, Arguments arguments, std::size_t
                         const Change& change) {
     if (arguments.size() != 1 + values) return fail(std::string(usage), {}, "N counts from 1 in the list of context");
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments.first(1), next.context.size(), "context mesh");
+    const auto index = list_index(arguments.first(1), next.context.size(), "context mesh");
     if (!index) return tl::unexpected(index.error());
     if (auto changed = change(next.context, *index); !changed) return changed;
     context.document.change(std::move(next));

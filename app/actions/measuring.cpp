@@ -63,7 +63,7 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
 
 Result<void> measure_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments, next.measurements.size(), "measurement");
+    const auto index = list_index(arguments, next.measurements.size(), "measurement");
     if (!index) return tl::unexpected(index.error());
     next.measurements.erase(next.measurements.begin() + static_cast<std::ptrdiff_t>(*index));
     context.document.change(std::move(next));

@@ -35,7 +35,7 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
     if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments.first(1), next.lesions.size(), "lesion");
+    const auto index = list_index(arguments.first(1), next.lesions.size(), "lesion");
     if (!index) return tl::unexpected(index.error());
     next.lesions[*index] = *sphere;
     context.document.change(std::move(next));
@@ -83,7 +83,7 @@ Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     const std::size_t spheres = next.lesions.size();
-    const auto index = place_in_list(arguments, spheres + next.lesion_meshes.size(), "lesion");
+    const auto index = list_index(arguments, spheres + next.lesion_meshes.size(), "lesion");
     if (!index) return tl::unexpected(index.error());
     if (*index < spheres)
         next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(*index));
@@ -114,8 +114,8 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     Marks next = document.marks();
     const std::size_t before = next.cuts.size();
     const auto add = [&](int branch, double fraction) {
-        const std::pair place{branch, fraction};
-        if (std::ranges::find(next.cuts, place) == next.cuts.end()) next.cuts.push_back(place);
+        const std::pair cut{branch, fraction};
+        if (std::ranges::find(next.cuts, cut) == next.cuts.end()) next.cuts.push_back(cut);
     };
     if (arguments.empty()) {
         // Of a selected subtree only its stem: a cut there is what the rest depends on.
@@ -146,7 +146,7 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
 
 Result<void> cut_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments, next.cuts.size(), "cut");
+    const auto index = list_index(arguments, next.cuts.size(), "cut");
     if (!index) return tl::unexpected(index.error());
     next.cuts.erase(next.cuts.begin() + static_cast<std::ptrdiff_t>(*index));
     context.document.change(std::move(next));

@@ -1,4 +1,4 @@
-// Where the camera goes by itself: to a branch, to a place, or along the vessels.
+// Where the camera goes by itself: to a branch, to a position, or along the vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/measure/branch_place.h"
@@ -13,9 +13,9 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 1) return fail("centre takes the id of a branch, or a place X,Y,Z in mm");
     glm::dvec3 target(0.0);
     if (arguments[0].find(',') != std::string::npos) {
-        const auto place = numbers_in(arguments[0], 3, kFarthestMm);
-        if (!place) return fail("\"" + arguments[0] + "\" is not a place X,Y,Z in mm");
-        target = {(*place)[0], (*place)[1], (*place)[2]};
+        const auto numbers = numbers_in(arguments[0], 3, kFarthestMm);
+        if (!numbers) return fail("\"" + arguments[0] + "\" is not a place X,Y,Z in mm");
+        target = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     } else {
         const auto id = branch_id(context.document, arguments[0]);
         if (!id) return tl::unexpected(id.error());

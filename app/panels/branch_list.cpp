@@ -260,8 +260,8 @@ void handle_keys(InterfaceContext& context, float row_height) {
         context.perform("select", {std::to_string(list.cursor)});
     }
     const float y = static_cast<float>(row) * row_height;
-    const float room = ImGui::GetWindowHeight() - 2.0F * row_height; // under the header
-    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + room) scroll_to(list, list.cursor, row_height);
+    const float visible = ImGui::GetWindowHeight() - 2.0F * row_height; // under the header
+    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + visible) scroll_to(list, list.cursor, row_height);
 }
 
 void select_rows(InterfaceContext& context) {

@@ -135,12 +135,12 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
     draw_swatch(context, item, number, trial);
     std::string name = std::filesystem::path(item.file).filename().string();
     if (item.label != 0) name += "  label " + std::to_string(item.label);
-    const float room = ImGui::GetContentRegionAvail().x - 2.0F * side - 8.0F * theme::scale();
+    const float available = ImGui::GetContentRegionAvail().x - 2.0F * side - 8.0F * theme::scale();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, trouble || gave_up       ? theme::kTrouble
                                          : waits || !item.visible ? theme::kQuiet
                                                                   : theme::kText);
-    ImGui::TextUnformatted(widgets::fitted(name, room).c_str());
+    ImGui::TextUnformatted(widgets::fitted(name, available).c_str());
     ImGui::PopStyleColor();
     const std::string about = trouble   ? trouble->message()
                               : gave_up ? item.file + "\nNot read: cancelled"

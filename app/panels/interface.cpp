@@ -51,9 +51,9 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
         layout.panel_width = std::min(pixels(std::clamp(panel_points, kLeastPanelWidth, kMostPanelWidth)), beside);
     layout.view_at = {0, layout.bar_height};
     const int between = window.y - layout.bar_height - layout.status_height;
-    const int room = between - pixels(kLeastViewHeight);
-    if (overview_points > 0.0F && room >= pixels(kLeastOverviewHeight))
-        layout.overview_height = std::clamp(pixels(overview_points), pixels(kLeastOverviewHeight), room);
+    const int available = between - pixels(kLeastViewHeight);
+    if (overview_points > 0.0F && available >= pixels(kLeastOverviewHeight))
+        layout.overview_height = std::clamp(pixels(overview_points), pixels(kLeastOverviewHeight), available);
     layout.view_size =
         glm::max(glm::ivec2(window.x - layout.panel_width, between - layout.overview_height), glm::ivec2(1));
     layout.pane_size = layout.view_size;

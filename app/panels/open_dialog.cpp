@@ -134,15 +134,15 @@ fs::path draw_places(float width, bool with_files) {
     fs::path chosen;
     ImGui::BeginChild("places", {width, 0.0F});
     widgets::quiet("Places");
-    const auto place = [&](const char* label, const fs::path& path) {
+    const auto entry = [&](const char* label, const fs::path& path) {
         if (ImGui::Selectable(label)) chosen = path;
         widgets::tooltip(path.c_str());
     };
-    if (const fs::path home = places::home(); !home.empty()) place("Home", home);
-    if (const fs::path documents = places::documents(); !documents.empty()) place("Documents", documents);
+    if (const fs::path home = places::home(); !home.empty()) entry("Home", home);
+    if (const fs::path documents = places::documents(); !documents.empty()) entry("Documents", documents);
     std::error_code ignored;
-    place("Here", fs::current_path(ignored));
-    place("Computer", "/");
+    entry("Here", fs::current_path(ignored));
+    entry("Computer", "/");
     if (with_files && !recent_files().empty()) {
         ImGui::Dummy({0.0F, 6.0F * theme::scale()});
         widgets::quiet("Recent");
@@ -150,7 +150,7 @@ fs::path draw_places(float width, bool with_files) {
     for (const auto& file : recent_files()) {
         if (!with_files) break;
         ImGui::PushID(file.c_str());
-        place(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
+        entry(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
         ImGui::PopID();
     }
     ImGui::EndChild();

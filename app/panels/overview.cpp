@@ -29,9 +29,9 @@ struct Canvas {
 double line_width(const InterfaceContext& context, const OverviewView& view, const OverviewLine& line, int id) {
     const TreeFacts& facts = *context.workspace.facts();
     const double thickest = 9.0 * theme::scale();
-    const double room = (line.last - line.first) / (view.most.x - view.least.x) * view.pixels.x;
+    const double spacing = (line.last - line.first) / (view.most.x - view.least.x) * view.pixels.x;
     const double share = facts.branches[index(id)].mean_diameter_mm / std::max(facts.max_diameter_mm, 1e-9);
-    return std::max(std::round(std::min(thickest * share, 0.75 * room)), 1.0);
+    return std::max(std::round(std::min(thickest * share, 0.75 * spacing)), 1.0);
 }
 
 void draw_piece(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, bool frames) {
@@ -125,7 +125,7 @@ void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
     ImGui::PushFont(theme::small_font());
     const float half = 0.5F * ImGui::GetFontSize();
     for (double value = 0.0; value <= depth * (1.0 + 1e-9); value += step) {
-        // A generation is a room between two lines.
+        // A generation lies between two lines.
         const auto y = std::round(static_cast<float>(canvas.to(view, {0.0, value / depth}).y));
         if (y < canvas.at.y - 1.0F || y > canvas.at.y + canvas.size.y + 1.0F) continue;
         canvas.list->AddLine({canvas.at.x, y + 0.5F}, {canvas.at.x + canvas.size.x, y + 0.5F},

@@ -30,12 +30,12 @@ std::string branch_name(const Document& document, int branch) {
 // A line that can be clicked, with a cross at its right end. Returns 1 for the line, -1 for the cross, 0 else.
 int removable_row(const std::string& text, const ImVec4& colour, const char* help) {
     const float cross = ImGui::GetFrameHeight();
-    const float room = ImGui::GetContentRegionAvail().x - cross;
+    const float width = ImGui::GetContentRegionAvail().x - cross;
     int result = 0;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    const std::string shown = widgets::fitted(text, room - 4.0F);
+    const std::string shown = widgets::fitted(text, width - 4.0F);
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Selectable(shown.c_str(), false, 0, {room, 0.0F})) result = 1;
+    if (ImGui::Selectable(shown.c_str(), false, 0, {width, 0.0F})) result = 1;
     ImGui::PopStyleColor();
     widgets::tooltip(shown == text ? help : text.c_str());
     ImGui::SameLine();
@@ -187,10 +187,10 @@ void draw_margins(InterfaceContext& context) {
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Margins mm");
     ImGui::SameLine();
-    const float room = 110.0F * theme::scale();
-    widgets::align_right(room);
+    const float width = 110.0F * theme::scale();
+    widgets::align_right(width);
     if (const auto words =
-            entry(context.interface.editing.numbers, "##bands", spelled_list(marks.planning.bands_mm), room);
+            entry(context.interface.editing.numbers, "##bands", spelled_list(marks.planning.bands_mm), width);
         !words.empty())
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
@@ -208,10 +208,10 @@ void draw_cuts(InterfaceContext& context) {
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Reconstruct above mm");
     ImGui::SameLine();
-    const float room = 56.0F * theme::scale();
-    widgets::align_right(room);
+    const float width = 56.0F * theme::scale();
+    widgets::align_right(width);
     if (const auto words =
-            entry(context.interface.editing.numbers, "##reconstruct", rounded(marks.planning.reconstruct_mm), room);
+            entry(context.interface.editing.numbers, "##reconstruct", rounded(marks.planning.reconstruct_mm), width);
         words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");

@@ -40,11 +40,11 @@ void draw_path(InterfaceContext& context, float right_edge) {
     const std::vector<int> path = path_to(*tree, branch);
     // The end of the path matters most: leave out the middle when there is no room for all.
     const float step_width = ImGui::CalcTextSize(kStep).x;
-    float room = right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale();
+    float available = right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale();
     std::size_t shown_from = path.size();
     for (std::size_t i = path.size(); i-- > 1;) {
-        room -= ImGui::CalcTextSize(std::to_string(path[i]).c_str()).x + step_width;
-        if (room < 3.0F * step_width + 2.0F * ImGui::CalcTextSize("00000").x) break;
+        available -= ImGui::CalcTextSize(std::to_string(path[i]).c_str()).x + step_width;
+        if (available < 3.0F * step_width + 2.0F * ImGui::CalcTextSize("00000").x) break;
         shown_from = i;
     }
     const auto link = [&](int id, bool last) {
@@ -119,7 +119,7 @@ float draw_progress(InterfaceContext& context) {
 // In at most half of the bar: a narrow window leaves out the time first, then the kind.
 float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
-    const float room = 0.5F * static_cast<float>(context.layout.window.x);
+    const float available = 0.5F * static_cast<float>(context.layout.window.x);
     std::string text;
     if (shown.mesh) {
         const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
@@ -128,7 +128,7 @@ float draw_facts(InterfaceContext& context) {
         for (const std::string& fitting :
              {kind + "   " + count + "   " + seconds_text(shown.seconds), kind + "   " + count, count}) {
             text = fitting;
-            if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
+            if (ImGui::CalcTextSize(text.c_str()).x <= available) break;
         }
     }
     const float start =
