@@ -48,7 +48,7 @@ std::optional<std::vector<double>> numbers_in(const std::string& word, std::size
     return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
-Result<std::size_t> place_in_list(Arguments arguments, std::size_t count, const std::string& what) {
+Result<std::size_t> list_index(Arguments arguments, std::size_t count, const std::string& what) {
     if (count == 0) return fail("there is no " + what);
     const auto number =
         arguments.size() == 1 ? number_in(arguments[0], 1.0, static_cast<double>(count)) : std::optional<double>();
@@ -73,6 +73,20 @@ Result<std::filesystem::path> file_argument(ActionContext& context, Arguments ar
             return fail("this is a lesion of the session", path.string(), "give another name");
     return path;
 }
+
+Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without) {
+    if (context.files == nullptr) return without;
+    context.files->ask_for_file(purpose);
+    return {};
+}
+
+Result<void> toggle_part(ActionContext& context, const std::string& part) {
+    if (context.window == nullptr) return no_window(part);
+    context.window->toggle(part);
+    return {};
+}
+
+tl::unexpected<Error> no_window(const std::string& part) { return fail("there is no " + part + " without a window"); }
 
 void select_these(Document& document, std::vector<int> ids) {
     Marks next = document.marks();

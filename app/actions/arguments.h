@@ -15,13 +15,19 @@ namespace ramus::app::actions {
 [[nodiscard]] std::optional<double> number_in(const std::string& word, double least, double most);
 // "1.5,2,-3": as many numbers as asked for, each at most `most` from 0.
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most);
-// The place in a list that people count from 1, as an index; `what`: "cut", of which there are `count`.
-[[nodiscard]] Result<std::size_t> place_in_list(Arguments arguments, std::size_t count, const std::string& what);
+// An index into a list that people count from 1; `what`: "cut", of which there are `count`.
+[[nodiscard]] Result<std::size_t> list_index(Arguments arguments, std::size_t count, const std::string& what);
 // The one file of a command, or what app/storage/places.h suggests.
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
 
-inline constexpr double kFarthestMm = 1e6; // of places, distances and diameters that people give
+// Shows the window's dialog for a file; fails with `without` where there is no window.
+[[nodiscard]] Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without);
+// Shows a part of the window that is hidden, and hides one that is shown.
+[[nodiscard]] Result<void> toggle_part(ActionContext& context, const std::string& part);
+[[nodiscard]] tl::unexpected<Error> no_window(const std::string& part); // "there is no help without a window"
+
+inline constexpr double kFarthestMm = 1e6; // of positions, distances and diameters that people give
 
 // Makes these branches, in any order, the selection.
 void select_these(Document& document, std::vector<int> ids);

@@ -3,26 +3,29 @@
 #include "app/actions/groups.h"
 #include "core/io/input_file.h"
 
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 namespace ramus::app::actions {
 
 namespace {
 
+constexpr const char* kNoClipboard = "there is no clipboard without a window";
+
 // All that is not hidden, from where `camera` looks.
 render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
-    const auto mesh = context.host.picture_mesh();
+    const auto mesh = context.picture.picture_mesh();
     if (!mesh) return camera;
     // A surface from before they were hidden may be what there is.
     const Marks& marks = context.document.marks();
     const auto visible =
         mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
-    return visible.empty() ? camera : render::fitted(camera, visible, context.host.picture_size());
+    return visible.empty() ? camera : render::fitted(camera, visible, context.picture.picture_size());
 }
 
 void move_camera(ActionContext& context, const render::Camera& camera) {
     context.document.set_camera(camera);
-    context.host.camera_leapt();
+    context.picture.camera_leapt();
 }
 
 Result<void> view(ActionContext& context, Arguments arguments) {
@@ -48,14 +51,15 @@ Result<void> orthographic(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> camera_copy(ActionContext& context, Arguments) {
-    if (auto copied = context.host.copy_text(render::to_json(context.document.session().camera).dump()); !copied)
-        return copied;
-    context.host.say("Camera copied as text");
+    if (context.clipboard == nullptr) return fail(kNoClipboard);
+    context.clipboard->copy_text(render::to_json(context.document.session().camera).dump());
+    context.say("Camera copied as text");
     return {};
 }
 
 Result<void> camera_paste(ActionContext& context, Arguments) {
-    const auto text = context.host.pasted_text();
+    if (context.clipboard == nullptr) return fail(kNoClipboard);
+    const auto text = context.clipboard->pasted_text();
     if (!text) return tl::unexpected(text.error());
     const auto camera = render::parse_camera(*text, "clipboard");
     if (!camera) return tl::unexpected(camera.error());
@@ -80,99 +84,40 @@ Result<void> camera(ActionContext& context, Arguments arguments) {
 
 bool is_orthographic(const Document& document) { return document.session().camera.orthographic; }
 
+Command view_entry(const char* label, const char* key, const char* help) {
+    std::string name(label);
+    name.front() = static_cast<char>(std::tolower(name.front()));
+    return Command("view", "NAME", help, view).in_menu("View", label, {key}).giving({name}).when(has_tree);
+}
+
 } // namespace
 
 std::vector<Command> camera_commands() {
     return {
-        {"view",
-         "NAME",
-         "Looks from anterior, posterior, left, right, superior or inferior at the whole tree.",
-         "",
-         "",
-         {},
-         view},
-        {"view",
-         "NAME",
-         "The viewer stands in front of the patient.",
-         "View",
-         "Anterior",
-         {"A"},
-         view,
-         {"anterior"},
-         has_tree},
-        {"view",
-         "NAME",
-         "The viewer stands behind the patient.",
-         "View",
-         "Posterior",
-         {"P"},
-         view,
-         {"posterior"},
-         has_tree},
-        {"view", "NAME", "The viewer stands at the patient's left.", "View", "Left", {"L"}, view, {"left"}, has_tree},
-        {"view",
-         "NAME",
-         "The viewer stands at the patient's right.",
-         "View",
-         "Right",
-         {"R"},
-         view,
-         {"right"},
-         has_tree},
-        {"view",
-         "NAME",
-         "The viewer looks down from the head.",
-         "View",
-         "Superior",
-         {"S"},
-         view,
-         {"superior"},
-         has_tree},
-        {"view", "NAME", "The viewer looks up from the feet.", "View", "Inferior", {"I"}, view, {"inferior"}, has_tree},
-        {"fit",
-         "",
-         "Brings the whole tree into the picture, from where the viewer stands.",
-         "View",
-         "Fit",
-         {"F", "0"},
-         fit,
-         {},
-         has_tree},
-        {"orthographic",
-         "[on|off]",
-         "Switches between parallel and central projection.",
-         "View",
-         "Orthographic",
-         {"O"},
-         orthographic,
-         {},
-         has_tree,
-         is_orthographic},
-        {"camera",
-         "JSON|FILE",
-         "Looks from a camera that was copied as text: {\"position\": [0, -500, 0], ...}.",
-         "",
-         "",
-         {},
-         camera},
-        {"camera-copy",
-         "",
-         "Copies the camera as text, for camera-paste, scripts and ramus render --camera.",
-         "Edit",
-         "Copy camera",
-         {"Ctrl+C"},
-         camera_copy,
-         {},
-         has_tree},
-        {"camera-paste",
-         "",
-         "Looks from the camera that was copied as text.",
-         "Edit",
-         "Paste camera",
-         {"Ctrl+V"},
-         camera_paste,
-         {},
-         has_tree},
+        Command("view", "NAME", "Looks from anterior, posterior, left, right, superior or inferior at the whole tree.",
+                view),
+        view_entry("Anterior", "A", "The viewer stands in front of the patient."),
+        view_entry("Posterior", "P", "The viewer stands behind the patient."),
+        view_entry("Left", "L", "The viewer stands at the patient's left."),
+        view_entry("Right", "R", "The viewer stands at the patient's right."),
+        view_entry("Superior", "S", "The viewer looks down from the head."),
+        view_entry("Inferior", "I", "The viewer looks up from the feet."),
+        Command("fit", "", "Brings the whole tree into the picture, from where the viewer stands.", fit)
+            .in_menu("View", "Fit", {"F", "0"})
+            .when(has_tree),
+        Command("orthographic", "[on|off]", "Switches between parallel and central projection.", orthographic)
+            .in_menu("View", "Orthographic", {"O"})
+            .when(has_tree)
+            .checked_when(is_orthographic),
+        Command("camera", "JSON|FILE",
+                "Looks from a camera that was copied as text: {\"position\": [0, -500, 0], ...}.", camera),
+        Command("camera-copy", "", "Copies the camera as text, for camera-paste, scripts and ramus render --camera.",
+                camera_copy)
+            .in_menu("Edit", "Copy camera", {"Ctrl+C"})
+            .when(has_tree),
+        Command("camera-paste", "", "Looks from the camera that was copied as text.", camera_paste)
+            .in_menu("Edit", "Paste camera", {"Ctrl+V"})
+            .when(has_tree),
     };
 }
 

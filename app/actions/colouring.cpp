@@ -41,23 +41,19 @@ Result<void> colour_map(ActionContext& context, Arguments arguments) {
 template <ColourMap map> bool colours_with(const Document& document) { return document.marks().colour_map == map; }
 
 Command colouring_entry(const ColouringRow& row) {
-    Command entry{"colour-by", "QUANTITY", std::string(row.help),  "Colour", std::string(row.label),
-                  {},          colour_by,  {std::string(row.key)}, has_tree};
-    entry.checked = [by = row.by](const Document& document) { return document.marks().colour_by == by; };
-    return entry;
+    return Command("colour-by", "QUANTITY", std::string(row.help), colour_by)
+        .in_menu("Colour", std::string(row.label))
+        .giving({std::string(row.key)})
+        .when(has_tree)
+        .checked_when([by = row.by](const Document& document) { return document.marks().colour_by == by; });
 }
 
 template <ColourMap map> Command map_entry(const char* label) {
-    return {"colour-map",
-            "NAME",
-            "Shows quantities in this colour map.",
-            "Colour",
-            label,
-            {},
-            colour_map,
-            {std::string(name_of(map))},
-            has_tree,
-            colours_with<map>};
+    return Command("colour-map", "NAME", "Shows quantities in this colour map.", colour_map)
+        .in_menu("Colour", label)
+        .giving({std::string(name_of(map))})
+        .when(has_tree)
+        .checked_when(colours_with<map>);
 }
 
 } // namespace
@@ -66,10 +62,10 @@ std::vector<Command> colour_commands() {
     std::vector<std::string_view> keys;
     for (const ColouringRow& row : colourings()) keys.push_back(row.key);
     std::vector<Command> commands = {
-        {"colour-by", "QUANTITY", "Colours by " + io::listed(keys) + ".", "", "", {}, colour_by}};
+        Command("colour-by", "QUANTITY", "Colours by " + io::listed(keys) + ".", colour_by)};
     for (const ColouringRow& row : colourings()) commands.push_back(colouring_entry(row));
     const std::vector<Command> maps = {
-        {"colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", "", "", {}, colour_map},
+        Command("colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", colour_map),
         map_entry<ColourMap::kViridis>("Viridis"),
         map_entry<ColourMap::kCividis>("Cividis"),
         map_entry<ColourMap::kMagma>("Magma"),

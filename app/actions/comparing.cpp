@@ -1,6 +1,7 @@
 // Surfaces of the same vessels looked at together, and the skeleton that they are made of.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "core/io/volumes/volume_format.h"
 
 #include <algorithm>
 
@@ -22,10 +23,10 @@ bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
 
 // Panes are narrower than the picture: a tree that was whole in it is whole in them.
 void change(ActionContext& context, Marks next) {
-    const glm::ivec2 before = context.host.picture_size();
+    const glm::ivec2 before = context.picture.picture_size();
     const bool whole = whole_in_picture(context, before);
     context.document.change(std::move(next));
-    if (whole && context.host.picture_size() != before)
+    if (whole && context.picture.picture_size() != before)
         if (const Command* fit = find_command("fit")) (void)fit->action(context, {});
 }
 
@@ -57,7 +58,9 @@ Result<void> compare_blend(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> compare_mask(ActionContext& context, Arguments arguments) {
-    if (arguments.empty()) return context.host.ask_for_mask();
+    if (arguments.empty())
+        return ask_for_file(context, FilePurpose::kMask,
+                            fail("compare-mask needs a FILE here", {}, io::readable_volume_extensions()));
     if (arguments.size() > 2)
         return fail("compare-mask takes a file, and labels in it", {}, "put quotes around a name with blanks");
     Marks next = context.document.marks();
@@ -96,51 +99,37 @@ template <Mode mode> bool compares(const Document& document) { return document.m
 bool shows_skeleton(const Document& document) { return document.marks().skeleton; }
 
 template <Mode mode> Command mode_entry(const char* label, const char* help) {
-    return {"compare", "MODE [SURFACES]", help, "View", label, {}, compare, {std::string(name_of(mode))},
-            has_tree,  compares<mode>};
+    return Command("compare", "MODE [SURFACES]", help, compare)
+        .in_menu("View", label)
+        .giving({std::string(name_of(mode))})
+        .when(has_tree)
+        .checked_when(compares<mode>);
 }
 
 } // namespace
 
 std::vector<Command> compare_commands() {
     return {
-        {"compare",
-         "MODE [SURFACES]",
-         "Shows surfaces of the same vessels off, side-by-side, blend or superimposed: two or three of cs,cones,iso.",
-         "",
-         "",
-         {},
-         compare},
+        Command("compare", "MODE [SURFACES]",
+                "Shows surfaces of the same vessels off, side-by-side, blend or superimposed: two or three of "
+                "cs,cones,iso.",
+                compare),
         mode_entry<Mode::kOff>("One surface", "Compares nothing: one surface fills the picture."),
         mode_entry<Mode::kSideBySide>("Surfaces side by side",
                                       "Compares surfaces in panes that one camera looks into."),
         mode_entry<Mode::kBlend>("Surfaces blended", "Compares two surfaces: one fades into the other."),
         mode_entry<Mode::kSuperimposed>("Surfaces superimposed",
                                         "Compares two surfaces: the second as lines over the first."),
-        {"compare-blend",
-         "SHARE",
-         "How much there is of the second surface where two are blended, from 0 to 1.",
-         "",
-         "",
-         {},
-         compare_blend},
-        {"compare-mask",
-         "[FILE [LABELS]|none]",
-         "The segmentation mask that the isosurface is of; none: the tree's own voxels. Without FILE, asks for one.",
-         "",
-         "",
-         {},
-         compare_mask},
-        {"skeleton",
-         "[on|off]",
-         "Draws centerlines, with rings of the radius, over the vessels.",
-         "View",
-         "Skeleton with radii",
-         {},
-         skeleton,
-         {},
-         has_tree,
-         shows_skeleton},
+        Command("compare-blend", "SHARE", "How much there is of the second surface where two are blended, from 0 to 1.",
+                compare_blend),
+        Command(
+            "compare-mask", "[FILE [LABELS]|none]",
+            "The segmentation mask that the isosurface is of; none: the tree's own voxels. Without FILE, asks for one.",
+            compare_mask),
+        Command("skeleton", "[on|off]", "Draws centerlines, with rings of the radius, over the vessels.", skeleton)
+            .in_menu("View", "Skeleton with radii")
+            .when(has_tree)
+            .checked_when(shows_skeleton),
     };
 }
 

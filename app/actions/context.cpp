@@ -82,28 +82,49 @@ std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree
                       : std::string();
 }
 
-Result<void> context(ActionContext& context, Arguments arguments) {
-    if (!has_tree(context.document)) return fail("there is no tree to show it beside");
-    if (arguments.empty()) return context.host.ask_for_context();
-    Marks next = context.document.marks();
-    const auto item = item_in(arguments, next.context);
-    if (!item) return tl::unexpected(item.error());
+// What the words ask for, in a colour that the document does not have yet.
+Result<ContextItem> new_item(const Document& document, Arguments arguments) {
+    const auto& context = document.marks().context;
+    auto item = item_in(arguments, context);
+    if (!item) return item;
     if (!can_be_context(item->file))
         return fail("this is neither a mask nor a mesh", item->file, "context is " + context_extensions());
     const auto same = [&](const ContextItem& other) {
         return source_of(other) == source_of(*item) && other.wireframe == item->wireframe;
     };
-    if (std::ranges::any_of(next.context, same)) return fail("this is shown already", item->file);
-    if (context.host.reads_context(*item, arguments)) return {};
-    Job job;
-    const auto shape = load_context_shape(context.assets, source_of(*item), job);
-    if (!shape) return tl::unexpected(shape.error());
-    context.host.say(std::filesystem::path(item->file).filename().string() + ": " +
-                     counted((*shape)->mesh->triangles.size(), "triangle", "triangles") +
-                     distance_text(*(*shape)->mesh, *context.document.tree()));
+    if (std::ranges::any_of(context, same)) return fail("this is shown already", item->file);
+    return item;
+}
+
+Result<void> add_context(ActionContext& context, Arguments arguments, const mesh::TriangleMesh& mesh) {
+    const auto item = new_item(context.document, arguments);
+    if (!item) return tl::unexpected(item.error());
+    context.say(std::filesystem::path(item->file).filename().string() + ": " +
+                counted(mesh.triangles.size(), "triangle", "triangles") +
+                distance_text(mesh, *context.document.tree()));
+    Marks next = context.document.marks();
     next.context.push_back(*item);
     context.document.change(std::move(next));
     return {};
+}
+
+Result<Outcome> context(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to show it beside");
+    if (arguments.empty())
+        return outcome_of(
+            ask_for_file(context, FilePurpose::kContext, fail("context needs a FILE here", {}, context_extensions())));
+    const auto item = new_item(context.document, arguments);
+    if (!item) return tl::unexpected(item.error());
+    return Pending{"Reading " + std::filesystem::path(item->file).filename().string(),
+                   [source = source_of(*item), words = std::vector(arguments.begin(), arguments.end()),
+                    assets = context.assets](Job& job) mutable -> Result<Continuation> {
+                       const auto shape = load_context_shape(assets, source, job);
+                       if (!shape) return tl::unexpected(shape.error());
+                       return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
+                           then.assets.put(source, read);
+                           return add_context(then, words, *(*read.value)->mesh);
+                       };
+                   }};
 }
 
 // The N-th of the list, changed as `change` says; that fails on what is no such value.
@@ -112,7 +133,7 @@ Result<void> change_one(ActionContext& context, Arguments arguments, std::size_t
                         const Change& change) {
     if (arguments.size() != 1 + values) return fail(std::string(usage), {}, "N counts from 1 in the list of context");
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments.first(1), next.context.size(), "context mesh");
+    const auto index = list_index(arguments.first(1), next.context.size(), "context mesh");
     if (!index) return tl::unexpected(index.error());
     if (auto changed = change(next.context, *index); !changed) return changed;
     context.document.change(std::move(next));
@@ -183,55 +204,25 @@ bool has_context(const Document& document) { return !document.marks().context.em
 
 std::vector<Command> context_commands() {
     return {
-        {"context",
-         "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]]",
-         "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
-         "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
-         "File",
-         "Add context...",
-         {},
-         context,
-         {},
-         has_tree},
-        {"context-remove", "N", "Takes the N-th context mesh away.", "", "", {}, context_remove, {}, has_context},
-        {"context-clear", "", "Takes all context meshes away.", "", "", {}, context_clear, {}, has_context},
-        {"context-show", "N", "Shows the N-th context mesh again.", "", "", {}, context_show, {}, has_context},
-        {"context-hide",
-         "N",
-         "Keeps the N-th context mesh, and does not show it.",
-         "",
-         "",
-         {},
-         context_hide,
-         {},
-         has_context},
-        {"context-opacity",
-         "N X",
-         "How dense the N-th context mesh is, from 0 to 1, which is solid.",
-         "",
-         "",
-         {},
-         context_opacity,
-         {},
-         has_context},
-        {"context-colour",
-         "N RRGGBB",
-         "The colour of the N-th context mesh.",
-         "",
-         "",
-         {},
-         context_colour,
-         {},
-         has_context},
-        {"context-style",
-         "N surface|wireframe",
-         "Draws the N-th context mesh as a surface, or as the edges of its triangles.",
-         "",
-         "",
-         {},
-         context_style,
-         {},
-         has_context},
+        Command(
+            "context", "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]]",
+            "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
+            "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
+            context)
+            .in_menu("File", "Add context...")
+            .when(has_tree),
+        Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),
+        Command("context-clear", "", "Takes all context meshes away.", context_clear).when(has_context),
+        Command("context-show", "N", "Shows the N-th context mesh again.", context_show).when(has_context),
+        Command("context-hide", "N", "Keeps the N-th context mesh, and does not show it.", context_hide)
+            .when(has_context),
+        Command("context-opacity", "N X", "How dense the N-th context mesh is, from 0 to 1, which is solid.",
+                context_opacity)
+            .when(has_context),
+        Command("context-colour", "N RRGGBB", "The colour of the N-th context mesh.", context_colour).when(has_context),
+        Command("context-style", "N surface|wireframe",
+                "Draws the N-th context mesh as a surface, or as the edges of its triangles.", context_style)
+            .when(has_context),
     };
 }
 

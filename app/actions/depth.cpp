@@ -26,21 +26,19 @@ Result<void> depth_cue(ActionContext& context, Arguments arguments) {
 template <DepthCue cue> bool shows(const Document& document) { return document.marks().depth_cues.has(cue); }
 
 template <DepthCue cue> Command cue_entry(const char* label, const char* help) {
-    return {"depth-cue", "NAME [on|off]", help, "View", label, {}, depth_cue, {std::string(name_of(cue))},
-            has_tree,    shows<cue>};
+    return Command("depth-cue", "NAME [on|off]", help, depth_cue)
+        .in_menu("View", label)
+        .giving({std::string(name_of(cue))})
+        .when(has_tree)
+        .checked_when(shows<cue>);
 }
 
 } // namespace
 
 std::vector<Command> depth_commands() {
     return {
-        {"depth-cue",
-         "NAME [on|off]",
-         "Switches what tells near from far: occlusion, fog, halos, contours, shadows, chromadepth.",
-         "",
-         "",
-         {},
-         depth_cue},
+        Command("depth-cue", "NAME [on|off]",
+                "Switches what tells near from far: occlusion, fog, halos, contours, shadows, chromadepth.", depth_cue),
         cue_entry<DepthCue::kOcclusion>("Shade in crevices", "Darkens what its surroundings hide from the sky."),
         cue_entry<DepthCue::kFog>("Fog", "Lets the far end of the tree sink into the background."),
         cue_entry<DepthCue::kHalos>("Halos", "Draws dark seams around vessels that pass before others."),

@@ -13,7 +13,9 @@ namespace {
 Result<void> open(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("open takes one file", {}, "put quotes around a name with blanks");
     if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
-    return arguments.empty() ? context.host.ask_for_file() : context.host.open(arguments[0]);
+    if (arguments.empty()) return ask_for_file(context, FilePurpose::kOpen, fail("open needs a FILE here"));
+    if (context.files == nullptr) return fail("a file cannot be opened from here", {}, "give it on the command line");
+    return context.files->open(arguments[0]);
 }
 
 Result<void> save(ActionContext& context, Arguments arguments) {
@@ -23,17 +25,19 @@ Result<void> save(ActionContext& context, Arguments arguments) {
     if (auto written = write_session(context.document.session(), *path); !written) return written;
     const std::filesystem::path full = std::filesystem::absolute(*path).lexically_normal();
     context.document.mark_saved(full);
-    context.host.say("Session saved: " + full.string());
+    context.say("Session saved: " + full.string());
     return {};
 }
 
-Result<void> save_as(ActionContext& context, Arguments) { return context.host.ask_for_name(); }
+Result<void> save_as(ActionContext& context, Arguments) {
+    return ask_for_file(context, FilePurpose::kSave, fail("save-as needs a window", {}, "save FILE"));
+}
 
 Result<void> shot(ActionContext& context, Arguments arguments) {
     const auto path = file_argument(context, arguments, "shot", ".png");
     if (!path) return tl::unexpected(path.error());
-    if (auto written = context.host.write_picture(*path); !written) return written;
-    context.host.say("Picture saved: " + std::filesystem::absolute(*path).lexically_normal().string());
+    if (auto written = context.picture.write_picture(*path); !written) return written;
+    context.say("Picture saved: " + std::filesystem::absolute(*path).lexically_normal().string());
     return {};
 }
 
@@ -47,13 +51,15 @@ Result<int> number_of_entry(Arguments arguments, const std::string& command) {
 
 Result<void> recover(ActionContext& context, Arguments arguments) {
     const auto which = number_of_entry(arguments, "recover");
-    return which ? context.host.recover(*which) : tl::unexpected(which.error());
+    if (!which) return tl::unexpected(which.error());
+    return context.files != nullptr ? context.files->recover(*which) : fail("recover needs a window");
 }
 
 Result<void> discard_recovery(ActionContext& context, Arguments arguments) {
     const auto which = number_of_entry(arguments, "discard-recovery");
     if (!which) return tl::unexpected(which.error());
-    return *which > 0 ? context.host.discard_recovery(*which) : fail("discard-recovery takes the number of an entry");
+    if (*which == 0) return fail("discard-recovery takes the number of an entry");
+    return context.files != nullptr ? context.files->discard_recovery(*which) : fail("discard-recovery needs a window");
 }
 
 Result<void> ui_scale(ActionContext& context, Arguments arguments) {
@@ -61,115 +67,77 @@ Result<void> ui_scale(ActionContext& context, Arguments arguments) {
     const auto refused = fail("ui-scale takes a factor from 0.5 to 4, larger, smaller or auto");
     if (arguments.size() != 1) return refused;
     const std::string& word = arguments[0];
-    if (word == "auto") return context.host.set_ui_scale(0.0);
-    const double now = context.host.ui_scale();
-    if (word == "larger") return context.host.set_ui_scale(std::min(now * kStep, kMostUiScale));
-    if (word == "smaller") return context.host.set_ui_scale(std::max(now / kStep, kLeastUiScale));
-    const auto factor = number_in(word, kLeastUiScale, kMostUiScale);
-    return factor ? context.host.set_ui_scale(*factor) : refused;
+    const double now = context.window != nullptr ? context.window->ui_scale() : 1.0;
+    const auto factor = word == "auto"      ? std::optional(0.0)
+                        : word == "larger"  ? std::min(now * kStep, kMostUiScale)
+                        : word == "smaller" ? std::max(now / kStep, kLeastUiScale)
+                                            : number_in(word, kLeastUiScale, kMostUiScale);
+    if (!factor) return refused;
+    if (context.window == nullptr) return fail("ui-scale needs a window");
+    context.window->set_ui_scale(*factor);
+    return {};
 }
 
-Result<void> quit(ActionContext& context, Arguments) { return context.host.quit(); }
+Result<void> quit(ActionContext& context, Arguments) {
+    if (context.files == nullptr) return fail("quit needs a window");
+    context.files->quit();
+    return {};
+}
 
 Result<void> panel(ActionContext& context, Arguments arguments) {
-    if (arguments.empty()) return context.host.toggle("panel");
-    if (arguments.size() > 1 || (arguments[0] != "explore" && arguments[0] != "plan" && arguments[0] != "other"))
+    if (arguments.size() > 1 ||
+        (arguments.size() == 1 && arguments[0] != "explore" && arguments[0] != "plan" && arguments[0] != "other"))
         return fail("panel shows or hides itself, or one of its halves", {}, "panel, panel explore or panel plan");
-    return context.host.toggle(arguments[0]);
+    return toggle_part(context, arguments.empty() ? "panel" : arguments[0]);
 }
 
-Result<void> help(ActionContext& context, Arguments) { return context.host.toggle("help"); }
+Result<void> help(ActionContext& context, Arguments) { return toggle_part(context, "help"); }
 
 } // namespace
 
 std::vector<Command> file_commands() {
     return {
-        {"open",
-         "[FILE]",
-         "Opens a tree or a session; without FILE, asks for one.",
-         "File",
-         "Open...",
-         {"Ctrl+O"},
-         open},
-        {"save",
-         "[FILE]",
-         "Writes the session: what is selected, hidden and highlighted, the camera, the options.",
-         "File",
-         "Save session",
-         {"Ctrl+S"},
-         save,
-         {},
-         has_tree},
-        {"save-as",
-         "",
-         "Asks where to write the session.",
-         "File",
-         "Save session as...",
-         {"Ctrl+Shift+S"},
-         save_as,
-         {},
-         has_tree},
-        {"recover",
-         "[N]",
-         "Shows what is left of runs that did not end well, or brings the N-th of them back.",
-         "File",
-         "Recover...",
-         {},
-         recover},
-        {"discard-recovery",
-         "N",
-         "Throws the N-th away of what is left of runs that did not end well.",
-         "",
-         "",
-         {},
-         discard_recovery},
-        {"shot", "[FILE]", "Writes the picture as PNG.", "File", "Save picture", {"F12"}, shot, {}, has_tree},
-        {"quit", "", "Closes ramus.", "File", "Quit", {"Ctrl+Q"}, quit},
+        Command("open", "[FILE]", "Opens a tree or a session; without FILE, asks for one.", open)
+            .in_menu("File", "Open...", {"Ctrl+O"}),
+        Command("save", "[FILE]",
+                "Writes the session: what is selected, hidden and highlighted, the camera, the options.", save)
+            .in_menu("File", "Save session", {"Ctrl+S"})
+            .when(has_tree),
+        Command("save-as", "", "Asks where to write the session.", save_as)
+            .in_menu("File", "Save session as...", {"Ctrl+Shift+S"})
+            .when(has_tree),
+        Command("recover", "[N]", "Shows what is left of runs that did not end well, or brings the N-th of them back.",
+                recover)
+            .in_menu("File", "Recover..."),
+        Command("discard-recovery", "N", "Throws the N-th away of what is left of runs that did not end well.",
+                discard_recovery),
+        Command("shot", "[FILE]", "Writes the picture as PNG.", shot)
+            .in_menu("File", "Save picture", {"F12"})
+            .when(has_tree),
+        Command("quit", "", "Closes ramus.", quit).in_menu("File", "Quit", {"Ctrl+Q"}),
     };
 }
 
 std::vector<Command> window_commands() {
     return {
-        {"panel",
-         "[explore|plan]",
-         "Shows or hides the side panel, or shows the half of it that explores or the one that plans.",
-         "View",
-         "Side panel",
-         {"Tab"},
-         panel},
-        {"panel",
-         "[explore|plan]",
-         "Goes from the exploring half of the side panel to the planning half, and back.",
-         "View",
-         "Explore or plan",
-         {"B"},
-         panel,
-         {"other"},
-         has_tree},
-        {"ui-scale",
-         "FACTOR|larger|smaller|auto",
-         "Sets how large text and panels are, in pixels per point; auto is what the display says.",
-         "",
-         "",
-         {},
-         ui_scale},
-        {"ui-scale",
-         "FACTOR|larger|smaller|auto",
-         "Makes text and panels larger.",
-         "View",
-         "Larger interface",
-         {},
-         ui_scale,
-         {"larger"}},
-        {"ui-scale",
-         "FACTOR|larger|smaller|auto",
-         "Makes text and panels smaller.",
-         "View",
-         "Smaller interface",
-         {},
-         ui_scale,
-         {"smaller"}},
-        {"help", "", "Shows what the mouse and the keys do.", "Help", "Mouse and keys", {"F1", "?"}, help},
+        Command("panel", "[explore|plan]",
+                "Shows or hides the side panel, or shows the half of it that explores or the one that plans.", panel)
+            .in_menu("View", "Side panel", {"Tab"}),
+        Command("panel", "[explore|plan]",
+                "Goes from the exploring half of the side panel to the planning half, and back.", panel)
+            .in_menu("View", "Explore or plan", {"B"})
+            .giving({"other"})
+            .when(has_tree),
+        Command("ui-scale", "FACTOR|larger|smaller|auto",
+                "Sets how large text and panels are, in pixels per point; auto is what the display says.", ui_scale),
+        Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels larger.", ui_scale)
+            .in_menu("View", "Larger interface")
+            .giving({"larger"}),
+        Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels smaller.", ui_scale)
+            .in_menu("View", "Smaller interface")
+            .giving({"smaller"}),
+        Command("help", "", "Shows what the mouse and the keys do.", help)
+            .in_menu("Help", "Mouse and keys", {"F1", "?"}),
     };
 }
 

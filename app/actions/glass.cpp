@@ -28,14 +28,10 @@ Result<void> glass_grey(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> glass_commands() {
     return {
-        {"glass-opacity",
-         "V",
-         "How dense defocused branches are: 0 leaves their centerlines, 1 is the usual veil, 2 nearly solid.",
-         "",
-         "",
-         {},
-         glass_opacity},
-        {"glass-grey", "V", "The grey of defocused branches, from 0 (black) to 1 (white).", "", "", {}, glass_grey},
+        Command("glass-opacity", "V",
+                "How dense defocused branches are: 0 leaves their centerlines, 1 is the usual veil, 2 nearly solid.",
+                glass_opacity),
+        Command("glass-grey", "V", "The grey of defocused branches, from 0 (black) to 1 (white).", glass_grey),
     };
 }
 

@@ -25,7 +25,7 @@ Result<void> undo(ActionContext& context, Arguments arguments) {
     if (!wanted) return tl::unexpected(wanted.error());
     const render::Camera before = context.document.session().camera;
     while ((*wanted)-- > 0) context.document.undo();
-    if (context.document.session().camera != before) context.host.camera_leapt();
+    if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }
 
@@ -34,7 +34,7 @@ Result<void> redo(ActionContext& context, Arguments arguments) {
     if (!wanted) return tl::unexpected(wanted.error());
     const render::Camera before = context.document.session().camera;
     while ((*wanted)-- > 0) context.document.redo();
-    if (context.document.session().camera != before) context.host.camera_leapt();
+    if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }
 
@@ -53,30 +53,14 @@ std::string redo_label(const Document& document) {
 
 std::vector<Command> history_commands() {
     return {
-        {"undo",
-         "[N]",
-         "Takes the last change back, or the last N.",
-         "Edit",
-         "Undo",
-         {"Ctrl+Z"},
-         undo,
-         {},
-         can_undo,
-         nullptr,
-         nullptr,
-         undo_label},
-        {"redo",
-         "[N]",
-         "Makes the change that was taken back again, or N of them.",
-         "Edit",
-         "Redo",
-         {"Ctrl+Shift+Z", "Ctrl+Y"},
-         redo,
-         {},
-         can_redo,
-         nullptr,
-         nullptr,
-         redo_label},
+        Command("undo", "[N]", "Takes the last change back, or the last N.", undo)
+            .in_menu("Edit", "Undo", {"Ctrl+Z"})
+            .when(can_undo)
+            .labelled(undo_label),
+        Command("redo", "[N]", "Makes the change that was taken back again, or N of them.", redo)
+            .in_menu("Edit", "Redo", {"Ctrl+Shift+Z", "Ctrl+Y"})
+            .when(can_redo)
+            .labelled(redo_label),
     };
 }
 

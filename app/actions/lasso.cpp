@@ -60,16 +60,17 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
     if (!context.document.tree()) return fail("there is no tree to lasso");
     std::optional<render::BranchPicture> picture;
     if (wanted->visible) {
-        auto taken = context.host.branch_picture();
+        auto taken = context.picture.branch_picture();
         if (!taken) return tl::unexpected(taken.error());
         picture = std::move(*taken);
     }
     const Document& document = context.document;
     const LassoRule rule{.any_part = wanted->any_part, .visible = picture ? &*picture : nullptr};
     const std::vector<int> hidden = branches_in_state(document.marks(), render::BranchState::kHidden);
-    std::vector<int> inside = branches_inside(*document.tree(), document.session().camera, context.host.picture_size(),
-                                              PixelPolygon(std::move(wanted->corners)), rule,
-                                              hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
+    std::vector<int> inside =
+        branches_inside(*document.tree(), document.session().camera, context.picture.picture_size(),
+                        PixelPolygon(std::move(wanted->corners)), rule,
+                        hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
     const std::string count = counted(inside.size(), "branch", "branches");
     const auto& selection = document.marks().selection;
     std::vector<int> next;
@@ -81,7 +82,7 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
         next = std::move(inside);
     const bool more = !next.empty() && !wanted->remove;
     select_these(context.document, std::move(next));
-    context.host.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
+    context.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
     return {};
 }
 
@@ -90,10 +91,9 @@ Result<void> set_switch(ActionContext& context, Arguments arguments, std::string
     const auto found = arguments.size() == 1 ? std::ranges::find(values, arguments[0]) : values.end();
     if (found == values.end())
         return fail(std::string(command) + " is " + std::string(values[0]) + " or " + std::string(values[1]));
-    ToolSettings* settings = context.host.tool_settings();
-    if (settings == nullptr)
+    if (context.tools == nullptr)
         return fail("there is no lasso in hand without a window", {}, "give lasso --any or --visible");
-    settings->*setting = found != values.begin();
+    context.tools->tool_settings().*setting = found != values.begin();
     return {};
 }
 
@@ -105,54 +105,39 @@ Result<void> lasso_depth(ActionContext& context, Arguments arguments) {
     return set_switch(context, arguments, "lasso-depth", {"through", "visible"}, &ToolSettings::lasso_visible);
 }
 
-bool is_mode(Host& host, const Command& entry) {
-    const ToolSettings* settings = host.tool_settings();
-    return settings != nullptr && settings->lasso_any_part == (entry.preset.front() == "any");
+bool is_mode(const ActionContext& context, const Command& entry) {
+    return context.tools != nullptr && context.tools->tool_settings().lasso_any_part == (entry.preset.front() == "any");
 }
 
-bool is_depth(Host& host, const Command& entry) {
-    const ToolSettings* settings = host.tool_settings();
-    return settings != nullptr && settings->lasso_visible == (entry.preset.front() == "visible");
+bool is_depth(const ActionContext& context, const Command& entry) {
+    return context.tools != nullptr &&
+           context.tools->tool_settings().lasso_visible == (entry.preset.front() == "visible");
+}
+
+Command lasso_mode_entry(const char* value, const char* label, const char* help) {
+    return Command("lasso-mode", "", help, lasso_mode).in_menu("Tools", label).giving({value}).in_use_when(is_mode);
+}
+
+Command lasso_depth_entry(const char* value, const char* label, const char* help) {
+    return Command("lasso-depth", "", help, lasso_depth).in_menu("Tools", label).giving({value}).in_use_when(is_depth);
 }
 
 } // namespace
 
 std::vector<Command> lasso_commands() {
-    std::vector<Command> commands{
-        {"lasso",
-         "[--any] [--visible] [--add|--remove] X,Y X,Y X,Y...",
-         "Selects what lies inside a polygon of pixels: branches with at least half their length inside, or any part.",
-         "",
-         "",
-         {},
-         lasso},
-        {"lasso-mode",
-         "half|any",
-         "What a lasso takes: at least half a branch, or any part of it.",
-         "",
-         "",
-         {},
-         lasso_mode},
-        {"lasso-depth",
-         "through|visible",
-         "Whether a lasso takes what lies behind, or only what is visible.",
-         "",
-         "",
-         {},
-         lasso_depth},
+    return {
+        Command("lasso", "[--any] [--visible] [--add|--remove] X,Y X,Y X,Y...",
+                "Selects what lies inside a polygon of pixels: branches with at least half their length inside, or any "
+                "part.",
+                lasso),
+        Command("lasso-mode", "half|any", "What a lasso takes: at least half a branch, or any part of it.", lasso_mode),
+        Command("lasso-depth", "through|visible", "Whether a lasso takes what lies behind, or only what is visible.",
+                lasso_depth),
+        lasso_mode_entry("half", "Lasso at least half", "A branch is in with at least half its length."),
+        lasso_mode_entry("any", "Lasso any part", "A branch is in with any part of it."),
+        lasso_depth_entry("through", "Lasso through the tree", "What lies behind is taken too."),
+        lasso_depth_entry("visible", "Lasso what is visible", "Only what can be seen is taken."),
     };
-    const auto entry = [&](const char* name, const char* value, const char* label, const char* help, auto action,
-                           auto in_use) {
-        Command command{name, "", help, "Tools", label, {}, action, {value}};
-        command.in_use = in_use;
-        commands.push_back(std::move(command));
-    };
-    entry("lasso-mode", "half", "Lasso at least half", "A branch is in with at least half its length.", lasso_mode,
-          is_mode);
-    entry("lasso-mode", "any", "Lasso any part", "A branch is in with any part of it.", lasso_mode, is_mode);
-    entry("lasso-depth", "through", "Lasso through the tree", "What lies behind is taken too.", lasso_depth, is_depth);
-    entry("lasso-depth", "visible", "Lasso what is visible", "Only what can be seen is taken.", lasso_depth, is_depth);
-    return commands;
 }
 
 } // namespace ramus::app::actions

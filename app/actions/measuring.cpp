@@ -57,13 +57,13 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     if (std::ranges::find(next.measurements, *wanted) == next.measurements.end()) next.measurements.push_back(*wanted);
     context.document.change(std::move(next));
-    context.host.say(found->sentence());
+    context.say(found->sentence());
     return {};
 }
 
 Result<void> measure_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments, next.measurements.size(), "measurement");
+    const auto index = list_index(arguments, next.measurements.size(), "measurement");
     if (!index) return tl::unexpected(index.error());
     next.measurements.erase(next.measurements.begin() + static_cast<std::ptrdiff_t>(*index));
     context.document.change(std::move(next));
@@ -92,33 +92,21 @@ bool has_measurements(const Document& document) { return !document.marks().measu
 
 std::vector<Command> measure_commands() {
     return {
-        {"measure",
-         "KIND ...",
-         "Measures, tells and keeps: distance X,Y,Z X,Y,Z (straight); path ID ID (the shortest way along the vessels "
-         "from middle to middle); diameter ID [FRACTION]; angle ID (where the branch begins, to its parent's way on).",
-         "",
-         "",
-         {},
-         measure_this},
-        {"measure-selected",
-         "",
-         "Measures the way along the vessels between the two selected branches, from middle to middle.",
-         "Plan",
-         "Measure the path between two",
-         {},
-         measure_path_of_selection,
-         {},
-         two_selected},
-        {"measure-remove", "N", "Takes measurement N of the list away.", "", "", {}, measure_remove},
-        {"measure-clear",
-         "",
-         "Takes all measurements away.",
-         "Plan",
-         "Remove all measurements",
-         {},
-         measure_clear,
-         {},
-         has_measurements},
+        Command("measure", "KIND ...",
+                "Measures, tells and keeps: distance X,Y,Z X,Y,Z (straight); path ID ID (the shortest way along the "
+                "vessels "
+                "from middle to middle); diameter ID [FRACTION]; angle ID (where the branch begins, to its parent's "
+                "way on).",
+                measure_this),
+        Command("measure-selected", "",
+                "Measures the way along the vessels between the two selected branches, from middle to middle.",
+                measure_path_of_selection)
+            .in_menu("Plan", "Measure the path between two")
+            .when(two_selected),
+        Command("measure-remove", "N", "Takes measurement N of the list away.", measure_remove),
+        Command("measure-clear", "", "Takes all measurements away.", measure_clear)
+            .in_menu("Plan", "Remove all measurements")
+            .when(has_measurements),
     };
 }
 

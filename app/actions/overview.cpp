@@ -14,7 +14,10 @@ Result<void> overview(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1 ||
         (arguments.size() == 1 && std::ranges::find(kSettings, arguments[0]) == kSettings.end()))
         return fail("overview is on, off, or by generation or distance");
-    return arguments.empty() ? context.host.toggle("overview") : context.host.arrange("overview", arguments[0]);
+    if (arguments.empty()) return toggle_part(context, "overview");
+    if (context.window == nullptr) return no_window("overview");
+    context.window->set_overview(arguments[0]);
+    return {};
 }
 
 // The branch that the selection is all about: the only one, or the one that all others depend on.
@@ -30,41 +33,39 @@ int stem_of_selection(const Document& document) {
 
 Result<void> rename(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("rename takes the id of one branch");
+    int branch = tree::kNoBranch;
     if (!arguments.empty()) {
         const auto id = branch_id(context.document, arguments[0]);
         if (!id) return tl::unexpected(id.error());
-        return context.host.arrange("name", arguments[0]);
+        branch = *id;
+    } else {
+        if (auto some = expect_selection(context.document); !some) return some;
+        branch = stem_of_selection(context.document);
+        if (branch == tree::kNoBranch)
+            return fail("a name is given to one branch", {}, "select one, or one with all that depends on it");
     }
-    if (auto some = expect_selection(context.document); !some) return some;
-    const int stem = stem_of_selection(context.document);
-    if (stem == tree::kNoBranch)
-        return fail("a name is given to one branch", {}, "select one, or one with all that depends on it");
-    return context.host.arrange("name", std::to_string(stem));
+    if (context.window == nullptr) return no_window("name");
+    context.window->ask_for_name(branch);
+    return {};
 }
 
-bool shows_overview(Host& host, const Command&) { return host.shows("overview"); }
+bool shows_overview(const ActionContext& context, const Command&) {
+    return context.window != nullptr && context.window->shows("overview");
+}
 
 } // namespace
 
 std::vector<Command> overview_commands() {
-    Command entry{"overview",
-                  "[on|off|generation|distance]",
-                  "Shows or hides the tree as a flat picture: generation or distance from the root downwards.",
-                  "View",
-                  "Overview",
-                  {"T"},
-                  overview};
-    entry.in_use = shows_overview;
-    return {entry,
-            {"rename",
-             "[ID]",
-             "Asks for the name of the selected branch, which all that depends on it bears too.",
-             "Branches",
-             "Name...",
-             {"F2"},
-             rename,
-             {},
-             has_selection}};
+    return {
+        Command("overview", "[on|off|generation|distance]",
+                "Shows or hides the tree as a flat picture: generation or distance from the root downwards.", overview)
+            .in_menu("View", "Overview", {"T"})
+            .in_use_when(shows_overview),
+        Command("rename", "[ID]", "Asks for the name of the selected branch, which all that depends on it bears too.",
+                rename)
+            .in_menu("Branches", "Name...", {"F2"})
+            .when(has_selection),
+    };
 }
 
 } // namespace ramus::app::actions

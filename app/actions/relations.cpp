@@ -24,7 +24,7 @@ Result<void> select_found(ActionContext& context, std::vector<int> ids, const st
 
 // A selection by value may well come out empty; how many it took is said.
 Result<void> select_and_say(ActionContext& context, std::vector<int> ids, const std::string& what) {
-    context.host.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
+    context.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
     select_these(context.document, std::move(ids));
     return {};
 }
@@ -103,7 +103,22 @@ Result<void> select_diameter(ActionContext& context, Arguments arguments) {
     return select_and_say(context, std::move(ids), "of " + arguments[0] + " to " + arguments[1] + " mm diameter");
 }
 
-Result<void> select_within(ActionContext& context, Arguments arguments) {
+Result<void> select_closer(ActionContext& context, double reach, const std::vector<double>& distances,
+                           const std::string& what) {
+    std::vector<int> ids;
+    for (std::size_t id = 0; id < distances.size(); ++id)
+        if (distances[id] <= reach) ids.push_back(static_cast<int>(id));
+    return select_and_say(context, std::move(ids), "within " + what);
+}
+
+Result<void> select_by_plan(ActionContext& context, double reach, const Plan& plan, const std::string& what) {
+    if (plan.lesion_distances_mm.empty())
+        return plan.troubles.empty() ? fail("there is no lesion", {}, "place one first, or give a point X,Y,Z")
+                                     : fail(plan.troubles.front());
+    return select_closer(context, reach, plan.lesion_distances_mm, what);
+}
+
+Result<Outcome> select_within(ActionContext& context, Arguments arguments) {
     const Document& document = context.document;
     if (!has_tree(document)) return fail("there is no tree");
     const auto reach =
@@ -111,97 +126,57 @@ Result<void> select_within(ActionContext& context, Arguments arguments) {
     const auto point = arguments.size() == 2 ? numbers_in(arguments[1], 3, kFarthestMm) : std::nullopt;
     if (!reach || (arguments.size() == 2 && !point))
         return fail("select-within takes a distance in mm, and may take a point X,Y,Z to count from");
-    std::vector<double> distances;
     if (point) {
-        const measure::Lesions place{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
-        distances = measure::wall_distances(*document.tree(), place);
-    } else {
-        if (context.host.unhurried()) complete_lesions(context.assets, document);
-        const Plan& plan = refresh_plan(context.assets, document);
-        if (plan.measuring)
-            return fail("the distances to the lesions are still being measured", {}, "try again in a moment");
-        if (plan.lesion_distances_mm.empty())
-            return plan.troubles.empty() ? fail("there is no lesion", {}, "place one first, or give a point X,Y,Z")
-                                         : fail(plan.troubles.front());
-        distances = plan.lesion_distances_mm;
+        const measure::Lesions at{{{(*point)[0], (*point)[1], (*point)[2], 0.0}}, {}};
+        return outcome_of(select_closer(context, *reach, measure::wall_distances(*document.tree(), at),
+                                        arguments[0] + " mm of the point"));
     }
-    std::vector<int> ids;
-    for (std::size_t id = 0; id < distances.size(); ++id)
-        if (distances[id] <= *reach) ids.push_back(static_cast<int>(id));
-    return select_and_say(context, std::move(ids),
-                          "within " + arguments[0] + (point ? " mm of the point" : " mm of the lesions"));
+    const std::string what = arguments[0] + " mm of the lesions";
+    const Plan& plan = refresh_plan(context.assets, document);
+    if (!plan.measuring) return outcome_of(select_by_plan(context, *reach, plan, what));
+    return Pending{"Measuring distances",
+                   [assets = context.assets, marks = document.marks(), reach = *reach,
+                    what](Job&) mutable -> Result<Continuation> {
+                       complete_lesions(assets, marks, GridIs::kMadeWhenShown);
+                       return [assets, plan = make_plan(assets, marks), reach, what](ActionContext& then) mutable {
+                           assets.lesion_grid = then.assets.lesion_grid; // others make it
+                           merge(then.assets, assets);
+                           return select_by_plan(then, reach, plan, what);
+                       };
+                   }};
 }
 
 } // namespace
 
 std::vector<Command> relation_commands() {
     return {
-        {"select-parent",
-         "",
-         "Selects the branches that the selected ones come from, instead of them.",
-         "Select",
-         "Parent",
-         {"["},
-         select_parent,
-         {},
-         has_selection},
-        {"select-children",
-         "",
-         "Selects the branches that come from the selected ones, instead of them.",
-         "Select",
-         "Children",
-         {"]"},
-         select_children,
-         {},
-         has_selection},
-        {"select-siblings",
-         "",
-         "Selects the other branches that begin where the selected ones do, instead of them.",
-         "Select",
-         "Siblings",
-         {},
-         select_siblings,
-         {},
-         has_selection},
-        {"select-same-generation",
-         "",
-         "Selects all branches of the selected ones' generations.",
-         "Select",
-         "Same generation",
-         {},
-         select_same_generation,
-         {},
-         has_selection},
-        {"select-generation",
-         "N [M]",
-         "Selects the branches of generation N, or of N to M; 0 is that of the roots.",
-         "",
-         "",
-         {},
-         select_generation},
-        {"select-diameter",
-         "MIN MAX",
-         "Selects the branches of a mean diameter of MIN to MAX mm.",
-         "",
-         "",
-         {},
-         select_diameter},
-        {"select-within",
-         "MM [X,Y,Z]",
-         "Selects the branches whose wall is at most MM from the lesions, or from a point.",
-         "",
-         "",
-         {},
-         select_within},
-        {"select-within",
-         "MM",
-         "Selects the branches whose wall is at most 10 mm from the lesions.",
-         "Select",
-         "Within 10 mm of the lesions",
-         {},
-         select_within,
-         {"10"},
-         has_lesions},
+        Command("select-parent", "", "Selects the branches that the selected ones come from, instead of them.",
+                select_parent)
+            .in_menu("Select", "Parent", {"["})
+            .when(has_selection),
+        Command("select-children", "", "Selects the branches that come from the selected ones, instead of them.",
+                select_children)
+            .in_menu("Select", "Children", {"]"})
+            .when(has_selection),
+        Command("select-siblings", "",
+                "Selects the other branches that begin where the selected ones do, instead of them.", select_siblings)
+            .in_menu("Select", "Siblings")
+            .when(has_selection),
+        Command("select-same-generation", "", "Selects all branches of the selected ones' generations.",
+                select_same_generation)
+            .in_menu("Select", "Same generation")
+            .when(has_selection),
+        Command("select-generation", "N [M]",
+                "Selects the branches of generation N, or of N to M; 0 is that of the roots.", select_generation),
+        Command("select-diameter", "MIN MAX", "Selects the branches of a mean diameter of MIN to MAX mm.",
+                select_diameter),
+        Command("select-within", "MM [X,Y,Z]",
+                "Selects the branches whose wall is at most MM from the lesions, or from a point.", select_within),
+        Command("select-within", "MM", "Selects the branches whose wall is at most 10 mm from the lesions.",
+                select_within)
+            .in_menu("Select", "Within 10 mm of the lesions")
+            .giving({"10"})
+            .when(has_lesions),
     };
 }
 

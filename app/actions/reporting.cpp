@@ -47,7 +47,7 @@ Result<void> write_csv(ActionContext& context, const std::filesystem::path& path
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
     if (auto written = io::write_file(path, csv_of(kind->table(document, assets))); !written) return written;
-    context.host.say("Report of " + std::string(kind->name) + " saved: " + path.string());
+    context.say("Report of " + std::string(kind->name) + " saved: " + path.string());
     return {};
 }
 
@@ -60,7 +60,7 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
         glm::ivec2 size;
     };
     std::vector<Wanted> wanted{{"As it was looked at", current, kLarge}};
-    if (const auto mesh = context.host.picture_mesh()) {
+    if (const auto mesh = context.picture.picture_mesh()) {
         const Marks& marks = context.document.marks();
         const auto visible =
             mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
@@ -71,7 +71,7 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
     }
     std::vector<ReportPicture> pictures;
     for (const Wanted& one : wanted) {
-        const auto image = context.host.draw_picture(one.camera, one.size);
+        const auto image = context.picture.draw_picture(one.camera, one.size);
         if (!image) return tl::unexpected(image.error());
         auto png = render::encode_png(*image);
         if (!png) return tl::unexpected(png.error());
@@ -101,7 +101,7 @@ Result<void> report(ActionContext& context, Arguments arguments) {
     if (auto written = io::write_file(*path, report_page(context.document, context.assets, *pictures, now_text()));
         !written)
         return written;
-    context.host.say("Report saved: " + path->string());
+    context.say("Report saved: " + path->string());
     return {};
 }
 
@@ -109,16 +109,12 @@ Result<void> report(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> report_commands() {
     return {
-        {"report",
-         "[FILE [KIND]]",
-         "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
-         "measurements, the first of cuts, bands, selection, measurements that there is unless told.",
-         "Plan",
-         "Save report",
-         {},
-         report,
-         {},
-         has_tree},
+        Command("report", "[FILE [KIND]]",
+                "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
+                "measurements, the first of cuts, bands, selection, measurements that there is unless told.",
+                report)
+            .in_menu("Plan", "Save report")
+            .when(has_tree),
     };
 }
 

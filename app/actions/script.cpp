@@ -58,7 +58,7 @@ Result<std::vector<std::string>> words_of(std::string_view line, const std::stri
     return words;
 }
 
-std::string place(const std::string& file, int number) { return file + ":" + std::to_string(number); }
+std::string location(const std::string& file, int number) { return file + ":" + std::to_string(number); }
 
 } // namespace
 
@@ -67,7 +67,7 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        auto words = words_of(text.substr(0, end), place(file, number));
+        auto words = words_of(text.substr(0, end), location(file, number));
         if (!words) return tl::unexpected(words.error());
         if (!words->empty()) lines.push_back({number, std::move(*words)});
         text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
@@ -89,7 +89,7 @@ Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& l
         if (auto done = run_command(context, line.words); !done) {
             Error error = done.error();
             if (!error.where.empty()) error.what = error.where + ": " + error.what;
-            error.where = place(file, line.number);
+            error.where = location(file, line.number);
             return tl::unexpected(error);
         }
     }

@@ -1,9 +1,9 @@
 // Commands files: one command a line, `#` starts a comment, double quotes hold words with blanks (\" and \\ inside
 // them); a word that begins with a brace is JSON up to the brace that closes it. A line that fails stops the run; the
-// error's place is file:line.
+// error's location is file:line.
 #pragma once
 
-#include "app/actions/command_table.h"
+#include "app/actions/command_runner.h"
 
 namespace ramus::app {
 

@@ -70,58 +70,31 @@ Result<void> select_invert(ActionContext& context, Arguments) {
 }
 
 Result<void> dismiss(ActionContext& context, Arguments arguments) {
-    return context.host.dismiss() ? Result<void>{} : select_none(context, arguments);
+    return context.window != nullptr && context.window->dismiss() ? Result<void>{} : select_none(context, arguments);
 }
 
 } // namespace
 
 std::vector<Command> selection_commands() {
     return {
-        {"select", "ID...", "Selects these branches and no others.", "", "", {}, select},
-        {"select-add", "ID...", "Adds these branches to the selection.", "", "", {}, select_add},
-        {"select-dependents",
-         "",
-         "Selects also all that depends on the selected branches.",
-         "Select",
-         "Dependents",
-         {"D"},
-         select_dependents,
-         {},
-         has_selection},
-        {"select-upstream",
-         "",
-         "Selects also the way from the selected branches to the root.",
-         "Select",
-         "Upstream",
-         {"U"},
-         select_upstream,
-         {},
-         has_selection},
-        {"select-invert",
-         "",
-         "Selects what is not selected, and nothing else.",
-         "Select",
-         "Invert",
-         {"Ctrl+I"},
-         select_invert,
-         {},
-         has_tree},
-        {"select-subtree",
-         "ID...",
-         "Selects these branches and all that depends on them, and no others.",
-         "",
-         "",
-         {},
-         select_subtree},
-        {"select-toggle",
-         "ID...",
-         "Takes each of these branches into the selection, or out of it.",
-         "",
-         "",
-         {},
-         select_toggle},
-        {"select-none", "", "Selects nothing.", "Select", "Nothing", {}, select_none, {}, has_selection},
-        {"dismiss", "", "Closes what lies on top; with nothing there, selects nothing.", "", "", {"Escape"}, dismiss},
+        Command("select", "ID...", "Selects these branches and no others.", select),
+        Command("select-add", "ID...", "Adds these branches to the selection.", select_add),
+        Command("select-dependents", "", "Selects also all that depends on the selected branches.", select_dependents)
+            .in_menu("Select", "Dependents", {"D"})
+            .when(has_selection),
+        Command("select-upstream", "", "Selects also the way from the selected branches to the root.", select_upstream)
+            .in_menu("Select", "Upstream", {"U"})
+            .when(has_selection),
+        Command("select-invert", "", "Selects what is not selected, and nothing else.", select_invert)
+            .in_menu("Select", "Invert", {"Ctrl+I"})
+            .when(has_tree),
+        Command("select-subtree", "ID...", "Selects these branches and all that depends on them, and no others.",
+                select_subtree),
+        Command("select-toggle", "ID...", "Takes each of these branches into the selection, or out of it.",
+                select_toggle),
+        Command("select-none", "", "Selects nothing.", select_none).in_menu("Select", "Nothing").when(has_selection),
+        Command("dismiss", "", "Closes what lies on top; with nothing there, selects nothing.", dismiss)
+            .on_keys({"Escape"}),
     };
 }
 

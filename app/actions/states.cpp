@@ -63,53 +63,25 @@ bool has_states(const Document& document) { return !document.marks().states.empt
 
 std::vector<Command> state_commands() {
     return {
-        {"highlight",
-         "",
-         "Highlights the selected branches.",
-         "Branches",
-         "Highlight",
-         {"H"},
-         highlight,
-         {},
-         has_selection},
-        {"defocus",
-         "",
-         "Makes the selected branches grey glass.",
-         "Branches",
-         "Defocus",
-         {"G"},
-         defocus,
-         {},
-         has_selection},
-        {"defocus-others",
-         "",
-         "Makes everything but the selected branches grey glass.",
-         "Branches",
-         "Defocus others",
-         {"Shift+G"},
-         defocus_others,
-         {},
-         has_selection},
-        {"hide", "", "Hides the selected branches.", "Branches", "Hide", {"X", "Delete"}, hide, {}, has_selection},
-        {"show",
-         "",
-         "Makes the selected branches normal again.",
-         "Branches",
-         "Show normally",
-         {"N"},
-         show,
-         {},
-         has_selection},
-        {"show-all",
-         "",
-         "Makes every branch normal again.",
-         "Branches",
-         "Show all",
-         {"Shift+N"},
-         show_all,
-         {},
-         has_states},
-        {"name", "ID TEXT", "Gives a branch a name; an empty one takes it away.", "", "", {}, name},
+        Command("highlight", "", "Highlights the selected branches.", highlight)
+            .in_menu("Branches", "Highlight", {"H"})
+            .when(has_selection),
+        Command("defocus", "", "Makes the selected branches grey glass.", defocus)
+            .in_menu("Branches", "Defocus", {"G"})
+            .when(has_selection),
+        Command("defocus-others", "", "Makes everything but the selected branches grey glass.", defocus_others)
+            .in_menu("Branches", "Defocus others", {"Shift+G"})
+            .when(has_selection),
+        Command("hide", "", "Hides the selected branches.", hide)
+            .in_menu("Branches", "Hide", {"X", "Delete"})
+            .when(has_selection),
+        Command("show", "", "Makes the selected branches normal again.", show)
+            .in_menu("Branches", "Show normally", {"N"})
+            .when(has_selection),
+        Command("show-all", "", "Makes every branch normal again.", show_all)
+            .in_menu("Branches", "Show all", {"Shift+N"})
+            .when(has_states),
+        Command("name", "ID TEXT", "Gives a branch a name; an empty one takes it away.", name),
     };
 }
 

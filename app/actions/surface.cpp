@@ -33,7 +33,7 @@ std::vector<Command> surface_commands() {
     for (const SurfaceOption& option : surface_options())
         if (!option.label.empty()) names.append(names.empty() ? "" : ", ").append(option.key);
     return {
-        {"surface", "NAME VALUE", "Sets " + names + " or method (cs, cones) of the surface.", "", "", {}, surface},
+        Command("surface", "NAME VALUE", "Sets " + names + " or method (cs, cones) of the surface.", surface),
     };
 }
 

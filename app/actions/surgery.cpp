@@ -36,37 +36,55 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
     if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments.first(1), next.lesions.size(), "lesion");
+    const auto index = list_index(arguments.first(1), next.lesions.size(), "lesion");
     if (!index) return tl::unexpected(index.error());
     next.lesions[*index] = *sphere;
     context.document.change(std::move(next));
     return {};
 }
 
-Result<void> lesion_mesh(ActionContext& context, Arguments arguments) {
-    if (arguments.empty()) return context.host.ask_for_lesion_mesh();
+Result<void> expect_new_lesion(const Document& document, const std::filesystem::path& path) {
+    const auto& meshes = document.marks().lesion_meshes;
+    if (std::ranges::find(meshes, path.string()) != meshes.end())
+        return fail("this lesion is there already", path.string());
+    return {};
+}
+
+Result<void> add_lesion_mesh(ActionContext& context, const std::filesystem::path& path, const LesionMesh& lesion) {
+    if (auto is_new = expect_new_lesion(context.document, path); !is_new) return is_new;
+    context.say("Lesion of " + counted(lesion.mesh.triangles.size(), "triangle", "triangles") + ": " +
+                path.filename().string());
+    Marks next = context.document.marks();
+    next.lesion_meshes.push_back(path.string());
+    context.document.change(std::move(next));
+    return {};
+}
+
+Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
+    if (arguments.empty())
+        return outcome_of(ask_for_file(context, FilePurpose::kLesionMesh,
+                                       fail("lesion-mesh needs a FILE here", {}, io::readable_mesh_extensions())));
     if (arguments.size() != 1)
         return fail("lesion-mesh takes a file: " + io::readable_mesh_extensions(), {},
                     "put quotes around a name with blanks");
     const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
-    Marks next = context.document.marks();
-    if (std::ranges::find(next.lesion_meshes, path.string()) != next.lesion_meshes.end())
-        return fail("this lesion is there already", path.string());
-    if (context.host.reads_lesion_mesh(path)) return {};
-    const auto mesh = load_lesion_mesh(context.assets, path.string());
-    if (!mesh) return tl::unexpected(mesh.error());
-    context.host.say("Lesion of " + counted((*mesh)->mesh.triangles.size(), "triangle", "triangles") + ": " +
-                     path.filename().string());
-    next.lesion_meshes.push_back(path.string());
-    context.document.change(std::move(next));
-    return {};
+    if (auto is_new = expect_new_lesion(context.document, path); !is_new) return tl::unexpected(is_new.error());
+    return Pending{"Reading " + path.filename().string(),
+                   [path, assets = context.assets](Job&) mutable -> Result<Continuation> {
+                       const auto mesh = load_lesion_mesh(assets, path.string());
+                       if (!mesh) return tl::unexpected(mesh.error());
+                       return [path, read = assets.lesion_meshes.at(path.string())](ActionContext& then) {
+                           then.assets.put(path.string(), read);
+                           return add_lesion_mesh(then, path, **read.value);
+                       };
+                   }};
 }
 
 // Spheres first, then meshes: as lists show them.
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     const std::size_t spheres = next.lesions.size();
-    const auto index = place_in_list(arguments, spheres + next.lesion_meshes.size(), "lesion");
+    const auto index = list_index(arguments, spheres + next.lesion_meshes.size(), "lesion");
     if (!index) return tl::unexpected(index.error());
     if (*index < spheres)
         next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(*index));
@@ -97,8 +115,8 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     Marks next = document.marks();
     const std::size_t before = next.cuts.size();
     const auto add = [&](int branch, double fraction) {
-        const std::pair place{branch, fraction};
-        if (std::ranges::find(next.cuts, place) == next.cuts.end()) next.cuts.push_back(place);
+        const std::pair cut{branch, fraction};
+        if (std::ranges::find(next.cuts, cut) == next.cuts.end()) next.cuts.push_back(cut);
     };
     if (arguments.empty()) {
         // Of a selected subtree only its stem: a cut there is what the rest depends on.
@@ -120,16 +138,16 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     if (added == 0) return fail("there is a cut already");
     document.change(std::move(next));
     if (added == 1)
-        context.host.say("Cut " + std::to_string(before + 1) + ": " +
-                         cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back()));
+        context.say("Cut " + std::to_string(before + 1) + ": " +
+                    cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back()));
     else
-        context.host.say(counted(added, "cut", "cuts"));
+        context.say(counted(added, "cut", "cuts"));
     return {};
 }
 
 Result<void> cut_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
-    const auto index = place_in_list(arguments, next.cuts.size(), "cut");
+    const auto index = list_index(arguments, next.cuts.size(), "cut");
     if (!index) return tl::unexpected(index.error());
     next.cuts.erase(next.cuts.begin() + static_cast<std::ptrdiff_t>(*index));
     context.document.change(std::move(next));
@@ -203,11 +221,11 @@ Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
     const auto share = [](double part, double whole) {
         return digits(whole > 0.0 ? 100.0 * part / whole : 0.0, 2) + " %";
     };
-    context.host.say(std::string(way->done) + ": " + grouped(thin.size()) + " of " +
-                     counted(facts.branches.size(), "branch", "branches") + " below " + arguments[0] + " mm, " +
-                     share(static_cast<double>(thin.size()), static_cast<double>(facts.branches.size())) +
-                     " of them, " + share(length, facts.length_mm) + " of the length, " +
-                     share(volume, facts.volume_mm3) + " of the volume");
+    context.say(std::string(way->done) + ": " + grouped(thin.size()) + " of " +
+                counted(facts.branches.size(), "branch", "branches") + " below " + arguments[0] + " mm, " +
+                share(static_cast<double>(thin.size()), static_cast<double>(facts.branches.size())) + " of them, " +
+                share(length, facts.length_mm) + " of the length, " + share(volume, facts.volume_mm3) +
+                " of the volume");
     return {};
 }
 
@@ -217,100 +235,47 @@ bool has_cuts(const Document& document) { return !document.marks().cuts.empty();
 
 std::vector<Command> surgery_commands() {
     return {
-        {"cut",
-         "[ID [FRACTION]]",
-         "Cuts a branch at a fraction of its length from the parent's end, in the middle unless told; without ID, the "
-         "selected ones that depend on no other selected one.",
-         "Plan",
-         "Cut the selected",
-         {"C"},
-         cut,
-         {},
-         has_selection},
-        {"cut-remove", "N", "Takes cut N of the list back.", "", "", {}, cut_remove},
-        {"cut-clear", "", "Takes all cuts back.", "Plan", "Remove all cuts", {}, cut_clear, {}, has_cuts},
-        {"reconstruct",
-         "MM",
-         "Sets the diameter above which a cut vessel must be reconstructed.",
-         "",
-         "",
-         {},
-         reconstruct},
-        {"lesion", "X,Y,Z,R", "Places a lesion: a sphere, its centre and radius in mm.", "", "", {}, lesion},
-        {"lesion-change",
-         "N X,Y,Z,R",
-         "Gives lesion N of the list another centre and radius.",
-         "",
-         "",
-         {},
-         lesion_change},
-        {"lesion-mesh",
-         "[FILE]",
-         "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() + ", in mm.",
-         "",
-         "",
-         {},
-         lesion_mesh},
-        {"lesion-remove",
-         "N",
-         "Takes lesion N of the list away; meshes are counted after spheres.",
-         "",
-         "",
-         {},
-         lesion_remove},
-        {"lesion-clear",
-         "",
-         "Takes all lesions away.",
-         "Plan",
-         "Remove all lesions",
-         {},
-         lesion_clear,
-         {},
-         has_lesions},
-        {"bands", "MM...", "Sets the margins around lesions, ascending.", "", "", {}, bands},
-        {"bands",
-         "MM...",
-         "Sets the margins around lesions to 5, 10 and 20 mm.",
-         "Plan",
-         "Margins 5, 10, 20 mm",
-         {},
-         bands,
-         {"5", "10", "20"},
-         has_tree},
-        {"bands",
-         "MM...",
-         "Sets the margins around lesions to 2, 5 and 10 mm.",
-         "Plan",
-         "Margins 2, 5, 10 mm",
-         {},
-         bands,
-         {"2", "5", "10"},
-         has_tree},
-        {"filter-diameter",
-         "MM show|hide|defocus",
-         "Shows, hides or defocuses the branches of a mean diameter below MM, and says how many those are.",
-         "",
-         "",
-         {},
-         filter_diameter},
-        {"filter-diameter",
-         "MM show|hide|defocus",
-         "Hides the branches of a mean diameter below 1 mm.",
-         "Plan",
-         "Hide vessels below 1 mm",
-         {},
-         filter_diameter,
-         {"1", "hide"},
-         has_tree},
-        {"filter-diameter",
-         "MM show|hide|defocus",
-         "Makes the branches of a mean diameter below 2 mm grey glass.",
-         "Plan",
-         "Defocus vessels below 2 mm",
-         {},
-         filter_diameter,
-         {"2", "defocus"},
-         has_tree},
+        Command("cut", "[ID [FRACTION]]",
+                "Cuts a branch at a fraction of its length from the parent's end, in the middle unless told; without "
+                "ID, the selected ones that depend on no other selected one.",
+                cut)
+            .in_menu("Plan", "Cut the selected", {"C"})
+            .when(has_selection),
+        Command("cut-remove", "N", "Takes cut N of the list back.", cut_remove),
+        Command("cut-clear", "", "Takes all cuts back.", cut_clear).in_menu("Plan", "Remove all cuts").when(has_cuts),
+        Command("reconstruct", "MM", "Sets the diameter above which a cut vessel must be reconstructed.", reconstruct),
+        Command("lesion", "X,Y,Z,R", "Places a lesion: a sphere, its centre and radius in mm.", lesion),
+        Command("lesion-change", "N X,Y,Z,R", "Gives lesion N of the list another centre and radius.", lesion_change),
+        Command("lesion-mesh", "[FILE]",
+                "Places a lesion with the shape of a closed mesh: " + io::readable_mesh_extensions() + ", in mm.",
+                lesion_mesh),
+        Command("lesion-remove", "N", "Takes lesion N of the list away; meshes are counted after spheres.",
+                lesion_remove),
+        Command("lesion-clear", "", "Takes all lesions away.", lesion_clear)
+            .in_menu("Plan", "Remove all lesions")
+            .when(has_lesions),
+        Command("bands", "MM...", "Sets the margins around lesions, ascending.", bands),
+        Command("bands", "MM...", "Sets the margins around lesions to 5, 10 and 20 mm.", bands)
+            .in_menu("Plan", "Margins 5, 10, 20 mm")
+            .giving({"5", "10", "20"})
+            .when(has_tree),
+        Command("bands", "MM...", "Sets the margins around lesions to 2, 5 and 10 mm.", bands)
+            .in_menu("Plan", "Margins 2, 5, 10 mm")
+            .giving({"2", "5", "10"})
+            .when(has_tree),
+        Command("filter-diameter", "MM show|hide|defocus",
+                "Shows, hides or defocuses the branches of a mean diameter below MM, and says how many those are.",
+                filter_diameter),
+        Command("filter-diameter", "MM show|hide|defocus", "Hides the branches of a mean diameter below 1 mm.",
+                filter_diameter)
+            .in_menu("Plan", "Hide vessels below 1 mm")
+            .giving({"1", "hide"})
+            .when(has_tree),
+        Command("filter-diameter", "MM show|hide|defocus",
+                "Makes the branches of a mean diameter below 2 mm grey glass.", filter_diameter)
+            .in_menu("Plan", "Defocus vessels below 2 mm")
+            .giving({"2", "defocus"})
+            .when(has_tree),
     };
 }
 

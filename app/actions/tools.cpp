@@ -13,27 +13,25 @@ Result<void> tool(ActionContext& context, Arguments arguments) {
         for (const ToolKind& each : tool_kinds()) names += (names.empty() ? "" : ", ") + each.name;
         return fail("tool takes the name of a tool", {}, names);
     }
-    return context.host.use_tool(kind->name);
+    if (context.tools == nullptr) return fail("there is no tool without a window");
+    context.tools->use_tool(kind->name);
+    return {};
 }
 
-bool is_in_hand(Host& host, const Command& entry) { return host.tool() == entry.preset.front(); }
+bool is_in_hand(const ActionContext& context, const Command& entry) {
+    return entry.preset.front() == (context.tools != nullptr ? context.tools->tool() : kNavigate);
+}
 
 } // namespace
 
 std::vector<Command> tool_commands() {
-    std::vector<Command> commands{
-        {"tool",
-         "NAME",
-         "Gives the mouse a tool over the picture: navigate, lasso, lasso-polygon and others.",
-         "",
-         "",
-         {},
-         tool}};
-    for (const ToolKind& kind : tool_kinds()) {
-        Command entry{"tool", "NAME", kind.help, "Tools", kind.label, kind.keys, tool, {kind.name}};
-        entry.in_use = is_in_hand;
-        commands.push_back(std::move(entry));
-    }
+    std::vector<Command> commands{Command(
+        "tool", "NAME", "Gives the mouse a tool over the picture: navigate, lasso, lasso-polygon and others.", tool)};
+    for (const ToolKind& kind : tool_kinds())
+        commands.push_back(Command("tool", "NAME", kind.help, tool)
+                               .in_menu("Tools", kind.label, kind.keys)
+                               .giving({kind.name})
+                               .in_use_when(is_in_hand));
     return commands;
 }
 

@@ -1,4 +1,4 @@
-// Where the camera goes by itself: to a branch, to a place, or along the vessels.
+// Where the camera goes by itself: to a branch, to a position, or along the vessels.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "core/measure/branch_point.h"
@@ -13,16 +13,16 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 1) return fail("centre takes the id of a branch, or a place X,Y,Z in mm");
     glm::dvec3 target(0.0);
     if (arguments[0].find(',') != std::string::npos) {
-        const auto place = numbers_in(arguments[0], 3, kFarthestMm);
-        if (!place) return fail("\"" + arguments[0] + "\" is not a place X,Y,Z in mm");
-        target = {(*place)[0], (*place)[1], (*place)[2]};
+        const auto numbers = numbers_in(arguments[0], 3, kFarthestMm);
+        if (!numbers) return fail("\"" + arguments[0] + "\" is not a place X,Y,Z in mm");
+        target = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     } else {
         const auto id = branch_id(context.document, arguments[0]);
         if (!id) return tl::unexpected(id.error());
         target = measure::point_on(*context.document.tree(), *id, 0.5).position;
     }
     context.document.set_camera(render::centred_on(context.document.session().camera, target));
-    context.host.camera_leapt();
+    context.picture.camera_leapt();
     return {};
 }
 
@@ -33,9 +33,9 @@ Result<void> fly(ActionContext& context, Arguments arguments) {
     if (!id) return tl::unexpected(id.error());
     const auto fraction = number_in(arguments[1], 0.0, 1.0);
     if (!fraction) return fail("\"" + arguments[1] + "\" is not a number from 0 to 1");
-    const auto path = context.host.flights.to(context.document.tree(), *id);
+    const auto path = context.picture.flights.to(context.document.tree(), *id);
     context.document.set_camera(path->camera_at(*fraction, context.document.session().camera));
-    context.host.flew(*id, *fraction);
+    context.picture.flew(*id, *fraction);
     return {};
 }
 
@@ -57,40 +57,36 @@ int farthest_end(const Document& document) {
 Result<void> fly_along(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("fly-along takes the id of one branch");
     if (context.document.branch_count() == 0) return fail("there is no tree to fly along");
-    if (arguments.empty() && context.host.shows("fly-along")) return context.host.toggle("fly-along");
+    if (arguments.empty() && context.window != nullptr && context.window->shows("fly-along")) {
+        context.window->close_flight();
+        return {};
+    }
     const auto id =
         arguments.empty() ? Result<int>(farthest_end(context.document)) : branch_id(context.document, arguments[0]);
     if (!id) return tl::unexpected(id.error());
-    return context.host.arrange("fly-along", std::to_string(*id));
+    if (context.window == nullptr) return no_window("fly-along");
+    context.window->open_flight(*id);
+    return {};
 }
 
-bool is_flying(Host& host, const Command&) { return host.shows("fly-along"); }
+bool is_flying(const ActionContext& context, const Command&) {
+    return context.window != nullptr && context.window->shows("fly-along");
+}
 
 } // namespace
 
 std::vector<Command> travel_commands() {
-    Command along{
-        "fly-along", "[ID]",      "Opens or closes the bar that flies the camera along the vessels to a branch.",
-        "View",      "Fly along", {"J"},
-        fly_along,   {},          has_tree};
-    along.in_use = is_flying;
     return {
-        {"centre",
-         "ID|X,Y,Z",
-         "Brings the middle of a branch, or a place, into the middle of the picture.",
-         "",
-         "",
-         {},
-         centre},
-        {"go-to", "ID|X,Y,Z", "Another name of centre.", "", "", {}, centre},
-        {"fly",
-         "ID FRACTION",
-         "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch.",
-         "",
-         "",
-         {},
-         fly},
-        along,
+        Command("centre", "ID|X,Y,Z", "Brings the middle of a branch, or a place, into the middle of the picture.",
+                centre),
+        Command("go-to", "ID|X,Y,Z", "Another name of centre.", centre),
+        Command("fly", "ID FRACTION",
+                "Puts the camera on its way along the vessels: 0 at the root, 1 at the end of the branch.", fly),
+        Command("fly-along", "[ID]", "Opens or closes the bar that flies the camera along the vessels to a branch.",
+                fly_along)
+            .in_menu("View", "Fly along", {"J"})
+            .when(has_tree)
+            .in_use_when(is_flying),
     };
 }
 

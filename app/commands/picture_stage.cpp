@@ -20,7 +20,8 @@ Result<void> PictureStage::make_surface() {
     if (job.cancelled()) return fail("cancelled; nothing was written");
     if (!surface) return tl::unexpected(surface.error());
     surface_ = std::move(*surface);
-    say(counted(surface_.mesh->triangle_count(), "triangle", "triangles") + " in " + rounded(surface_.seconds) + " s");
+    say(flags_,
+        counted(surface_.mesh->triangle_count(), "triangle", "triangles") + " in " + rounded(surface_.seconds) + " s");
     return {};
 }
 
@@ -54,9 +55,10 @@ Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
     if (!made) return tl::unexpected(made.error());
-    for (const std::string& note : made->notes) say(request.mask + ": " + note);
-    say(title_of(request.kind, document_.marks().comparison) + ": " +
-        counted(made->lines ? made->lines->triangles.size() : made->mesh->triangle_count(), "triangle", "triangles"));
+    for (const std::string& note : made->notes) say(flags_, request.mask + ": " + note);
+    say(flags_, title_of(request.kind, document_.marks().comparison) + ": " +
+                    counted(made->lines ? made->lines->triangles.size() : made->mesh->triangle_count(), "triangle",
+                            "triangles"));
     std::erase_if(compared_, [&](const ComparedSurface& one) { return one.request.same_place(request); });
     compared_.push_back(std::move(*made));
     return {};
@@ -103,7 +105,5 @@ Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, g
     (void)renderer_->refine();
     return renderer_->read_image();
 }
-
-void PictureStage::say(const std::string& sentence) { app::say(flags_, sentence); }
 
 } // namespace ramus::app

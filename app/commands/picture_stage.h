@@ -1,8 +1,9 @@
-// PictureStage: a document with what `ramus render` needs to draw it without a window. It is the Host of the commands
-// in a commands file; the surface follows the options that commands set, computed when a picture is next needed.
+// PictureStage: a document with what `ramus render` needs to draw it without a window. It is the
+// PictureHost of the commands in a commands file; the surface follows the options that commands set, computed when a
+// picture is next needed.
 #pragma once
 
-#include "app/actions/command_table.h"
+#include "app/actions/hosts.h"
 #include "app/assets/assets.h"
 #include "app/commands/surface_flags.h"
 #include "app/picture/compose_sheet.h"
@@ -14,7 +15,7 @@
 
 namespace ramus::app {
 
-class PictureStage final : public Host {
+class PictureStage final : public PictureHost {
 public:
     PictureStage(Document& document, const SurfaceFlags& flags, Viewing viewing)
         : document_(document), flags_(flags), viewing_(viewing) {}
@@ -33,7 +34,7 @@ public:
     [[nodiscard]] const ReadySurface& surface() const { return surface_; }
     Assets assets; // the document's, complete whenever a picture is made
 
-    // Host
+    // PictureHost
     [[nodiscard]] glm::ivec2 picture_size() const override {
         return panes_of(document_.marks(), viewing_.size, viewing_.pixel_ratio).front().size;
     }
@@ -41,7 +42,6 @@ public:
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
-    void say(const std::string& sentence) override;
 
 private:
     Document& document_;

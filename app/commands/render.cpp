@@ -121,10 +121,7 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
     loaded.cones = stage.surface();
     loaded.cones.request = surface_request(document.marks());
     workspace.adopt(std::move(loaded), document.session().tree.path);
-    return picture_with_interface(workspace, renderer, flags.size, 1.0F, [&](Host& host) {
-        ActionContext context{workspace.document, host, workspace.assets};
-        return run(context);
-    });
+    return picture_with_interface(workspace, renderer, flags.size, 1.0F, run);
 }
 
 // OpenGL from the backend that was asked for; current.
@@ -227,7 +224,7 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!renderer) return tl::unexpected(renderer.error());
     stage.draw_with(**renderer);
     const auto run = [&](ActionContext& where) { return run_script(where, inputs->script, flags.commands); };
-    ActionContext here{document, stage, stage.assets};
+    ActionContext here{.document = document, .picture = stage, .assets = stage.assets, .tell = say};
     for (const std::string& file : flags.context) {
         const std::array<std::string, 2> words{"context", file};
         if (auto added = run_command(here, words); !added) return tl::unexpected(added.error());

@@ -2,9 +2,9 @@
 #include "app/panels/branch_list.h"
 
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -245,8 +245,8 @@ void handle_keys(InterfaceContext& context, float row_height) {
         context.perform("select", {std::to_string(list.cursor)});
     }
     const float y = static_cast<float>(row) * row_height;
-    const float room = ImGui::GetWindowHeight() - 2.0F * row_height; // under the header
-    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + room) scroll_to(list, list.cursor, row_height);
+    const float visible = ImGui::GetWindowHeight() - 2.0F * row_height; // under the header
+    if (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + visible) scroll_to(list, list.cursor, row_height);
 }
 
 void select_rows(InterfaceContext& context) {
@@ -275,11 +275,10 @@ void draw_filter(InterfaceContext& context) {
                                                   list.filter.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     if (wrong) ImGui::PopStyleColor();
     if (!ImGui::IsItemActive())
-        widgets::tooltip(
-            wrong ? list.trouble.c_str()
-                  : ("Conditions, all of which hold: " + filter_examples() +
-                     "; is:hidden, is:selected, is:leaf, is:named; words of a name. Enter selects.")
-                        .c_str());
+        widgets::tooltip(wrong ? list.trouble.c_str()
+                               : ("Conditions, all of which hold: " + filter_examples() +
+                                  "; is:hidden, is:selected, is:leaf, is:named; words of a name. Enter selects.")
+                                     .c_str());
     ImGui::SameLine(0.0F, 6.0F * scale);
     ImGui::BeginDisabled(list.rows.empty() || wrong);
     if (ImGui::Button(button.c_str(), {width, 0.0F}) || (entered && !wrong)) select_rows(context);

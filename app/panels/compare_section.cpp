@@ -1,6 +1,5 @@
 // Which surfaces are looked at together, and the skeleton over them.
 #include "app/panels/interface.h"
-#include "app/panels/slider_row.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 
@@ -47,29 +46,30 @@ std::string spelled(const std::vector<mesh::Method>& surfaces) {
     return list;
 }
 
-// One of the surfaces; whoever was that already changes places with it. The last of three may be none.
-void draw_surface_row(InterfaceContext& context, const Comparison& comparison, std::size_t place, const char* label,
+// The surface at `index` of the compared ones. One that is compared already is swapped with it; the last of three may
+// be none.
+void draw_surface_row(InterfaceContext& context, const Comparison& comparison, std::size_t index, const char* label,
                       const char* help, bool may_be_none) {
     const std::vector<mesh::Method>& now = comparison.surfaces;
-    const bool there = place < now.size();
+    const bool there = index < now.size();
     std::optional<std::vector<mesh::Method>> wanted;
     begin_row(label, help);
-    if (ImGui::BeginCombo("##surface", there ? label_of(now[place]) : "None")) {
+    if (ImGui::BeginCombo("##surface", there ? label_of(now[index]) : "None")) {
         for (const mesh::MethodRow& row : mesh::kMethods) {
             const mesh::Method kind = row.method;
-            if (!selectable(label_of(kind), there && now[place] == kind)) continue;
+            if (!selectable(label_of(kind), there && now[index] == kind)) continue;
             std::vector<mesh::Method> next = now;
             const auto other = std::ranges::find(next, kind);
             if (!there && other == next.end())
                 next.push_back(kind);
             else if (there && other != next.end())
-                std::swap(*other, next[place]);
+                std::swap(*other, next[index]);
             else if (there)
-                next[place] = kind;
+                next[index] = kind;
             if (next != now) wanted = next;
         }
         if (may_be_none && selectable("None", !there) && there)
-            wanted = std::vector<mesh::Method>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(place));
+            wanted = std::vector<mesh::Method>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(index));
         ImGui::EndCombo();
     }
     ImGui::PopID();
@@ -79,9 +79,9 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
     begin_row("Mask", "The segmentation that the isosurface is of");
     const bool there = !comparison.mask.empty();
-    const float room = ImGui::GetContentRegionAvail().x;
+    const float available = ImGui::GetContentRegionAvail().x;
     const float clear = ImGui::GetFrameHeight();
-    const float width = there ? room - clear - ImGui::GetStyle().ItemSpacing.x : room;
+    const float width = there ? available - clear - ImGui::GetStyle().ItemSpacing.x : available;
     const std::string name = there ? std::filesystem::path(comparison.mask).filename().string() : "Choose...";
     const std::string shown = widgets::fitted(name, width - 2.0F * ImGui::GetStyle().FramePadding.x);
     if (ImGui::Button((shown + "##mask").c_str(), {width, 0.0F})) context.perform("compare-mask", {});
@@ -120,7 +120,7 @@ void draw_compare(InterfaceContext& context) {
         const auto shown = compared_surfaces(comparison);
         if (std::ranges::find(shown, mesh::Method::kIsosurface) != shown.end()) draw_mask_row(context, comparison);
         if (comparison.mode == Mode::kBlend) {
-            static widgets::Slider<float> blend;
+            widgets::Slider<float>& blend = context.interface.editing.blend;
             const bool changed = widgets::slider_row(
                 "Blend", "How much there is of the second surface", blend, static_cast<float>(comparison.blend),
                 [&](float& value) {

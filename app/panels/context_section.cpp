@@ -1,10 +1,10 @@
 // What is shown beside the tree: a row each to show or hide it, to colour it and to take it away, and how dense it is.
 #include "app/assets/context_shapes.h"
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/colour_text.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <array>
 #include <cmath>
@@ -53,11 +53,7 @@ void draw_net(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour) {
         list.AddLine(corners[std::size_t(a)], corners[std::size_t(b)], colour, 1.2F * unit);
 }
 
-// The colour and the opacity that are being set, of one entry at a time.
-struct Trial {
-    int of = -1;
-    ContextItem item;
-};
+using Trial = Editing::Context;
 
 std::array<std::uint8_t, 3> bytes_of(const std::array<float, 3>& colour) {
     std::array<std::uint8_t, 3> bytes{};
@@ -94,28 +90,24 @@ void draw_swatch(InterfaceContext& context, const ContextItem& item, int number,
                                            ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex |
                                            ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoLabel;
     if (ImGui::ColorPicker3("##picker", value.data(), kFlags)) {
-        trial = {number, item};
+        trial = {number, item, -1, 0.0F};
         trial.item.colour = bytes_of(value);
     }
     ImGui::EndPopup();
 }
 
 void draw_opacity(InterfaceContext& context, const ContextItem& item, int number, Trial& trial) {
-    static int held = -1; // the slider that the mouse has
-    static float value = 0.0F;
-    float shown = held == number ? value : static_cast<float>(item.opacity);
+    float shown = trial.opacity_of == number ? trial.opacity : static_cast<float>(item.opacity);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() + 2.0F * theme::scale());
     ImGui::SetNextItemWidth(-44.0F * theme::scale());
     ImGui::SliderFloat("##opacity", &shown, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
     widgets::tooltip("Opacity");
     const bool done = ImGui::IsItemDeactivatedAfterEdit();
     if (ImGui::IsItemActive()) {
-        held = number;
-        value = shown;
-        trial = {number, item};
-        trial.item.opacity = static_cast<double>(value);
-    } else if (held == number) {
-        held = -1;
+        trial = {number, item, number, shown};
+        trial.item.opacity = static_cast<double>(shown);
+    } else if (trial.opacity_of == number) {
+        trial.opacity_of = -1;
         if (trial.of == number) trial.of = -1;
     }
     ImGui::SameLine();
@@ -143,12 +135,12 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
     draw_swatch(context, item, number, trial);
     std::string name = std::filesystem::path(item.file).filename().string();
     if (item.label != 0) name += "  label " + std::to_string(item.label);
-    const float room = ImGui::GetContentRegionAvail().x - 2.0F * side - 8.0F * theme::scale();
+    const float available = ImGui::GetContentRegionAvail().x - 2.0F * side - 8.0F * theme::scale();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, trouble || gave_up       ? theme::kTrouble
                                          : waits || !item.visible ? theme::kQuiet
                                                                   : theme::kText);
-    ImGui::TextUnformatted(widgets::fitted(name, room).c_str());
+    ImGui::TextUnformatted(widgets::fitted(name, available).c_str());
     ImGui::PopStyleColor();
     const std::string about = trouble   ? trouble->message()
                               : gave_up ? item.file + "\nNot read: cancelled"
@@ -177,7 +169,7 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
 } // namespace
 
 void draw_context(InterfaceContext& context) {
-    static Trial trial;
+    Trial& trial = context.interface.editing.context;
     const std::array<std::array<const char*, 2>, 1> add{
         {{"Add\xE2\x80\xA6", "Show a mask (NIfTI) or a mesh (STL, PLY, OBJ) beside the tree: an organ, a bone"}}};
     if (widgets::title_row<1>("Context", add) == 0) context.perform("context", {});

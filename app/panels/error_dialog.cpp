@@ -1,7 +1,7 @@
 // What went wrong with a file: what, where, and what to do. What was open stays open.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <cctype>
 #include <imgui.h>

@@ -1,9 +1,9 @@
 // The bar under the picture that flies the camera along the vessels: play, and a slider from the root to the end.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,53 +62,41 @@ void toggle_play(InterfaceContext& context) {
     if (fly.playing) fly_to(context, fly.fraction >= 1.0 ? 0.0 : fly.fraction);
 }
 
-} // namespace
-
-void draw_fly(InterfaceContext& context) {
-    Fly& fly = context.interface.fly;
-    const Document& document = context.workspace.document;
-    if (!fly.open) return;
-    // Another branch, selected while it rests, is the next way.
-    const auto& selection = document.marks().selection;
-    if (!fly.playing && selection != fly.selection) {
-        fly.selection = selection;
-        if (selection.size() == 1) fly.branch = selection.front();
-    }
-    if (fly.branch < 0 || fly.branch >= document.branch_count()) {
-        fly.open = fly.playing = false;
-        return;
-    }
-    const FlyPath& path = *context.host.flights.to(document.tree(), fly.branch);
-    play_on(context, path);
-
+// Between the scale bar and the cube where the picture is wide enough, above them where not.
+void begin_bar(const Layout& layout) {
     const float scale = theme::scale();
-    const Layout& layout = context.layout;
-    const auto room = static_cast<float>(layout.view_size.x);
+    const auto view_width = static_cast<float>(layout.view_size.x);
     const float corners = 150.0F * scale; // scale bar and cube
-    const bool beside = room >= 2.0F * corners + 360.0F * scale;
-    const float width = beside ? std::min(620.0F * scale, room - 2.0F * corners) : room - 20.0F * scale;
+    const bool between = view_width >= 2.0F * corners + 360.0F * scale;
+    const float width = between ? std::min(620.0F * scale, view_width - 2.0F * corners) : view_width - 20.0F * scale;
     const float height = 72.0F * scale;
-    const float bottom = static_cast<float>(layout.view_at.y + layout.view_size.y) - (beside ? 16.0F : 104.0F) * scale;
+    const float bottom = static_cast<float>(layout.view_at.y + layout.view_size.y) - (between ? 16.0F : 104.0F) * scale;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 8.0F * scale});
     ImGui::SetNextWindowPos(
-        {std::round(static_cast<float>(layout.view_at.x) + 0.5F * (room - width)), bottom - height});
+        {std::round(static_cast<float>(layout.view_at.x) + 0.5F * (view_width - width)), bottom - height});
     ImGui::SetNextWindowSize({width, height});
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::Begin("fly along", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
+}
 
+// Where the flight goes, how far it is, and Close.
+void draw_title_row(InterfaceContext& context, const FlyPath& path) {
+    Fly& fly = context.interface.fly;
+    const Document& document = context.workspace.document;
+    const float scale = theme::scale();
     const std::string label = label_of(document.dependency(), document.marks().names, fly.branch);
     const std::string title = "Fly along to branch " + std::to_string(fly.branch) + (label.empty() ? "" : ", " + label);
-    const std::string place = digits(fly.fraction * path.length_mm()) + " of " + length_text(path.length_mm());
+    const std::string passed = digits(fly.fraction * path.length_mm()) + " of " + length_text(path.length_mm());
     const float close_width = ImGui::CalcTextSize("Close").x + 12.0F * scale;
-    const float place_width = ImGui::CalcTextSize(place.c_str()).x;
+    const float passed_width = ImGui::CalcTextSize(passed.c_str()).x;
     ImGui::TextUnformatted(
-        widgets::fitted(title, ImGui::GetContentRegionAvail().x - close_width - place_width - 36.0F * scale).c_str());
+        widgets::fitted(title, ImGui::GetContentRegionAvail().x - close_width - passed_width - 36.0F * scale).c_str());
     ImGui::SameLine();
-    widgets::align_right(place_width + 12.0F * scale + close_width);
-    widgets::quiet(place.c_str());
+    widgets::align_right(passed_width + 12.0F * scale + close_width);
+    widgets::quiet(passed.c_str());
     ImGui::SameLine(0.0F, 12.0F * scale);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * scale, 0.0F});
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
@@ -117,9 +105,11 @@ void draw_fly(InterfaceContext& context) {
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar();
     widgets::tooltip("Ends the flight; the view stays", "Escape");
+}
 
-    const float side = ImGui::GetFrameHeight();
-    if (play_button(fly.playing, side)) toggle_play(context);
+void draw_controls(InterfaceContext& context) {
+    Fly& fly = context.interface.fly;
+    if (play_button(fly.playing, ImGui::GetFrameHeight())) toggle_play(context);
     widgets::tooltip(fly.playing ? "Pause" : "Fly from here to the end of the branch");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
@@ -129,6 +119,29 @@ void draw_fly(InterfaceContext& context) {
         fly_to(context, fraction);
     }
     if (!ImGui::IsItemActive()) widgets::tooltip("From the root to the end of the branch");
+}
+
+} // namespace
+
+void draw_fly(InterfaceContext& context) {
+    Fly& fly = context.interface.fly;
+    const Document& document = context.workspace.document;
+    if (!fly.open) return;
+    // Another branch that is selected while it rests is the next to fly to.
+    const auto& selection = document.marks().selection;
+    if (!fly.playing && selection != fly.selection) {
+        fly.selection = selection;
+        if (selection.size() == 1) fly.branch = selection.front();
+    }
+    if (fly.branch < 0 || fly.branch >= document.branch_count()) {
+        fly.open = fly.playing = false;
+        return;
+    }
+    const FlyPath& path = *context.actions.picture.flights.to(document.tree(), fly.branch);
+    play_on(context, path);
+    begin_bar(context.layout);
+    draw_title_row(context, path);
+    draw_controls(context);
     ImGui::End();
 }
 

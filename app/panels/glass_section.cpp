@@ -1,6 +1,5 @@
 // How defocused branches look; there while any branch is defocused.
 #include "app/panels/interface.h"
-#include "app/panels/slider_row.h"
 #include "app/session/numbers.h"
 
 #include <algorithm>
@@ -14,7 +13,8 @@ void draw_glass(InterfaceContext& context) {
     context.interface.tried_glass.reset();
     if (std::ranges::find(marks.states, render::BranchState::kDefocused) == marks.states.end()) return;
     widgets::section("Glass");
-    static widgets::Slider<float> opacity, grey;
+    widgets::Slider<float>& opacity = context.interface.editing.glass_opacity;
+    widgets::Slider<float>& grey = context.interface.editing.glass_grey;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     const auto percent = [](float value) { return std::to_string(std::lround(100.0F * value)) + " %"; };
     const bool opacity_changed = widgets::slider_row(

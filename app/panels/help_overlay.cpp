@@ -1,7 +1,7 @@
 // What the mouse and the keys do, read from the command table, with a search field.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "app/panels/interface.h"
 
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +51,9 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
         layout.panel_width = std::min(pixels(std::clamp(panel_points, kLeastPanelWidth, kMostPanelWidth)), beside);
     layout.view_at = {0, layout.bar_height};
     const int between = window.y - layout.bar_height - layout.status_height;
-    const int room = between - pixels(kLeastViewHeight);
-    if (overview_points > 0.0F && room >= pixels(kLeastOverviewHeight))
-        layout.overview_height = std::clamp(pixels(overview_points), pixels(kLeastOverviewHeight), room);
+    const int available = between - pixels(kLeastViewHeight);
+    if (overview_points > 0.0F && available >= pixels(kLeastOverviewHeight))
+        layout.overview_height = std::clamp(pixels(overview_points), pixels(kLeastOverviewHeight), available);
     layout.view_size =
         glm::max(glm::ivec2(window.x - layout.panel_width, between - layout.overview_height), glm::ivec2(1));
     layout.pane_size = layout.view_size;
@@ -82,17 +82,24 @@ bool Interface::dismiss() {
     return true;
 }
 
+void Interface::forget_tree() {
+    hovered = tree::kNoBranch;
+    list.of = nullptr;
+    list.shown = list.cursor = list.anchor = tree::kNoBranch;
+    overview.shown_selection = tree::kNoBranch;
+    overview.layout_of = nullptr;
+    rename.open = fly.open = fly.playing = false;
+}
+
 void InterfaceContext::perform(const Command& command) {
-    ActionContext action{workspace.document, host, workspace.assets};
-    if (const auto done = run_entry(action, command); !done) interface.tell(done.error().message(), now, true);
+    if (const auto done = commands.run(actions, command); !done) interface.tell(done.error().message(), now, true);
 }
 
 void InterfaceContext::perform(std::string_view name, const std::vector<std::string>& arguments) {
     std::vector<std::string> words{std::string(name)};
     words.insert(words.end(), arguments.begin(), arguments.end());
     interface.last_command = words;
-    ActionContext action{workspace.document, host, workspace.assets};
-    if (const auto done = run_command(action, words); !done) interface.tell(done.error().message(), now, true);
+    if (const auto done = commands.run(actions, words); !done) interface.tell(done.error().message(), now, true);
 }
 
 void draw_interface(InterfaceContext& context) {

@@ -2,7 +2,7 @@
 // It needs an ImGui context and nothing of a window: `ramus render --ui` draws the same one.
 #pragma once
 
-#include "app/actions/command_table.h"
+#include "app/actions/command_runner.h"
 #include "app/panels/branch_list.h"
 #include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
@@ -65,6 +65,25 @@ struct Fly {
     std::vector<int> selection; // the one that `branch` is from
 };
 
+// What the side panel's sliders and fields hold while they are being changed: the session hears of it when they are let
+// go, so that it is one step of undo.
+struct Editing {
+    std::map<std::string_view, widgets::Slider<float>> options; // by the key of a SurfaceOption
+    widgets::Slider<float> glass_opacity, glass_grey, blend;
+    // Of one entry of the context, counted from 1, its colour or its opacity.
+    struct Context {
+        int of = -1;
+        ContextItem item;
+        int opacity_of = -1; // whose slider the mouse has
+        float opacity = 0.0F;
+    } context;
+    // One field for numbers has the keyboard at a time.
+    struct Numbers {
+        std::string field; // its id; empty: none
+        std::array<char, 64> typed{};
+    } numbers;
+};
+
 struct Interface {
     bool panel_open = true;
     bool menu_open = false, close_menu = false; // a menu of the bar: it is there; it shall go
@@ -84,10 +103,10 @@ struct Interface {
     BranchList list;
     Rename rename;
     Fly fly;
-    std::optional<GlassLook> tried_glass;                              // while a slider is held
-    std::optional<std::vector<ContextItem>> tried_context;             // likewise
-    std::optional<double> tried_blend;                                 // likewise
-    std::map<std::string_view, widgets::Slider<float>> option_sliders; // by the key of a SurfaceOption
+    std::optional<GlassLook> tried_glass;                  // while a slider is held
+    std::optional<std::vector<ContextItem>> tried_context; // likewise
+    std::optional<double> tried_blend;                     // likewise
+    Editing editing;
     Overview overview;
     PictureLook picture; // as it was drawn last
     const ToolKind* tool_kind = &tool_kinds().front();
@@ -100,13 +119,15 @@ struct Interface {
     [[nodiscard]] bool dialog_open() const {
         return help_open || rename.open || open_dialog.open || recovery.open || unsaved.open() || !errors.empty();
     }
-    bool dismiss(); // closes what lies on top; false: nothing does
+    bool dismiss();     // closes what lies on top; false: nothing does
+    void forget_tree(); // another one was opened
 };
 
 struct InterfaceContext {
     Interface& interface;
     Workspace& workspace;
-    Host& host;
+    ActionContext& actions;
+    CommandRunner& commands;
     const Layout& layout;
     double now; // seconds, any origin
 

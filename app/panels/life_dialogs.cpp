@@ -1,10 +1,10 @@
 #include "app/panels/life_dialogs.h"
 
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/storage/places.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>

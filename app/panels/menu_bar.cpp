@@ -1,9 +1,9 @@
 // Menus from the command table at the left, buttons for the anatomical views at the right.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/storage/recent_files.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ void draw_entry(InterfaceContext& context, const Command& command) {
     const Document& document = context.workspace.document;
     const bool enabled = command.enabled == nullptr || command.enabled(document);
     const bool checked = (command.checked != nullptr && command.checked(document)) ||
-                         (command.in_use != nullptr && command.in_use(context.host, command));
+                         (command.in_use != nullptr && command.in_use(context.actions, command));
     const std::string label = label_of(command, document);
     if (ImGui::MenuItem(label.c_str(), command.keys.empty() ? nullptr : command.keys.front().c_str(), checked, enabled))
         context.perform(command);

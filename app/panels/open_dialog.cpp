@@ -2,20 +2,20 @@
 
 #include "app/assets/context_shapes.h"
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/storage/places.h"
 #include "app/storage/recent_files.h"
-#include "app/window/theme.h"
 #include "core/io/meshes/mesh_format.h"
 #include "core/io/trees/tree_format.h"
 #include "core/io/volumes/volume_format.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <imgui.h>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -23,40 +23,12 @@ namespace ramus::app {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-// What the dialog asks for, one row for each purpose.
-struct PurposeRow {
-    const char* heading;
-    bool (*takes)(const fs::path& file); // by its name
-    std::string (*extensions)();         // of what it takes, for people
-    const char* command;                 // what is done with the file that is chosen
-};
-
-const PurposeRow& row_of(OpenDialog::Purpose purpose) {
-    static const std::map<OpenDialog::Purpose, PurposeRow> kTable = {
-        {OpenDialog::Purpose::kOpen,
-         {"Open a vessel tree or a session", can_be_opened, io::readable_tree_extensions, "open"}},
-        {OpenDialog::Purpose::kSave, {"Save the session", can_be_opened, io::readable_tree_extensions, "save"}},
-        {OpenDialog::Purpose::kLesionMesh,
-         {"Choose the mesh of a lesion", can_be_lesion_mesh, io::readable_mesh_extensions, "lesion-mesh"}},
-        {OpenDialog::Purpose::kContext,
-         {"Choose a mask or a mesh to show beside the tree",
-          [](const fs::path& file) { return can_be_context(file.string()); }, context_extensions, "context"}},
-        {OpenDialog::Purpose::kMask,
-         {"Choose a mask of the same vessels", can_be_mask, io::readable_volume_extensions, "compare-mask"}},
-    };
-    return kTable.at(purpose);
-}
-
-} // namespace
-
 bool can_be_opened(const fs::path& path) { return io::names_tree(path) || path.extension() == ".json"; } // sessions
 bool can_be_mask(const fs::path& path) { return io::names_volume(path); }
 bool can_be_lesion_mesh(const fs::path& path) { return io::names_mesh(path); }
 
-void OpenDialog::show(const fs::path& start) {
-    purpose = Purpose::kOpen;
+void OpenDialog::show(const fs::path& start, FilePurpose wanted) {
+    purpose = wanted;
     open = true;
     filter.fill('\0');
     std::error_code ignored;
@@ -66,8 +38,7 @@ void OpenDialog::show(const fs::path& start) {
 }
 
 void OpenDialog::show_to_save(const fs::path& suggestion) {
-    show(suggestion.parent_path());
-    purpose = Purpose::kSave;
+    show(suggestion.parent_path(), FilePurpose::kSave);
     name_focused = false;
     replace_asked = false;
     const std::string text = suggestion.filename().string();
@@ -111,9 +82,31 @@ void OpenDialog::enter(const fs::path& where) {
 
 namespace {
 
+// What a dialog is for.
+struct Purpose {
+    FilePurpose purpose;
+    const char* title;
+    bool (*fits)(const fs::path&); // files that are shown, unless all are
+    std::string (*extensions)();   // of those files, for people
+    const char* command;           // that gets the file
+};
+
+constexpr std::array<Purpose, 5> kPurposes{
+    {{FilePurpose::kOpen, "Open a vessel tree or a session", can_be_opened, io::readable_tree_extensions, "open"},
+     {FilePurpose::kSave, "Save the session", can_be_opened, io::readable_tree_extensions, "save"},
+     {FilePurpose::kLesionMesh, "Choose the mesh of a lesion", can_be_lesion_mesh, io::readable_mesh_extensions,
+      "lesion-mesh"},
+     {FilePurpose::kContext, "Choose a mask or a mesh to show beside the tree",
+      [](const fs::path& path) { return can_be_context(path.string()); }, context_extensions, "context"},
+     {FilePurpose::kMask, "Choose a mask of the same vessels", can_be_mask, io::readable_volume_extensions,
+      "compare-mask"}}};
+
+const Purpose& purpose_of(const OpenDialog& dialog) {
+    return *std::ranges::find(kPurposes, dialog.purpose, &Purpose::purpose);
+}
+
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    const bool known = row_of(dialog.purpose).takes(entry.name);
-    if (!entry.folder && !dialog.every_file && !known) return false;
+    if (!entry.folder && !dialog.every_file && !purpose_of(dialog).fits(entry.name)) return false;
     const std::string_view wanted = dialog.filter.data();
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -132,15 +125,15 @@ fs::path draw_places(float width, bool with_files) {
     fs::path chosen;
     ImGui::BeginChild("places", {width, 0.0F});
     widgets::quiet("Places");
-    const auto place = [&](const char* label, const fs::path& path) {
+    const auto entry = [&](const char* label, const fs::path& path) {
         if (ImGui::Selectable(label)) chosen = path;
         widgets::tooltip(path.c_str());
     };
-    if (const fs::path home = places::home(); !home.empty()) place("Home", home);
-    if (const fs::path documents = places::documents(); !documents.empty()) place("Documents", documents);
+    if (const fs::path home = places::home(); !home.empty()) entry("Home", home);
+    if (const fs::path documents = places::documents(); !documents.empty()) entry("Documents", documents);
     std::error_code ignored;
-    place("Here", fs::current_path(ignored));
-    place("Computer", "/");
+    entry("Here", fs::current_path(ignored));
+    entry("Computer", "/");
     if (with_files && !recent_files().empty()) {
         ImGui::Dummy({0.0F, 6.0F * theme::scale()});
         widgets::quiet("Recent");
@@ -148,7 +141,7 @@ fs::path draw_places(float width, bool with_files) {
     for (const auto& file : recent_files()) {
         if (!with_files) break;
         ImGui::PushID(file.c_str());
-        place(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
+        entry(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
         ImGui::PopID();
     }
     ImGui::EndChild();
@@ -175,7 +168,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
                 dialog.marked = static_cast<int>(i);
-                if (!entry.folder && dialog.purpose == OpenDialog::Purpose::kSave) {
+                if (!entry.folder && dialog.purpose == FilePurpose::kSave) {
                     dialog.name.fill('\0');
                     std::memcpy(dialog.name.data(), entry.name.data(),
                                 std::min(entry.name.size(), dialog.name.size() - 1));
@@ -195,7 +188,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
     }
     if (!any && dialog.problem.empty())
         widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
-                                                 : ("No " + row_of(dialog.purpose).extensions() +
+                                                 : ("No " + purpose_of(dialog).extensions() +
                                                     " files here. Choose another folder, or show all files.")
                                                        .c_str());
     ImGui::EndChild();
@@ -239,80 +232,80 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     return target;
 }
 
+// Up, the path and the filter. Returns what was chosen with them.
+fs::path draw_path_row(OpenDialog& dialog) {
+    fs::path chosen;
+    const float filter_width = 150.0F * theme::scale();
+    if (ImGui::Button("Up", {44.0F * theme::scale(), 0.0F})) chosen = dialog.folder.parent_path();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - filter_width - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::InputText("##path", dialog.typed.data(), dialog.typed.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        chosen = dialog.typed.data();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(filter_width);
+    if (ImGui::IsWindowAppearing() && dialog.purpose != FilePurpose::kSave) ImGui::SetKeyboardFocusHere();
+    if (!ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
+                                  ImGuiInputTextFlags_EnterReturnsTrue))
+        return chosen;
+    // Enter takes the first that is left.
+    const auto first = std::ranges::find_if(dialog.entries, [&](const auto& each) { return matches(dialog, each); });
+    return first == dialog.entries.end() ? chosen : dialog.folder / first->name;
+}
+
+// Cancel and Open. Returns what was chosen with them.
+fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
+    ImGui::Checkbox("All files", &dialog.every_file);
+    ImGui::SameLine();
+    widgets::align_right(2.0F * button_width + ImGui::GetStyle().ItemSpacing.x);
+    cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
+    ImGui::SameLine();
+    const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
+    ImGui::BeginDisabled(!can_open);
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
+    const bool opens = ImGui::Button("Open", {button_width, 0.0F});
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    return opens ? dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name : fs::path();
+}
+
 } // namespace
 
 void draw_open_dialog(InterfaceContext& context) {
     OpenDialog& dialog = context.interface.open_dialog;
     if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
     const float scale = theme::scale();
-    fs::path chosen;
-    const bool saving = dialog.purpose == OpenDialog::Purpose::kSave;
-    widgets::heading(row_of(dialog.purpose).heading);
+    const Purpose& purpose = purpose_of(dialog);
+    const bool saving = dialog.purpose == FilePurpose::kSave;
+    fs::path chosen; // by the last of the parts that chose one
+    const auto take = [&](fs::path path) {
+        if (!path.empty()) chosen = std::move(path);
+    };
+    widgets::heading(purpose.title);
     ImGui::Dummy({0.0F, 2.0F * scale});
-
-    const float places_width = 190.0F * scale;
-    const bool with_files = dialog.purpose == OpenDialog::Purpose::kOpen;
-    if (const fs::path place = draw_places(places_width, with_files); !place.empty()) chosen = place;
+    take(draw_places(190.0F * scale, dialog.purpose == FilePurpose::kOpen));
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
-    const float up_width = 44.0F * scale;
-    const float filter_width = 150.0F * scale;
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    if (ImGui::Button("Up", {up_width, 0.0F})) chosen = dialog.folder.parent_path();
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - filter_width - gap);
-    if (ImGui::InputText("##path", dialog.typed.data(), dialog.typed.size(), ImGuiInputTextFlags_EnterReturnsTrue))
-        chosen = dialog.typed.data();
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(filter_width);
-    if (ImGui::IsWindowAppearing() && !saving) ImGui::SetKeyboardFocusHere();
-    const bool filtered = ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
-                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-    if (filtered) { // Enter takes the first that is left
-        for (const OpenDialog::Entry& entry : dialog.entries) {
-            if (!matches(dialog, entry)) continue;
-            chosen = dialog.folder / entry.name;
-            break;
-        }
-    }
+    take(draw_path_row(dialog));
     ImGui::Dummy({0.0F, 2.0F * scale});
     const float buttons = ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().ItemSpacing.y + 2.0F * scale;
-    if (const fs::path entry = draw_entries(dialog, -buttons); !entry.empty()) chosen = entry;
+    take(draw_entries(dialog, -buttons));
     ImGui::Dummy({0.0F, 2.0F * scale});
-
     const float button_width = 90.0F * scale;
     bool cancelled = false;
     fs::path target;
-    if (saving) {
+    if (saving)
         target = draw_name(dialog, button_width, cancelled);
-    } else {
-        ImGui::Checkbox("All files", &dialog.every_file);
-        ImGui::SameLine();
-        widgets::align_right(2.0F * button_width + gap);
-        cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
-        ImGui::SameLine();
-        const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
-        ImGui::BeginDisabled(!can_open);
-        ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-        if (ImGui::Button("Open", {button_width, 0.0F}))
-            chosen = dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
-        ImGui::PopStyleColor();
-        ImGui::EndDisabled();
-    }
+    else
+        take(draw_buttons(dialog, button_width, cancelled));
     ImGui::EndGroup();
 
     std::error_code ignored;
     if (!chosen.empty() && fs::is_directory(chosen, ignored))
         dialog.enter(chosen);
-    else if (!chosen.empty() && !saving) {
-        dialog.open = false;
-        context.perform(row_of(dialog.purpose).command, {chosen.string()});
-    }
-    if (!target.empty()) {
-        dialog.open = false;
-        context.perform(row_of(dialog.purpose).command, {target.string()});
-    }
-    if (cancelled) dialog.open = false;
+    else if (!chosen.empty() && !saving)
+        target = chosen;
+    if (!target.empty() || cancelled) dialog.open = false;
+    if (!target.empty()) context.perform(purpose.command, {target.string()});
     if (!dialog.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();
 }

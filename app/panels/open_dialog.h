@@ -2,6 +2,8 @@
 // open, or a name to save a session under. Listing reads the folder once.
 #pragma once
 
+#include "app/actions/hosts.h"
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -16,8 +18,7 @@ struct OpenDialog {
         bool folder = false;
         std::uintmax_t bytes = 0;
     };
-    enum class Purpose { kOpen, kSave, kLesionMesh, kContext, kMask };
-    Purpose purpose = Purpose::kOpen;
+    FilePurpose purpose = FilePurpose::kOpen;
     bool open = false;
     bool every_file = false; // not only those with a known ending
     std::filesystem::path folder;
@@ -30,7 +31,7 @@ struct OpenDialog {
     bool replace_asked = false;     // the user was told that it exists
     bool name_focused = false;      // once, when it opens
 
-    void show(const std::filesystem::path& start);
+    void show(const std::filesystem::path& start, FilePurpose wanted);
     void show_to_save(const std::filesystem::path& suggestion); // a file
     [[nodiscard]] std::filesystem::path named() const;          // the file to save, with its ending
     void enter(const std::filesystem::path& where);             // lists another folder

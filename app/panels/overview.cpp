@@ -2,9 +2,9 @@
 #include "app/panels/overview.h"
 
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,86 +15,7 @@ namespace ramus::app {
 
 namespace {
 
-using render::BranchState;
-
 std::size_t index(int id) { return static_cast<std::size_t>(id); }
-
-// Everything but where lines are: as in the picture, hidden ones faint.
-void make_looks(Overview& overview, const Document& document, const PictureLook& picture) {
-    const Marks& marks = document.marks();
-    const bool fresh = overview.looks.size() == overview.layout.lines.size();
-    if (fresh && overview.looks_states == marks.states && overview.looks_selection == marks.selection &&
-        overview.looks_picture == picture)
-        return;
-    overview.looks_states = marks.states;
-    overview.looks_selection = marks.selection;
-    overview.looks_picture = picture;
-    const render::Appearance appearance;
-    const bool any_highlight = std::ranges::find(marks.states, BranchState::kHighlighted) != marks.states.end();
-    overview.looks.assign(overview.layout.lines.size(), {});
-    for (std::size_t id = 0; id < overview.looks.size(); ++id) {
-        glm::vec3 colour = id < picture.colours.size() ? picture.colours[id] : appearance.vessel;
-        float opacity = 1.0F;
-        switch (state_of(marks, static_cast<int>(id))) {
-        case BranchState::kNormal:
-            if (any_highlight) colour = glm::mix(glm::vec3(0.35F), colour, 0.4F) * 0.75F;
-            break;
-        case BranchState::kHighlighted:
-            colour = appearance.highlight;
-            break;
-        case BranchState::kDefocused:
-            colour = appearance.glass, opacity = 0.45F;
-            break;
-        case BranchState::kHidden:
-            colour = appearance.glass, opacity = 0.14F;
-            break;
-        }
-        overview.looks[id].colour = {colour, opacity};
-    }
-    for (const render::LostPart& part : picture.lost) {
-        if (index(part.branch) >= overview.looks.size()) continue;
-        Overview::Look& look = overview.looks[index(part.branch)];
-        look.lost_from = static_cast<float>(part.from);
-        look.lost_to = static_cast<float>(part.to);
-        if (part.to - part.from > 0.5) look.colour = {1.25F * appearance.lost, look.colour.a};
-    }
-    for (const int id : marks.selection) {
-        Overview::Look& look = overview.looks[index(id)];
-        look.selected = true;
-        look.colour = {glm::mix(glm::vec3(look.colour), appearance.selection, 0.62F), std::max(look.colour.a, 0.6F)};
-    }
-    const auto brighten = [&](int id, float share) {
-        if (id < 0 || index(id) >= overview.looks.size()) return;
-        Overview::Look& look = overview.looks[index(id)];
-        look.hovered = true;
-        look.colour = {glm::mix(glm::vec3(look.colour), glm::vec3(1.0F), share), std::max(look.colour.a, 0.6F)};
-    };
-    for (const int id : picture.glowing) brighten(id, 0.35F);
-    brighten(picture.hovered, 0.85F);
-    const std::size_t count = overview.layout.order.size();
-    overview.colour_sums.assign(count + 1, glm::dvec4(0.0));
-    overview.selected_sums.assign(count + 1, 0);
-    overview.hovered_sums.assign(count + 1, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Overview::Look& look = overview.looks[index(overview.layout.order[i])];
-        overview.colour_sums[i + 1] = overview.colour_sums[i] + glm::dvec4(look.colour);
-        overview.selected_sums[i + 1] = overview.selected_sums[i] + (look.selected ? 1 : 0);
-        overview.hovered_sums[i + 1] = overview.hovered_sums[i] + (look.hovered ? 1 : 0);
-    }
-}
-
-Overview::Look look_of(const Overview& overview, const OverviewPiece& piece) {
-    if (!piece.merged) return overview.looks[index(piece.branch)];
-    const OverviewLine& line = overview.layout.lines[index(piece.branch)];
-    const auto begin = static_cast<std::size_t>(line.begin);
-    const auto end = static_cast<std::size_t>(line.end);
-    const auto count = static_cast<double>(end - begin);
-    Overview::Look look;
-    look.colour = glm::vec4((overview.colour_sums[end] - overview.colour_sums[begin]) / count);
-    look.selected = overview.selected_sums[end] > overview.selected_sums[begin];
-    look.hovered = overview.hovered_sums[end] > overview.hovered_sums[begin];
-    return look;
-}
 
 struct Canvas {
     ImVec2 at;
@@ -108,9 +29,9 @@ struct Canvas {
 double line_width(const InterfaceContext& context, const OverviewView& view, const OverviewLine& line, int id) {
     const TreeFacts& facts = *context.workspace.facts();
     const double thickest = 9.0 * theme::scale();
-    const double room = (line.last - line.first) / (view.most.x - view.least.x) * view.pixels.x;
+    const double spacing = (line.last - line.first) / (view.most.x - view.least.x) * view.pixels.x;
     const double share = facts.branches[index(id)].mean_diameter_mm / std::max(facts.max_diameter_mm, 1e-9);
-    return std::max(std::round(std::min(thickest * share, 0.75 * room)), 1.0);
+    return std::max(std::round(std::min(thickest * share, 0.75 * spacing)), 1.0);
 }
 
 void draw_piece(const InterfaceContext& context, const Canvas& canvas, const OverviewPiece& piece, bool frames) {
@@ -204,7 +125,7 @@ void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
     ImGui::PushFont(theme::small_font());
     const float half = 0.5F * ImGui::GetFontSize();
     for (double value = 0.0; value <= depth * (1.0 + 1e-9); value += step) {
-        // A generation is a room between two lines.
+        // A generation lies between two lines.
         const auto y = std::round(static_cast<float>(canvas.to(view, {0.0, value / depth}).y));
         if (y < canvas.at.y - 1.0F || y > canvas.at.y + canvas.size.y + 1.0F) continue;
         canvas.list->AddLine({canvas.at.x, y + 0.5F}, {canvas.at.x + canvas.size.x, y + 0.5F},
@@ -362,6 +283,47 @@ void draw_splitter(InterfaceContext& context, float width) {
                                         ImGui::GetColorU32(held ? theme::kAccentDim : theme::kLine));
 }
 
+void lay_out(Overview& overview, const Document& document) {
+    const TreeFacts* facts = document.facts().get();
+    if (overview.layout_of == facts && overview.layout_depth == overview.depth) return;
+    const bool other_tree = overview.layout_of != facts;
+    overview.layout = overview_layout(*document.tree(), *facts, overview.depth);
+    overview.layout_of = facts;
+    overview.layout_depth = overview.depth;
+    overview.looks.clear();
+    overview.view.least.y = 0.0, overview.view.most.y = 1.0;
+    if (other_tree) overview.view = {};
+}
+
+void draw_lasso(const Overview& overview, const Canvas& canvas) {
+    std::vector<ImVec2> points;
+    for (const glm::dvec2& corner : overview.lasso) {
+        const glm::dvec2 at = canvas.to(overview.view, corner);
+        points.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y));
+    }
+    if (points.size() > 1)
+        canvas.list->AddPolyline(points.data(), static_cast<int>(points.size()), ImGui::GetColorU32(theme::kAccent),
+                                 ImDrawFlags_Closed, 1.5F * theme::scale());
+}
+
+void draw_canvas(InterfaceContext& context, const Canvas& canvas) {
+    Overview& overview = context.interface.overview;
+    const Marks& marks = context.workspace.document.marks();
+    ImGui::SetCursorScreenPos(canvas.at);
+    ImGui::InvisibleButton("##canvas", canvas.size);
+    overview.view.pixels = {canvas.size.x, canvas.size.y};
+    const int under = handle_mouse(context, canvas);
+    if (under != tree::kNoBranch) context.interface.listed = under;
+    follow_selection(overview, marks);
+    make_looks(overview, marks, context.interface.picture);
+    draw_scale(context, canvas);
+    canvas.list->PushClipRect(canvas.at, {canvas.at.x + canvas.size.x, canvas.at.y + canvas.size.y}, true);
+    draw_tree_lines(context, canvas);
+    draw_lasso(overview, canvas);
+    canvas.list->PopClipRect();
+    if (under != tree::kNoBranch) draw_branch_tooltip(context, under);
+}
+
 } // namespace
 
 void draw_overview(InterfaceContext& context) {
@@ -384,42 +346,13 @@ void draw_overview(InterfaceContext& context) {
         ImGui::End();
         return;
     }
-    if (overview.layout_of != facts.get() || overview.layout_depth != overview.depth) {
-        const bool other_tree = overview.layout_of != facts.get();
-        overview.layout = overview_layout(*document.tree(), *facts, overview.depth);
-        overview.layout_of = facts.get();
-        overview.layout_depth = overview.depth;
-        overview.looks.clear();
-        overview.view.least.y = 0.0, overview.view.most.y = 1.0;
-        if (other_tree) overview.view = {};
-    }
+    lay_out(overview, document);
     const float margin = 40.0F * scale;
     ImGui::SetCursorPosX(margin);
     Canvas canvas{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail(), ImGui::GetWindowDrawList()};
     canvas.at.y += 5.0F * scale;
     canvas.size.y -= 7.0F * scale;
-    if (canvas.size.x >= 32.0F && canvas.size.y >= 16.0F) {
-        ImGui::SetCursorScreenPos(canvas.at);
-        ImGui::InvisibleButton("##canvas", canvas.size);
-        overview.view.pixels = {canvas.size.x, canvas.size.y};
-        const int under = handle_mouse(context, canvas);
-        if (under != tree::kNoBranch) context.interface.listed = under;
-        follow_selection(overview, document.marks());
-        make_looks(overview, document, context.interface.picture);
-        draw_scale(context, canvas);
-        canvas.list->PushClipRect(canvas.at, {canvas.at.x + canvas.size.x, canvas.at.y + canvas.size.y}, true);
-        draw_tree_lines(context, canvas);
-        std::vector<ImVec2> points;
-        for (const glm::dvec2& corner : overview.lasso) {
-            const glm::dvec2 at = canvas.to(overview.view, corner);
-            points.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y));
-        }
-        if (points.size() > 1)
-            canvas.list->AddPolyline(points.data(), static_cast<int>(points.size()), ImGui::GetColorU32(theme::kAccent),
-                                     ImDrawFlags_Closed, 1.5F * scale);
-        canvas.list->PopClipRect();
-        if (under != tree::kNoBranch) draw_branch_tooltip(context, under);
-    }
+    if (canvas.size.x >= 32.0F && canvas.size.y >= 16.0F) draw_canvas(context, canvas);
     ImGui::End();
 }
 

@@ -57,4 +57,9 @@ struct Overview {
     std::vector<glm::dvec2> lasso; // unit coordinates
 };
 
+// How lines look, as branches do in the picture, hidden ones faint; made anew when something of it has changed.
+void make_looks(Overview& overview, const Marks& marks, const PictureLook& picture);
+// Of a line that stands for one branch, or for several.
+[[nodiscard]] Overview::Look look_of(const Overview& overview, const OverviewPiece& piece);
+
 } // namespace ramus::app

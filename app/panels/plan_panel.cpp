@@ -1,10 +1,10 @@
 // The panel's planning half: lesions and the vessels near them, cuts and what they cost, measurements. Everything shown
 // is Assets::plan; everything done goes through commands.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <array>
@@ -30,12 +30,12 @@ std::string branch_name(const Document& document, int branch) {
 // A line that can be clicked, with a cross at its right end. Returns 1 for the line, -1 for the cross, 0 else.
 int removable_row(const std::string& text, const ImVec4& colour, const char* help) {
     const float cross = ImGui::GetFrameHeight();
-    const float room = ImGui::GetContentRegionAvail().x - cross;
+    const float width = ImGui::GetContentRegionAvail().x - cross;
     int result = 0;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    const std::string shown = widgets::fitted(text, room - 4.0F);
+    const std::string shown = widgets::fitted(text, width - 4.0F);
     ImGui::AlignTextToFramePadding();
-    if (ImGui::Selectable(shown.c_str(), false, 0, {room, 0.0F})) result = 1;
+    if (ImGui::Selectable(shown.c_str(), false, 0, {width, 0.0F})) result = 1;
     ImGui::PopStyleColor();
     widgets::tooltip(shown == text ? help : text.c_str());
     ImGui::SameLine();
@@ -49,10 +49,8 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
 }
 
 // A number or several, typed and entered. Returns what was entered, else nothing.
-std::vector<std::string> entry(const char* id, const std::string& current, float width) {
-    // One field at a time has the keyboard: what is typed belongs to it.
-    static std::string owner;
-    static std::array<char, 64> typed{};
+std::vector<std::string> entry(Editing::Numbers& numbers, const char* id, const std::string& current, float width) {
+    auto& [owner, typed] = numbers;
     std::array<char, 64> shown{};
     std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());
     const bool mine = owner == id;
@@ -189,9 +187,11 @@ void draw_margins(InterfaceContext& context) {
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Margins mm");
     ImGui::SameLine();
-    const float room = 110.0F * theme::scale();
-    widgets::align_right(room);
-    if (const auto words = entry("##bands", spelled_list(marks.planning.bands_mm), room); !words.empty())
+    const float width = 110.0F * theme::scale();
+    widgets::align_right(width);
+    if (const auto words =
+            entry(context.interface.editing.numbers, "##bands", spelled_list(marks.planning.bands_mm), width);
+        !words.empty())
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
     bool coloured = marks.colour_by == ColourBy::kLesion;
@@ -208,9 +208,11 @@ void draw_cuts(InterfaceContext& context) {
     ImGui::AlignTextToFramePadding();
     widgets::quiet("Reconstruct above mm");
     ImGui::SameLine();
-    const float room = 56.0F * theme::scale();
-    widgets::align_right(room);
-    if (const auto words = entry("##reconstruct", rounded(marks.planning.reconstruct_mm), room); words.size() == 1)
+    const float width = 56.0F * theme::scale();
+    widgets::align_right(width);
+    if (const auto words =
+            entry(context.interface.editing.numbers, "##reconstruct", rounded(marks.planning.reconstruct_mm), width);
+        words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
     const auto plan = context.workspace.current_assets().plan; // kept here: removing a cut makes the document another

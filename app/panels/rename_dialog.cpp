@@ -1,7 +1,7 @@
 // A field for the name of a branch.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <imgui.h>

@@ -1,11 +1,10 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
 #include "app/panels/interface.h"
-#include "app/panels/slider_row.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
 #include "app/session/surface_options.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +74,7 @@ std::string spelled(const SurfaceOption& option, float value) {
 
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions& options = context.workspace.document.marks().options;
-    auto& sliders = context.interface.option_sliders;
+    auto& sliders = context.interface.editing.options;
     for (const SurfaceOption& option : surface_options()) {
         if (option.label.empty()) continue;
         widgets::Slider<float>& slider = sliders[option.key];

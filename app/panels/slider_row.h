@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/panels/slider.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <imgui.h>
 

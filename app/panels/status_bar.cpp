@@ -1,9 +1,9 @@
 // The line at the bottom: the way from the root to the branch at hand at the left, progress or what the picture is made
 // of at the right.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +40,11 @@ void draw_path(InterfaceContext& context, float right_edge) {
     const std::vector<int> path = path_to(*tree, branch);
     // The end of the path matters most: leave out the middle when there is no room for all.
     const float step_width = ImGui::CalcTextSize(kStep).x;
-    float room = right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale();
+    float available = right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale();
     std::size_t shown_from = path.size();
     for (std::size_t i = path.size(); i-- > 1;) {
-        room -= ImGui::CalcTextSize(std::to_string(path[i]).c_str()).x + step_width;
-        if (room < 3.0F * step_width + 2.0F * ImGui::CalcTextSize("00000").x) break;
+        available -= ImGui::CalcTextSize(std::to_string(path[i]).c_str()).x + step_width;
+        if (available < 3.0F * step_width + 2.0F * ImGui::CalcTextSize("00000").x) break;
         shown_from = i;
     }
     const auto link = [&](int id, bool last) {
@@ -86,7 +86,8 @@ void draw_notice(const Notice& notice, float width) {
 
 float draw_progress(InterfaceContext& context) {
     const float scale = theme::scale();
-    const std::string text = context.workspace.activity();
+    const bool command = context.commands.busy();
+    const std::string text = command ? context.commands.activity() : context.workspace.activity();
     const float bar_width = std::min(140.0F * scale, 0.14F * static_cast<float>(context.layout.window.x));
     const float button_width = 60.0F * scale;
     const float text_width = ImGui::CalcTextSize(text.c_str()).x;
@@ -98,7 +99,7 @@ float draw_progress(InterfaceContext& context) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = 4.0F * scale;
     const float top = std::round(at.y + 0.5F * (ImGui::GetTextLineHeight() - height));
-    const float done = std::clamp(context.workspace.progress(), 0.0F, 1.0F);
+    const float done = std::clamp(command ? context.commands.progress() : context.workspace.progress(), 0.0F, 1.0F);
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled({at.x, top}, {at.x + bar_width, top + height}, ImGui::GetColorU32(theme::kLine), 0.5F * height);
     if (done > 0.0F)
@@ -107,7 +108,10 @@ float draw_progress(InterfaceContext& context) {
     ImGui::Dummy({bar_width, ImGui::GetTextLineHeight()});
     ImGui::SameLine(0.0F, 12.0F * scale);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6.0F * scale, 0.0F});
-    if (ImGui::Button("Cancel", {button_width, 0.0F})) context.workspace.cancel_work();
+    if (ImGui::Button("Cancel", {button_width, 0.0F})) {
+        context.commands.cancel();
+        context.workspace.cancel_work();
+    }
     ImGui::PopStyleVar();
     return start;
 }
@@ -115,7 +119,7 @@ float draw_progress(InterfaceContext& context) {
 // In at most half of the bar: a narrow window leaves out the time first, then the kind.
 float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
-    const float room = 0.5F * static_cast<float>(context.layout.window.x);
+    const float available = 0.5F * static_cast<float>(context.layout.window.x);
     std::string text;
     if (shown.mesh) {
         const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
@@ -124,7 +128,7 @@ float draw_facts(InterfaceContext& context) {
         for (const std::string& fitting :
              {kind + "   " + count + "   " + seconds_text(shown.seconds), kind + "   " + count, count}) {
             text = fitting;
-            if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
+            if (ImGui::CalcTextSize(text.c_str()).x <= available) break;
         }
     }
     const float start =
@@ -147,7 +151,8 @@ void draw_status_bar(InterfaceContext& context) {
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar(2);
     const ImVec2 left = ImGui::GetCursorPos();
-    const float edge = context.workspace.busy() ? draw_progress(context) : draw_facts(context);
+    const float edge =
+        context.workspace.busy() || context.commands.busy() ? draw_progress(context) : draw_facts(context);
     ImGui::SetCursorPos(left);
     if (context.now < context.interface.notice.until)
         draw_notice(context.interface.notice, edge - left.x - 24.0F * theme::scale());

@@ -1,7 +1,7 @@
 // A small row of buttons at the upper left of the picture, one for each tool, and beside it how the tool in use works.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 #include <cmath>
 #include <imgui.h>
@@ -43,7 +43,7 @@ void draw_switch(InterfaceContext& context, std::string_view name, std::initiali
     ImGui::PushFont(theme::small_font());
     for (const Command& command : command_table()) {
         if (command.name != name || command.scripted()) continue;
-        const bool chosen = command.in_use(context.host, command);
+        const bool chosen = command.in_use(context.actions, command);
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentDim : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
         ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
         if (ImGui::Button(*text, {ImGui::CalcTextSize(*text).x + 16.0F * theme::scale(), height}))

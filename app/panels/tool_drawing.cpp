@@ -1,8 +1,8 @@
 // What the current tool wants drawn, over the picture and under the panels.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/tools/pixel_polygon.h"
-#include "app/window/theme.h"
 
 #include <cmath>
 #include <imgui.h>
@@ -25,7 +25,7 @@ public:
         for (int row = first; row < last; ++row) {
             const float y = static_cast<float>(at_.y + row);
             for (const auto& [left, right] : polygon.spans(row + 0.5))
-                list_.AddRectFilled({place({left, 0.0}).x, y}, {place({right, 0.0}).x, y + 1.0F},
+                list_.AddRectFilled({to_window({left, 0.0}).x, y}, {to_window({right, 0.0}).x, y + 1.0F},
                                     widgets::packed(area.colour));
         }
     }
@@ -33,7 +33,7 @@ public:
     // On a dark rim, to be seen on bright vessels too.
     void line(const ToolDrawing::Line& line) const {
         std::vector<ImVec2> points;
-        for (const glm::dvec2& point : line.points) points.push_back(place(point));
+        for (const glm::dvec2& point : line.points) points.push_back(to_window(point));
         const ImDrawFlags flags = line.closed ? ImDrawFlags_Closed : ImDrawFlags_None;
         const float width = line.width * theme::scale();
         const int count = static_cast<int>(points.size());
@@ -42,7 +42,7 @@ public:
     }
 
     void circle(const ToolDrawing::Circle& circle) const {
-        const ImVec2 at = place(circle.at);
+        const ImVec2 at = to_window(circle.at);
         const auto radius = static_cast<float>(circle.radius);
         const float width = circle.width * theme::scale();
         list_.AddCircle(at, radius, shadow(circle.colour), 0, width + 2.0F * theme::scale());
@@ -52,7 +52,7 @@ public:
 
     void text(const ToolDrawing::Text& text) const {
         ImGui::PushFont(theme::small_font());
-        const ImVec2 at = place(text.at);
+        const ImVec2 at = to_window(text.at);
         const ImVec2 from(std::round(at.x), std::round(at.y));
         const ImVec2 size = ImGui::CalcTextSize(text.text.c_str());
         const ImVec2 padding(6.0F * theme::scale(), 3.0F * theme::scale());
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    [[nodiscard]] ImVec2 place(glm::dvec2 pixel) const {
+    [[nodiscard]] ImVec2 to_window(glm::dvec2 pixel) const {
         return {static_cast<float>(at_.x + pixel.x), static_cast<float>(at_.y + pixel.y)};
     }
     ImDrawList& list_;

@@ -1,9 +1,9 @@
 // What lies under the pointer: the branch, its size, and what depends on it.
 #include "app/panels/interface.h"
+#include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
-#include "app/window/theme.h"
 
 #include <imgui.h>
 

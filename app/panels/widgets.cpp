@@ -1,6 +1,6 @@
 #include "app/panels/widgets.h"
 
-#include "app/window/theme.h"
+#include "app/panels/theme.h"
 
 #include <algorithm>
 #include <cmath>

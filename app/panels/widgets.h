@@ -9,7 +9,7 @@
 
 namespace ramus::app::widgets {
 
-// A window glued to a place, without title, border, or a way to move it. End with ImGui::End().
+// A window at a fixed position, without title, border, or a way to move it. End with ImGui::End().
 void begin_fixed(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags = 0);
 // A dialog in the middle of `window`, dimming what lies behind. Returns false when ImGui does not show it yet.
 [[nodiscard]] bool begin_dialog(const char* name, float width, float height);

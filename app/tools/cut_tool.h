@@ -1,4 +1,4 @@
-// CutTool: cuts the branch under the pointer across, at the place of its centerline nearest to the pointer's place on
+// CutTool: cuts the branch under the pointer across, at the point of its centerline nearest to the pointer's on
 // the surface, which a ring shows before the click.
 #pragma once
 

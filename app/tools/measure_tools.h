@@ -1,5 +1,5 @@
-// The measuring tools: distances between two places on the surface, ways along the tree between two branches, diameters
-// at a place, angles at a branching. What they find stays in the session until it is removed.
+// The measuring tools: distances between two points of the surface, paths along the tree between two branches,
+// diameters at a point, angles at a branching. What they find stays in the session until it is removed.
 #pragma once
 
 #include "app/tools/tool.h"

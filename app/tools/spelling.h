@@ -1,4 +1,4 @@
-// Numbers as tools write them into command lines: places to a hundredth of a millimetre, fractions to a thousandth.
+// Numbers as tools write them into command lines: positions to a hundredth of a millimetre, fractions to a thousandth.
 #pragma once
 
 #include <cstdio>
@@ -14,8 +14,8 @@ namespace ramus::app {
     return text == "-0.00" ? "0.00" : text;
 }
 
-[[nodiscard]] inline std::string spelled(const glm::dvec3& place) {
-    return spelled(place.x) + "," + spelled(place.y) + "," + spelled(place.z);
+[[nodiscard]] inline std::string spelled(const glm::dvec3& position) {
+    return spelled(position.x) + "," + spelled(position.y) + "," + spelled(position.z);
 }
 
 } // namespace ramus::app

@@ -1,7 +1,7 @@
 // Tool: what takes the left mouse button over the picture instead of turning the view: lassoing, placing, measuring.
 // It is told what the pointer does, says what it wants drawn over the picture, and what comes out of it are command
 // lines, as in a commands file, that its owner performs. It changes nothing itself, draws nothing itself, and knows no
-// window: places are pixels of the picture from the top left.
+// window: positions are pixels of the picture from the top left.
 #pragma once
 
 #include "app/session/document.h"
@@ -35,15 +35,15 @@ struct Pointing {
     float pixel_ratio = 1.0F;
     const Document& document; // its tree, marks and camera
     const ToolSettings& settings;
-    // The branch and the place on its surface that a pixel shows. Looked up when asked for: it waits for the picture.
+    // The branch and the point of its surface that a pixel shows. Looked up when asked for: it waits for the picture.
     std::function<render::Pick(glm::dvec2)> pick_at;
 
     [[nodiscard]] render::Pick pick() const { return pick_at ? pick_at(at) : render::Pick{}; }
     [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
 };
 
-// What a tool wants drawn over the picture. Places and radii are pixels of the picture, widths are points; colours are
-// sRGB with straight alpha.
+// What a tool wants drawn over the picture. Positions and radii are pixels of the picture, widths are points; colours
+// are sRGB with straight alpha.
 struct ToolDrawing {
     struct Line {
         std::vector<glm::dvec2> points;

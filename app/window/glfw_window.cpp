@@ -162,7 +162,7 @@ void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
     std::optional<KeyPress> press;
     const std::string name = action == GLFW_PRESS ? name_of_key(number, scancode) : "";
     if (!name.empty()) press = KeyPress{name, held.ctrl, held.shift, held.alt};
-    viewer_->key(number, action != GLFW_RELEASE, press, held, glfwGetTime());
+    viewer_->input().key(number, action != GLFW_RELEASE, press, held, glfwGetTime());
 }
 
 void GlfwWindow::resized() {
@@ -178,40 +178,40 @@ void GlfwWindow::resized() {
 
 void GlfwWindow::connect() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->mouse_moved(self(window)->pixels(x, y));
+        if (Viewer* viewer = self(window)->viewer_) viewer->input().mouse_moved(self(window)->pixels(x, y));
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
         Viewer* viewer = self(window)->viewer_;
-        if (viewer != nullptr && entered == GLFW_FALSE) viewer->mouse_left();
+        if (viewer != nullptr && entered == GLFW_FALSE) viewer->input().mouse_left();
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
         Viewer* viewer = self(window)->viewer_;
         if (viewer == nullptr || button > GLFW_MOUSE_BUTTON_MIDDLE) return;
         // Where the pointer is now may be far from where the button went down: the moves before it said that.
         constexpr std::array kButtons{MouseButton::kLeft, MouseButton::kRight, MouseButton::kMiddle};
-        viewer->mouse_button(kButtons[static_cast<std::size_t>(button)], action == GLFW_PRESS, modifiers_of(modifiers),
-                             glfwGetTime());
+        viewer->input().mouse_button(kButtons[static_cast<std::size_t>(button)], action == GLFW_PRESS,
+                                     modifiers_of(modifiers), glfwGetTime());
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double dx, double dy) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->mouse_wheel({dx, dy});
+        if (Viewer* viewer = self(window)->viewer_) viewer->input().mouse_wheel({dx, dy});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int number, int scancode, int action, int modifiers) {
         self(window)->key(number, scancode, action, modifiers);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned codepoint) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->character(codepoint, glfwGetTime());
+        if (Viewer* viewer = self(window)->viewer_) viewer->input().character(codepoint, glfwGetTime());
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         Viewer* viewer = self(window)->viewer_;
-        if (viewer != nullptr && count > 0) viewer->dropped(paths[0]);
+        if (viewer != nullptr && count > 0) viewer->files().dropped(paths[0]);
     });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { self(window)->resized(); });
     glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { self(window)->resized(); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->exposed();
+        if (Viewer* viewer = self(window)->viewer_) viewer->present_again();
     });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->shake();
+        if (Viewer* viewer = self(window)->viewer_) viewer->redraw();
     });
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = window_;

@@ -11,7 +11,7 @@
 namespace ramus::app {
 
 Result<render::Image> picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size,
-                                             float scale, const std::function<Result<void>(Host&)>& prepare) {
+                                             float scale, const std::function<Result<void>(ActionContext&)>& prepare) {
     struct Context {
         Context() { ImGui::CreateContext(); }
         ~Context() { ImGui::DestroyContext(); }
@@ -42,7 +42,7 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     };
     settle();
     if (prepare)
-        if (auto done = prepare(**viewer); !done) return tl::unexpected(done.error());
+        if (auto done = prepare((*viewer)->actions()); !done) return tl::unexpected(done.error());
     settle();
     return target->read_image();
 }

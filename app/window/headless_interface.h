@@ -2,7 +2,7 @@
 // everything has come to rest.
 #pragma once
 
-#include "app/actions/command_table.h"
+#include "app/actions/action.h"
 #include "app/workspace/workspace.h"
 #include "render/image/image.h"
 #include "render/renderer/renderer.h"
@@ -12,9 +12,9 @@
 namespace ramus::app {
 
 // `size` is the window's, in pixels. A GL context is current; `workspace` has its tree and its surface (adopt()).
-// `prepare`, when given, runs once the interface is there: commands like `help` find their Host in it.
-[[nodiscard]] Result<render::Image> picture_with_interface(Workspace& workspace, render::Renderer& renderer,
-                                                           glm::ivec2 size, float scale,
-                                                           const std::function<Result<void>(Host&)>& prepare = {});
+// `prepare`, when given, runs once the interface is there: commands like `help` find their window in it.
+[[nodiscard]] Result<render::Image>
+picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size, float scale,
+                       const std::function<Result<void>(ActionContext&)>& prepare = {});
 
 } // namespace ramus::app

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <glad/gl.h>
+#include <glm/vec2.hpp>
 
 namespace ramus::app {
 
@@ -14,9 +15,39 @@ namespace {
 
 void grow(render::Buffer& buffer, std::int64_t& bytes, std::int64_t needed) {
     if (needed <= bytes) return;
-    const std::int64_t room = std::max(needed, 2 * bytes);
-    buffer = render::make_buffer(static_cast<std::size_t>(room), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    bytes = room;
+    const std::int64_t capacity = std::max(needed, 2 * bytes);
+    buffer = render::make_buffer(static_cast<std::size_t>(capacity), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    bytes = capacity;
+}
+
+// Where a list begins in the buffers.
+struct First {
+    std::int64_t vertex = 0, index = 0;
+};
+
+void draw_list(const ImDrawList& list, const ImDrawData& data, glm::ivec2 size, First first) {
+    const auto pixel = [](float value, float origin, float scale) {
+        return static_cast<int>((value - origin) * scale);
+    };
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+        if (command.UserCallback != nullptr) {
+            if (command.UserCallback != ImDrawCallback_ResetRenderState) command.UserCallback(&list, &command);
+            continue;
+        }
+        const int left = std::max(pixel(command.ClipRect.x, data.DisplayPos.x, data.FramebufferScale.x), 0);
+        const int top = std::max(pixel(command.ClipRect.y, data.DisplayPos.y, data.FramebufferScale.y), 0);
+        const int right = std::min(pixel(command.ClipRect.z, data.DisplayPos.x, data.FramebufferScale.x), size.x);
+        const int bottom = std::min(pixel(command.ClipRect.w, data.DisplayPos.y, data.FramebufferScale.y), size.y);
+        if (right <= left || bottom <= top) continue;
+        glScissor(left, size.y - bottom, right - left, bottom - top);
+        glBindTextureUnit(render::kUnitImage,
+                          static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+        const auto offset = (first.index + command.IdxOffset) * static_cast<std::int64_t>(sizeof(ImDrawIdx));
+        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<int>(command.ElemCount),
+                                 sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                                 reinterpret_cast<const void*>(offset),
+                                 static_cast<int>(first.vertex + command.VtxOffset));
+    }
 }
 
 } // namespace
@@ -58,24 +89,10 @@ void ImguiRenderer::upload_fonts() {
 }
 
 void ImguiRenderer::draw(const ImDrawData& data) {
-    const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
-    const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
-    if (width <= 0 || height <= 0 || data.TotalVtxCount == 0) return;
-
-    std::int64_t vertex_bytes = 0;
-    std::int64_t index_bytes = 0;
-    for (int i = 0; i < data.CmdListsCount; ++i) {
-        vertex_bytes += data.CmdLists[i]->VtxBuffer.size_in_bytes();
-        index_bytes += data.CmdLists[i]->IdxBuffer.size_in_bytes();
-    }
-    try {
-        grow(vertices_, vertex_bytes_, vertex_bytes);
-        grow(indices_, index_bytes_, index_bytes);
-    } catch (const render::OutOfGraphicsMemory&) {
-        return; // a picture without panels rather than none; the next frame tries again
-    }
-
-    glViewport(0, 0, width, height);
+    const glm::ivec2 size(static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x),
+                          static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y));
+    if (size.x <= 0 || size.y <= 0 || data.TotalVtxCount == 0 || !make_buffers(data)) return;
+    glViewport(0, 0, size.x, size.y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_SCISSOR_TEST);
@@ -87,44 +104,37 @@ void ImguiRenderer::draw(const ImDrawData& data) {
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(ImDrawVert));
     glVertexArrayElementBuffer(vertex_array_, indices_);
     glBindVertexArray(vertex_array_);
-
-    std::int64_t first_vertex = 0;
-    std::int64_t first_index = 0;
+    First first;
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
-        glNamedBufferSubData(vertices_, first_vertex * static_cast<std::int64_t>(sizeof(ImDrawVert)),
+        glNamedBufferSubData(vertices_, first.vertex * static_cast<std::int64_t>(sizeof(ImDrawVert)),
                              list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data);
-        glNamedBufferSubData(indices_, first_index * static_cast<std::int64_t>(sizeof(ImDrawIdx)),
+        glNamedBufferSubData(indices_, first.index * static_cast<std::int64_t>(sizeof(ImDrawIdx)),
                              list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data);
-        for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.UserCallback != nullptr) {
-                if (command.UserCallback != ImDrawCallback_ResetRenderState) command.UserCallback(&list, &command);
-                continue;
-            }
-            const auto pixel = [](float value, float origin, float scale) {
-                return static_cast<int>((value - origin) * scale);
-            };
-            const int left = std::max(pixel(command.ClipRect.x, data.DisplayPos.x, data.FramebufferScale.x), 0);
-            const int top = std::max(pixel(command.ClipRect.y, data.DisplayPos.y, data.FramebufferScale.y), 0);
-            const int right = std::min(pixel(command.ClipRect.z, data.DisplayPos.x, data.FramebufferScale.x), width);
-            const int bottom = std::min(pixel(command.ClipRect.w, data.DisplayPos.y, data.FramebufferScale.y), height);
-            if (right <= left || bottom <= top) continue;
-            glScissor(left, height - bottom, right - left, bottom - top);
-            glBindTextureUnit(render::kUnitImage,
-                              static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
-            const auto offset = (first_index + command.IdxOffset) * static_cast<std::int64_t>(sizeof(ImDrawIdx));
-            glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<int>(command.ElemCount),
-                                     sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-                                     reinterpret_cast<const void*>(offset),
-                                     static_cast<int>(first_vertex + command.VtxOffset));
-        }
-        first_vertex += list.VtxBuffer.Size;
-        first_index += list.IdxBuffer.Size;
+        draw_list(list, data, size, first);
+        first.vertex += list.VtxBuffer.Size;
+        first.index += list.IdxBuffer.Size;
     }
     glBindVertexArray(0);
     glUseProgram(0);
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
+}
+
+// False: there is no memory for them; a picture without panels rather than none, and the next frame tries again.
+bool ImguiRenderer::make_buffers(const ImDrawData& data) {
+    std::int64_t vertex_bytes = 0, index_bytes = 0;
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        vertex_bytes += data.CmdLists[i]->VtxBuffer.size_in_bytes();
+        index_bytes += data.CmdLists[i]->IdxBuffer.size_in_bytes();
+    }
+    try {
+        grow(vertices_, vertex_bytes_, vertex_bytes);
+        grow(indices_, index_bytes_, index_bytes);
+    } catch (const render::OutOfGraphicsMemory&) {
+        return false;
+    }
+    return true;
 }
 
 std::uint64_t fingerprint(const ImDrawData& data) {

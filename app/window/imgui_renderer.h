@@ -25,6 +25,7 @@ public:
 
 private:
     ImguiRenderer() = default;
+    [[nodiscard]] bool make_buffers(const ImDrawData& data);
     render::Program program_;
     render::VertexArray vertex_array_;
     render::Buffer vertices_, indices_;

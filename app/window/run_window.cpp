@@ -1,13 +1,13 @@
 #include "app/window/run_window.h"
 
 #include "app/actions/script.h"
+#include "app/panels/theme.h"
 #include "app/storage/autosave.h"
 #include "app/storage/places.h"
 #include "app/storage/settings.h"
 #include "app/storage/tree_source.h"
 #include "app/window/glfw_window.h"
 #include "app/window/status_file.h"
-#include "app/window/theme.h"
 #include "app/window/viewer.h"
 #include "core/base/pages.h"
 
@@ -55,7 +55,7 @@ public:
     }
 
     void update(GlfwWindow& window, Viewer& viewer, const Document& document, double now) {
-        if (auto slot = viewer.take_recovered()) autosaver_.take_over(std::move(*slot));
+        if (auto slot = viewer.files().take_recovered()) autosaver_.take_over(std::move(*slot));
         if (const auto error = autosaver_.update(document, now))
             viewer.say("Not kept for recovery: " + error->message());
         Settings wanted = settings(window, viewer);
@@ -91,7 +91,7 @@ private:
     static constexpr double kSettleSeconds = 1.0;
 
     [[nodiscard]] Settings settings(const GlfwWindow& window, const Viewer& viewer) const {
-        Settings settings = viewer.settings();
+        Settings settings = viewer.files().settings();
         if (const auto size = window.size_points()) settings.window = *size;
         return settings;
     }
@@ -131,29 +131,28 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
                   const WindowOptions& options, std::optional<std::vector<ScriptLine>> script) {
     StatusFile status(options.status);
     SpareMemory spare_memory;
-    if (!options.status.empty()) viewer.want_controls();
-    while (!viewer.closing()) {
+    if (!options.status.empty()) viewer.note_controls();
+    while (!viewer.files().closing()) {
         if (window.close_wanted()) {
             window.refuse_close();
-            (void)viewer.quit(); // asks first when something would be lost
+            viewer.files().quit(); // asks first when something would be lost
             continue;
         }
         if (viewer.draw(glfwGetTime(), 0)) window.swap();
         if (script && workspace.surface_ready() && viewer.resting()) {
-            ActionContext context{workspace.document, viewer, workspace.assets};
-            viewer.set_unattended(true);
-            const auto done = run_script(context, *std::exchange(script, std::nullopt), options.commands);
-            viewer.set_unattended(false);
+            viewer.set_script_runs(true);
+            const auto done = run_script(viewer.actions(), *std::exchange(script, std::nullopt), options.commands);
+            viewer.set_script_runs(false);
             if (!done) return done;
-            viewer.shake();
+            viewer.redraw();
             continue;
         }
         window.set_title(viewer.title());
-        window.set_cursor(viewer.cursor());
+        window.set_cursor(viewer.input().cursor());
         status.update(viewer, workspace);
         keeper.update(window, viewer, workspace.document, glfwGetTime());
         const double now = glfwGetTime();
-        spare_memory.update(workspace.busy(), now);
+        spare_memory.update(workspace.busy() || viewer.commands().busy(), now);
         window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now)}));
     }
     return {};
@@ -190,14 +189,14 @@ int run_window(const WindowOptions& options) {
     auto renderer = render::Renderer::create(render::kGlassBytes, options.graphics_bytes);
     if (!renderer) return complain(renderer.error());
     fonts.wait();
-    auto viewer = Viewer::create(workspace, **renderer, (*window)->scale());
+    auto viewer = Viewer::create(workspace, **renderer, (*window)->scale(), wake_window);
     if (!viewer) return complain(viewer.error());
     (*window)->attach(viewer->get());
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
-    (*viewer)->use_settings(settings);
+    (*viewer)->files().use_settings(settings);
     if (!stored.trouble.empty()) (*viewer)->say(stored.trouble);
-    (*viewer)->offer(autosave::find_abandoned(Keeper::folder()));
+    (*viewer)->files().offer(autosave::find_abandoned(Keeper::folder()));
     Keeper keeper(settings, own_scale);
     (*window)->show();
     const auto done = loop(**window, **viewer, workspace, keeper, options, std::move(script));

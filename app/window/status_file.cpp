@@ -19,14 +19,14 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["triangles"] = shown.mesh ? shown.mesh->triangle_count() : 0;
     const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
     status["shown"] = !shown.mesh ? "nothing" : cones ? "cones" : shown.provisional ? "preview" : "surface";
-    status["picture"] = {{"of", viewer.cast() ? "centerlines" : "mesh"},
-                         {"width", viewer.pictured_width()},
+    status["picture"] = {{"of", viewer.picture().cast() ? "centerlines" : "mesh"},
+                         {"width", viewer.picture().pictured_width()},
                          {"refined", viewer.refined()}};
     status["problem"] = workspace.surface_problem();
     status["resting"] = viewer.resting();
     status["hovered"] = interface.hovered;
     status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
-    status["tool"] = viewer.tool();
+    status["tool"] = interface.tool_kind->name;
     status["tool_busy"] = interface.tool && interface.tool->busy();
     status["last_command"] = interface.last_command;
     status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
@@ -38,7 +38,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["modified"] = document.modified();
     status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
     status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
-    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == OpenDialog::Purpose::kSave;
+    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;
     status["unsaved_dialog"] = interface.unsaved.open();
     status["recovery_dialog"] = interface.recovery.open;
     status["recoveries"] = interface.recovery.entries.size();

@@ -1,50 +1,101 @@
-// What the mouse and the keys do in a Viewer.
-#include "app/window/viewer.h"
+#include "app/window/viewer_input.h"
 
 #include <algorithm>
 #include <imgui.h>
 
 namespace ramus::app {
 
-void Viewer::mouse_moved(glm::dvec2 at) {
+bool ViewerInput::over_picture(glm::dvec2 at) const {
+    const glm::dvec2 in = in_picture(at);
+    return in.x >= 0.0 && in.y >= 0.0 && in.x < state_.layout.view_size.x && in.y < state_.layout.view_size.y &&
+           !state_.interface.dialog_open() &&
+           !interface_takes_mouse(static_cast<float>(at.x), static_cast<float>(at.y));
+}
+
+glm::dvec2 ViewerInput::from_pane(glm::dvec2 at) const {
+    const std::vector<ComparedPane> all = state_.panes();
+    return at + glm::dvec2(all[std::min(pane_, all.size() - 1)].at);
+}
+
+glm::dvec2 ViewerInput::in_pane(glm::dvec2 at) const { return in_picture(at) - from_pane(glm::dvec2(0.0)); }
+
+void ViewerInput::enter_pane() {
+    const glm::dvec2 at = in_picture(pointer_);
+    const std::vector<ComparedPane> all = state_.panes();
+    pane_ = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (at.x >= all[i].at.x && at.y >= all[i].at.y && at.x < all[i].at.x + all[i].size.x &&
+            at.y < all[i].at.y + all[i].size.y)
+            pane_ = i;
+}
+
+void ViewerInput::take_pick() {
+    if (!pick_pending_) return;
+    const auto pick = picture_.poll_pick();
+    if (!pick) return;
+    pick_pending_ = false;
+    const int hovered =
+        pointer_over_picture_ && !mouse_.dragging() && points_at_branches() ? pick->branch : tree::kNoBranch;
+    if (hovered != state_.interface.hovered) state_.redraw();
+    state_.interface.hovered = hovered;
+}
+
+void ViewerInput::ask_pick() {
+    if (!pick_wanted_ || mouse_.held()) return;
+    pick_wanted_ = false;
+    pointer_over_picture_ = over_picture(pointer_);
+    state_.interface.tooltip = pointer_over_picture_ && points_at_branches();
+    if (!state_.interface.tooltip) {
+        if (state_.interface.hovered != tree::kNoBranch) state_.redraw();
+        state_.interface.hovered = tree::kNoBranch;
+        return;
+    }
+    picture_.request_pick(in_picture(pointer_));
+    pick_pending_ = true;
+}
+
+void ViewerInput::mouse_moved(glm::dvec2 at) {
     pointer_ = at;
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
     if (!mouse_.held() && !tool_mouse_.held()) enter_pane();
     if (mouse_.held()) {
-        const auto camera = mouse_.move(workspace_.document.session().camera, picture_size(), in_pane(at));
-        if (camera) move_camera(*camera);
+        const auto camera =
+            mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), in_pane(at));
+        if (camera) picture_.move_camera(*camera);
         if (mouse_.dragging()) {
-            interface_.hovered = tree::kNoBranch;
-            interface_.tooltip = false;
+            state_.interface.hovered = tree::kNoBranch;
+            state_.interface.tooltip = false;
         }
-    } else if (interface_.tool && (tool_mouse_.held() || over_picture(at))) {
-        tool_mouse_.move(*interface_.tool, pointing({}));
+    } else if (state_.interface.tool && (tool_mouse_.held() || over_picture(at))) {
+        tool_mouse_.move(*state_.interface.tool, pointing({}));
         perform_tool();
     }
     pick_wanted_ = true;
-    shake();
+    state_.redraw();
 }
 
-void Viewer::mouse_left() {
+void ViewerInput::mouse_left() {
     pointer_ = {-1.0, -1.0};
     input_.leave();
     pick_wanted_ = true;
-    shake();
+    state_.redraw();
 }
 
-void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
-    now_ = now;
+void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
+    state_.now = now;
     // What is pressed is what is seen.
-    if (down && glide_ && over_picture(pointer_)) move_camera(render::Camera(shown_camera_));
+    if (down && picture_.gliding() && over_picture(pointer_))
+        picture_.move_camera(render::Camera(picture_.shown_camera()));
     const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
     if (tool_mouse_.held()) { // one button at a time
-        if (!down && button == MouseButton::kLeft && interface_.tool) {
-            tool_mouse_.release(*interface_.tool, pointing(modifiers));
+        if (!down && button == MouseButton::kLeft && state_.interface.tool) {
+            tool_mouse_.release(*state_.interface.tool, pointing(modifiers));
             perform_tool();
             pick_wanted_ = true;
         }
-    } else if (down && button == MouseButton::kLeft && interface_.tool && !mouse_.held() && over_picture(pointer_)) {
-        tool_mouse_.press(*interface_.tool, pointing(modifiers), now);
+    } else if (down && button == MouseButton::kLeft && state_.interface.tool && !mouse_.held() &&
+               over_picture(pointer_)) {
+        tool_mouse_.press(*state_.interface.tool, pointing(modifiers), now);
         perform_tool();
     } else if (down && over_picture(pointer_))
         mouse_.press(button, modifiers, in_pane(pointer_));
@@ -55,94 +106,86 @@ void Viewer::mouse_button(MouseButton button, bool down, Modifiers modifiers, do
     // A press on the picture is also ImGui's: an open menu closes.
     input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.button(index, down);
-    shake();
+    state_.redraw();
 }
 
-void Viewer::mouse_wheel(glm::dvec2 notches) {
+void ViewerInput::mouse_wheel(glm::dvec2 notches) {
     if (over_picture(pointer_) && notches.y != 0.0)
-        move_camera(
-            ViewportMouse::wheel(workspace_.document.session().camera, picture_size(), in_pane(pointer_), notches.y));
+        picture_.move_camera(ViewportMouse::wheel(state_.workspace.document.session().camera, picture_.picture_size(),
+                                                  in_pane(pointer_), notches.y));
     else
         input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
     pick_wanted_ = true;
-    shake();
+    state_.redraw();
 }
 
-void Viewer::move_camera(const render::Camera& camera) {
-    glide_.reset();
-    workspace_.document.set_camera(camera);
-}
-
-Pointing Viewer::pointing(Modifiers modifiers) {
+Pointing ViewerInput::pointing(Modifiers modifiers) {
     return {.at = in_pane(pointer_),
             .modifiers = modifiers,
             .held = tool_mouse_.held(),
-            .size = picture_size(),
-            .pixel_ratio = scale_,
-            .document = workspace_.document,
-            .settings = interface_.tool_settings,
-            .pick_at = [this](glm::dvec2 at) { return sheets_.pick(from_pane(at)); }};
+            .size = picture_.picture_size(),
+            .pixel_ratio = state_.scale,
+            .document = state_.workspace.document,
+            .settings = state_.interface.tool_settings,
+            .pick_at = [this](glm::dvec2 at) { return picture_.pick(from_pane(at)); }};
 }
 
-void Viewer::perform_tool() {
-    if (!interface_.tool) return;
-    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    for (const CommandLine& line : interface_.tool->take_commands())
-        context.perform(line.front(), {line.begin() + 1, line.end()});
+void ViewerInput::perform_tool() {
+    if (!state_.interface.tool) return;
+    for (const CommandLine& line : state_.interface.tool->take_commands())
+        state_.perform(line.front(), {line.begin() + 1, line.end()});
 }
 
-Cursor Viewer::cursor() const {
-    return interface_.tool && over_picture(pointer_) ? interface_.tool->cursor() : Cursor::kArrow;
+Cursor ViewerInput::cursor() const {
+    return state_.interface.tool && over_picture(pointer_) ? state_.interface.tool->cursor() : Cursor::kArrow;
 }
 
-void Viewer::clicked(const Click& click) {
-    if (!workspace_.document.tree()) return;
+void ViewerInput::clicked(const Click& click) {
+    if (!state_.workspace.document.tree()) return;
     if (click.kind == Click::Kind::kSecondary) {
-        if (interface_.tool) interface_.tool->right_click(pointing({}));
+        if (state_.interface.tool) state_.interface.tool->right_click(pointing({}));
         perform_tool();
         return;
     }
-    const render::Pick pick = sheets_.pick(from_pane(click.at));
-    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    const bool hit = pick.branch >= 0 && pick.branch < workspace_.document.branch_count();
+    const render::Pick pick = picture_.pick(from_pane(click.at));
+    const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document.branch_count();
     const std::vector<std::string> id{std::to_string(pick.branch)};
     switch (click.kind) {
     case Click::Kind::kSelect:
         if (hit)
-            context.perform("select", id);
+            state_.perform("select", id);
         else
-            context.perform("select-none", {});
+            state_.perform("select-none", {});
         break;
     case Click::Kind::kSelectWithDependents:
-        if (hit) context.perform("select-subtree", id);
+        if (hit) state_.perform("select-subtree", id);
         break;
     case Click::Kind::kAdd:
-        if (hit) context.perform("select-add", id);
+        if (hit) state_.perform("select-add", id);
         break;
     case Click::Kind::kToggle:
-        if (hit) context.perform("select-toggle", id);
+        if (hit) state_.perform("select-toggle", id);
         break;
     case Click::Kind::kCentre:
         if (!hit) break;
-        move_camera(render::centred_on(workspace_.document.session().camera, pick.position));
-        camera_leapt();
+        picture_.move_camera(render::centred_on(state_.workspace.document.session().camera, pick.position));
+        picture_.camera_leapt();
         break;
     case Click::Kind::kSecondary:
         break;
     }
 }
 
-void Viewer::run(const Command& command) {
-    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    context.perform(command);
-    shake();
+void ViewerInput::run(const Command& command) {
+    state_.context().perform(command);
+    state_.redraw();
 }
 
-void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
-    now_ = now;
+void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
+    state_.now = now;
     input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.key(number, down);
-    shake();
+    state_.redraw();
     if (!down || !press) return;
     const Command* command = command_for_key(spelling(*press));
     if (command == nullptr) return;
@@ -151,18 +194,19 @@ void Viewer::key(int number, bool down, const std::optional<KeyPress>& press, Mo
     if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y" ||
                    (press->ctrl && (press->key == "C" || press->key == "V"))))
         return;
-    if (typing && press->key == "Escape" && !interface_.dialog_open()) return; // leaves the field, no more
+    if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // leaves the field, no more
     // Under a dialog only what closes it works.
-    if (interface_.dialog_open() && command->name != "dismiss" && !(command->name == "help" && interface_.help_open))
+    if (state_.interface.dialog_open() && command->name != "dismiss" &&
+        !(command->name == "help" && state_.interface.help_open))
         return;
     run(*command);
 }
 
-void Viewer::character(unsigned codepoint, double now) {
-    now_ = now;
+void ViewerInput::character(unsigned codepoint, double now) {
+    state_.now = now;
     input_.character(codepoint);
-    shake();
-    if (codepoint >= 128 || ImGui::GetIO().WantTextInput || interface_.dialog_open()) return;
+    state_.redraw();
+    if (codepoint >= 128 || ImGui::GetIO().WantTextInput || state_.interface.dialog_open()) return;
     const char letter = static_cast<char>(codepoint);
     // Letters and digits came as keys already, with their modifiers.
     if ((letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z'))
@@ -170,12 +214,23 @@ void Viewer::character(unsigned codepoint, double now) {
     if (const Command* command = command_for_key(std::string(1, letter))) run(*command);
 }
 
-void Viewer::dropped(const std::filesystem::path& path) {
-    InterfaceContext context{interface_, workspace_, *this, layout_, now_};
-    // A mesh is a lesion for who is planning.
-    const bool lesion = interface_.planning && can_be_lesion_mesh(path);
-    const bool beside = workspace_.document.tree() && can_be_context(path.string());
-    context.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {path.string()});
+bool ViewerInput::points_at_branches() const {
+    const auto& tool = state_.interface.tool;
+    return !tool || tool->points_at_branches();
+}
+
+ToolDrawing ViewerInput::tool_drawing() {
+    const auto& tool = state_.interface.tool;
+    return tool ? tool->drawing(pointing(tool_mouse_.modifiers())) : ToolDrawing{};
+}
+
+void ViewerInput::use_tool(std::string_view name) {
+    const ToolKind* kind = find_tool(name);
+    state_.interface.tool_kind = kind;
+    state_.interface.tool = kind->make != nullptr ? kind->make() : nullptr;
+    tool_mouse_.abandon();
+    pick_wanted_ = true;
+    state_.redraw();
 }
 
 } // namespace ramus::app

@@ -1,5 +1,5 @@
 // ContextReader: reads what is shown beside the tree (app/assets/context_shapes.h) on a worker, one file after the
-// other: what a command asks for, so that it need not wait, and what a session names. For one thread, its owner's.
+// other, as a session names them. For one thread, its owner's.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -18,12 +18,8 @@ class ContextReader {
 public:
     explicit ContextReader(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-    // Reads it, well or badly, for a command, whose arguments take_ready() then gives back, once.
-    void read(const ContextSource& source, std::vector<std::string> arguments);
-    [[nodiscard]] std::optional<std::vector<std::string>> take_ready();
-
-    // Puts what has been read among the assets, and starts what comes next: what commands wait for, then what is
-    // visible of `context`. True when something came.
+    // Puts what has been read among the assets, and starts the next that is visible of `context`. True when something
+    // came.
     bool update(const std::vector<ContextItem>& context, Assets& assets);
     // Why something of the session could not be read, once.
     [[nodiscard]] std::optional<Error> take_error();
@@ -34,25 +30,18 @@ public:
     void forget(); // all that is on its way or was said: it belongs to the tree before
 
     // Until an update() has found nothing more to do: between one file and the next the worker is idle.
-    [[nodiscard]] bool busy() const { return working_ || !asked_.empty(); }
+    [[nodiscard]] bool busy() const { return working_; }
     [[nodiscard]] const std::string& title() const { return worker_.title(); }
     [[nodiscard]] float progress() const { return worker_.progress(); }
 
 private:
-    struct Asked {
-        ContextSource source;
-        std::vector<std::string> arguments;
-    };
     struct Read {
         ContextSource source;
-        std::optional<std::vector<std::string>> arguments; // of the command that asked for it
         Loaded<ContextShape> shape;
     };
-    void start(const ContextSource& source, std::optional<std::vector<std::string>> arguments, const Assets& assets);
+    void start(const ContextSource& source);
 
-    std::deque<Asked> asked_;
     std::deque<Read> read_;
-    std::deque<std::vector<std::string>> ready_;
     std::deque<Error> errors_;
     std::set<ContextSource> given_up_;
     ContextSource current_;

@@ -88,8 +88,6 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     failed_.reset();
     comparison_problem_.clear();
     planner_.cancel(); // lesions that are on their way belong to the tree before
-    meshes_to_read_.clear();
-    read_meshes_.clear();
     context.forget();
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
@@ -193,31 +191,16 @@ const Assets& Workspace::current_assets() {
     return assets;
 }
 
-// What commands wait for is read before distances are measured.
 void Workspace::start_plan() {
-    if (planner_.busy()) return;
-    if (!meshes_to_read_.empty()) {
-        const std::filesystem::path path = meshes_to_read_.front();
-        meshes_to_read_.pop_front();
-        planner_.start("Reading " + path.filename().string(),
-                       [this, path, copy = assets](Job&, const Worker::Post& post) mutable {
-                           (void)load_lesion_mesh(copy, path.string());
-                           post([this, path, copy] {
-                               merge(assets, copy);
-                               read_meshes_.push_back(path);
-                               changed_ = true;
-                           });
+    if (planner_.busy() || !lesions_awaited(assets, document.marks(), GridIs::kMadeAhead)) return;
+    planner_.start("Measuring distances",
+                   [this, copy = assets, marks = document.marks()](Job&, const Worker::Post& post) mutable {
+                       complete_lesions(copy, marks, GridIs::kMadeAhead);
+                       post([this, copy] {
+                           merge(assets, copy);
+                           changed_ = true;
                        });
-    } else if (lesions_awaited(assets, document.marks(), GridIs::kMadeAhead)) {
-        planner_.start("Measuring distances",
-                       [this, copy = assets, marks = document.marks()](Job&, const Worker::Post& post) mutable {
-                           complete_lesions(copy, marks, GridIs::kMadeAhead);
-                           post([this, copy] {
-                               merge(assets, copy);
-                               changed_ = true;
-                           });
-                       });
-    }
+                   });
 }
 
 ShownSurfaces Workspace::surfaces() const {
@@ -273,13 +256,6 @@ void Workspace::start_comparison() {
                     });
 }
 
-std::optional<std::filesystem::path> Workspace::take_read_mesh() {
-    if (read_meshes_.empty()) return {};
-    std::filesystem::path path = std::move(read_meshes_.front());
-    read_meshes_.pop_front();
-    return path;
-}
-
 void Workspace::cancel_work() {
     if (loader_.busy()) {
         loader_.cancel();
@@ -295,7 +271,6 @@ void Workspace::cancel_work() {
         failed_ = std::exchange(comparing_, std::nullopt);
         comparison_problem_ = "cancelled";
     }
-    meshes_to_read_.clear();
     context.cancel();
     changed_ = true;
 }

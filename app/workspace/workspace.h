@@ -75,8 +75,7 @@ public:
     }
 
     [[nodiscard]] bool busy() const {
-        return loader_.busy() || mesher_.busy() || planner_.busy() || comparer_.busy() || !meshes_to_read_.empty() ||
-               context.busy();
+        return loader_.busy() || mesher_.busy() || planner_.busy() || comparer_.busy() || context.busy();
     }
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
     [[nodiscard]] float progress() const;       // of that, 0 to 1
@@ -89,9 +88,6 @@ public:
     };
     [[nodiscard]] std::optional<Opened> take_opened() { return std::exchange(opened_, std::nullopt); }
     [[nodiscard]] std::optional<Error> take_error();
-    // Reads it, well or badly, into the assets; then take_read_mesh() names it, once.
-    void read_lesion_mesh(const std::filesystem::path& path) { meshes_to_read_.push_back(path); }
-    [[nodiscard]] std::optional<std::filesystem::path> take_read_mesh();
     ContextReader context; // what is shown beside the tree
     // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
     // shown. Empty otherwise.
@@ -127,7 +123,6 @@ private:
     std::deque<Error> errors_;
     std::shared_ptr<LoadedTree> arrival_;
     std::filesystem::path arrival_path_;
-    std::deque<std::filesystem::path> meshes_to_read_, read_meshes_;
     std::vector<ComparedSurface> compared_;             // one a kind
     std::optional<ComparedRequest> comparing_, failed_; // what is being made; what could not be
     std::string comparison_problem_;                    // why

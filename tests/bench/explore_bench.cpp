@@ -2,7 +2,7 @@
 // subtree and lassoing a thousand of them, each within 10 ms, and hiding a subtree of the 1,504-branch tree until its
 // closed surface is there, within 100 ms. Commands run as the window runs them. Exit status 1 when a median is over its
 // limit.
-#include "app/actions/command_table.h"
+#include "app/actions/command_runner.h"
 #include "app/assets/assets.h"
 #include "app/picture/overview_layout.h"
 #include "app/workspace/surface_maker.h"
@@ -22,7 +22,7 @@ using namespace ramus::app;
 
 namespace {
 
-class NoHost final : public Host {
+class NoHost final : public PictureHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {1600, 1200}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return {}; }

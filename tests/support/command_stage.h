@@ -11,7 +11,7 @@
 
 namespace ramus::test {
 
-class SpeakingHost final : public app::Host {
+class TestPicture final : public app::PictureHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
@@ -20,8 +20,6 @@ public:
         cameras.push_back(camera);
         return render::Image(size.x / 10, size.y / 10);
     }
-    void say(const std::string& sentence) override { said = sentence; }
-    std::string said;
     std::vector<render::Camera> cameras;
 };
 
@@ -30,19 +28,23 @@ struct CommandStage {
         document.open(std::make_shared<const tree::VesselTree>(std::move(tree)), std::move(session));
     }
     app::Document document;
-    SpeakingHost host;
+    TestPicture host;
     app::Assets assets;
-    app::ActionContext context{document, host, assets};
+    std::string said; // last
+    app::ActionContext context{.document = document,
+                               .picture = host,
+                               .assets = assets,
+                               .tell = [this](const std::string& sentence) { said = sentence; }};
 
     Result<void> run(const std::string& text) {
         const auto lines = app::parse_script(text, "c.txt");
         return lines ? app::run_script(context, *lines, "c.txt") : tl::unexpected(lines.error());
     }
     std::string good(const std::string& text) { // what was said
-        host.said.clear();
+        said.clear();
         const auto done = run(text);
         REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
-        return host.said;
+        return said;
     }
     std::string bad(const std::string& text) { // why not; nothing changes
         const app::Marks before = document.marks();

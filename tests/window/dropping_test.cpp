@@ -47,12 +47,12 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
         return target.read_image();
     };
     const render::Image before = settle();
-    viewer.use_settings({}); // a person's window: commands do not wait
+    viewer.files().use_settings({}); // a person's window: commands do not wait
     const app::Marks& marks = workspace.document.marks();
 
-    viewer.dropped(ball);
+    viewer.files().dropped(ball);
     CHECK(marks.context.empty()); // not yet: it is being read
-    CHECK(workspace.busy());
+    CHECK(viewer.commands().busy());
     const render::Image with = settle();
     REQUIRE(marks.context.size() == 1);
     CHECK(marks.context[0].file == ball.string());
@@ -64,14 +64,14 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
             std::equal(with.pixel(x, middle.y), with.pixel(x, middle.y) + 3, before.pixel(x, middle.y)) ? 0 : 1;
     CHECK(differing > 40);
 
-    viewer.dropped(bad);
+    viewer.files().dropped(bad);
     settle();
     CHECK(marks.context.size() == 1);
     CHECK(viewer.interface().notice.trouble);
     CHECK(viewer.interface().notice.text.find("bad.nii") != std::string::npos);
 
-    REQUIRE(viewer.toggle("plan"));
-    viewer.dropped(ball);
+    viewer.actions().window->toggle("plan");
+    viewer.files().dropped(ball);
     settle();
     CHECK(marks.context.size() == 1);
     CHECK(marks.lesion_meshes == std::vector<std::string>{ball.string()});

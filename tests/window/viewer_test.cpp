@@ -60,7 +60,7 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
                 if (workspace.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
             now += 10.0; // notices are gone
-            (*viewer)->shake();
+            (*viewer)->redraw();
             for (int i = 0; i < 5; ++i) (*viewer)->draw(now += 0.05, target.framebuffer());
             return view_of(target.read_image(), (*viewer)->layout());
         };
@@ -71,10 +71,10 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
         (*viewer)->resize(size + 60, 1.0F);
         (*viewer)->draw(now += 0.05, target.framebuffer());
         CHECK((*viewer)->interface().notice.text.find("out of graphics memory") != std::string::npos);
-        (*viewer)->mouse_moved(glm::dvec2(middle));
+        (*viewer)->input().mouse_moved(glm::dvec2(middle));
         for (int i = 0; i < 10; ++i) (*viewer)->draw(now += 0.05, target.framebuffer());
-        CHECK_FALSE((*viewer)->closing());
-        (*viewer)->mouse_left();
+        CHECK_FALSE((*viewer)->files().closing());
+        (*viewer)->input().mouse_left();
 
         render::limit_gl_allocation();
         (*viewer)->resize(size, 1.0F);
@@ -107,13 +107,12 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
         }
     };
     settle();
-    app::ActionContext action{workspace.document, **viewer, workspace.assets};
-    const auto run = [&](std::vector<std::string> words) { REQUIRE(app::run_command(action, words)); };
+    const auto run = [&](std::vector<std::string> words) { REQUIRE(app::run_command((*viewer)->actions(), words)); };
     run({"compare", "side-by-side", "iso,cones,cs"});
     settle();
     const app::Layout& layout = (*viewer)->layout();
     REQUIRE(layout.panes_at.size() == 3);
-    CHECK((*viewer)->picture_size() == layout.pane_size);
+    CHECK((*viewer)->picture().picture_size() == layout.pane_size);
     CHECK(3 * layout.pane_size.x < layout.view_size.x);
     const auto middle = [&](std::size_t pane) {
         return glm::dvec2(layout.view_at + layout.panes_at[pane]) + 0.5 * glm::dvec2(layout.pane_size);
@@ -124,15 +123,15 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
         CAPTURE(pane);
         const glm::ivec2 at(middle(pane));
         CHECK(beside.pixel(at.x, at.y)[0] > beside.pixel(at.x, at.y)[2] + 40); // vessels are red
-        (*viewer)->mouse_moved(middle(pane));
+        (*viewer)->input().mouse_moved(middle(pane));
         settle();
         CHECK((*viewer)->interface().hovered == (pane == 0 ? tree::kNoBranch : 0)); // a mask has no branches
     }
     // A click on the mask selects nothing, one on the cones the branch.
     for (const std::size_t pane : {0U, 1U}) {
-        (*viewer)->mouse_moved(middle(pane));
-        (*viewer)->mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
-        (*viewer)->mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
+        (*viewer)->input().mouse_moved(middle(pane));
+        (*viewer)->input().mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
+        (*viewer)->input().mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
         settle();
         CHECK(workspace.document.marks().selection.size() == pane);
     }
@@ -141,12 +140,12 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
     std::vector<render::Camera> turned;
     for (std::size_t pane = 0; pane < 3; ++pane) {
         workspace.document.set_camera(start);
-        (*viewer)->mouse_moved(middle(pane));
-        (*viewer)->mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
-        (*viewer)->mouse_moved(middle(pane) + glm::dvec2(30.0, 0.0));
+        (*viewer)->input().mouse_moved(middle(pane));
+        (*viewer)->input().mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
+        (*viewer)->input().mouse_moved(middle(pane) + glm::dvec2(30.0, 0.0));
         (*viewer)->draw(now += 0.05, target.framebuffer());
-        (*viewer)->mouse_moved(middle(pane) + glm::dvec2(5.0, 500.0)); // out of it
-        (*viewer)->mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
+        (*viewer)->input().mouse_moved(middle(pane) + glm::dvec2(5.0, 500.0)); // out of it
+        (*viewer)->input().mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
         turned.push_back(workspace.document.session().camera);
         CHECK(turned.back() != start);
         CHECK(glm::distance(turned.back().position, turned.front().position) < 1e-6);
@@ -155,5 +154,5 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
     run({"compare", "off"});
     settle();
     CHECK(layout.panes_at.size() == 1);
-    CHECK((*viewer)->picture_size() == layout.view_size);
+    CHECK((*viewer)->picture().picture_size() == layout.view_size);
 }

@@ -32,7 +32,7 @@ std::shared_ptr<const tree::VesselTree> small_tree() {
     return tree;
 }
 
-class TestHost final : public Host {
+class TestHost final : public PictureHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh; }

@@ -95,7 +95,7 @@ Marks edited(Marks marks, int branches, std::mt19937& random) {
     return marks;
 }
 
-class NoHost final : public Host {
+class NoHost final : public PictureHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }

@@ -238,7 +238,7 @@ TEST_CASE("lassoing 30,000 branches takes exactly those that a plain count of ce
 
 namespace {
 
-class PictureHost final : public Host {
+class TestPicture final : public PictureHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {100, 100}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return {}; }
@@ -246,7 +246,13 @@ public:
     Result<render::BranchPicture> branch_picture() override {
         return render::BranchPicture{100, 100, std::vector<int>(10000, 2)}; // branch 2 is before everything
     }
-    ToolSettings* tool_settings() override { return &settings; }
+};
+
+class TestTools final : public ToolHost {
+public:
+    void use_tool(std::string_view) override {}
+    [[nodiscard]] std::string_view tool() const override { return "lasso"; }
+    [[nodiscard]] ToolSettings& tool_settings() override { return settings; }
     ToolSettings settings;
 };
 
@@ -254,7 +260,8 @@ public:
 
 TEST_CASE("the lasso command selects, adds and removes, and refuses what it cannot read") {
     Document document;
-    PictureHost host;
+    TestPicture host;
+    TestTools tools;
     Session session;
     session.camera.position = {20.0, 500.0, 0.0};
     session.camera.focal_point = {20.0, 0.0, 0.0};
@@ -262,7 +269,7 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
     session.camera.scale = 50.0;
     document.open(std::make_shared<const tree::VesselTree>(rods()), session);
     Assets assets;
-    ActionContext context{document, host, assets};
+    ActionContext context{.document = document, .picture = host, .assets = assets, .tools = &tools};
     const auto run = [&](const std::string& line) -> std::string {
         const auto lines = parse_script(line, "c.txt");
         REQUIRE(lines);
@@ -301,10 +308,10 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
     CHECK(document.marks().selection == Ids{1});
 
     CHECK(run("lasso-mode any\nlasso-depth visible").empty());
-    CHECK(host.settings.lasso_any_part);
-    CHECK(host.settings.lasso_visible);
+    CHECK(tools.settings.lasso_any_part);
+    CHECK(tools.settings.lasso_visible);
     CHECK(run("lasso-mode half\nlasso-depth through").empty());
-    CHECK_FALSE(host.settings.lasso_any_part);
-    CHECK_FALSE(host.settings.lasso_visible);
+    CHECK_FALSE(tools.settings.lasso_any_part);
+    CHECK_FALSE(tools.settings.lasso_visible);
     CHECK(run("lasso-mode some").starts_with("c.txt:1: lasso-mode is half or any"));
 }

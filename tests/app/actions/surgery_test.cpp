@@ -139,7 +139,7 @@ TEST_CASE("the selected are cut where the others depend on them") {
     Stage stage;
     stage.good("select-subtree 1\nselect-add 2\ncut");
     CHECK(stage.marks().cuts == std::vector<std::pair<int, double>>{{1, 0.5}, {2, 0.5}});
-    CHECK(stage.host.said == "2 cuts");
+    CHECK(stage.said == "2 cuts");
     stage.bad("cut"); // there they are
 }
 

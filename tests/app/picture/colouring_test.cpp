@@ -23,7 +23,7 @@ std::shared_ptr<const tree::VesselTree> tree_of(int branches) {
     return std::make_shared<const tree::VesselTree>(test::grown_tree(branches).value());
 }
 
-class NoHost final : public Host {
+class NoHost final : public PictureHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }

@@ -13,7 +13,7 @@ using namespace ramus::app;
 namespace {
 
 // A picture of 800 x 400 with panes, as windows and files have them.
-class PaneHost final : public Host {
+class PaneHost final : public PictureHost {
 public:
     PaneHost(const Document& document, std::shared_ptr<const render::PagedMesh> mesh)
         : document_(document), mesh_(std::move(mesh)) {}

@@ -241,21 +241,6 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     CHECK(load_context(workspace.assets, marks, job));
 }
 
-TEST_CASE("a command's file is read for it, and the command goes on") {
-    ContextStage stage;
-    const std::string file = stage.ball("organ.stl");
-    Workspace workspace({});
-    workspace.open(stage.tree);
-    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    workspace.context.read({file, 0, true}, {file, "--wireframe"});
-    CHECK(workspace.busy());
-    std::optional<std::vector<std::string>> ready;
-    REQUIRE(settle(workspace, [&] { return (ready = workspace.context.take_ready()).has_value(); }));
-    CHECK(*ready == std::vector<std::string>{file, "--wireframe"});
-    CHECK(workspace.assets.context_shape({file, 0, true}) != nullptr);
-    CHECK_FALSE(workspace.context.take_ready());
-}
-
 TEST_CASE("reading that was cancelled is not taken up again until somebody asks") {
     ContextStage stage;
     const std::string file = stage.ball("organ.ply", {0, 0, 15}, 6);

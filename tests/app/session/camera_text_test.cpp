@@ -11,26 +11,23 @@ using namespace ramus::app;
 
 namespace {
 
-class ClipboardHost final : public Host {
+class TestHost final : public PictureHost, public Clipboard {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
     Result<void> write_picture(const std::filesystem::path&) override { return {}; }
     void camera_leapt() override { ++moves; }
-    Result<void> copy_text(const std::string& text) override {
-        clipboard = text;
-        return {};
-    }
-    Result<std::string> pasted_text() override { return clipboard; }
+    void copy_text(const std::string& text) override { clipboard = text; }
+    [[nodiscard]] Result<std::string> pasted_text() const override { return clipboard; }
     std::string clipboard;
     int moves = 0;
 };
 
 struct CameraTextStage {
     Document document;
-    ClipboardHost host;
+    TestHost host;
     Assets assets;
-    ActionContext context{document, host, assets};
+    ActionContext context{.document = document, .picture = host, .assets = assets, .clipboard = &host};
     Result<void> run(std::string_view text) {
         const auto lines = parse_script(text, "c");
         return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());

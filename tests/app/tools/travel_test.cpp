@@ -13,21 +13,23 @@ using namespace ramus::app;
 
 namespace {
 
-class TestHost final : public Host {
+class TestHost final : public PictureHost, public WindowHost {
 public:
     [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
     Result<void> write_picture(const std::filesystem::path&) override { return {}; }
     void camera_leapt() override { ++moves; }
     void flew(int branch, double fraction) override { flown = {branch, fraction}; }
-    Result<void> toggle(std::string_view part) override {
+    void toggle(std::string_view part) override {
         if (!parts.erase(std::string(part))) parts[std::string(part)] = "";
-        return {};
     }
-    Result<void> arrange(std::string_view part, std::string_view setting) override {
-        parts[std::string(part)] = setting;
-        return {};
-    }
+    void set_overview(std::string_view setting) override { parts["overview"] = setting; }
+    void open_flight(int branch) override { parts["fly-along"] = std::to_string(branch); }
+    void close_flight() override { parts.erase("fly-along"); }
+    void ask_for_name(int branch) override { parts["name"] = std::to_string(branch); }
+    bool dismiss() override { return false; }
+    void set_ui_scale(double) override {}
+    [[nodiscard]] double ui_scale() const override { return 1.0; }
     [[nodiscard]] bool shows(std::string_view part) const override { return parts.contains(std::string(part)); }
     int moves = 0;
     std::pair<int, double> flown{-1, -1.0};
@@ -38,7 +40,7 @@ struct TravelStage {
     Document document;
     TestHost host;
     Assets assets;
-    ActionContext context{document, host, assets};
+    ActionContext context{.document = document, .picture = host, .assets = assets, .window = &host};
     TravelStage() {
         auto tree = test::grown_tree(120);
         REQUIRE(tree);

@@ -195,11 +195,7 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    workspace.read_lesion_mesh(file);
-    CHECK(workspace.busy());
-    REQUIRE(settle(workspace, [&] { return workspace.take_read_mesh() == file; }));
-    CHECK(workspace.assets.lesion_mesh(file.string()));
-    CHECK_FALSE(workspace.assets.lesion_mesh((folder.path / "other.stl").string()));
+    REQUIRE(load_lesion_mesh(workspace.assets, file.string()));
 
     Document& document = workspace.document;
     Marks marks = document.marks();
@@ -331,19 +327,4 @@ TEST_CASE("a file that arrives while unsaved work went on waits to be let in") {
     REQUIRE(settle(workspace, [&] { return workspace.take_opened().has_value(); }));
     CHECK_FALSE(workspace.arrival_waits());
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-}
-
-TEST_CASE("lesions on their way do not reach the next tree") {
-    const Folder folder;
-    Workspace workspace({});
-    workspace.open(folder.write("fork.swc", kFork));
-    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
-    for (int i = 0; i < 20; ++i) workspace.read_lesion_mesh(folder.path / ("tumour" + std::to_string(i) + ".stl"));
-    workspace.update();
-    LoadedTree loaded;
-    loaded.assets.tree = workspace.document.tree();
-    loaded.session = workspace.document.session();
-    workspace.adopt(std::move(loaded), "elsewhere.swc");
-    REQUIRE(settle(workspace, [&] { return !workspace.busy(); }));
-    CHECK_FALSE(workspace.take_read_mesh());
 }

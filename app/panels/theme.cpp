@@ -1,4 +1,4 @@
-#include "app/window/theme.h"
+#include "app/panels/theme.h"
 
 #include <algorithm>
 #include <cmath>

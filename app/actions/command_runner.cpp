@@ -1,0 +1,124 @@
+#include "app/actions/command_runner.h"
+
+#include "app/actions/phrases.h"
+
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+// What `change` does to the document is one step of undo, named after the command.
+template <class Change>
+auto as_step(ActionContext& context, const Command& command, Arguments arguments, const Change& change) {
+    Document& document = context.document;
+    document.begin_step();
+    auto result = change();
+    const MarksChange* changed = document.last_change();
+    document.end_step(changed == nullptr ? "" : phrase_of(command, arguments, *changed, document.marks()));
+    return result;
+}
+
+Result<Outcome> act(ActionContext& context, const Command& command, Arguments arguments) {
+    return as_step(context, command, arguments, [&] { return command.action(context, arguments); });
+}
+
+Result<void> finish(ActionContext& context, const Command& command, Arguments arguments,
+                    const Result<Continuation>& worked) {
+    if (!worked) return tl::unexpected(worked.error());
+    return as_step(context, command, arguments, [&] { return (*worked)(context); });
+}
+
+Result<void> run_at_once(ActionContext& context, const Command& command, Arguments arguments) {
+    const auto outcome = act(context, command, arguments);
+    if (!outcome) return tl::unexpected(outcome.error());
+    const auto* pending = std::get_if<Pending>(&*outcome);
+    if (pending == nullptr) return {};
+    Job job;
+    return finish(context, command, arguments, pending->work(job));
+}
+
+Result<const Command*> command_of(std::span<const std::string> words) {
+    const Command* command = find_command(words[0]);
+    if (command == nullptr) return fail("there is no command \"" + words[0] + "\"", {}, "F1 in the window lists them");
+    if (command->arguments.empty() && words.size() > 1) return fail(command->name + " takes no arguments");
+    return command;
+}
+
+bool enabled(const ActionContext& context, const Command& command) {
+    return command.enabled == nullptr || command.enabled(context.document);
+}
+
+} // namespace
+
+Result<void> run_command(ActionContext& context, std::span<const std::string> words) {
+    if (words.empty()) return {};
+    const auto command = command_of(words);
+    return command ? run_at_once(context, **command, words.subspan(1)) : tl::unexpected(command.error());
+}
+
+Result<void> run_entry(ActionContext& context, const Command& command) {
+    return enabled(context, command) ? run_at_once(context, command, command.preset) : Result<void>{};
+}
+
+Result<void> CommandRunner::run(ActionContext& context, std::span<const std::string> words) {
+    if (words.empty()) return {};
+    const auto command = command_of(words);
+    return command ? start(context, **command, words.subspan(1)) : tl::unexpected(command.error());
+}
+
+Result<void> CommandRunner::run(ActionContext& context, const Command& entry) {
+    return enabled(context, entry) ? start(context, entry, entry.preset) : Result<void>{};
+}
+
+Result<void> CommandRunner::start(ActionContext& context, const Command& command, Arguments arguments) {
+    auto outcome = act(context, command, arguments);
+    if (!outcome) return tl::unexpected(outcome.error());
+    auto* pending = std::get_if<Pending>(&*outcome);
+    if (pending == nullptr) return {};
+    pending_.push_back({&command, {arguments.begin(), arguments.end()}, std::move(*pending), context.document.tree()});
+    if (pending_.size() == 1) begin_work();
+    return {};
+}
+
+void CommandRunner::begin_work() {
+    const Pending& pending = pending_.front().pending;
+    worker_.start(pending.activity, [this, work = pending.work](Job& job, const Worker::Post& post) {
+        const auto worked = work(job);
+        post([this, worked] { worked_ = worked; });
+    });
+}
+
+std::vector<Error> CommandRunner::update(ActionContext& context) {
+    std::vector<Error> failed;
+    worker_.drain();
+    if (const std::string why = worker_.take_failure(); !why.empty() && !pending_.empty())
+        worked_ = fail("the work was given up: " + why, pending_.front().pending.activity,
+                       why == "std::bad_alloc" ? "there is not enough memory for it" : "");
+    const auto outdated = [&](const Waiting& waiting) { return waiting.tree != context.document.tree(); };
+    if (!pending_.empty() && outdated(pending_.front())) {
+        worker_.cancel();
+        worked_.reset();
+        std::erase_if(pending_, outdated);
+        if (!pending_.empty()) begin_work();
+    }
+    if (worked_) {
+        const auto worked = *std::exchange(worked_, std::nullopt);
+        const Waiting done = std::move(pending_.front());
+        pending_.pop_front();
+        if (const auto finished = finish(context, *done.command, done.arguments, worked); !finished)
+            failed.push_back(finished.error());
+        if (!pending_.empty()) begin_work();
+    }
+    return failed;
+}
+
+void CommandRunner::cancel() {
+    worker_.cancel();
+    worked_.reset();
+    pending_.clear();
+}
+
+std::string CommandRunner::activity() const { return busy() ? pending_.front().pending.activity : std::string(); }
+
+} // namespace ramus::app

@@ -1,0 +1,12 @@
+#include "app/actions/hosts.h"
+
+namespace ramus::app {
+
+Result<render::BranchPicture> PictureHost::branch_picture() {
+    return fail("what is visible is not known without a picture");
+}
+Result<render::Image> PictureHost::draw_picture(const render::Camera&, glm::ivec2) {
+    return fail("there is no picture here");
+}
+
+} // namespace ramus::app

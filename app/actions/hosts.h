@@ -1,0 +1,91 @@
+// What commands need from their surroundings beside the document, one class for each role. The window fills every role;
+// `ramus render` has the picture alone.
+#pragma once
+
+#include "app/picture/fly_along.h"
+#include "core/base/error.h"
+#include "render/image/image.h"
+#include "render/renderer/renderer.h"
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace ramus::app {
+
+struct ToolSettings; // app/tools/tool.h
+
+// The picture of the document.
+class PictureHost {
+public:
+    PictureHost() = default;
+    PictureHost(const PictureHost&) = delete;
+    PictureHost& operator=(const PictureHost&) = delete;
+    virtual ~PictureHost() = default;
+
+    // Pixels; of pictures with several panes, of one of them.
+    [[nodiscard]] virtual glm::ivec2 picture_size() const = 0;
+    // What the picture shows; null: nothing.
+    [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;
+    virtual Result<void> write_picture(const std::filesystem::path& path) = 0; // as PNG
+    // Which branch each pixel shows, of the document as it is now.
+    virtual Result<render::BranchPicture> branch_picture();
+    // The document from another camera, with scale bar and cube, for reports.
+    virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
+    // A command has moved the camera at once: a window shows the way from the last one.
+    virtual void camera_leapt() {}
+    // A command has put the camera on its way along the vessels to the end of `branch`, at this fraction of it.
+    virtual void flew(int /*branch*/, double /*fraction*/) {}
+    FlyPaths flights;
+};
+
+enum class FilePurpose { kOpen, kSave, kLesionMesh, kContext, kMask };
+
+// Files that replace the document, and the dialogs that ask for files.
+class FileHost {
+public:
+    virtual ~FileHost() = default;
+    virtual Result<void> open(const std::filesystem::path& path) = 0;
+    // Shows the dialog; the command that belongs to the purpose follows with the file.
+    virtual void ask_for_file(FilePurpose purpose) = 0;
+    // What runs that did not end well have left: 0 shows the dialog, n brings its n-th entry back.
+    virtual Result<void> recover(int which) = 0;
+    virtual Result<void> discard_recovery(int which) = 0;
+    virtual void quit() = 0; // asks first when something would be lost
+};
+
+// The parts of the window around the picture.
+class WindowHost {
+public:
+    virtual ~WindowHost() = default;
+    // "help", "overview", "panel"; "explore", "plan" and "other" open a half of the panel.
+    virtual void toggle(std::string_view part) = 0;
+    [[nodiscard]] virtual bool shows(std::string_view part) const = 0; // "help", "overview", "panel", "fly-along"
+    virtual void set_overview(std::string_view setting) = 0;           // "on", "off", "generation", "distance"
+    virtual void open_flight(int branch) = 0;                          // the bar that flies to its end
+    virtual void close_flight() = 0;
+    virtual void ask_for_name(int branch) = 0;
+    virtual bool dismiss() = 0;                             // closes what lies on top; false: nothing does
+    virtual void set_ui_scale(double pixels_per_point) = 0; // 0: what the display says
+    [[nodiscard]] virtual double ui_scale() const = 0;      // pixels per point
+};
+
+class Clipboard {
+public:
+    virtual ~Clipboard() = default;
+    virtual void copy_text(const std::string& text) = 0;
+    [[nodiscard]] virtual Result<std::string> pasted_text() const = 0; // fails when there is none
+};
+
+// The tool that has the left mouse button over the picture.
+class ToolHost {
+public:
+    virtual ~ToolHost() = default;
+    virtual void use_tool(std::string_view name) = 0; // one of tool_kinds()
+    [[nodiscard]] virtual std::string_view tool() const = 0;
+    [[nodiscard]] virtual ToolSettings& tool_settings() = 0;
+};
+
+} // namespace ramus::app

@@ -1,0 +1,205 @@
+#include "app/window/picture_view.h"
+
+#include "render/gl/gl_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ramus::app {
+
+PictureView::PictureView(ViewerState& state, render::Renderer& renderer)
+    : state_(state), renderer_(renderer), sheets_(renderer), pace_(render::is_software_rasteriser()) {}
+
+Viewing PictureView::viewing() const {
+    const Interface& interface = state_.interface;
+    Viewing viewing{.size = state_.layout.view_size, .pixel_ratio = state_.scale, .hovered = interface.hovered};
+    if (interface.listed != tree::kNoBranch) viewing.hovered = interface.listed;
+    viewing.glass = interface.tried_glass;
+    viewing.context = interface.tried_context;
+    viewing.options = state_.workspace.tried_options();
+    return viewing;
+}
+
+void PictureView::move_camera(const render::Camera& camera) {
+    glide_.reset();
+    state_.workspace.document.set_camera(camera);
+}
+
+// Nobody looks on while a script runs or a picture of the window is made.
+void PictureView::camera_leapt() {
+    if (!state_.watched()) return;
+    const bool orthographic = state_.workspace.document.session().camera.orthographic;
+    glide_ = Glide{render::with_projection(shown_camera_, orthographic), state_.now};
+}
+
+void PictureView::flew(int branch, double fraction) {
+    Fly& fly = state_.interface.fly;
+    if (fly.open && branch != fly.branch) fly.playing = false;
+    fly.branch = branch;
+    fly.fraction = fraction;
+    state_.redraw();
+}
+
+// Slow at both ends. A picture that is asked for is never one on the way: see draw_for_keeping().
+render::Camera PictureView::camera_on_its_way() {
+    const render::Camera& there = state_.workspace.document.session().camera;
+    if (!glide_) return there;
+    const double t = (state_.now - glide_->since) / kGlideSeconds;
+    if (t < 1.0 && t >= 0.0) return render::interpolated(glide_->from, there, t * t * (3.0 - 2.0 * t));
+    glide_.reset();
+    return there;
+}
+
+bool PictureView::draw(bool dragging) {
+    const std::vector<ComparedPane> panes = state_.panes();
+    const ShownSurfaces surfaces = state_.workspace.surfaces();
+    compose_window(panes, surfaces);
+    const render::Quality quality = quality_now(dragging);
+    dress(panes, surfaces, quality);
+    tell_panels(panes);
+    const auto drawn = sheets_.draw(sheet_, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
+    take(drawn, quality);
+    return drawn && drawn->shaded;
+}
+
+// The first pane decides how quickly the others are seen.
+void PictureView::compose_window(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces) {
+    Workspace& workspace = state_.workspace;
+    const bool compares = !panes.front().title.empty();
+    SheetViewing sheet_viewing{.blend = state_.interface.tried_blend};
+    if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * state_.scale));
+    sheet_ =
+        compose_sheet(workspace.document.session(), workspace.current_assets(), surfaces, viewing(), sheet_viewing);
+    shown_camera_ = camera_on_its_way();
+    render::Frame& first = sheet_.panes.front().frame;
+    first.camera = shown_camera_;
+    if (panes.front().surface == own_kind() && pace_.slow(first) && !cast_) {
+        workspace.await_preview();
+        first.mesh = workspace.shown().mesh;
+    }
+    first.surface_awaited = !compares && workspace.surface_awaited();
+}
+
+render::Quality PictureView::quality_now(bool dragging) {
+    const render::Frame& first = sheet_.panes.front().frame;
+    const bool better_to_come = state_.workspace.shown().provisional || first.surface_awaited;
+    const render::Quality quality = pace_.quality(first, dragging || glide_, better_to_come, state_.now);
+    // A picture that shows already what is wanted does not give way to the surface before.
+    awaits_ = cast_ && first.surface_awaited;
+    return awaits_ ? render::Quality::kInteractive : quality;
+}
+
+void PictureView::dress(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces,
+                        render::Quality quality) {
+    const ReadySurface& shown = state_.workspace.shown();
+    for (std::size_t i = 0; i < sheet_.panes.size(); ++i) {
+        render::Frame& frame = sheet_.panes[i].frame;
+        frame.camera = shown_camera_;
+        frame.quality = quality;
+        frame.preview = surfaces.preview_of(panes[i].surface);
+        if (panes[i].surface != own_kind()) continue;
+        frame.mesh = shown.mesh;
+        frame.preview = shown.preview;
+    }
+}
+
+// The overview and the list show branches as the picture does.
+void PictureView::tell_panels(const std::vector<ComparedPane>& panes) {
+    Interface& interface = state_.interface;
+    if (!interface.overview.open && state_.layout.panel_width == 0) return;
+    const auto own = std::ranges::find(panes, own_kind(), &ComparedPane::surface);
+    const auto index = own == panes.end() ? 0 : own - panes.begin();
+    const render::Frame& frame = sheet_.panes[static_cast<std::size_t>(index)].frame;
+    PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents, frame.lost};
+    if (look != interface.picture) state_.redraw();
+    interface.picture = std::move(look);
+}
+
+void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Quality quality) {
+    const render::Frame& frame = sheet_.panes.front().frame;
+    const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
+    // Said once; the interface goes on without a picture.
+    const std::string problem = drawn ? std::string() : drawn.error().message();
+    if (std::exchange(drawing_problem_, problem) != problem && !problem.empty()) state_.say(problem);
+    if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
+    if (done.geometry) cast_ = done.cones > 0;
+    const bool as_wanted = cast_ || !frame.surface_awaited;
+    if (drawn && !done.unfinished)
+        pictured_width_ = as_wanted ? frame.width : static_cast<float>(state_.workspace.shown().request.options.width);
+    quality_ = drawn ? quality : render::Quality::kFull;
+    if (done.coarse && std::exchange(told_coarse_, frame.mesh) != frame.mesh)
+        state_.say("The surface is more than graphics memory holds: a coarser one is shown");
+    upload_pending_ = done.pending;
+    unfinished_ = done.unfinished;
+    if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
+    if (done.shaded) refines_ = state_.persons_window && full_seconds_ < kSlowToRefine; // somebody is there to see it
+}
+
+bool PictureView::refine(bool stirred) {
+    if (stirred) stirred_at_ = state_.now;
+    if (!refines_ || state_.now < stirred_at_ + kRefiningRest) return false;
+    const auto done = sheets_.refine(sheet_, kDrawingSeconds);
+    refines_ = done && done->more;
+    return done && done->changed;
+}
+
+void PictureView::present(unsigned framebuffer) {
+    const Layout& layout = state_.layout;
+    sheets_.present(framebuffer, layout.view_at.x, layout.window.y - layout.view_at.y - layout.view_size.y);
+}
+
+double PictureView::wait_seconds(double now) const {
+    if (glide_ || upload_pending_ || unfinished_) return 0.0;
+    double wait = std::numeric_limits<double>::infinity();
+    if (quality_ != render::Quality::kFull && !awaits_)
+        wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
+    if (refines_) wait = std::min(wait, std::max(0.0, stirred_at_ + kRefiningRest - now));
+    return wait;
+}
+
+bool PictureView::resting() const {
+    return !upload_pending_ && !unfinished_ && !glide_ && quality_ == render::Quality::kFull;
+}
+
+std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }
+
+// As `ramus render` draws the session: without what the pointer is doing.
+Result<void> PictureView::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
+    Workspace& workspace = state_.workspace;
+    Job job;
+    (void)load_context(workspace.assets, workspace.document.marks(), job); // waits for what a window leaves to a worker
+    render::Frame frame = compose(workspace.document.session(), workspace.current_assets(), picture_mesh(),
+                                  {.size = size, .pixel_ratio = state_.scale});
+    frame.camera = camera;
+    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+    state_.present_again();
+    return {};
+}
+
+Result<void> PictureView::write_picture(const std::filesystem::path& path) {
+    Workspace& workspace = state_.workspace;
+    Job job;
+    (void)load_context(workspace.assets, workspace.document.marks(), job); // as above
+    const render::Sheet sheet =
+        compose_sheet(workspace.document.session(), workspace.current_assets(), workspace.surfaces(),
+                      {.size = state_.layout.view_size, .pixel_ratio = state_.scale});
+    if (const auto drawn = sheets_.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    if (const auto finer = sheets_.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
+    state_.present_again();
+    return render::write_png(sheets_.read_image(), path);
+}
+
+Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size) {
+    if (auto drawn = draw_for_keeping(camera, size); !drawn) return tl::unexpected(drawn.error());
+    (void)renderer_.refine(keeping_seconds());
+    return renderer_.read_image();
+}
+
+Result<render::BranchPicture> PictureView::branch_picture() {
+    if (auto drawn = draw_for_keeping(state_.workspace.document.session().camera, picture_size()); !drawn)
+        return tl::unexpected(drawn.error());
+    return renderer_.read_branches();
+}
+
+} // namespace ramus::app

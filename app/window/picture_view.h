@@ -1,0 +1,96 @@
+// PictureView: the picture in the window. It draws the document as it is now, quickly while something moves and in full
+// as soon as it rests, and then finer while nothing happens; and it answers what a pixel shows.
+#pragma once
+
+#include "app/window/pace.h"
+#include "app/window/viewer_state.h"
+#include "render/renderer/sheet.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ramus::app {
+
+class PictureView final : public PictureHost {
+public:
+    PictureView(ViewerState& state, render::Renderer& renderer);
+
+    // `dragging`: somebody turns the view by hand. True when the picture is another one than before.
+    bool draw(bool dragging);
+    // Makes the picture that was drawn last finer once nothing has happened for a while; `stirred`: something just has.
+    bool refine(bool stirred);
+    void present(unsigned framebuffer);
+
+    void move_camera(const render::Camera& camera); // by hand: at once
+    void stop_gliding() { glide_.reset(); }
+    [[nodiscard]] bool gliding() const { return glide_.has_value(); }
+    [[nodiscard]] const render::Camera& shown_camera() const { return shown_camera_; } // of the last picture
+
+    // Pixels of the picture. The first waits for the card; the answer to the second comes a frame or two later.
+    [[nodiscard]] render::Pick pick(glm::dvec2 at) { return sheets_.pick(at); }
+    void request_pick(glm::dvec2 at) { sheets_.request_pick(at); }
+    [[nodiscard]] std::optional<render::Pick> poll_pick() { return sheets_.poll_pick(); }
+
+    [[nodiscard]] double wait_seconds(double now) const; // until it wants to be drawn again; infinite: not by itself
+    [[nodiscard]] bool resting() const;                  // full, and of what is known now
+    [[nodiscard]] bool refines() const { return refines_; }
+    // What the last picture was made of, and the kernel's width in it: maybe of a surface that is not there yet.
+    [[nodiscard]] bool cast() const { return cast_; }
+    [[nodiscard]] float pictured_width() const { return pictured_width_; }
+
+    // PictureHost
+    [[nodiscard]] glm::ivec2 picture_size() const override { return state_.pane_size(); }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
+    Result<render::BranchPicture> branch_picture() override;
+    Result<void> write_picture(const std::filesystem::path& path) override;
+    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
+    void camera_leapt() override;
+    void flew(int branch, double fraction) override;
+
+private:
+    static constexpr float kToolBarHeight = 48.0F; // points at the top of the picture that the tools' bar takes
+    static constexpr double kGlideSeconds = 0.35;
+    static constexpr double kDrawingSeconds = 0.03; // a frame may take for a picture at rest, and a part more
+    static constexpr double kSlowToRefine = 3.0;    // seconds of a full picture; one that takes more is fine enough
+    static constexpr double kRefiningRest = 0.5;    // seconds that nothing happens before the picture gets finer
+    static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
+
+    // A picture that is kept may take so long to get finer while the window waits; of a large surface it stays coarser.
+    [[nodiscard]] double keeping_seconds() const { return state_.watched() ? 1.0 : render::kUntilDone; }
+    [[nodiscard]] Viewing viewing() const;
+    [[nodiscard]] mesh::Method own_kind() const { return state_.workspace.document.marks().options.method; }
+    [[nodiscard]] render::Camera camera_on_its_way();
+    void compose_window(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces);
+    [[nodiscard]] render::Quality quality_now(bool dragging);
+    void dress(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces, render::Quality quality);
+    void tell_panels(const std::vector<ComparedPane>& panes);
+    void take(const Result<render::DrawStatistics>& drawn, render::Quality quality);
+    Result<void> draw_for_keeping(const render::Camera& camera, glm::ivec2 size);
+
+    ViewerState& state_;
+    render::Renderer& renderer_;
+    render::SheetRenderer sheets_; // draws with it
+    render::Sheet sheet_;          // of the last picture
+    // The picture's way to a camera that a command has set.
+    struct Glide {
+        render::Camera from;
+        double since;
+    };
+    std::optional<Glide> glide_;
+    render::Camera shown_camera_;
+    Pace pace_;
+    render::Quality quality_ = render::Quality::kFull; // of the last picture
+    bool cast_ = false;                                // it was made along centerlines, not of a mesh
+    float pictured_width_ = 0.0F;
+    bool awaits_ = false;                                  // it stays until the surface comes
+    std::shared_ptr<const render::PagedMesh> told_coarse_; // the surface that is shown by its preview
+    std::string drawing_problem_;                          // why the last picture could not be drawn; empty: it was
+    bool upload_pending_ = false;                          // not all of the surface is on the graphics card
+    bool unfinished_ = false;                              // the picture at rest is being made, a part at a time
+    double full_seconds_ = 0.0;                            // that the last full picture took
+    double stirred_at_ = 0.0;                              // when anything last happened
+    bool refines_ = false;                                 // then, the picture gets finer
+};
+
+} // namespace ramus::app

@@ -1,0 +1,72 @@
+// ViewerInput: what the mouse and the keys do: they turn the camera, work with tools, select by clicks, press the keys
+// of commands, or go to the interface; and what the pointer is over. Positions are framebuffer pixels from the top left
+// of the window.
+#pragma once
+
+#include "app/actions/keys.h"
+#include "app/tools/tool_mouse.h"
+#include "app/tools/viewport_mouse.h"
+#include "app/window/imgui_input.h"
+#include "app/window/picture_view.h"
+
+#include <optional>
+
+namespace ramus::app {
+
+class ViewerInput final : public ToolHost {
+public:
+    ViewerInput(ViewerState& state, PictureView& picture) : state_(state), picture_(picture) {}
+
+    void set_pixel_ratio(double ratio) { mouse_.set_pixel_ratio(ratio); }
+    void mouse_moved(glm::dvec2 at);
+    void mouse_left();
+    void mouse_button(MouseButton button, bool down, Modifiers modifiers, double now);
+    void mouse_wheel(glm::dvec2 notches);
+    // `number` is GLFW's; `press` is empty for releases and for keys without a name.
+    void key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now);
+    void character(unsigned codepoint, double now);
+
+    // Before ImGui::NewFrame(). False: some events wait for another frame.
+    bool apply(ImGuiIO& io) { return input_.apply(io); }
+    [[nodiscard]] ToolDrawing tool_drawing();
+    [[nodiscard]] bool dragging() const { return mouse_.dragging(); }
+    [[nodiscard]] Cursor cursor() const;
+
+    // The branch under the pointer, in Interface::hovered: asked for after the picture or the pointer changed, and
+    // there a frame or two later.
+    void look_again() { pick_wanted_ = true; }
+    void ask_pick();
+    void take_pick();
+    [[nodiscard]] bool pick_wanted() const { return pick_wanted_; }
+    [[nodiscard]] bool pick_pending() const { return pick_pending_; }
+
+    // ToolHost
+    void use_tool(std::string_view name) override;
+    [[nodiscard]] std::string_view tool() const override { return state_.interface.tool_kind->name; }
+    [[nodiscard]] ToolSettings& tool_settings() override { return state_.interface.tool_settings; }
+
+private:
+    [[nodiscard]] bool over_picture(glm::dvec2 at) const;
+    [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(state_.layout.view_at); }
+    // From the corner of the pane that the pointer is in, or was in when a button was pressed.
+    [[nodiscard]] glm::dvec2 in_pane(glm::dvec2 at) const;
+    [[nodiscard]] glm::dvec2 from_pane(glm::dvec2 at) const; // to the picture's corner
+    void enter_pane();
+    [[nodiscard]] bool points_at_branches() const;
+    [[nodiscard]] Pointing pointing(Modifiers modifiers);
+    void perform_tool();
+    void clicked(const Click& click);
+    void run(const Command& command);
+
+    ViewerState& state_;
+    PictureView& picture_;
+    ImguiInput input_;
+    ViewportMouse mouse_;
+    ToolMouse tool_mouse_;
+    std::size_t pane_ = 0; // see in_pane()
+    glm::dvec2 pointer_{-1.0};
+    bool pointer_over_picture_ = false;
+    bool pick_wanted_ = false, pick_pending_ = false;
+};
+
+} // namespace ramus::app

@@ -1,0 +1,57 @@
+// What the parts of a Viewer share: the document with the work behind it, what is drawn around the picture, and how
+// large all of it is.
+#pragma once
+
+#include "app/actions/command_runner.h"
+#include "app/panels/interface.h"
+#include "app/picture/compose_sheet.h"
+#include "app/workspace/workspace.h"
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace ramus::app {
+
+struct ViewerState {
+    // ImGui needs a few frames until popups and their sizes have settled.
+    static constexpr int kFramesAfterEvent = 3;
+
+    ViewerState(Workspace& with, std::function<void()> wake) : workspace(with), commands(std::move(wake)) {}
+
+    Workspace& workspace;
+    CommandRunner commands;
+    ActionContext* actions = nullptr; // of all hosts, once they are there
+    Interface interface;
+    Layout layout;
+    float scale = 1.0F; // pixels per point
+    double now = 0.0;   // seconds, of the last event or frame
+    int frames_left = kFramesAfterEvent;
+    std::uint64_t presented = 0; // fingerprint of the interface that is on the screen
+    bool persons_window = false; // not a picture of one: settings and recent files are kept
+    bool script_runs = false;    // nobody is asked about unsaved changes
+
+    // Whether somebody waits for the next picture.
+    [[nodiscard]] bool watched() const { return persons_window && !script_runs; }
+    void redraw() { frames_left = kFramesAfterEvent; }
+    void present_again() { // what is on the screen is not the last frame
+        presented = 0;
+        redraw();
+    }
+    void say(const std::string& sentence) {
+        interface.tell(sentence, now);
+        redraw();
+    }
+    [[nodiscard]] InterfaceContext context() { return {interface, workspace, *actions, commands, layout, now}; }
+    void perform(std::string_view name, const std::vector<std::string>& arguments) {
+        context().perform(name, arguments);
+    }
+
+    [[nodiscard]] std::vector<ComparedPane> panes() const {
+        return panes_of(workspace.document.marks(), layout.view_size, scale);
+    }
+    [[nodiscard]] glm::ivec2 pane_size() const { return panes().front().size; }
+};
+
+} // namespace ramus::app

@@ -1,0 +1,78 @@
+#include "app/window/window_parts.h"
+
+#include <imgui.h>
+
+namespace ramus::app {
+
+void WindowParts::toggle(std::string_view part) {
+    Interface& interface = state_.interface;
+    if (part == "help")
+        interface.help_open = !interface.help_open;
+    else if (part == "overview")
+        interface.overview.open = !interface.overview.open;
+    else if (part == "panel")
+        interface.panel_open = !interface.panel_open;
+    else
+        interface.planning = part == "plan" || (part == "other" && !interface.planning), interface.panel_open = true;
+    state_.redraw();
+}
+
+bool WindowParts::shows(std::string_view part) const {
+    const Interface& interface = state_.interface;
+    return part == "fly-along"  ? interface.fly.open
+           : part == "overview" ? interface.overview.open
+           : part == "help"     ? interface.help_open
+                                : interface.panel_open;
+}
+
+void WindowParts::set_overview(std::string_view setting) {
+    Overview& overview = state_.interface.overview;
+    overview.open = setting != "off";
+    if (setting == "generation") overview.depth = OverviewDepth::kGeneration;
+    if (setting == "distance") overview.depth = OverviewDepth::kDistance;
+    state_.redraw();
+}
+
+void WindowParts::open_flight(int branch) {
+    Fly& fly = state_.interface.fly;
+    fly.open = true;
+    fly.playing = false;
+    fly.branch = branch;
+    fly.fraction = 0.0;
+    fly.selection = state_.workspace.document.marks().selection;
+    state_.redraw();
+}
+
+void WindowParts::close_flight() {
+    state_.interface.fly.open = state_.interface.fly.playing = false;
+    state_.redraw();
+}
+
+void WindowParts::ask_for_name(int branch) {
+    const BranchNames& names = state_.workspace.document.marks().names;
+    state_.interface.rename.show(branch, names.contains(branch) ? names.at(branch) : std::string{});
+    state_.redraw();
+}
+
+bool WindowParts::dismiss() {
+    if (state_.interface.dismiss()) return true;
+    const auto& tool = state_.interface.tool;
+    if (!tool) return false;
+    if (!tool->escape()) state_.actions->tools->use_tool(kNavigate);
+    return true;
+}
+
+void WindowParts::set_ui_scale(double pixels_per_point) {
+    state_.interface.settings.ui_scale = pixels_per_point;
+    state_.redraw();
+}
+
+void WindowParts::copy_text(const std::string& text) { ImGui::SetClipboardText(text.c_str()); }
+
+Result<std::string> WindowParts::pasted_text() const {
+    const char* text = ImGui::GetClipboardText();
+    if (text == nullptr || *text == '\0') return fail("there is no text on the clipboard");
+    return std::string(text);
+}
+
+} // namespace ramus::app

@@ -1,0 +1,29 @@
+// WindowParts: how commands show and hide what is around the picture, and the clipboard.
+#pragma once
+
+#include "app/window/viewer_state.h"
+
+namespace ramus::app {
+
+class WindowParts final : public WindowHost, public Clipboard {
+public:
+    explicit WindowParts(ViewerState& state) : state_(state) {}
+
+    void toggle(std::string_view part) override;
+    [[nodiscard]] bool shows(std::string_view part) const override;
+    void set_overview(std::string_view setting) override;
+    void open_flight(int branch) override;
+    void close_flight() override;
+    void ask_for_name(int branch) override;
+    bool dismiss() override;
+    void set_ui_scale(double pixels_per_point) override;
+    [[nodiscard]] double ui_scale() const override { return state_.scale; }
+
+    void copy_text(const std::string& text) override;
+    [[nodiscard]] Result<std::string> pasted_text() const override;
+
+private:
+    ViewerState& state_;
+};
+
+} // namespace ramus::app

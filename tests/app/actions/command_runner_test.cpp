@@ -1,0 +1,206 @@
+// Commands that have to work before they can finish: at once in scripts, on a thread of their own in a window. Order,
+// undo, failure, cancelling. No GL, no window.
+#include "app/actions/command_runner.h"
+#include "app/assets/assets.h"
+#include "core/io/mesh_writer.h"
+#include "tests/support/command_stage.h"
+#include "tests/support/grown_tree.h"
+#include "tests/support/icosphere.h"
+#include "tests/support/temporary_folder.h"
+
+#include <atomic>
+#include <chrono>
+#include <doctest/doctest.h>
+#include <stdexcept>
+#include <thread>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+tree::VesselTree twigs() {
+    auto tree = test::grown_tree(20);
+    REQUIRE(tree);
+    return std::move(*tree);
+}
+
+// Selects the branch of its preset once its work is done, which waits until the gate is open.
+struct Gate {
+    std::atomic<bool> open{false};
+    std::atomic<int> begun{0};
+    void wait(Job& job) {
+        ++begun;
+        while (!open && !job.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    [[nodiscard]] Command select_slowly(int branch) {
+        const auto add = [branch](ActionContext& then) -> Result<void> {
+            Marks next = then.document.marks();
+            next.selection.push_back(branch);
+            then.document.change(std::move(next));
+            return {};
+        };
+        const auto work = [this, add](Job& job) -> Result<Continuation> {
+            wait(job);
+            return add;
+        };
+        const std::string id = std::to_string(branch);
+        const auto action = [=](ActionContext&, Arguments) -> Result<Outcome> {
+            return Pending{"Thinking of " + id, work};
+        };
+        return Command("select-slowly", "", "", action).giving({id});
+    }
+};
+
+std::vector<std::string> settle(CommandRunner& runner, ActionContext& context) { // what failed
+    std::vector<std::string> failed;
+    for (int i = 0; i < 5000 && runner.busy(); ++i) {
+        for (const Error& error : runner.update(context)) failed.push_back(error.message());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK_FALSE(runner.busy());
+    return failed;
+}
+
+std::string sphere_file(const TemporaryFolder& folder, const std::string& name) {
+    auto mesh = test::icosphere(2, {0, 0, 0}, 3.0);
+    mesh.radii.resize(mesh.positions.size(), 1.0F);
+    mesh.branches.resize(mesh.positions.size(), 0);
+    const auto file = folder.path() / name;
+    REQUIRE(io::write_mesh(mesh, file));
+    return file.string();
+}
+
+} // namespace
+
+TEST_CASE("a pending command changes nothing until its work is done, and then is one step of undo") {
+    test::CommandStage stage(twigs());
+    Gate gate;
+    CommandRunner runner({});
+    const Command slow = gate.select_slowly(3);
+    REQUIRE(runner.run(stage.context, slow));
+    CHECK(runner.busy());
+    CHECK(runner.activity() == "Thinking of 3");
+    CHECK(runner.update(stage.context).empty());
+    CHECK(stage.marks().selection.empty());
+    CHECK(stage.document.step_count() == 0);
+    // What needs no work does not wait for it.
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"lesion", "0,0,0,3"}));
+    CHECK(stage.document.step_count() == 1);
+    gate.open = true;
+    CHECK(settle(runner, stage.context).empty());
+    CHECK(stage.marks().selection == std::vector<int>{3});
+    REQUIRE(stage.document.step_count() == 2);
+    CHECK(stage.document.step_name(1) == "select slowly: branch 3");
+    REQUIRE(stage.document.undo());
+    CHECK(stage.marks().selection.empty());
+    CHECK(stage.marks().lesions.size() == 1);
+}
+
+TEST_CASE("pending commands finish in the order in which they came, one at a time") {
+    test::CommandStage stage(twigs());
+    Gate gate;
+    CommandRunner runner({});
+    const std::vector<Command> commands{gate.select_slowly(2), gate.select_slowly(4), gate.select_slowly(7)};
+    for (const Command& command : commands) REQUIRE(runner.run(stage.context, command));
+    while (gate.begun == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    CHECK(gate.begun == 1);
+    gate.open = true;
+    CHECK(settle(runner, stage.context).empty());
+    CHECK(gate.begun == 3);
+    CHECK(stage.marks().selection == std::vector<int>{2, 4, 7});
+    CHECK(stage.document.step_count() == 3);
+}
+
+TEST_CASE("what fails in its work, in its continuation or by an exception leaves the document as it was") {
+    test::CommandStage stage(twigs());
+    Gate gate;
+    gate.open = true;
+    CommandRunner runner({});
+    const auto failing = [](std::function<Result<Continuation>(Job&)> work) {
+        const auto action = [work](ActionContext&, Arguments) -> Result<Outcome> { return Pending{"Trying", work}; };
+        return Command("try", "", "", action);
+    };
+    const Command in_work = failing([](Job&) -> Result<Continuation> { return fail("the file is empty"); });
+    const Command after = failing([](Job&) -> Result<Continuation> {
+        return [](ActionContext&) -> Result<void> { return fail("it is there already"); };
+    });
+    const Command thrown = failing([](Job&) -> Result<Continuation> { throw std::runtime_error("it broke"); });
+    const Command good = gate.select_slowly(1);
+    for (const Command* command : {&in_work, &after, &thrown, &good}) REQUIRE(runner.run(stage.context, *command));
+    const auto failed = settle(runner, stage.context);
+    REQUIRE(failed.size() == 3);
+    CHECK(failed[0] == "the file is empty");
+    CHECK(failed[1] == "it is there already");
+    CHECK(failed[2].find("it broke") != std::string::npos);
+    CHECK(stage.marks().selection == std::vector<int>{1}); // those behind it go on
+    CHECK(stage.document.step_count() == 1);
+    CHECK_FALSE(run_entry(stage.context, in_work));
+    CHECK_FALSE(run_entry(stage.context, after));
+    CHECK(stage.document.step_count() == 1);
+}
+
+TEST_CASE("cancelled commands never happen, and others may follow") {
+    test::CommandStage stage(twigs());
+    Gate gate;
+    CommandRunner runner({});
+    const Command first = gate.select_slowly(2), second = gate.select_slowly(4), third = gate.select_slowly(6);
+    REQUIRE(runner.run(stage.context, first));
+    REQUIRE(runner.run(stage.context, second));
+    runner.cancel();
+    CHECK_FALSE(runner.busy());
+    CHECK(runner.activity().empty());
+    gate.open = true;
+    REQUIRE(runner.run(stage.context, third));
+    CHECK(settle(runner, stage.context).empty());
+    CHECK(stage.marks().selection == std::vector<int>{6});
+    CHECK(stage.document.step_count() == 1);
+}
+
+TEST_CASE("what was asked for of one tree does not reach the next, what is asked of the next does") {
+    test::CommandStage stage(twigs());
+    Gate gate;
+    CommandRunner runner({});
+    const Command of_first = gate.select_slowly(2), of_next = gate.select_slowly(4);
+    REQUIRE(runner.run(stage.context, of_first));
+    stage.document.open(std::make_shared<const tree::VesselTree>(twigs()), {});
+    REQUIRE(runner.run(stage.context, of_next));
+    CHECK(runner.update(stage.context).empty());
+    gate.open = true;
+    CHECK(settle(runner, stage.context).empty());
+    CHECK(stage.marks().selection == std::vector<int>{4});
+}
+
+TEST_CASE("a script's next line sees what the one before it read") {
+    const TemporaryFolder folder;
+    const std::string ball = sphere_file(folder, "ball.stl"), other = sphere_file(folder, "other.ply");
+    test::CommandStage stage(twigs());
+    stage.good("lesion-mesh " + ball + "\nlesion-mesh " + other + "\nlesion-remove 1\ncontext " + ball);
+    CHECK(stage.marks().lesion_meshes == std::vector<std::string>{other});
+    REQUIRE(stage.marks().context.size() == 1);
+    REQUIRE(stage.document.step_count() == 4);
+    CHECK(stage.document.step_name(0).starts_with("lesion mesh"));
+    CHECK(stage.said.starts_with("ball.stl: "));
+    CHECK(stage.assets.context_shape({ball, 0, false}) != nullptr); // what was read is there for the picture
+    CHECK(stage.assets.lesion_mesh(other) != nullptr);
+    CHECK(stage.bad("context " + ball).find("shown already") != std::string::npos);
+    CHECK(stage.bad("lesion-mesh " + other).find("there already") != std::string::npos);
+}
+
+TEST_CASE("a file that is asked for twice is there once") {
+    const TemporaryFolder folder;
+    const std::string ball = sphere_file(folder, "ball.stl");
+    test::CommandStage stage(twigs());
+    CommandRunner runner({});
+    for (const char* command : {"lesion-mesh", "lesion-mesh", "context", "context"})
+        REQUIRE(runner.run(stage.context, std::vector<std::string>{command, ball}));
+    CHECK(settle(runner, stage.context).size() == 2);
+    CHECK(stage.marks().lesion_meshes.size() == 1);
+    CHECK(stage.marks().context.size() == 1);
+    CHECK(stage.document.step_count() == 2);
+    // What can be told before the work is.
+    CHECK_FALSE(runner.run(stage.context, std::vector<std::string>{"context", ball}));
+    CHECK_FALSE(runner.run(stage.context, std::vector<std::string>{"context", "notes.txt"}));
+    CHECK_FALSE(runner.run(stage.context, std::vector<std::string>{"no-such-command"}));
+    CHECK_FALSE(runner.busy());
+}
