@@ -17,10 +17,10 @@ template <Measurement::Kind kind> std::unique_ptr<Tool> measuring() { return std
 
 // A circle in the unit square.
 std::vector<glm::vec2> ring(glm::vec2 centre, float radius) {
-    constexpr int kCorners = 20;
+    constexpr int kLoopCorners = 20;
     std::vector<glm::vec2> points;
-    for (int i = 0; i <= kCorners; ++i) {
-        const float angle = 6.2831853F * static_cast<float>(i) / kCorners;
+    for (int i = 0; i <= kLoopCorners; ++i) {
+        const float angle = 6.2831853F * static_cast<float>(i) / kLoopCorners;
         points.push_back(centre + radius * glm::vec2(std::cos(angle), std::sin(angle)));
     }
     return points;

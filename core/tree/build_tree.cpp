@@ -99,9 +99,6 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
         if (points[b].radius <= 0.0) around.emplace_back(b, a);
     }
     std::ranges::sort(around);
-    const auto neighbours = [&](std::uint32_t p) {
-        return std::ranges::equal_range(around, p, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
-    };
     std::vector<std::uint32_t> layer;
     for (const auto& [p, neighbour] : around)
         if (points[neighbour].radius > 0.0 && (layer.empty() || layer.back() != p)) layer.push_back(p);
@@ -111,11 +108,12 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
         for (const std::uint32_t p : layer) {
             double sum = 0.0;
             int count = 0;
-            for (const auto& [self, neighbour] : neighbours(p)) {
-                if (points[neighbour].radius > 0.0)
-                    sum += points[neighbour].radius, ++count;
+            for (auto at = std::ranges::lower_bound(around, std::pair(p, 0U)); at != around.end() && at->first == p;
+                 ++at) {
+                if (points[at->second].radius > 0.0)
+                    sum += points[at->second].radius, ++count;
                 else
-                    next.push_back(neighbour);
+                    next.push_back(at->second);
             }
             radius.push_back(sum / count);
         }
@@ -125,7 +123,7 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
                                                 ", the mean of its neighbours");
         }
         std::ranges::sort(next);
-        next.erase(std::ranges::unique(next).begin(), next.end());
+        next.erase(std::unique(next.begin(), next.end()), next.end());
         std::erase_if(next, [&](std::uint32_t p) { return points[p].radius > 0.0; });
         layer = std::move(next);
     }
