@@ -32,7 +32,8 @@ struct Tree {
         std::uniform_real_distribution<float> coordinate(-25.0F, 25.0F), radius(2.0F, 7.0F);
         glm::vec3 end(0.0F);
         for (int i = 0; i < kVessels; ++i) {
-            const glm::vec3 from = i % 4 == 3 ? end : glm::vec3(coordinate(random), coordinate(random), coordinate(random));
+            const glm::vec3 from =
+                i % 4 == 3 ? end : glm::vec3(coordinate(random), coordinate(random), coordinate(random));
             end = {coordinate(random), coordinate(random), coordinate(random)};
             const float first = radius(random), last = radius(random);
             add_capsule(triangles, from, end, first, last, i, 48);
