@@ -81,7 +81,7 @@ Result<void> check_enlarged(glm::ivec2 size, const FigureFlags& flags) {
 // Headings go below the caption of their own pane by themselves; those beside them, and that of a blend, with them.
 void make_room_for_caption(render::Sheet& sheet) {
     const render::Sheet::Pane& first = sheet.panes.front();
-    const int bottom = render::caption_bottom(first.frame, render::default_font());
+    const int bottom = render::OverlayPainter().caption_bottom(render::SpriteSource(first.frame));
     if (bottom == 0) return;
     if (sheet.blend) sheet.heading_top = std::max(sheet.heading_top, bottom);
     for (std::size_t i = 1; i < sheet.panes.size() && !sheet.blend; ++i) {

@@ -12,6 +12,7 @@ namespace ramus::render {
 
 namespace {
 
+// What a context has to tell comes by a callback of the process, and its functions are the process's.
 int error_count = 0;
 bool out_of_memory = false;
 int looked_at = 0; // error_count when glGetError() was last asked

@@ -254,12 +254,12 @@ void GLAD_API_PTR create_vertex_arrays(GLsizei count, GLuint* ids) {
 void point(const VertexSource& source, GLuint index) {
     const Attribute& a = source.attributes[index];
     if (source.buffer == 0 || a.size == 0) return;
-    const auto* place = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(source.offset) + a.offset);
+    const auto* offset = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(source.offset) + a.offset);
     glBindBuffer(GL_ARRAY_BUFFER, source.buffer);
     if (a.whole)
-        glVertexAttribIPointer(index, a.size, a.type, source.stride, place);
+        glVertexAttribIPointer(index, a.size, a.type, source.stride, offset);
     else
-        glVertexAttribPointer(index, a.size, a.type, a.normalised, source.stride, place);
+        glVertexAttribPointer(index, a.size, a.type, a.normalised, source.stride, offset);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
@@ -307,6 +307,7 @@ void GLAD_API_PTR clip_control(GLenum, GLenum) {} // shaders see to it
 void install_uniform_floor(int version, const void* context); // gl_floor_uniforms.cpp
 
 void install_gl_floor(int version, const void* context) {
+    // Of the process, as GL's function pointers are, and by context.
     static std::map<const void*, Names> all;
     names = &all[context];
     if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_floor(version, context);

@@ -1,7 +1,7 @@
 // gl_floor: OpenGL 4.5's way of speaking on older contexts, from 3.3 on. The passes are written once, against 4.5:
 // objects are named in calls instead of bound, uniforms have fixed locations. Where the context is older, load_gl()
 // puts functions of the same names here, which bind, do and bind back. Not here, because 3.3 cannot do it at all: lists
-// of fragments (see gl_has_lists) and glClipControl, in whose place shaders change their depths
+// of fragments (see gl_has_lists) and glClipControl, instead of which shaders change their depths
 // (render/gl/shader_text.h).
 #pragma once
 

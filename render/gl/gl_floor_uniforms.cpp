@@ -98,6 +98,7 @@ void GLAD_API_PTR program_uniform3f(GLuint program, GLint at, GLfloat x, GLfloat
 } // namespace
 
 void install_uniform_floor(int version, const void* context) {
+    // Of the process, as GL's function pointers are, and by context.
     static std::map<const void*, std::unordered_map<GLuint, Locations>> all;
     programs = version < GLAD_MAKE_VERSION(4, 3) ? &all[context] : nullptr;
     if (programs == nullptr) return;

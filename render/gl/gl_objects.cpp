@@ -12,6 +12,7 @@ namespace ramus::render {
 
 namespace {
 
+// For tests: objects of all contexts, and what memory there seems to be.
 int alive = 0;
 std::size_t largest_allocation = std::numeric_limits<std::size_t>::max();
 

@@ -60,7 +60,7 @@ using VertexArray = GlObject<delete_vertex_array>;
 using Query = GlObject<delete_query>;
 using Program = GlObject<delete_program>;
 
-// A place in the stream of commands that the graphics card passes some time.
+// A point in the stream of commands that the graphics card passes some time.
 class Fence {
 public:
     Fence() = default;
@@ -72,7 +72,7 @@ public:
     ~Fence() { glDeleteSync(sync_); } // none: nothing
 
     void put(); // here, after what was drawn so far
-    // Whether all before the place is done, after waiting for so long at most; true without a place.
+    // Whether all before it is done, after waiting for so long at most; true where none was put.
     [[nodiscard]] bool passed(double seconds);
 
 private:

@@ -10,7 +10,7 @@ namespace ramus::render {
 class TexelTable {
 public:
     explicit TexelTable(GLenum format) : format_(format) {}
-    // Makes more room as it is needed; of no texels nothing is sent. Throws OutOfGraphicsMemory.
+    // Grows as it is needed; of no texels nothing is sent. Throws OutOfGraphicsMemory.
     template <class Texel> void send(const std::vector<Texel>& texels) {
         send(texels.data(), texels.size() * sizeof(Texel));
     }

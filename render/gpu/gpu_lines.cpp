@@ -46,6 +46,10 @@ std::uint64_t GpuLines::draw_thinned(const std::vector<Layer>& layers, Layer lay
 }
 
 std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, Layer layer) const {
+    return draw_runs(runs, [&](std::size_t branch) { return layer_of(layers, branch) == layer; });
+}
+
+std::uint64_t draw_runs(const std::vector<Centerlines::Run>& runs, const std::function<bool(std::size_t)>& drawn) {
     // Neighbouring runs are drawn as one: the step from a branch to the next is no segment, which the shader sees.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
@@ -53,7 +57,7 @@ std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, Layer layer
     std::uint64_t segments = 0;
     for (std::size_t branch = 0; branch < runs.size(); ++branch) {
         const Centerlines::Run run = runs[branch];
-        if ((branch < layers.size() ? layers[branch] : Layer::kOpaque) != layer || run.count < 2) continue;
+        if (run.count < 2 || !drawn(branch)) continue;
         if (!counts.empty() && end == run.first)
             counts.back() += static_cast<GLsizei>(6 * run.count);
         else

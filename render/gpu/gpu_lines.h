@@ -1,5 +1,5 @@
 // GpuLines: centerlines on the graphics card, sent once for each that comes. The passes read them as buffer textures:
-// lines are drawn from them, and a place on the surface finds what its branch is like there.
+// lines are drawn from them, and a point of the surface finds what its branch is like there.
 #pragma once
 
 #include "render/gl/gl_objects.h"
@@ -7,6 +7,7 @@
 #include "render/scene/bounds.h"
 #include "render/scene/centerlines.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -48,5 +49,8 @@ private:
     Copy whole_, thinned_;
     bool thinned_there_ = false;
 };
+
+// Six corners a segment, without attributes, of the branches that are `drawn`. Returns the number of segments.
+std::uint64_t draw_runs(const std::vector<Centerlines::Run>& runs, const std::function<bool(std::size_t)>& drawn);
 
 } // namespace ramus::render

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kVertexPageBytes = sizeof(VertexPage::vertices);
 constexpr std::size_t kTrianglePageBytes = sizeof(TrianglePage::triangles);
 
-std::size_t with_room(std::size_t pages) { return pages + pages / 8 + 1; }
+std::size_t with_reserve(std::size_t pages) { return pages + pages / 8 + 1; }
 
 // Outside means: all corners of the box beyond one plane of the clip volume.
 bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4& to_clip) {
@@ -75,8 +75,8 @@ void GpuMesh::Ranges::add(std::size_t first, std::size_t count) {
 }
 
 GpuMesh::Copy::Copy(const PagedMesh& mesh)
-    : vertex_array(make_vertex_array()), vertex_pages(with_room(mesh.vertex_pages().size())),
-      triangle_pages(with_room(mesh.triangle_pages().size())) {
+    : vertex_array(make_vertex_array()), vertex_pages(with_reserve(mesh.vertex_pages().size())),
+      triangle_pages(with_reserve(mesh.triangle_pages().size())) {
     vertices = make_buffer(vertex_pages.size() * kVertexPageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     triangles = make_buffer(triangle_pages.size() * kTrianglePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     glVertexArrayVertexBuffer(vertex_array, 0, vertices, 0, sizeof(GpuVertex));
@@ -96,13 +96,13 @@ std::size_t GpuMesh::Copy::bytes() const {
 }
 
 std::size_t GpuMesh::bytes_of(const PagedMesh& mesh) {
-    return with_room(mesh.vertex_pages().size()) * kVertexPageBytes +
-           with_room(mesh.triangle_pages().size()) * kTrianglePageBytes;
+    return with_reserve(mesh.vertex_pages().size()) * kVertexPageBytes +
+           with_reserve(mesh.triangle_pages().size()) * kTrianglePageBytes;
 }
 
 std::size_t GpuMesh::bytes() const { return (drawn_ ? drawn_->bytes() : 0) + (coming_ ? coming_->bytes() : 0); }
 
-bool GpuMesh::Copy::has_room(const PagedMesh& mesh) const {
+bool GpuMesh::Copy::fits(const PagedMesh& mesh) const {
     return mesh.vertex_pages().size() <= vertex_pages.size() && mesh.triangle_pages().size() <= triangle_pages.size();
 }
 
@@ -131,13 +131,13 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
         shown_.reset();
         if (!mesh) return;
     }
-    if (drawn_ && drawn_->has_room(*mesh) && drawn_->missing(*mesh) <= budget) {
+    if (drawn_ && drawn_->fits(*mesh) && drawn_->missing(*mesh) <= budget) {
         (void)drawn_->send(*mesh, budget);
         coming_.reset();
         shown_ = mesh;
         return;
     }
-    if (!coming_ || !coming_->has_room(*mesh)) coming_ = std::make_unique<Copy>(*mesh);
+    if (!coming_ || !coming_->fits(*mesh)) coming_ = std::make_unique<Copy>(*mesh);
     if (!coming_->send(*mesh, budget)) return;
     drawn_ = std::move(coming_);
     shown_ = mesh;
@@ -158,8 +158,7 @@ GpuMesh::Ranges GpuMesh::choose(const std::vector<Layer>& layers, Layer layer, c
             continue;
         }
         for (const TrianglePage::Run& run : page.runs) {
-            const auto branch = static_cast<std::size_t>(run.branch);
-            if ((branch < layers.size() ? layers[branch] : Layer::kOpaque) == layer)
+            if (layer_of(layers, static_cast<std::size_t>(run.branch)) == layer)
                 ranges.add(first + run.first, run.count);
         }
     }
@@ -171,8 +170,7 @@ GpuMesh::Ranges GpuMesh::choose_borders(const std::vector<Layer>& layers, Layer 
     Ranges ranges;
     if (!shown_) return ranges;
     const auto is_wanted = [&](std::int32_t branch) {
-        const auto at = static_cast<std::size_t>(branch);
-        return (at < layers.size() ? layers[at] : Layer::kOpaque) == layer;
+        return layer_of(layers, static_cast<std::size_t>(branch)) == layer;
     };
     const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
     for (std::size_t i = 0; i < pages.size(); ++i) {

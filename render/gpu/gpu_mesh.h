@@ -46,7 +46,7 @@ public:
     // The branches whose entry in `layers` is `layer` (missing entries are opaque) of the pages that `to_clip` (from
     // positions relative to origin) leaves in the picture, as far as their triangles go that are one branch's.
     [[nodiscard]] Ranges choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
-    // The triangles where branches meet, for programs that tell whose each place is (shaders/border.glsl): those of
+    // The triangles where branches meet, for programs that tell whose each point is (shaders/border.glsl): those of
     // pages where a branch of this layer meets another.
     [[nodiscard]] Ranges choose_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
     void draw_part(const Ranges& ranges, std::size_t part) const;
@@ -62,8 +62,8 @@ private:
         PagedMesh::VertexPages vertex_pages;
         PagedMesh::TrianglePages triangle_pages;
 
-        explicit Copy(const PagedMesh& mesh); // room for it, and for growth
-        [[nodiscard]] bool has_room(const PagedMesh& mesh) const;
+        explicit Copy(const PagedMesh& mesh); // for it, and a reserve for growth
+        [[nodiscard]] bool fits(const PagedMesh& mesh) const;
         [[nodiscard]] std::size_t bytes() const;
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
         bool send(const PagedMesh& mesh, std::size_t& budget);          // true: all is there

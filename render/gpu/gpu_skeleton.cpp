@@ -1,5 +1,7 @@
 #include "render/gpu/gpu_skeleton.h"
 
+#include "render/gpu/gpu_lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -9,11 +11,6 @@ namespace ramus::render {
 namespace {
 
 constexpr double kThinnedSkeleton = 3e-4; // of the tree's extent: less than a pixel where it fills the window
-
-Layer layer_of(const std::vector<Layer>& layers, std::int32_t branch) {
-    const auto index = static_cast<std::size_t>(branch);
-    return index < layers.size() ? layers[index] : Layer::kOpaque;
-}
 
 } // namespace
 
@@ -57,14 +54,14 @@ std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
 }
 
 void GpuSkeleton::Lines::send(const Centerlines& lines) {
-    std::vector<glm::vec4> places;
+    std::vector<glm::vec4> positions;
     std::vector<std::uint32_t> owners;
     for (std::size_t i = 0; i < lines.points.size(); ++i) {
-        places.emplace_back(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
+        positions.emplace_back(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
         owners.push_back(static_cast<std::uint32_t>(lines.details[i].branch));
     }
     runs = lines.runs;
-    make_buffer_texture(point_buffer, points, GL_RGBA32F, places.data(), places.size() * sizeof places[0]);
+    make_buffer_texture(point_buffer, points, GL_RGBA32F, positions.data(), positions.size() * sizeof positions[0]);
     make_buffer_texture(branch_buffer, branches, GL_R32UI, owners.data(), owners.size() * sizeof owners[0]);
 }
 
@@ -86,22 +83,7 @@ void GpuSkeleton::follow(const std::shared_ptr<const Centerlines>& lines) {
 }
 
 void GpuSkeleton::Lines::draw(const std::vector<Layer>& layers) const {
-    // Neighbouring runs are drawn as one: the step from a branch to the next is no segment, which the shader sees.
-    std::vector<GLint> firsts;
-    std::vector<GLsizei> counts;
-    std::uint32_t end = 0;
-    for (std::size_t branch = 0; branch < runs.size(); ++branch) {
-        const Centerlines::Run run = runs[branch];
-        if (layer_of(layers, static_cast<std::int32_t>(branch)) == Layer::kNone || run.count < 2) continue;
-        if (!counts.empty() && end == run.first)
-            counts.back() += static_cast<GLsizei>(6 * run.count);
-        else
-            firsts.push_back(static_cast<GLint>(6 * run.first)), counts.push_back(static_cast<GLsizei>(6 * run.count));
-        end = run.first + run.count;
-    }
-    for (GLsizei& count : counts) count -= 6; // the last point begins no segment
-    if (!counts.empty())
-        glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(counts.size()));
+    draw_runs(runs, [&](std::size_t branch) { return layer_of(layers, branch) != Layer::kNone; });
 }
 
 GpuSkeleton::Seen GpuSkeleton::seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const {
@@ -112,7 +94,7 @@ GpuSkeleton::Seen GpuSkeleton::seen(const Camera& camera, glm::ivec2 size, const
     const double focus_mm = glm::distance(camera.position, camera.focal_point);
     for (std::size_t i = 0; i < all_.size(); ++i) {
         const SkeletonRing& ring = all_[i];
-        if (layer_of(layers, ring.branch) == Layer::kNone) continue;
+        if (layer_of(layers, static_cast<std::size_t>(ring.branch)) == Layer::kNone) continue;
         const auto at = project(shown_->origin + glm::dvec3(ring.centre));
         if (!at) continue;
         const double mm_per_px = camera.orthographic ? in_focus : in_focus * at->z / focus_mm;

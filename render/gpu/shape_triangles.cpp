@@ -17,17 +17,18 @@ std::uint64_t mixed(std::uint64_t x) { // splitmix64 (Steele, Lea, Flood, 2014)
 }
 
 // Whether every edge is gone along as often one way as the other: the sums of random numbers for both are the same (of
-// meshes that are not closed, once in 2^64). Vertices in the same place are one, as along seams.
+// meshes that are not closed, once in 2^64). Vertices of the same position are one, as along seams.
 bool is_closed(const mesh::TriangleMesh& mesh) {
-    std::vector<std::uint64_t> places;
-    places.reserve(mesh.positions.size());
+    std::vector<std::uint64_t> positions;
+    positions.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) {
-        std::uint64_t place = 0;
-        for (const float x : {p.x, p.y, p.z}) place = mixed(place ^ std::bit_cast<std::uint32_t>(x + 0.0F)); // no -0
-        places.push_back(place);
+        std::uint64_t position = 0;
+        for (const float x : {p.x, p.y, p.z})
+            position = mixed(position ^ std::bit_cast<std::uint32_t>(x + 0.0F)); // no -0
+        positions.push_back(position);
     }
     std::uint64_t there = 0, back = 0;
-    const auto edge = [&](std::uint32_t a, std::uint32_t b) { return mixed(places[a] + 3 * places[b]); };
+    const auto edge = [&](std::uint32_t a, std::uint32_t b) { return mixed(positions[a] + 3 * positions[b]); };
     for (const glm::uvec3& t : mesh.triangles)
         for (const auto& [a, b] : {std::pair(t.x, t.y), {t.y, t.z}, {t.z, t.x}}) {
             there += edge(a, b);

@@ -100,22 +100,18 @@ Coverage draw_strokes(std::string_view text, double capital_height) {
     return result;
 }
 
-const std::vector<unsigned char>& font_bytes(const std::string& path) {
-    static std::map<std::string, std::vector<unsigned char>> fonts;
-    const auto [place, fresh] = fonts.try_emplace(path);
-    if (fresh && !path.empty()) {
-        std::ifstream file(path, std::ios::binary);
-        place->second.assign(std::istreambuf_iterator<char>(file), {});
-    }
-    return place->second;
-}
-
 } // namespace
 
-Coverage draw_text(std::string_view latin1, double capital_height, const std::string& font) {
-    const std::vector<unsigned char>& bytes = font_bytes(font);
+Font::Font(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!path.empty()) file_.assign(std::istreambuf_iterator<char>(file), {});
+}
+
+Font::Font() : Font(RAMUS_FONT) {}
+
+Coverage Font::draw(std::string_view latin1, double capital_height) const {
     stbtt_fontinfo info;
-    if (bytes.size() < 1024 || stbtt_InitFont(&info, bytes.data(), 0) == 0) return draw_strokes(latin1, capital_height);
+    if (file_.size() < 1024 || stbtt_InitFont(&info, file_.data(), 0) == 0) return draw_strokes(latin1, capital_height);
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     stbtt_GetCodepointBox(&info, 'H', &x0, &y0, &x1, &y1);
     if (y1 <= 0) return draw_strokes(latin1, capital_height);
@@ -153,11 +149,6 @@ Coverage draw_text(std::string_view latin1, double capital_height, const std::st
         pen += scale * static_cast<float>(advance);
     }
     return result;
-}
-
-const std::string& default_font() {
-    static const std::string font = RAMUS_FONT;
-    return font;
 }
 
 } // namespace ramus::render

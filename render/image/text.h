@@ -20,11 +20,18 @@ struct Coverage {
     }
 };
 
-// Latin-1 letters of one line; `capital_height` in pixels. An empty or unreadable `font` means the built-in strokes
-// (digits, the unit letters and A P L R S I).
-[[nodiscard]] Coverage draw_text(std::string_view latin1, double capital_height, const std::string& font);
+class Font {
+public:
+    // Of a TrueType file; without a name, or where it cannot be read, the strokes that are built in (digits, the unit
+    // letters and A P L R S I).
+    explicit Font(const std::string& path);
+    Font(); // that was configured when ramus was built
 
-// The font that was configured when ramus was built.
-[[nodiscard]] const std::string& default_font();
+    // Latin-1 letters of one line; `capital_height` in pixels.
+    [[nodiscard]] Coverage draw(std::string_view latin1, double capital_height) const;
+
+private:
+    std::vector<unsigned char> file_;
+};
 
 } // namespace ramus::render

@@ -37,7 +37,7 @@ std::string orientation_letters(const glm::dvec3& direction) {
     return letters;
 }
 
-Image paint_caption(const std::string& text, double pixel_ratio, int width, const std::string& font) {
+Image paint_caption(const std::string& text, double pixel_ratio, int width, const Font& font) {
     const double capital = 10.0 * pixel_ratio;
     const int halo = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
     std::vector<Coverage> lines;
@@ -45,14 +45,14 @@ Image paint_caption(const std::string& text, double pixel_ratio, int width, cons
     std::string line;
     for (std::string word; words >> word;) {
         const std::string longer = line.empty() ? word : line + ' ' + word;
-        if (!line.empty() && draw_text(longer, capital, font).width > width) {
-            lines.push_back(draw_text(line, capital, font));
+        if (!line.empty() && font.draw(longer, capital).width > width) {
+            lines.push_back(font.draw(line, capital));
             line = word;
         } else {
             line = longer;
         }
     }
-    if (!line.empty()) lines.push_back(draw_text(line, capital, font));
+    if (!line.empty()) lines.push_back(font.draw(line, capital));
     Coverage sheet;
     for (const Coverage& one : lines) {
         sheet.width = std::max(sheet.width, one.width + 2 * halo);

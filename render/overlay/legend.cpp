@@ -12,10 +12,10 @@ namespace ramus::render {
 namespace {
 
 glm::vec3 at(const std::vector<glm::vec3>& bar, double t) {
-    const double place = std::clamp(t, 0.0, 1.0) * static_cast<double>(bar.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), bar.size() > 1 ? bar.size() - 2 : 0);
+    const double along = std::clamp(t, 0.0, 1.0) * static_cast<double>(bar.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(along), bar.size() > 1 ? bar.size() - 2 : 0);
     const auto above = std::min(below + 1, bar.size() - 1);
-    return glm::mix(bar[below], bar[above], static_cast<float>(place - static_cast<double>(below)));
+    return glm::mix(bar[below], bar[above], static_cast<float>(along - static_cast<double>(below)));
 }
 
 // Diagonal stripes, as what is lost is drawn.
@@ -29,11 +29,9 @@ void hatch(Plate& plate, int left, int top, int width, int height, double period
 
 } // namespace
 
-Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const std::string& font) {
+Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const Font& font) {
     const auto pixels = [&](double points) { return std::max(1, static_cast<int>(std::lround(points * pixel_ratio))); };
-    const auto text = [&](const std::string& words, double size = 8.0) {
-        return draw_text(words, size * pixel_ratio, font);
-    };
+    const auto text = [&](const std::string& words, double size = 8.0) { return font.draw(words, size * pixel_ratio); };
     const int margin = pixels(8), gap = pixels(6), row = pixels(17), patch = pixels(11), bar_width = pixels(12);
     const Coverage title = text(legend.title, 8.5);
     const int head = margin + title.height + pixels(3);
@@ -48,8 +46,8 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, co
         bar_height = std::clamp(most.y - head - margin - 2 * tick_room, pixels(40), pixels(130));
         height += bar_height + 2 * tick_room;
     }
-    const std::size_t room = static_cast<std::size_t>(std::max(1, (most.y - height) / row));
-    const std::size_t shown = legend.swatches.size() <= room ? legend.swatches.size() : room - 1;
+    const std::size_t rows = static_cast<std::size_t>(std::max(1, (most.y - height) / row));
+    const std::size_t shown = legend.swatches.size() <= rows ? legend.swatches.size() : rows - 1;
     for (std::size_t i = 0; i < shown; ++i) labels.push_back(text(legend.swatches[i].text));
     if (shown < legend.swatches.size())
         labels.push_back(text("and " + std::to_string(legend.swatches.size() - shown) + " more"));

@@ -3,13 +3,12 @@
 #pragma once
 
 #include "render/image/image.h"
+#include "render/image/text.h"
 #include "render/scene/scene.h"
-
-#include <string>
 
 namespace ramus::render {
 
 // Not wider or higher than `most` pixels: a bar gets shorter, swatches that have no room are counted in a last line.
-[[nodiscard]] Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const std::string& font);
+[[nodiscard]] Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const Font& font);
 
 } // namespace ramus::render

@@ -4,10 +4,14 @@
 #pragma once
 
 #include "render/image/image.h"
+#include "render/image/text.h"
+#include "render/overlay/orientation_cube.h"
 #include "render/scene/camera.h"
 #include "render/scene/frame.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ramus::render {
@@ -22,10 +26,7 @@ struct Sprite {
 // "500 um" (with the micro sign in Latin-1), "20 mm", "20 cm".
 [[nodiscard]] std::string scale_bar_label(double length_mm);
 
-// A cube seen from the camera's direction, one letter a face (R L A P S I), `side` pixels.
-[[nodiscard]] Image paint_orientation_cube(const Camera& camera, int side, const std::string& font);
-[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio,
-                                    const std::string& font);
+[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, const Font& font);
 
 // All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
 struct SpriteSource {
@@ -40,19 +41,30 @@ struct SpriteSource {
     bool operator==(const SpriteSource&) const = default;
 };
 
-// Where the caption ends, pixels from the top; 0 where there is none.
-[[nodiscard]] int caption_bottom(const SpriteSource& frame, const std::string& font);
+class OverlayPainter {
+public:
+    explicit OverlayPainter(Font font = Font()) : font_(std::move(font)), cube_(font_) {}
 
-// Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
-[[nodiscard]] Image paint_heading(const std::string& text, const SpriteSource& frame, const std::string& font);
+    // What `frame` shows over the tree; nothing where the picture is too small to read it.
+    [[nodiscard]] std::vector<Sprite> paint(const SpriteSource& frame) const;
+    // Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
+    [[nodiscard]] Image heading(const std::string& text, const SpriteSource& frame) const;
+    // Where the caption ends, pixels from the top; 0 where there is none.
+    [[nodiscard]] int caption_bottom(const SpriteSource& frame) const;
 
-// What `frame` shows over the tree; nothing where the picture is too small to read it.
-[[nodiscard]] std::vector<Sprite> overlays_of(const SpriteSource& frame, const std::string& font);
-[[nodiscard]] inline std::vector<Sprite> overlays_of(const Frame& frame, const std::string& font) {
-    return overlays_of(SpriteSource(frame), font);
-}
-[[nodiscard]] inline int caption_bottom(const Frame& frame, const std::string& font) {
-    return caption_bottom(SpriteSource(frame), font);
-}
+private:
+    struct Space;
+    using Sprites = std::vector<Sprite>;
+    [[nodiscard]] std::optional<Sprite> caption(const SpriteSource& frame, const Space& space) const;
+    void add_cube(const Space& space, const SpriteSource& frame, Sprites& sprites) const;
+    void add_scale_bar(Space& space, const SpriteSource& frame, Sprites& sprites) const;
+    void add_words(Space& space, const SpriteSource& frame, Sprites& sprites) const;
+    void add_letters(const Space& space, const SpriteSource& frame, Sprites& sprites) const;
+    void add_legend(const Space& space, const Legend& legend, Sprites& sprites) const;
+    void add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label, Sprites& sprites) const;
+
+    Font font_;
+    OrientationCube cube_;
+};
 
 } // namespace ramus::render

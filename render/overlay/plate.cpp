@@ -40,8 +40,8 @@ void Plate::write(const Coverage& text, int left, int top, const glm::vec3& srgb
         for (int x = 0; x < text.width; ++x) lay(left + x, top + y, srgb, text.at(x, y) / 255.0);
 }
 
-Image paint_label(const std::string& text, double pixel_ratio, const std::string& font) {
-    const Coverage letters = draw_text(text, 8.5 * pixel_ratio, font);
+Image paint_label(const std::string& text, double pixel_ratio, const Font& font) {
+    const Coverage letters = font.draw(text, 8.5 * pixel_ratio);
     const int side = static_cast<int>(std::lround(5.0 * pixel_ratio)),
               edge = static_cast<int>(std::lround(1.0 * pixel_ratio));
     Plate plate(letters.width + 2 * side, letters.height + 2 * edge, 3.0 * pixel_ratio, 0.72);

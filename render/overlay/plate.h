@@ -29,6 +29,6 @@ inline constexpr glm::vec3 kPlateInk{0.89F, 0.90F, 0.92F};
 inline constexpr glm::vec3 kQuietInk{0.66F, 0.68F, 0.72F};
 
 // One line of text on a plate.
-[[nodiscard]] Image paint_label(const std::string& text, double pixel_ratio, const std::string& font);
+[[nodiscard]] Image paint_label(const std::string& text, double pixel_ratio, const Font& font);
 
 } // namespace ramus::render

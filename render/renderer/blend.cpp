@@ -1,6 +1,5 @@
 #include "render/renderer/blend.h"
 
-#include "render/renderer/finished_picture.h"
 #include "render/renderer/passes/gl_state.h"
 #include "render/renderer/passes/overlay_passes.h"
 
@@ -14,16 +13,11 @@ Result<Blend> Blend::create() {
 }
 
 void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top) {
-    if (size != size_) {
-        size_ = glm::ivec2(0);
-        picture_ = make_texture(GL_RGBA8, size.x, size.y);
-        target_ = make_framebuffer({picture_});
-        size_ = size;
-    }
+    if (size != picture_.size) picture_.make(size);
     begin_passes(size);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glBindFramebuffer(GL_FRAMEBUFFER, target_);
+    picture_.bind();
     glProgramUniform1f(mix_, kUniformShare, static_cast<float>(share));
     glBindTextureUnit(kUnitImage, first);
     glBindTextureUnit(kUnitOtherImage, second);
@@ -35,9 +29,5 @@ void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size,
     }
     end_passes();
 }
-
-Image Blend::read_image() const { return read_picture(picture_, size_); }
-
-void Blend::present(unsigned framebuffer, int x, int y) const { present_picture(target_, size_, framebuffer, x, y); }
 
 } // namespace ramus::render

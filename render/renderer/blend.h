@@ -6,9 +6,7 @@
 
 #include "core/base/error.h"
 #include "render/gl/fullscreen.h"
-#include "render/image/image.h"
-
-#include <glm/vec2.hpp>
+#include "render/renderer/picture_target.h"
 
 namespace ramus::render {
 
@@ -19,14 +17,11 @@ public:
     // `heading` lies in the middle, `top` pixels from the edge; of no size: none. Throws OutOfGraphicsMemory.
     void draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top);
 
-    [[nodiscard]] Image read_image() const;
-    void present(unsigned framebuffer, int x, int y) const; // as Renderer::present()
+    [[nodiscard]] const PictureTarget& picture() const { return picture_; }
 
 private:
     Fullscreen mix_, overlay_;
-    glm::ivec2 size_{0};
-    Texture picture_;
-    Framebuffer target_;
+    PictureTarget picture_;
 };
 
 } // namespace ramus::render

@@ -1,7 +1,5 @@
 #include "render/renderer/picture_state.h"
 
-#include <array>
-
 namespace ramus::render {
 
 bool PictureState::held() const {
@@ -52,13 +50,6 @@ void PictureState::show_mean() {
 
 void PictureState::end_refining() {
     if (can_refine()) stage_ = Stage::kFine;
-}
-
-std::string_view name_of(PictureState::Stage stage) {
-    constexpr std::array<std::string_view, 10> kNames{"empty", "partial",      "partial over cast", "abandoned",
-                                                      "cast",  "drawn",        "refining",          "finer",
-                                                      "fine",  "fine in parts"};
-    return kNames.at(static_cast<std::size_t>(stage));
 }
 
 } // namespace ramus::render

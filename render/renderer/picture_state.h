@@ -1,18 +1,19 @@
 // PictureState: how far the picture is that a Renderer shows, and what the targets of its passes hold of it. A value
 // without GL: the renderer tells it what has happened, and asks it what may be done.
 //
-//            begin             finish                begin_refining        show_mean           end_refining
-//   kEmpty ---------> kPartial --------> kDrawn ------------------> kRefining ----------> kFiner -----------> kFine
-//                        |                 ^                                                 |                  |
-//              interrupt |                 | shade            shade_changed of either:       v                  v
-//                        v                 |                                            kFineInParts <----------+
-//                    kAbandoned       what is held                                           | begin_refining
-//                                                                                            v
-//   cast leads from everywhere to kCast, lose to kEmpty; begin leads from kCast to kPartialOverCast.   kRefining
+//   event            from which stage to which; all other stages stay as they are
+//   begin            any -> kPartial, or kPartialOverCast where the caster's picture is shown
+//   finish           kPartial, kPartialOverCast -> kDrawn
+//   interrupt        kPartial -> kAbandoned, kPartialOverCast -> kCast, kRefining -> kDrawn, kFiner -> kFineInParts
+//   shade            any that is held() -> kDrawn
+//   shade_changed    kRefining -> kDrawn; kFiner, kFine -> kFineInParts
+//   begin_refining   kDrawn, kFineInParts -> kRefining
+//   show_mean        kRefining -> kFiner
+//   end_refining     any that can_refine() -> kFine
+//   cast, lose       any -> kCast, kEmpty
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 namespace ramus::render {
 
@@ -43,7 +44,7 @@ public:
     [[nodiscard]] bool can_refine() const { return held() && !is(Stage::kFine); }
     [[nodiscard]] bool refining() const { return is(Stage::kRefining) || is(Stage::kFiner); }
 
-    // What has happened. Events that a stage does not have above leave it as it is.
+    // What has happened.
     void lose() { stage_ = Stage::kEmpty; } // memory ran out, or drawing failed
     void begin();                           // the first part of a picture goes into the targets
     void interrupt();                       // what was on its way, picture or mean, is given up
@@ -59,7 +60,5 @@ private:
     [[nodiscard]] bool is(Stage stage) const { return stage_ == stage; }
     Stage stage_ = Stage::kEmpty;
 };
-
-[[nodiscard]] std::string_view name_of(PictureState::Stage stage); // "drawn"
 
 } // namespace ramus::render

@@ -1,6 +1,5 @@
 #include "render/renderer/renderer.h"
 
-#include "render/renderer/finished_picture.h"
 #include "render/renderer/renderer_impl.h"
 
 #include <algorithm>
@@ -34,10 +33,8 @@ Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_bud
 Refined Renderer::refine(double seconds) { return impl_->refine(seconds); }
 std::size_t Renderer::surface_bytes() const { return impl_->surface_bytes(); }
 unsigned Renderer::texture() const { return impl_->picture().colour; }
-Image Renderer::read_image() { return read_picture(impl_->picture().colour, impl_->picture().size); }
-void Renderer::present(unsigned framebuffer, int x, int y) {
-    present_picture(impl_->picture().framebuffer, impl_->picture().size, framebuffer, x, y);
-}
+Image Renderer::read_image() { return impl_->picture().read(); }
+void Renderer::present(unsigned framebuffer, int x, int y) { impl_->picture().present(framebuffer, x, y); }
 BranchPicture Renderer::read_branches() { return impl_->read_branches(); }
 Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
 void Renderer::request_pick(double x, double y) {
@@ -49,28 +46,9 @@ void Renderer::request_pick(double x, double y) {
 }
 std::optional<Pick> Renderer::poll_pick() { return impl_->poll_pick(); }
 
-struct Target::Objects {
-    Texture texture;
-    Framebuffer framebuffer;
-};
-
-Target::Target(int width, int height) : width_(width), height_(height), objects_(std::make_unique<Objects>()) {
-    objects_->texture = make_texture(GL_RGBA8, width, height);
-    objects_->framebuffer = make_framebuffer({objects_->texture});
-}
-
+Target::Target(int width, int height) : picture_(std::make_unique<PictureTarget>()) { picture_->make({width, height}); }
 Target::~Target() = default;
-
-unsigned Target::framebuffer() const { return objects_->framebuffer; }
-
-Image Target::read_image() const {
-    Image image(width_, height_), upside_down(width_, height_);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(objects_->texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upside_down.rgba.size()),
-                      upside_down.rgba.data());
-    for (int y = 0; y < height_; ++y)
-        std::copy_n(upside_down.pixel(0, height_ - 1 - y), 4 * static_cast<std::size_t>(width_), image.pixel(0, y));
-    return image;
-}
+unsigned Target::framebuffer() const { return picture_->framebuffer; }
+Image Target::read_image() const { return picture_->read_premultiplied(); }
 
 } // namespace ramus::render

@@ -32,7 +32,7 @@ struct Pick {
 struct BranchPicture {
     int width = 0, height = 0;
     std::vector<int> branches; // kNoBranch: none
-    // Of the pixel that has this place in it; kNoBranch outside of the picture.
+    // Of the pixel that has this point in it; kNoBranch outside of the picture.
     [[nodiscard]] int at(double x, double y) const {
         if (!(x >= 0.0 && y >= 0.0 && x < width && y < height)) return kNoBranch;
         return branches[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
@@ -123,6 +123,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+struct PictureTarget;
+
 // A colour framebuffer without a window, RGBA8: what present() needs when the interface is drawn headlessly.
 class Target {
 public:
@@ -134,9 +136,7 @@ public:
     [[nodiscard]] Image read_image() const;
 
 private:
-    struct Objects;
-    int width_, height_;
-    std::unique_ptr<Objects> objects_;
+    std::unique_ptr<PictureTarget> picture_;
 };
 
 } // namespace ramus::render

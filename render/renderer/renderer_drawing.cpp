@@ -128,7 +128,6 @@ std::uint64_t Renderer::Impl::cast(const Subject& subject) {
 
 // Draws on at what is on its way; true: its geometry is whole.
 Result<bool> Renderer::Impl::draw_parts(double seconds, DrawStatistics& done) {
-    const Stopwatch watch;
     if (!unfinished_->view.draw_on(seconds)) return false;
     const auto& triangles = unfinished_->view.triangles();
     if (!triangles) return tl::unexpected(triangles.error());

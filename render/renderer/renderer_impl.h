@@ -53,6 +53,7 @@ private:
     Result<Region> shade(const Subject& subject, Plan plan);
     void show(const Subject& subject, const Region& region);
     Result<void> begin_refinement();
+    [[nodiscard]] ViewSetup shown_view() const;
     void finish();  // what is on its way
     void give_up(); // that, or further views of what is shown
     tl::unexpected<Error> failed(const Error& error);

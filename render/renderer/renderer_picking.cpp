@@ -5,10 +5,17 @@
 
 namespace ramus::render {
 
+// The caster draws every pixel of a picture, whatever passes are to draw next.
+ViewSetup Renderer::Impl::shown_view() const {
+    ViewSetup view = card_.targets.view;
+    if (state_.by_caster()) view.size = view.picture;
+    return view;
+}
+
 Pick Renderer::Impl::pick(double x, double y) {
     if (!state_.answers()) finish();
     if (!last_ || !state_.answers()) return {};
-    const ViewSetup& view = card_.targets.view;
+    const ViewSetup view = shown_view();
     const PickWindow window = pick_window(*last_, view, x, y);
     if (window.pixels() == 0) return {};
     std::vector<std::uint32_t> ids(window.pixels());
@@ -32,9 +39,9 @@ BranchPicture Renderer::Impl::read_branches() {
     if (!state_.answers()) finish();
     BranchPicture picture;
     if (!last_ || !state_.answers()) return picture;
-    const ViewSetup& view = card_.targets.view;
+    const ViewSetup view = shown_view();
+    const glm::ivec2 drawn = view.size;
     const bool by_caster = state_.by_caster();
-    const glm::ivec2 drawn = by_caster ? view.picture : view.size;
     std::vector<std::uint32_t> read;
     if (!by_caster) {
         const PickWindow all{{}, 0.0, 0, 0, drawn.x, drawn.y};
@@ -59,11 +66,11 @@ void Renderer::Impl::request_pick(double x, double y) {
     request_.drop();
     if (!state_.answers()) return request_.answer({});
     if (state_.by_caster()) return request_.answer(pick(x, y));
-    request_.ask(pick_window(*last_, card_.targets.view, x, y), last_->camera, card_.targets.resolved);
+    request_.ask(pick_window(*last_, shown_view(), x, y), last_->camera, card_.targets.resolved);
 }
 
 std::optional<Pick> Renderer::Impl::poll_pick() {
-    const auto found = request_.poll(card_.targets.view);
+    const auto found = request_.poll(shown_view());
     return found && !last_ ? Pick{} : found;
 }
 

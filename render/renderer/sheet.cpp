@@ -1,8 +1,6 @@
 #include "render/renderer/sheet.h"
 
 #include "core/base/stopwatch.h"
-#include "render/image/text.h"
-#include "render/overlay/overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,10 +67,10 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
             auto made = Blend::create();
             if (!made) return tl::unexpected(made.error());
             blend_ = std::move(*made);
+            painter_.emplace();
         }
-        const Image heading = sheet.heading.empty()
-                                  ? Image()
-                                  : paint_heading(sheet.heading, SpriteSource(sheet.panes[0].frame), default_font());
+        const Image heading =
+            sheet.heading.empty() ? Image() : painter_->heading(sheet.heading, SpriteSource(sheet.panes[0].frame));
         blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, heading, sheet.heading_top);
         return {};
     } catch (const OutOfGraphicsMemory& error) {
@@ -97,7 +95,7 @@ Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
 void SheetRenderer::finish() { glFinish(); }
 
 Image SheetRenderer::read_image() {
-    if (blend_) return blend_->read_image();
+    if (blend_) return blend_->picture().read();
     if (shown_.panes.size() == 1) return first_.read_image();
     Image sheet(shown_.size.x, shown_.size.y);
     const bool clear = std::ranges::any_of(shown_.panes, [](const auto& p) { return p.frame.background.transparent; });
@@ -131,7 +129,7 @@ std::vector<bool> SheetRenderer::read_covered() {
 }
 
 void SheetRenderer::present(unsigned framebuffer, int x, int y) {
-    if (blend_) return blend_->present(framebuffer, x, y);
+    if (blend_) return blend_->picture().present(framebuffer, x, y);
     if (shown_.panes.size() > 1) {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
         glEnable(GL_SCISSOR_TEST);

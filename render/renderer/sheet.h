@@ -5,6 +5,7 @@
 // As of Renderer: GL context, pixels from the top left, here of the sheet.
 #pragma once
 
+#include "render/overlay/overlay.h"
 #include "render/renderer/blend.h"
 #include "render/renderer/renderer.h"
 
@@ -63,8 +64,9 @@ private:
     Renderer& first_;
     std::vector<std::unique_ptr<Renderer>> others_;
     std::optional<Blend> blend_;
-    Sheet shown_;           // of its frames only what tells where they are
-    std::size_t asked_ = 0; // the pane of request_pick()
+    std::optional<OverlayPainter> painter_; // of its heading
+    Sheet shown_;                           // of its frames only what tells where they are
+    std::size_t asked_ = 0;                 // the pane of request_pick()
 };
 
 } // namespace ramus::render

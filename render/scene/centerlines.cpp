@@ -6,7 +6,7 @@
 
 namespace ramus::render {
 
-std::optional<Centerlines::Place> Centerlines::at(int branch, double fraction) const {
+std::optional<Centerlines::BranchPoint> Centerlines::at(int branch, double fraction) const {
     if (branch < 0 || static_cast<std::size_t>(branch) >= runs.size()) return {};
     const Run run = runs[static_cast<std::size_t>(branch)];
     if (run.count < 2) return {};
@@ -17,13 +17,13 @@ std::optional<Centerlines::Place> Centerlines::at(int branch, double fraction) c
     const glm::dvec4 a = points[i], b = points[i + 1];
     const double step = b.w - a.w;
     const double t = step > 0.0 ? std::clamp((wanted - a.w) / step, 0.0, 1.0) : 0.0;
-    Place place;
-    place.position = origin + glm::dvec3(glm::mix(a, b, t));
+    BranchPoint point;
+    point.position = origin + glm::dvec3(glm::mix(a, b, t));
     const glm::dvec3 away = glm::dvec3(b) - glm::dvec3(a);
-    if (glm::dot(away, away) > 0.0) place.along = glm::normalize(away);
-    place.from_root_mm = wanted;
-    place.radius_mm = 0.5 * glm::mix(double(details[i].diameter_mm), double(details[i + 1].diameter_mm), t);
-    return place;
+    if (glm::dot(away, away) > 0.0) point.along = glm::normalize(away);
+    point.from_root_mm = wanted;
+    point.radius_mm = 0.5 * glm::mix(double(details[i].diameter_mm), double(details[i + 1].diameter_mm), t);
+    return point;
 }
 
 double Centerlines::extent_mm() const {

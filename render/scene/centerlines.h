@@ -1,4 +1,4 @@
-// Centerlines: where the vessels' middles run, for lines inside glass and for what is asked of a place along a branch:
+// Centerlines: where the vessels' middles run, for lines inside glass and for what is asked of a point along a branch:
 // how wide the vessel is there, how far from the root, before or behind a cut. Branches have the ids of the surface. An
 // immutable value, shared between frames; positions are single precision relative to `origin`.
 #pragma once
@@ -26,8 +26,8 @@ struct Centerlines {
 
     std::vector<glm::vec4> points; // mm relative to origin; w: mm from the root along the tree
     std::vector<Detail> details;   // of the same points
-    std::vector<Run> runs;         // by branch id, from the parent's end outward; a branch without a place has no point
-    glm::dvec3 origin{0.0};        // mm
+    std::vector<Run> runs;  // by branch id, from the parent's end outward; a branch without a position has no point
+    glm::dvec3 origin{0.0}; // mm
 
     // From corner to corner of the box around the points; 0 without any.
     [[nodiscard]] double extent_mm() const;
@@ -35,12 +35,12 @@ struct Centerlines {
     // and than `most_mm`.
     [[nodiscard]] Centerlines thinned(double most_mm) const;
 
-    // A place on a branch, `fraction` of its length from the parent's end; nothing where the branch has no points.
-    struct Place {
+    // A point of a branch, `fraction` of its length from the parent's end; nothing where the branch has no points.
+    struct BranchPoint {
         glm::dvec3 position{0.0}, along{0.0, 0.0, 1.0}; // mm; unit vector away from the root
         double from_root_mm = 0.0, radius_mm = 0.0;
     };
-    [[nodiscard]] std::optional<Place> at(int branch, double fraction) const;
+    [[nodiscard]] std::optional<BranchPoint> at(int branch, double fraction) const;
 };
 
 } // namespace ramus::render

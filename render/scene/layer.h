@@ -1,10 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ramus::render {
 
 // Which of the two layers a branch is drawn into, if any.
 enum class Layer : std::uint8_t { kOpaque, kGlass, kNone };
+
+// Of a branch by its id; branches beyond the end of `layers` are opaque.
+[[nodiscard]] inline Layer layer_of(const std::vector<Layer>& layers, std::size_t branch) {
+    return branch < layers.size() ? layers[branch] : Layer::kOpaque;
+}
 
 } // namespace ramus::render

@@ -1,5 +1,5 @@
 // What a picture shows beside vessels, and what their colours mean: lesions, margins around them, context, cuts,
-// lines with labels, a legend. Plain comparable values; places in mm (RAS), colours in sRGB, texts in Latin-1.
+// lines with labels, a legend. Plain comparable values; positions in mm (RAS), colours in sRGB, texts in Latin-1.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -14,7 +14,7 @@
 
 namespace ramus::render {
 
-// Colours that follow a value along the branches, from place to place. Needs Frame::centerlines.
+// Colours that follow a value along the branches, from point to point. Needs Frame::centerlines.
 struct ColourScale {
     enum class Value : std::uint8_t { kNone, kDiameter, kRootDistance };
     Value value = Value::kNone;
@@ -37,7 +37,7 @@ struct DistanceGrid {
     }
 };
 
-// The colour of a place on the surface by how far it is from the lesions.
+// The colour of a point of the surface by how far it is from the lesions.
 struct Margins {
     static constexpr std::size_t kMost = 16;
     struct Band {

@@ -45,6 +45,7 @@ public:
 
 private:
     Fullscreen program_;
+    OverlayPainter painter_;
     std::vector<Sprite> sprites_; // painted once: that takes longer than shading
     std::optional<SpriteSource> painted_of_;
 };

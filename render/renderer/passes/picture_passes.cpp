@@ -6,17 +6,6 @@
 
 namespace ramus::render {
 
-void PictureTarget::make(glm::ivec2 pixels) {
-    colour = make_texture(GL_RGBA8, pixels.x, pixels.y);
-    framebuffer = make_framebuffer({colour});
-    size = pixels;
-}
-
-void PictureTarget::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, size.x, size.y);
-}
-
 void CopyPass::draw(const ViewSetup& view, const LitTarget& from, const PictureTarget& to, const Region& region) const {
     if (view.enlarged()) {
         glBindTextureUnit(kUnitImage, from.colour);

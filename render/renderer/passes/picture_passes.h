@@ -4,17 +4,9 @@
 
 #include "render/caster/caster.h"
 #include "render/renderer/passes/shade_pass.h"
+#include "render/renderer/picture_target.h"
 
 namespace ramus::render {
-
-struct PictureTarget {
-    glm::ivec2 size{0};
-    Texture colour; // RGBA8, 4 bytes a pixel: sRGB, premultiplied
-    Framebuffer framebuffer;
-
-    void make(glm::ivec2 pixels);
-    void bind() const;
-};
 
 class CopyPass {
 public:

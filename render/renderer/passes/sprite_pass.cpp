@@ -1,4 +1,3 @@
-#include "render/image/text.h"
 #include "render/renderer/passes/overlay_passes.h"
 
 #include <utility>
@@ -23,7 +22,7 @@ void draw_sprite(const Fullscreen& program, const Image& image, glm::ivec2 at, c
 void SpritePass::draw(const Frame& frame, const Region& region) {
     SpriteSource source(frame);
     if (!painted_of_ || *painted_of_ != source) {
-        sprites_ = overlays_of(source, default_font());
+        sprites_ = painter_.paint(source);
         painted_of_ = std::move(source);
     }
     for (const auto& [image, corner] : sprites_)

@@ -29,11 +29,12 @@ struct Tree {
         TriangleMesh triangles;
         auto centerlines = std::make_shared<Centerlines>();
         std::mt19937 random(7);
-        std::uniform_real_distribution<float> place(-25.0F, 25.0F), radius(2.0F, 7.0F);
+        std::uniform_real_distribution<float> coordinate(-25.0F, 25.0F), radius(2.0F, 7.0F);
         glm::vec3 end(0.0F);
         for (int i = 0; i < kVessels; ++i) {
-            const glm::vec3 from = i % 4 == 3 ? end : glm::vec3(place(random), place(random), place(random));
-            end = {place(random), place(random), place(random)};
+            const glm::vec3 from =
+                i % 4 == 3 ? end : glm::vec3(coordinate(random), coordinate(random), coordinate(random));
+            end = {coordinate(random), coordinate(random), coordinate(random)};
             const float first = radius(random), last = radius(random);
             add_capsule(triangles, from, end, first, last, i, 48);
             centerlines->runs.push_back({static_cast<std::uint32_t>(centerlines->points.size()), 2});

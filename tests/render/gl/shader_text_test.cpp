@@ -45,8 +45,9 @@ TEST_CASE("a shader that does not compile is told by file and line, inside of in
             const auto program = make_program(one.vertex, one.fragment, one.define);
             REQUIRE_FALSE(program.has_value());
             const std::string message = program.error().message();
-            const std::string place = std::string(one.file) + ":" + std::to_string(line_of(one.file, one.line)) + ":";
-            CHECK_MESSAGE(message.find(place) != std::string::npos, message, " does not name ", place);
+            const std::string position =
+                std::string(one.file) + ":" + std::to_string(line_of(one.file, one.line)) + ":";
+            CHECK_MESSAGE(message.find(position) != std::string::npos, message, " does not name ", position);
             CHECK(message.find("update the graphics driver") != std::string::npos);
         }
         CHECK(make_program("fullscreen.vert", "none.frag").error().message().find("none.frag") != std::string::npos);

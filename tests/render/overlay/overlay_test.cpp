@@ -18,6 +18,8 @@ int bright(const Image& image, int x0, int x1, int y0, int y1) {
     return count;
 }
 
+std::vector<Sprite> painted(const Frame& frame) { return OverlayPainter().paint(SpriteSource(frame)); }
+
 } // namespace
 
 TEST_CASE("scale bars have round lengths that fit") {
@@ -37,7 +39,7 @@ TEST_CASE("the scale bar is as long as it says") {
     frame.camera.orthographic = true;
     frame.camera.scale = 35.0; // 0.1 mm a pixel: at most 150 pixels, so 10 mm = 100 pixels
     frame.overlays.orientation_cube = false;
-    const auto sprites = overlays_of(frame, default_font());
+    const auto sprites = painted(frame);
     REQUIRE(sprites.size() == 1);
     const Image& bar = sprites[0].image;
     const int row = bar.height - 2; // halo below, then the line
@@ -47,38 +49,37 @@ TEST_CASE("the scale bar is as long as it says") {
 }
 
 TEST_CASE("every letter that overlays need has ink in both fonts, and they differ from each other") {
-    for (const std::string& font : {default_font(), std::string(), std::string("/no/such/font.ttf")}) {
-        CAPTURE(font);
+    for (const Font& font : {Font(), Font(""), Font("/no/such/font.ttf")}) {
         std::vector<Coverage> drawn;
         for (const char c : std::string("0123456789.mcn\xb5RLAPSI")) {
-            drawn.push_back(draw_text(std::string(1, c), 24.0, font));
+            drawn.push_back(font.draw(std::string(1, c), 24.0));
             CHECK(std::accumulate(drawn.back().values.begin(), drawn.back().values.end(), 0) > 255 * 8);
         }
         for (std::size_t i = 0; i < drawn.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) CHECK(drawn[i].values != drawn[j].values);
-        CHECK(draw_text("20 mm", 10.0, font).width > draw_text("2 mm", 10.0, font).width);
+        CHECK(font.draw("20 mm", 10.0).width > font.draw("2 mm", 10.0).width);
     }
 }
 
 TEST_CASE("the cube shows one face head-on in an anatomical view, and three from a corner") {
-    for (const std::string& font : {default_font(), std::string()}) {
+    for (const Font& font : {Font(), Font("")}) {
+        const OrientationCube cube(font);
         std::vector<Image> faces;
         for (const View view : kViews) {
-            const Image cube = paint_orientation_cube(looking(Camera{}, view), 96, font);
-            CHECK(bright(cube, 0, 96, 0, 96) > 60);
-            for (const Image& other : faces) CHECK(compare(cube, other, 60)->differing > 40);
-            faces.push_back(cube);
+            const Image face = cube.paint(looking(Camera{}, view), 96);
+            CHECK(bright(face, 0, 96, 0, 96) > 60);
+            for (const Image& other : faces) CHECK(compare(face, other, 60)->differing > 40);
+            faces.push_back(face);
         }
         // An L has its foot at the lower right and its stem at the left: neither mirrored nor upside down.
-        const Image left = paint_orientation_cube(looking(Camera{}, View::kLeft), 96, font);
+        const Image left = cube.paint(looking(Camera{}, View::kLeft), 96);
         CHECK(bright(left, 0, 48, 0, 96) > bright(left, 48, 96, 0, 96));
         CHECK(bright(left, 0, 96, 48, 96) > bright(left, 0, 96, 0, 48));
         // A P has its bowl at the upper right.
-        const Image back = paint_orientation_cube(looking(Camera{}, View::kPosterior), 96, font);
+        const Image back = cube.paint(looking(Camera{}, View::kPosterior), 96);
         CHECK(bright(back, 49, 96, 0, 48) > bright(back, 49, 96, 50, 96) + 5);
     }
-    const Image corner =
-        paint_orientation_cube(turned(looking(Camera{}, View::kAnterior), 35.0, 30.0), 96, default_font());
+    const Image corner = OrientationCube(Font()).paint(turned(looking(Camera{}, View::kAnterior), 35.0, 30.0), 96);
     CHECK(corner.pixel(0, 0)[3] == 0); // round about the cube nothing
     CHECK(corner.pixel(48, 48)[3] > 200);
 }
@@ -87,14 +88,14 @@ TEST_CASE("overlays keep clear of the insets and leave small pictures alone") {
     Frame frame;
     frame.size = {1000, 800};
     frame.overlays.inset_left = 200, frame.overlays.inset_right = 150, frame.overlays.inset_bottom = 90;
-    for (const Sprite& sprite : overlays_of(frame, "")) {
+    for (const Sprite& sprite : OverlayPainter(Font("")).paint(SpriteSource(frame))) {
         CHECK(sprite.corner.x >= 200);
         CHECK(sprite.corner.x + sprite.image.width <= 850);
         CHECK(sprite.corner.y + sprite.image.height <= 710);
     }
     frame.size = {90, 60};
     frame.overlays = {};
-    CHECK(overlays_of(frame, "").empty());
+    CHECK(OverlayPainter(Font("")).paint(SpriteSource(frame)).empty());
 }
 
 TEST_CASE("letters say which way of the patient a direction goes, the most first") {
@@ -106,38 +107,38 @@ TEST_CASE("letters say which way of the patient a direction goes, the most first
     frame.size = {600, 400};
     frame.camera = looking(Camera{}, View::kAnterior);
     frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-    CHECK(overlays_of(frame, default_font()).empty());
+    CHECK(painted(frame).empty());
     frame.overlays.orientation_letters = true;
-    CHECK(overlays_of(frame, default_font()).size() == 4);
+    CHECK(painted(frame).size() == 4);
     // A caption that is longer than the picture takes more lines, and the letters make way.
-    const int letter_top = overlays_of(frame, default_font())[2].corner.y;
+    const int letter_top = painted(frame)[2].corner.y;
     frame.overlays.caption = "One line";
-    const auto one = overlays_of(frame, default_font());
+    const auto one = painted(frame);
     REQUIRE(one.size() == 5);
     for (int i = 0; i < 20; ++i) frame.overlays.caption += " and some more words";
-    const auto more = overlays_of(frame, default_font());
+    const auto more = painted(frame);
     CHECK(more[0].image.height > 2 * one[0].image.height);
     CHECK(more[0].corner.x + more[0].image.width <= frame.size.x);
     CHECK(more[3].corner.y >= more[0].corner.y + more[0].image.height);
     CHECK(letter_top < one[3].corner.y);
     // Who draws something below the caption knows where it ends.
-    CHECK(caption_bottom(frame, default_font()) == more[0].corner.y + more[0].image.height);
+    CHECK(OverlayPainter().caption_bottom(SpriteSource(frame)) == more[0].corner.y + more[0].image.height);
     frame.overlays.caption.clear();
-    CHECK(caption_bottom(frame, default_font()) == 0);
+    CHECK(OverlayPainter().caption_bottom(SpriteSource(frame)) == 0);
 }
 
 TEST_CASE("a heading is as large as a picture has room for") {
     const std::string words = "Isosurface of the tree's voxels 50 %, truncated cones 50 %";
     Frame frame;
     frame.size = {800, 600};
-    const Image large = paint_heading(words, SpriteSource(frame), default_font());
+    const Image large = OverlayPainter().heading(words, SpriteSource(frame));
     CHECK(large.width < 800);
     frame.size = {300, 200};
-    const Image small = paint_heading(words, SpriteSource(frame), default_font());
+    const Image small = OverlayPainter().heading(words, SpriteSource(frame));
     CHECK(small.width <= 300 - 2 * 6);      // margins of 3 % of the height
     CHECK(small.height < 2 * large.height); // two lines, of smaller letters
     frame.overlays.heading = words;
-    const auto sprites = overlays_of(frame, default_font());
+    const auto sprites = painted(frame);
     REQUIRE(sprites.size() == 3);
     CHECK(sprites[2].image == small);
 }

@@ -82,8 +82,8 @@ TEST_CASE("a clear context mesh veils what lies behind it as reckoned by hand, a
                                 mean = 0.0;
                                 for (const glm::dvec2 sample :
                                      {glm::dvec2(-0.125, -0.375), {0.375, -0.125}, {-0.375, 0.125}, {0.125, 0.375}}) {
-                                    const glm::dvec2 place = mm + kPixelMm * sample;
-                                    const glm::dvec2 across = place / kSphere;
+                                    const glm::dvec2 position = mm + kPixelMm * sample;
+                                    const glm::dvec2 across = position / kSphere;
                                     const glm::dvec3 normal(across.x, -across.y,
                                                             std::sqrt(std::max(0.0, 1.0 - glm::dot(across, across))));
                                     const glm::dvec4 veil = veil_of(kColour, double(opacity), normal);
@@ -212,7 +212,7 @@ TEST_CASE("another colour or opacity draws no triangles again, and context needs
     scene.frame.context[0].colour = {0.2F, 0.4F, 0.9F};
     CHECK_FALSE(scene.draw().geometry);
     CHECK(largest_difference(before, scene.renderer->read_image()) > 30);
-    scene.frame.context[0].opacity = 1.0F; // no pane any more
+    scene.frame.context[0].opacity = 1.0F; // no fragment any more
     CHECK(scene.draw().geometry);
     scene.frame.context[0].opacity = 0.0F;
     const Image gone = scene.picture();

@@ -27,10 +27,11 @@ constexpr int kVessels = 9; // every third one is opaque
 TriangleMesh crossing_vessels() {
     TriangleMesh mesh;
     std::mt19937 random(7);
-    std::uniform_real_distribution<float> place(-25.0F, 25.0F), radius(2.0F, 7.0F);
+    std::uniform_real_distribution<float> coordinate(-25.0F, 25.0F), radius(2.0F, 7.0F);
     for (int i = 0; i < kVessels - 1; ++i)
-        add_capsule(mesh, {place(random), place(random), place(random)}, {place(random), place(random), place(random)},
-                    radius(random), radius(random), i, 48);
+        add_capsule(mesh, {coordinate(random), coordinate(random), coordinate(random)},
+                    {coordinate(random), coordinate(random), coordinate(random)}, radius(random), radius(random), i,
+                    48);
     const auto begin = mesh.positions[0], end = mesh.positions[mesh.positions.size() / 2];
     add_capsule(mesh, begin, end, 9.0F, 9.0F, kVessels - 1, 48);
     return mesh;
@@ -71,10 +72,10 @@ struct Hit {
 
 // Where a ray enters vessels, nearest first, up to the first opaque one, which is left out.
 struct Seen {
-    std::vector<Hit> panes;
+    std::vector<Hit> fragments;
     int opaque = kNoBranch;
     [[nodiscard]] bool same_surfaces(const Seen& other) const {
-        return opaque == other.opaque && std::ranges::equal(panes, other.panes, {}, &Hit::branch, &Hit::branch);
+        return opaque == other.opaque && std::ranges::equal(fragments, other.fragments, {}, &Hit::branch, &Hit::branch);
     }
 };
 
@@ -89,7 +90,7 @@ public:
         }
         for (Vessel& vessel : vessels_) // a ball around each: most rays miss most vessels
             for (const glm::uvec3& t : vessel.triangles)
-                vessel.reach = std::max(vessel.reach, glm::distance(vessel.place, glm::dvec3(mesh.positions[t.x])));
+                vessel.reach = std::max(vessel.reach, glm::distance(vessel.position, glm::dvec3(mesh.positions[t.x])));
     }
 
     [[nodiscard]] glm::dvec3 direction(glm::dvec2 pixel) const {
@@ -99,7 +100,7 @@ public:
         const glm::dvec3 from = unproject(camera_, size_, pixel, 1.0), along = direction(pixel);
         std::vector<Hit> hits;
         for (const Vessel& vessel : vessels_) {
-            if (glm::length(glm::cross(vessel.place - from, along)) > vessel.reach + 1.0) continue;
+            if (glm::length(glm::cross(vessel.position - from, along)) > vessel.reach + 1.0) continue;
             for (const glm::uvec3& t : vessel.triangles) add_hit(t, from, along, hits);
         }
         std::ranges::sort(hits, {}, &Hit::depth);
@@ -109,7 +110,7 @@ public:
                 seen.opaque = hit.branch;
                 break;
             }
-            seen.panes.push_back(hit);
+            seen.fragments.push_back(hit);
         }
         return seen;
     }
@@ -118,7 +119,7 @@ private:
     struct Vessel {
         int branch;
         std::vector<glm::uvec3> triangles;
-        glm::dvec3 place;
+        glm::dvec3 position;
         double reach;
     };
     void add_hit(const glm::uvec3& t, const glm::dvec3& from, const glm::dvec3& along, std::vector<Hit>& hits) const {
@@ -162,7 +163,7 @@ glm::dvec3 decoded(const std::uint8_t* bytes, double added) {
     return radiance;
 }
 
-// The veil of one pane as shaders/shade.frag has it, without depth cue: premultiplied.
+// The veil of one fragment as shaders/shade.frag has it, without depth cue: premultiplied.
 glm::dvec4 veil_of_glass(const Appearance& look, const glm::dvec3& normal, const glm::dvec3& towards_eye) {
     const glm::dvec3 key(-0.429, 0.572, 0.699);
     const double facing = std::clamp(glm::dot(normal, towards_eye), 0.0, 1.0);
@@ -191,7 +192,7 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
             for (int x = 1; x + 1 < scene.frame.size.x; x += 12) {
                 const glm::dvec2 centre(x + 0.5, y + 0.5);
                 const Seen seen = rays.cast(centre);
-                if (seen.panes.empty()) continue;
+                if (seen.fragments.empty()) continue;
                 // Away from edges: all around the same surfaces are seen.
                 bool edge = false;
                 for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}})
@@ -206,9 +207,9 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
                     const glm::dvec3 towards_eye = -(to_eye * rays.direction(at));
                     glm::dvec3 colour = decoded(without.pixel(x, y), added);
                     const Seen there = rays.cast(at);
-                    for (auto pane = there.panes.rbegin(); pane != there.panes.rend(); ++pane) {
+                    for (auto fragment = there.fragments.rbegin(); fragment != there.fragments.rend(); ++fragment) {
                         const glm::dvec4 veil =
-                            veil_of_glass(scene.frame.appearance, to_eye * pane->normal, towards_eye);
+                            veil_of_glass(scene.frame.appearance, to_eye * fragment->normal, towards_eye);
                         colour = glm::dvec3(veil) + (1.0 - veil.w) * colour;
                     }
                     mean += 0.25 * colour;
@@ -217,7 +218,7 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
                 for (int k = 0; k < 3; ++k)
                     largest = std::max(largest, std::abs(expected[k] - double(glass.pixel(x, y)[k])));
                 ++compared;
-                deepest = std::max(deepest, int(seen.panes.size()));
+                deepest = std::max(deepest, int(seen.fragments.size()));
                 behind_opaque += seen.opaque != kNoBranch ? 1 : 0;
             }
         MESSAGE(compared << " pixels, up to " << deepest << " layers, " << behind_opaque
@@ -245,7 +246,7 @@ TEST_CASE("glass that does not fit into its memory is drawn in bands, with the s
     GlassScene scene(false);
     const Image whole = scene.draw();
     const Pick pick = scene.renderer->pick(160, 120);
-    GlassScene narrow(false, 96 * 1024); // 6,143 panes
+    GlassScene narrow(false, 96 * 1024); // 6,143 fragments
     const Image banded = narrow.draw();
     CHECK(largest_difference(whole, banded) == 0);
     CHECK(narrow.renderer->pick(160, 120) == pick);

@@ -37,12 +37,12 @@ glm::dvec4 veil_of_ball(const Frame& frame, double radius, const glm::dvec2& mm)
     return mean;
 }
 
-struct Place {
+struct Position {
     const char* name;
     glm::dvec3 centre;
     double radius;
 };
-constexpr std::array<Place, 3> kPlaces{
+constexpr std::array<Position, 3> kPositions{
     {{"before", {0, 30, 0}, 12.0}, {"inside", {0, 0, 0}, 4.0}, {"behind", {0, -30, 0}, 12.0}}};
 
 } // namespace
@@ -58,14 +58,14 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
             const Image lighter = scene.picture();
             fill_background(scene.frame, 0.0F);
             const Image tube = scene.picture();
-            for (const Place& place : kPlaces)
+            for (const Position& at : kPositions)
                 for (const As as : {As::kSphere, As::kMesh}) {
                     CAPTURE(newest.text());
                     CAPTURE(int(state));
-                    CAPTURE(std::string(place.name));
+                    CAPTURE(std::string(at.name));
                     CAPTURE(int(as));
                     scene.frame.lesions = {};
-                    add_lesion(scene.frame, as, place.centre, place.radius);
+                    add_lesion(scene.frame, as, at.centre, at.radius);
                     const Image with = scene.picture();
                     int compared = 0;
                     double largest = 0.0;
@@ -74,9 +74,9 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
                             const glm::dvec2 mm =
                                 kPixelMm * (glm::dvec2(x, y) + 0.5 - 0.5 * glm::dvec2(scene.frame.size));
                             const double away = std::abs(mm.y) - kTube;
-                            if (std::abs(glm::length(mm) - place.radius) < 0.3 || std::abs(away) < 0.3) continue;
+                            if (std::abs(glm::length(mm) - at.radius) < 0.3 || std::abs(away) < 0.3) continue;
                             if (std::abs(mm.x) > 20.0) continue; // the tube's round ends
-                            const glm::dvec4 veil = veil_of_ball(scene.frame, place.radius, mm);
+                            const glm::dvec4 veil = veil_of_ball(scene.frame, at.radius, mm);
                             const double added = half_step(x, y, scene.frame.size.y);
                             const auto light = [&](const Image& image, int k) {
                                 return decoded(double(image.pixel(x, y)[k]) - added);
@@ -84,8 +84,8 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
                             for (int k = 0; k < 3; ++k) {
                                 const double through =
                                     away > 0.0 ? 1.0 : (light(lighter, k) - light(tube, k)) / double(linear(kGrey));
-                                const double reckoned = place.centre.y > 0.0 ? veil[k] + (1.0 - veil.w) * light(tube, k)
-                                                                             : light(tube, k) + through * veil[k];
+                                const double reckoned = at.centre.y > 0.0 ? veil[k] + (1.0 - veil.w) * light(tube, k)
+                                                                          : light(tube, k) + through * veil[k];
                                 largest = std::max(largest,
                                                    std::abs(encoded(reckoned) + added - double(with.pixel(x, y)[k])));
                             }
@@ -93,7 +93,7 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
                         }
                     CHECK(compared > 5000);
                     CHECK(largest <= 2.0);
-                    MESSAGE(newest.text(), ", ", std::string(place.name), ", ", compared, " pixels: at most ", largest,
+                    MESSAGE(newest.text(), ", ", std::string(at.name), ", ", compared, " pixels: at most ", largest,
                             " of 255");
                 }
         }
@@ -102,30 +102,30 @@ TEST_CASE("a lesion before, inside and behind vessels and glass is laid over and
 TEST_CASE("lesions are picked before, inside and behind glass, and hidden by opaque vessels and context") {
     for (const GlVersion newest : {GlVersion{4, 5}, GlVersion{3, 3}})
         for (const BranchState state : {BranchState::kNormal, BranchState::kDefocused})
-            for (const Place& place : kPlaces)
+            for (const Position& at : kPositions)
                 for (const As as : {As::kSphere, As::kMesh}) {
                     CAPTURE(newest.text());
                     CAPTURE(int(state));
-                    CAPTURE(std::string(place.name));
+                    CAPTURE(std::string(at.name));
                     CAPTURE(int(as));
                     BesideScene scene(newest);
                     scene.frame.states[0] = state;
                     add_lesion(scene.frame, as, {100, 0, 0}, 1.0); // beside the picture: the first of two
-                    add_lesion(scene.frame, as, place.centre, place.radius);
+                    add_lesion(scene.frame, as, at.centre, at.radius);
                     scene.add_sphere(0.3F, {0, 0, 0}, 60.0); // clear context around it all
                     (void)scene.draw();
                     const glm::ivec2 p = scene.at(0, 0);
-                    const bool seen = state == BranchState::kDefocused || place.centre.y > 0.0;
+                    const bool seen = state == BranchState::kDefocused || at.centre.y > 0.0;
                     const Pick pick = scene.pick(0, 0);
                     CHECK(pick.lesion == (seen ? 1 : kNoLesion));
                     CHECK(pick.branch == (seen ? kNoBranch : 0));
-                    const double front = seen ? place.centre.y + place.radius : kTube;
+                    const double front = seen ? at.centre.y + at.radius : kTube;
                     CHECK(pick.position.y == doctest::Approx(front).epsilon(0.01));
                     CHECK(scene.renderer->read_branches().at(p.x, p.y) == (seen ? kNoBranch : 0));
                     CHECK(scene.pick(17, 0).branch == 0);
                     CHECK(scene.pick(17, 0).lesion == kNoLesion);
                     CHECK(scene.pick(0, 13).lesion == kNoLesion);
-                    if (place.radius > kTube) CHECK(scene.pick(0, 9).lesion == 1);
+                    if (at.radius > kTube) CHECK(scene.pick(0, 9).lesion == 1);
                     scene.add_sphere(1.0F, {0, 60, 0}, 3.0); // opaque, before everything
                     (void)scene.draw();
                     CHECK(scene.pick(0, 0).lesion == kNoLesion);

@@ -7,7 +7,6 @@
 #include <map>
 #include <vector>
 
-using ramus::render::name_of;
 using ramus::render::PictureState;
 using Stage = PictureState::Stage;
 using Event = void (PictureState::*)();
@@ -119,7 +118,7 @@ TEST_CASE("in every stage, whatever happens, the answers agree with each other")
     const std::map<Stage, PictureState> all = reached();
     CHECK(all.size() == kStages.size());
     for (const Stage stage : kStages) {
-        CAPTURE(name_of(stage));
+        CAPTURE(int(stage));
         REQUIRE(all.contains(stage));
         const PictureState& state = all.at(stage);
         CHECK(int(state.partial()) + int(state.held()) <= 1);

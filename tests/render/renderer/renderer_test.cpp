@@ -3,6 +3,7 @@
 #include "render/image/image.h"
 #include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
+#include "tests/support/small_tree.h"
 #include "tests/support/tube_mesh.h"
 
 #include <cmath>
@@ -14,62 +15,24 @@
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;
 using ramus::test::add_capsule;
-
-namespace {
-
-// A trunk along z (branch 0), an arm to the patient's left (1) and one to the right and front (2), a twig across before
-// the trunk (3); mm.
-std::shared_ptr<const PagedMesh> small_tree() {
-    TriangleMesh mesh;
-    add_capsule(mesh, {0, 0, -30}, {0, 0, 10}, 5.0F, 4.0F, 0);
-    add_capsule(mesh, {0, 0, 10}, {-25, 0, 30}, 3.5F, 2.0F, 1);
-    add_capsule(mesh, {0, 0, 10}, {22, 10, 28}, 3.0F, 1.5F, 2);
-    add_capsule(mesh, {-20, 12, -14}, {20, 12, -10}, 1.0F, 1.0F, 3);
-    return std::make_shared<const PagedMesh>(mesh);
-}
-
-struct Scene {
-    ramus::test::WatchedContext context;
-    std::unique_ptr<Renderer> renderer = Renderer::create().value();
-    Frame frame;
-
-    explicit Scene(glm::ivec2 size = {400, 300}) {
-        frame.mesh = small_tree();
-        frame.size = size;
-        frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, size);
-        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
-        frame.states.assign(4, BranchState::kNormal);
-    }
-    ~Scene() { renderer.reset(); }
-    Image draw() {
-        const auto done = renderer->draw(frame);
-        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
-        return renderer->read_image();
-    }
-    // Pixels around which only `branch` (or nothing, kNoBranch) is seen, by projecting its own surface.
-    [[nodiscard]] glm::dvec2 pixel_of(const glm::dvec3& point) const {
-        return glm::dvec2(*project(frame.camera, frame.size, point));
-    }
-};
-
-} // namespace
+using ramus::test::SmallTree;
 
 TEST_CASE("a picture is the same from draw to draw and from context to context") {
     Image first;
     {
-        Scene scene;
+        SmallTree scene;
         first = scene.draw();
         scene.frame.camera = turned(scene.frame.camera, 40.0, 10.0);
         CHECK(scene.draw() != first);
         scene.frame.camera = camera_for(scene.frame.mesh->positions(), View::kAnterior, scene.frame.size);
         CHECK(scene.draw() == first);
     }
-    Scene scene;
+    SmallTree scene;
     CHECK(scene.draw() == first);
 }
 
 TEST_CASE("nothing is drawn while nothing changes, and states draw no triangle again") {
-    Scene scene;
+    SmallTree scene;
     auto done = scene.renderer->draw(scene.frame).value();
     CHECK(done.uploaded > 0);
     CHECK(done.geometry);
@@ -89,72 +52,15 @@ TEST_CASE("nothing is drawn while nothing changes, and states draw no triangle a
     CHECK(done.uploaded == 0);
     // Cached shading and a fresh renderer agree.
     const Image image = scene.renderer->read_image();
-    Scene fresh;
+    SmallTree fresh;
     Frame frame = scene.frame;
     frame.mesh = fresh.frame.mesh;
     fresh.frame = frame;
     CHECK(fresh.draw() == image);
 }
 
-TEST_CASE("picking finds the branch, at its place in the patient") {
-    for (const bool orthographic : {false, true}) {
-        Scene scene;
-        scene.frame.camera = camera_for(scene.frame.mesh->positions(), View::kAnterior, scene.frame.size, orthographic);
-        scene.draw();
-        const double pixel_mm = mm_per_pixel(scene.frame.camera, scene.frame.size);
-        // The anterior-most line of the trunk at z = -25: y = its radius there, 4.875 mm.
-        const glm::dvec3 trunk(0.0, 4.875, -25.0);
-        glm::dvec2 at = scene.pixel_of(trunk);
-        Pick pick = scene.renderer->pick(at.x, at.y);
-        CHECK(pick.branch == 0);
-        CHECK(glm::distance(pick.position, trunk) < 1.0 * pixel_mm);
-        // The twig lies before the trunk.
-        const glm::dvec3 twig(0.0, 13.0, -12.0);
-        at = scene.pixel_of(twig);
-        pick = scene.renderer->pick(at.x, at.y);
-        CHECK(pick.branch == 3);
-        CHECK(glm::distance(pick.position, twig) < 1.5 * pixel_mm);
-        // The arm to the patient's left is at the right of the picture.
-        at = scene.pixel_of({-15.0, 0.0, 22.0});
-        CHECK(at.x > 0.5 * scene.frame.size.x);
-        CHECK(scene.renderer->pick(at.x, at.y).branch == 1);
-        CHECK(scene.renderer->pick(1.0, 1.0).branch == kNoBranch);
-        CHECK(scene.renderer->pick(-50.0, 1e9).branch == kNoBranch);
-        CHECK(scene.renderer->pick(std::nan(""), 0.0).branch == kNoBranch);
-    }
-}
-
-TEST_CASE("a thin vessel is picked up to four pixels beside it, and no farther") {
-    Scene scene;
-    scene.draw();
-    // The twig's lower edge left of the trunk, in the picture.
-    const glm::dvec2 on = scene.pixel_of({16.0, 12.0, -10.4});
-    double edge = on.y;
-    while (scene.draw() == scene.draw() && scene.renderer->pick(on.x, edge + 4.0).branch == 3) edge += 0.5;
-    const double radius_pixels = 1.0 / mm_per_pixel(scene.frame.camera, scene.frame.size);
-    CHECK(edge + 4.0 - on.y > radius_pixels + 3.0);
-    CHECK(edge + 4.0 - on.y < radius_pixels + 7.5);
-}
-
-TEST_CASE("picking without waiting gives the same answers") {
-    Scene scene;
-    scene.draw();
-    CHECK_FALSE(scene.renderer->poll_pick().has_value());
-    for (const glm::dvec3& point :
-         {glm::dvec3(0, 4.9, -25), glm::dvec3(0, 13, -12), glm::dvec3(-15, 0, 22), glm::dvec3(-30, 0, -30)}) {
-        const glm::dvec2 at = scene.pixel_of(point);
-        scene.renderer->request_pick(1.0, 1.0); // replaced
-        scene.renderer->request_pick(at.x, at.y);
-        std::optional<Pick> pick;
-        for (int i = 0; i < 100000 && !pick; ++i) pick = scene.renderer->poll_pick();
-        REQUIRE(pick.has_value());
-        CHECK(*pick == scene.renderer->pick(at.x, at.y));
-        CHECK_FALSE(scene.renderer->poll_pick().has_value());
-    }
-}
-
 TEST_CASE("hidden branches leave neither picture nor pick, glass is seen through and picked through") {
-    Scene scene;
+    SmallTree scene;
     const Image all = scene.draw();
     const glm::dvec2 crossing = scene.pixel_of({0.0, 13.0, -12.0}), twig = scene.pixel_of({16.0, 12.0, -10.4});
     scene.frame.states[3] = BranchState::kDefocused;
@@ -179,7 +85,7 @@ TEST_CASE("hidden branches leave neither picture nor pick, glass is seen through
 }
 
 TEST_CASE("hovering and highlighting touch the pixels of their branches only") {
-    Scene scene;
+    SmallTree scene;
     const Image before = scene.draw();
     // Which pixels show branch 2 at all: those that change when it goes (it hides nothing but background and joints).
     scene.frame.hovered = 2;
@@ -226,7 +132,7 @@ TEST_CASE("hovering and highlighting touch the pixels of their branches only") {
 }
 
 TEST_CASE("a selection is outlined and tinted, and nothing else changes") {
-    Scene scene;
+    SmallTree scene;
     const Image before = scene.draw();
     scene.frame.selected = {1};
     const Image after = scene.draw();
@@ -240,7 +146,7 @@ TEST_CASE("a selection is outlined and tinted, and nothing else changes") {
 }
 
 TEST_CASE("a transparent background has alpha 0, and the tree lies over any background as it was drawn") {
-    Scene scene;
+    SmallTree scene;
     const Image opaque = scene.draw();
     scene.frame.background.transparent = true;
     const Image clear = scene.draw();
@@ -260,7 +166,7 @@ TEST_CASE("a transparent background has alpha 0, and the tree lies over any back
 }
 
 TEST_CASE("occlusion darkens where vessels touch, and only there") {
-    Scene scene({800, 600});
+    SmallTree scene({800, 600});
     scene.frame.appearance.occlusion = 0.0F;
     const Image without = scene.draw();
     scene.frame.appearance.occlusion = 1.0F;
@@ -277,7 +183,7 @@ TEST_CASE("occlusion darkens where vessels touch, and only there") {
 }
 
 TEST_CASE("interactive quality shows the same tree") {
-    Scene scene;
+    SmallTree scene;
     const Image full = scene.draw();
     scene.frame.quality = Quality::kInteractive;
     const Image quick = scene.draw();
@@ -289,7 +195,7 @@ TEST_CASE("interactive quality shows the same tree") {
 }
 
 TEST_CASE("presenting copies the picture, which itself stays untouched") {
-    Scene scene;
+    SmallTree scene;
     const Image image = scene.draw();
     const Target target(scene.frame.size.x, scene.frame.size.y);
     scene.renderer->present(target.framebuffer());
@@ -298,7 +204,7 @@ TEST_CASE("presenting copies the picture, which itself stays untouched") {
 }
 
 TEST_CASE("empty scenes, odd sizes and impossible ones") {
-    Scene scene({1, 1});
+    SmallTree scene({1, 1});
     CHECK(scene.draw().width == 1);
     scene.frame.size = {333, 77};
     CHECK(scene.draw().height == 77);
@@ -320,7 +226,7 @@ TEST_CASE("empty scenes, odd sizes and impossible ones") {
 }
 
 TEST_CASE("the small tree looks as it did when people last looked at it") {
-    Scene scene({480, 360});
+    SmallTree scene({480, 360});
     scene.frame.overlays = {};
     scene.frame.states[2] = BranchState::kHighlighted;
     scene.frame.states[3] = BranchState::kDefocused;
@@ -345,33 +251,8 @@ TEST_CASE("the small tree looks as it did when people last looked at it") {
     CHECK_MESSAGE(alike, comparison->differing, " pixels differ; see ", folder.string());
 }
 
-TEST_CASE("the picture of branches says what pick says") {
-    Scene scene;
-    scene.frame.states[2] = BranchState::kHidden;
-    scene.frame.states[0] = BranchState::kDefocused;
-    for (const Quality quality : {Quality::kFull, Quality::kInteractive}) {
-        scene.frame.quality = quality;
-        (void)scene.draw();
-        const BranchPicture picture = scene.renderer->read_branches();
-        REQUIRE(picture.width == 400);
-        REQUIRE(picture.height == 300);
-        std::array<int, 5> seen{};
-        for (int y = 0; y < 300; y += 7)
-            for (int x = 0; x < 400; x += 7) {
-                const int branch = picture.at(x + 0.5, y + 0.5);
-                ++seen[static_cast<std::size_t>(branch + 1)];
-                // A pick finds also what a pixel just misses.
-                if (branch != kNoBranch) CHECK(scene.renderer->pick(x + 0.5, y + 0.5).branch == branch);
-            }
-        for (const std::size_t i : {0, 1, 2, 4}) CHECK(seen[i] > 0);
-        CHECK(seen[3] == 0); // it is hidden
-        CHECK(picture.at(-0.5, 10.0) == kNoBranch);
-        CHECK(picture.at(400.0, 10.0) == kNoBranch);
-    }
-}
-
 TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives") {
-    Scene scene, fresh;
+    SmallTree scene, fresh;
     const auto same = [&](int hovered, std::vector<int> dependents) {
         scene.frame.hovered = hovered;
         scene.frame.hovered_dependents = std::move(dependents);

@@ -57,7 +57,7 @@ struct Scene {
         REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
         return renderer->read_image();
     }
-    // The pixel of a place; the patient's right is at the left.
+    // The pixel of a point; the patient's right is at the left.
     [[nodiscard]] glm::ivec2 at(double x, double z) const {
         const glm::dvec3 seen = *project(frame.camera, frame.size, {x, 0.0, z});
         return {int(std::floor(seen.x)), int(std::floor(seen.y))};
@@ -241,7 +241,7 @@ TEST_CASE("a lesion's outline has its radius, it is picked as a lesion, and what
     }
 }
 
-TEST_CASE("colours follow the diameter from place to place") {
+TEST_CASE("colours follow the diameter from point to point") {
     Scene scene(5.0F, 3.0F); // 10 mm wide at x = -20, 6 mm at x = 20: 8 mm at 0
     scene.frame.scale = {ColourScale::Value::kDiameter, 6.0F, 10.0F, false, {{0.1F, 0.2F, 0.9F}, {0.9F, 0.2F, 0.1F}}};
     const Image image = scene.draw();
@@ -260,7 +260,7 @@ TEST_CASE("colours follow the diameter from place to place") {
     CHECK(scene.colour(distance, 15.0, 0.0)[2] > scene.colour(distance, 15.0, 0.0)[0] + 40);
 }
 
-TEST_CASE("lines lie over the picture, fainter where vessels hide them, and labels stand beside their place") {
+TEST_CASE("lines lie over the picture, fainter where vessels hide them, and labels stand beside their point") {
     Scene scene;
     const Image plain = scene.draw();
     scene.frame.lines = {{{{-12.0, 8.0, -12.0}, {-12.0, 8.0, 12.0}}, {1, 1, 1}, 3.0F},
@@ -273,7 +273,7 @@ TEST_CASE("lines lie over the picture, fainter where vessels hide them, and labe
     CHECK(behind < 700);
     scene.frame.lines.clear();
     scene.frame.labels = {{{0.0, 0.0, 10.0}, "12.3 mm"}};
-    const auto sprites = overlays_of(scene.frame, default_font());
+    const auto sprites = OverlayPainter().paint(SpriteSource(scene.frame));
     REQUIRE(sprites.size() == 1);
     CHECK(std::abs(sprites[0].corner.x - scene.at(0.0, 10.0).x) < 15);
     CHECK(scene.draw() != plain);
@@ -284,8 +284,8 @@ TEST_CASE("a legend is as sharp as the picture, above the scale bar, and its bar
     legend.title = "Diameter (mm)";
     legend.bar = {{1, 0, 0}, {0, 0, 1}};
     legend.ticks = {{0.0, "1"}, {1.0, "10"}};
-    const Image once = paint_legend(legend, 1.0, {300, 400}, default_font());
-    const Image twice = paint_legend(legend, 2.0, {600, 800}, default_font());
+    const Image once = paint_legend(legend, 1.0, {300, 400}, Font());
+    const Image twice = paint_legend(legend, 2.0, {600, 800}, Font());
     CHECK(std::abs(twice.height - 2 * once.height) < 12);
     int red = 0, blue = 0;
     for (int y = 0; y < once.height; ++y) {
@@ -297,30 +297,30 @@ TEST_CASE("a legend is as sharp as the picture, above the scale bar, and its bar
     CHECK(red > blue + 80); // low values below
 
     legend.swatches.assign(50, {{0, 1, 0}, "name"});
-    const Image many = paint_legend(legend, 1.0, {300, 400}, default_font());
+    const Image many = paint_legend(legend, 1.0, {300, 400}, Font());
     CHECK(many.height <= 400);
 
     Frame frame;
     frame.size = {900, 700};
     frame.overlays.legend = legend;
-    const auto sprites = overlays_of(frame, default_font());
+    const auto sprites = OverlayPainter().paint(SpriteSource(frame));
     REQUIRE(sprites.size() == 3);
     CHECK(sprites[2].corner.x == sprites[1].corner.x);
     CHECK(sprites[2].corner.y + sprites[2].image.height < sprites[1].corner.y);
     CHECK(sprites[2].corner.y >= 0);
 }
 
-TEST_CASE("a place on a centerline") {
+TEST_CASE("a point of a centerline") {
     Centerlines lines;
     lines.origin = {1.0, 2.0, 3.0};
     lines.points = {{0, 0, 0, 10}, {4, 0, 0, 14}, {4, 6, 0, 20}};
     lines.details = {{2, 0}, {4, 0}, {4, 0}};
     lines.runs = {{0, 3}, {3, 0}};
-    const auto place = lines.at(0, 0.7);
-    REQUIRE(place.has_value());
-    CHECK(glm::distance(place->position, {5.0, 5.0, 3.0}) < 1e-6);
-    CHECK(place->along == glm::dvec3(0, 1, 0));
-    CHECK(place->from_root_mm == doctest::Approx(17.0));
+    const auto point = lines.at(0, 0.7);
+    REQUIRE(point.has_value());
+    CHECK(glm::distance(point->position, {5.0, 5.0, 3.0}) < 1e-6);
+    CHECK(point->along == glm::dvec3(0, 1, 0));
+    CHECK(point->from_root_mm == doctest::Approx(17.0));
     CHECK(lines.at(0, 0.2)->radius_mm == doctest::Approx(1.5));
     CHECK_FALSE(lines.at(1, 0.5).has_value());
     CHECK_FALSE(lines.at(-1, 0.5).has_value());
