@@ -2,7 +2,7 @@
 // undo, failure, cancelling. No GL, no window.
 #include "app/actions/command_runner.h"
 #include "app/assets/assets.h"
-#include "core/io/mesh_writer.h"
+#include "core/io/meshes/mesh_file.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/icosphere.h"
