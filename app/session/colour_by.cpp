@@ -6,7 +6,7 @@ namespace ramus::app {
 
 namespace {
 
-std::vector<ColouringRow> table() {
+std::vector<ColouringRow> colouring_table() {
     std::vector<ColouringRow> rows = {
         {ColourBy::kNothing, "nothing", "One colour", "One colour for the whole tree."},
         {ColourBy::kState, "state", "State", "Explains what is highlighted, defocused, selected and lost."},
@@ -22,8 +22,8 @@ std::vector<ColouringRow> table() {
 } // namespace
 
 const std::vector<ColouringRow>& colourings() {
-    static const std::vector<ColouringRow> kTable = table();
-    return kTable;
+    static const std::vector<ColouringRow> kColourings = colouring_table();
+    return kColourings;
 }
 
 std::string_view name_of(ColourBy by) {

@@ -22,7 +22,7 @@ template <auto Member> double of_tree(const tree::VesselTree& tree, const Facts&
     return branch_at(tree, branch).*Member;
 }
 
-std::vector<QuantityRow> table() {
+std::vector<QuantityRow> quantity_table() {
     return {
         {.quantity = Quantity::kDiameter,
          .key = "diameter",
@@ -125,8 +125,8 @@ std::vector<QuantityRow> table() {
 } // namespace
 
 std::span<const QuantityRow> quantities() {
-    static const std::vector<QuantityRow> kTable = table();
-    return kTable;
+    static const std::vector<QuantityRow> kQuantities = quantity_table();
+    return kQuantities;
 }
 
 const QuantityRow& row_of(Quantity quantity) { return quantities()[static_cast<std::size_t>(quantity)]; }

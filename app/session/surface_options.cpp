@@ -22,7 +22,7 @@ template <auto Member> void set_to(Options& options, double value) {
     options.*Member = static_cast<std::remove_reference_t<decltype(options.*Member)>>(value);
 }
 
-constexpr std::array<SurfaceOption, 6> kTable = {{
+constexpr std::array<SurfaceOption, 6> kSurfaceOptions = {{
     {.key = "smooth",
      .unit = "N",
      .help = "Smoothing passes over points and radii (default 1)",
@@ -101,11 +101,11 @@ constexpr std::array<SurfaceOption, 6> kTable = {{
 
 } // namespace
 
-std::span<const SurfaceOption> surface_options() { return kTable; }
+std::span<const SurfaceOption> surface_options() { return kSurfaceOptions; }
 
 const SurfaceOption* surface_option(std::string_view key) {
-    const auto* found = std::ranges::find(kTable, key, &SurfaceOption::key);
-    return found == kTable.end() ? nullptr : found;
+    const auto* found = std::ranges::find(kSurfaceOptions, key, &SurfaceOption::key);
+    return found == kSurfaceOptions.end() ? nullptr : found;
 }
 
 bool takes(const SurfaceOption& option, double value) {
@@ -115,7 +115,7 @@ bool takes(const SurfaceOption& option, double value) {
 
 std::string surface_command_help() {
     std::string text;
-    for (const SurfaceOption& option : kTable) {
+    for (const SurfaceOption& option : kSurfaceOptions) {
         if (option.label.empty()) continue;
         text.append(option.key).append(option.most < kLarge ? " " : " from ").append(rounded(option.least));
         if (option.most < kLarge) text += " to " + rounded(option.most);
