@@ -10,7 +10,7 @@ layout(binding = kUnitLinePoints) uniform samplerBuffer line_points;     // posi
 layout(binding = kUnitLineDetails) uniform usamplerBuffer line_details;  // bits of the diameter, branch
 layout(binding = kUnitLineRuns) uniform usamplerBuffer line_runs;     // first point, count
 layout(binding = kUnitLesions) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
-layout(binding = kUnitCuts) uniform samplerBuffer cut_places;    // five texels a part that is lost, see behind_cut()
+layout(binding = kUnitCuts) uniform samplerBuffer cut_ends;      // five texels a part that is lost, see behind_cut()
 layout(binding = kUnitRamp) uniform sampler1D ramp;              // sRGB
 layout(binding = kUnitDistances) uniform sampler3D lesion_distances;  // mm
 
@@ -87,7 +87,7 @@ vec3 margin_colour(vec3 position) {
 // How far outward of an end of a part, in mm. Near it its plane decides, farther away the way along the branch, which
 // may turn back.
 float outward_of(int texel, float from_root, vec3 position) {
-    vec4 centre = texelFetch(cut_places, texel), along = texelFetch(cut_places, texel + 1);
+    vec4 centre = texelFetch(cut_ends, texel), along = texelFetch(cut_ends, texel + 1);
     float way = from_root - along.w;
     return abs(way) < 2.5 * centre.w ? dot(position - centre.xyz, along.xyz) : way;
 }
@@ -97,7 +97,7 @@ float behind_cut(int branch, vec3 position) {
     float inside = -1e30;
     float from_root = point_along(branch, position).x;
     for (int i = 0; i < int(counts.y); ++i) {
-        vec4 part = texelFetch(cut_places, 5 * i);
+        vec4 part = texelFetch(cut_ends, 5 * i);
         if (int(part.x) != branch) continue;
         float from = part.y > 0.5 ? outward_of(5 * i + 1, from_root, position) : 1e30;
         float to = part.z > 0.5 ? -outward_of(5 * i + 3, from_root, position) : 1e30;

@@ -158,7 +158,7 @@ struct Shading {
     bool scale_logarithmic;
     const MarginLook* margins; // null: none
     const float* context;      // linear colour and opacity of every context mesh; negative opacity: lines
-    const float* cuts;         // twenty numbers a part of a branch that is lost, see cut_places()
+    const float* cuts;         // twenty numbers a part of a branch that is lost, see cut_ends()
     int cut_count;             // when not 0, records' values are mm from the root
 };
 

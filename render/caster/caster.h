@@ -27,7 +27,7 @@ namespace ramus::render::caster {
 
 // What places mean beside whose they are, in eye space.
 struct Meaning {
-    std::vector<glm::vec4> cuts;    // see cut_places()
+    std::vector<glm::vec4> cuts;    // see cut_ends()
     std::vector<glm::vec4> lesions; // spheres: centre, radius
     std::vector<Body> bodies;       // lesions that are meshes, and context
     std::vector<glm::vec4> context; // linear colour and opacity, by number; negative opacity: lines

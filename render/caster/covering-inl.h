@@ -44,7 +44,7 @@ template <bool Flat> HWY_INLINE Covering covering(const Triangle& t, float x, fl
     return found;
 }
 
-// At the pixels' middles, as pane.frag has it: of any length; of lines, in x how much of the pixel they take.
+// At the pixels' middles, as fragment_list.frag has it: of any length; of lines, in x how much of the pixel they take.
 HWY_INLINE V3 facing(const Triangle& t, float x, float y, int lane) {
     const Spans spans = spans_of(t, x, y, lane, 0.5F, 0.5F);
     if (t.half_width > 0.0F) { // as line_share() of context.frag
