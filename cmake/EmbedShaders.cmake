@@ -2,7 +2,7 @@
 #   cmake -DOUTPUT=file.cpp -DSHADERS="a.vert;b.frag" -P EmbedShaders.cmake
 set(text "#include \"render/gl/shader_sources.h\"\n\nnamespace ramus::render {\n\nconst std::map<std::string_view, std::string_view> kShaderSources{\n")
 foreach(shader IN LISTS SHADERS)
-  get_filename_component(name ${shader} NAME)
+  file(RELATIVE_PATH name ${CMAKE_CURRENT_LIST_DIR}/../shaders ${shader})
   file(READ ${shader} source)
   string(APPEND text "    {\"${name}\", R\"GLSL(${source})GLSL\"},\n")
 endforeach()

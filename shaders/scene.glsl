@@ -1,5 +1,5 @@
-// What a point of the surface means: how far it is from the lesions, how wide its vessel is there, before or behind a
-// cut. Eye space with depth as +z, mm.
+// What look/material.glsl reads: the nearest point of a branch's centerline, scales, lesions and cuts. Eye space with
+// depth as +z, mm.
 #include "bindings.glsl"
 #include "limits.glsl"
 layout(std140, binding = kBlockScene) uniform Scene {
@@ -10,7 +10,7 @@ layout(binding = kUnitLinePoints) uniform samplerBuffer line_points;     // posi
 layout(binding = kUnitLineDetails) uniform usamplerBuffer line_details;  // bits of the diameter, branch
 layout(binding = kUnitLineRuns) uniform usamplerBuffer line_runs;     // first point, count
 layout(binding = kUnitLesions) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
-layout(binding = kUnitCuts) uniform samplerBuffer cut_ends;      // five texels a part that is lost, see behind_cut()
+layout(binding = kUnitCuts) uniform samplerBuffer cut_ends;          // five texels a part that is lost, see behind_cut()
 layout(binding = kUnitRamp) uniform sampler1D ramp;              // sRGB
 layout(binding = kUnitDistances) uniform sampler3D lesion_distances;  // mm
 
@@ -42,67 +42,29 @@ vec2 point_along(int branch, vec3 position) {
 #endif
 
 #ifdef SCALE
-// Linear. Branches without a centerline have their own colour.
-vec3 colour_on_scale(int branch, vec3 position, vec3 otherwise) {
-    if (texelFetch(line_runs, branch).y < 2u) return otherwise;
-    vec2 point = point_along(branch, position);
-    float value = scale.w > 0.5 ? point.x : point.y;
-    value = scale.z > 0.5 ? log(max(value, 1e-12)) : value;
-    return to_linear(texture(ramp, clamp((value - scale.x) * scale.y, 0.0, 1.0)).rgb);
+// mm or, of the distance from the root, mm from there; negative where a branch has no centerline.
+float value_on_scale(SurfacePoint p) {
+    int branch = int(p.id) - 1;
+    if (texelFetch(line_runs, branch).y < 2u) return -1.0;
+    vec2 point = point_along(branch, p.position);
+    return scale.w > 1.5 ? point.x : point.y;
 }
+vec3 ramp_colour(float along) { return texture(ramp, along).rgb; }
 #endif
 
 #ifdef MARGINS
-float distance_to_lesions(vec3 position) {
-    float nearest = 1e30;
-    for (int i = 0; i < int(counts.x); ++i) {
-        vec4 sphere = texelFetch(lesion_spheres, i);
-        nearest = min(nearest, distance(position, sphere.xyz) - sphere.w);
-    }
-    if (counts.w > 0.5) {
-        vec3 at = (eye_to_grid * vec4(position, 1.0)).xyz;
-        float there = texture(lesion_distances, at).x;
-        bool inside = all(greaterThanEqual(at, vec3(0.0))) && all(lessThanEqual(at, vec3(1.0)));
-        nearest = inside ? min(nearest, there) : nearest;
-    }
-    return nearest;
-}
+vec4 lesion_sphere(int i) { return texelFetch(lesion_spheres, i); }
 
-// Linear. Steps from band to band are as sharp as the pixels are, with a thin dark line between.
-vec3 margin_colour(vec3 position) {
-    float mm = distance_to_lesions(position);
-    float pixel_mm = pixel_to_eye.z * (picture.w > 0.5 ? 1.0 : position.z);
-    vec3 found = beyond.rgb;
-    float edge = 1.0;
-    for (int i = int(counts.z) - 1; i >= 0; --i) {
-        float inside = margins[i].w - mm;
-        found = mix(found, margins[i].rgb, clamp(inside / pixel_mm + 0.5, 0.0, 1.0));
-        edge = min(edge, abs(inside) / (pixel_mm * more.z));
-    }
-    return found * mix(0.45, 1.0, smoothstep(0.5, 1.3, edge));
+// 1e30 outside the grid.
+float distance_in_grid(vec3 position) {
+    vec3 at = (eye_to_grid * vec4(position, 1.0)).xyz;
+    float there = texture(lesion_distances, at).x;
+    bool inside = all(greaterThanEqual(at, vec3(0.0))) && all(lessThanEqual(at, vec3(1.0)));
+    return inside ? there : 1e30;
 }
 #endif
 
 #ifdef CUTS
-// How far outward of an end of a part, in mm. Near it its plane decides, farther away the way along the branch, which
-// may turn back.
-float outward_of(int texel, float from_root, vec3 position) {
-    vec4 centre = texelFetch(cut_ends, texel), along = texelFetch(cut_ends, texel + 1);
-    float way = from_root - along.w;
-    return abs(way) < 2.5 * centre.w ? dot(position - centre.xyz, along.xyz) : way;
-}
-
-// How far inside the lost part of its branch, in mm; negative outside.
-float behind_cut(int branch, vec3 position) {
-    float inside = -1e30;
-    float from_root = point_along(branch, position).x;
-    for (int i = 0; i < int(counts.y); ++i) {
-        vec4 part = texelFetch(cut_ends, 5 * i);
-        if (int(part.x) != branch) continue;
-        float from = part.y > 0.5 ? outward_of(5 * i + 1, from_root, position) : 1e30;
-        float to = part.z > 0.5 ? -outward_of(5 * i + 3, from_root, position) : 1e30;
-        inside = max(inside, min(from, to));
-    }
-    return inside;
-}
+vec4 cut_texel(int i) { return texelFetch(cut_ends, i); }
+float root_distance(SurfacePoint p) { return point_along(int(p.id) - 1, p.position).x; }
 #endif

@@ -1,5 +1,6 @@
 // What every full-screen pass knows of the view. Eye space looks along -z; depth is positive, in mm.
 #include "bindings.glsl"
+#include "look/lanes.glsl"
 layout(std140, binding = kBlockView) uniform View {
 #include "view_block.glsl"
 };
@@ -10,11 +11,7 @@ float eye_depth(float value) {
     return picture.w > 0.5 ? (value - clip_to_eye.z) * clip_to_eye.y : clip_to_eye.z / (value + clip_to_eye.y);
 }
 
-// Position in eye space with depth as +z.
-vec3 eye_position(vec2 pixel, float depth) {
-    vec2 xy = (pixel - pixel_to_eye.xy) * pixel_to_eye.z;
-    return vec3(picture.w > 0.5 ? xy : xy * depth, depth);
-}
+#include "look/position.glsl"
 
 vec3 unpack_normal(uint bits) {
     vec2 p = unpackSnorm2x16(bits);
@@ -23,9 +20,4 @@ vec3 unpack_normal(uint bits) {
     n.x += n.x >= 0.0 ? -t : t;
     n.y += n.y >= 0.0 ? -t : t;
     return normalize(n);
-}
-
-// Low-discrepancy noise over the picture (Jimenez, 2014): the same in every run.
-float noise(vec2 pixel) {
-    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "render/scene/layer.h"
+#include "render/scene/uniform_blocks.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -110,7 +111,7 @@ struct Records {
     std::uint32_t* id;
     std::uint32_t* normal;
     float* depth;
-    float* value;
+    float* value; // null: none
     std::size_t count;
 };
 
@@ -128,38 +129,29 @@ struct PictureArrays {
     float* smooth;    // after its noise is gone
 };
 
-// Linear colours, as the uniform block of look.glsl.
-struct Look {
-    float background_top[4], background_bottom[4], glass[4], selection[4], lights[4], more[4], line[4], lesion[4],
-        lost[4], far_colour[4], cues[4];
-};
+// All uniform blocks of shade.frag.
+struct Uniforms : ViewBlock, LookBlock, SceneBlock {};
 
-// Colours by how far a place is from lesions.
-inline constexpr int kMostBands = 16;
-struct MarginLook {
-    const float* spheres; // four numbers each: centre in eye space, radius
-    int sphere_count;
-    const float* grid; // distances to lesions that are meshes, mm, x fastest; null: none
+// Distances to lesions that are meshes, mm, x fastest.
+struct LesionGrid {
+    const float* values;
     int size[3];
-    float to_grid[3][4];        // eye space to samples of the grid: rows of a matrix
-    float bands[kMostBands][4]; // linear colour, and up to where in mm, ascending
-    int band_count;
-    float beyond[3]; // linear colour
+    vec4 from_eye[3]; // eye space to samples of the grid: rows of a matrix
 };
 
+// What the formulas of shaders/look read: uniforms, and arrays where the shaders have textures.
 struct Shading {
-    Look look;
+    Uniforms uniforms;
+    int width, height, stride;     // pixels
     const std::uint32_t* branches; // two words each: red, green; blue, flags
     bool outlined;
-    int outline_ring[12][2], halo_ring[12][2]; // steps from a pixel to those around it
-    const float* ramp;                         // rgb, sRGB; null: colours by branch
+    vec2 outline_ring[12], halo_ring[12]; // steps from a pixel to those around it
+    const float* ramp;                    // rgb, sRGB
     int ramp_steps;
-    float scale_low, scale_slope;
-    bool scale_logarithmic;
-    const MarginLook* margins; // null: none
-    const float* context;      // linear colour and opacity of every context mesh; negative opacity: lines
-    const float* cuts;         // twenty numbers a part of a branch that is lost, see cut_ends()
-    int cut_count;             // when not 0, records' values are mm from the root
+    const vec4* lesions; // spheres: centre in eye space, radius
+    LesionGrid grid;
+    const float* context; // linear colour and opacity of every context mesh; negative opacity: lines
+    const vec4* cuts;     // five a part of a branch that is lost, see behind_cut()
 };
 
 } // namespace ramus::render::caster

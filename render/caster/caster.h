@@ -15,23 +15,24 @@
 #include "render/scene/centerlines.h"
 #include "render/scene/frame.h"
 #include "render/scene/layer.h"
+#include "render/scene/look_data.h"
 
 #include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace ramus::render::caster {
 
-// What places mean beside whose they are, in eye space.
-struct Meaning {
-    std::vector<glm::vec4> cuts;    // see cut_ends()
-    std::vector<glm::vec4> lesions; // spheres: centre, radius
-    std::vector<Body> bodies;       // lesions that are meshes, and context
-    std::vector<glm::vec4> context; // linear colour and opacity, by number; negative opacity: lines
-    std::optional<MarginLook> margins;
+// What a picture shows and how it looks. Only referred to.
+struct Content {
+    const Uniforms& uniforms;
+    bool outlined;                                            // something is selected
+    const std::vector<Layer>& layers;                         // of branches
+    const std::vector<std::array<std::uint16_t, 4>>& records; // of branches: linear colour and flags, as in ids.glsl
+    const LookData& data;
+    const std::vector<Body>& bodies; // lesions that are meshes, and context
 };
 
 class Caster {
@@ -44,11 +45,8 @@ public:
     [[nodiscard]] static bool draws(const Frame& frame);
 
     // The picture as sRGB, premultiplied, rows from below; it lasts until the next. `to_eye`: from mm to eye space,
-    // depth as +z. `records`: a branch's linear colour and flags, as shade.frag reads them. Returns how
-    // many cones.
-    std::size_t draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Look& look, bool outlined,
-                     const std::vector<Layer>& layers, const std::vector<std::array<std::uint16_t, 4>>& records,
-                     const Meaning& meaning);
+    // depth as +z. Returns how many cones.
+    std::size_t draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Content& content);
     [[nodiscard]] const std::uint32_t* rgba() const { return rgba_.data(); }
 
     // Of the last picture: ids as in ids.glsl and depths in mm, `stride` a row from below.
@@ -72,14 +70,21 @@ private:
     [[nodiscard]] Piece piece_of(const Segment& segment, const glm::mat4& to_eye) const;
     enum class Kind : std::uint8_t { kNone, kOpaque, kGlass };
     // What a tile keeps from casting to shading.
+    struct KeptRecords {
+        std::vector<std::uint32_t> place, id, normal;
+        std::vector<float> depth, value; // value: empty where there is none
+        std::size_t count = 0;
+
+        void keep(const Records& records);
+        [[nodiscard]] Records view();
+    };
     struct Tile {
-        std::vector<std::uint32_t> place, id, normal, pane_place, pane_id, pane_normal;
-        std::vector<float> depth, value, pane_depth;
-        std::size_t count = 0, panes = 0;
+        KeptRecords opaque, glass;
     };
     struct Binned {
         Bins opaque, glass, solid_triangles, clear_triangles;
     };
+    struct Scratches; // what threads work in
 
     void make_room(const View& view);
     // From and to those of `points` that the segment joins.
@@ -89,7 +94,19 @@ private:
                                     Cone& cone) const;
     [[nodiscard]] bool place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const;
     static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
+    // The steps of a picture. The first places cones for opaque vessels, for glass and for the lines inside it, and
+    // returns how many.
+    std::size_t place_vessels(const Frame& frame, const glm::dmat4& to_eye, const std::vector<Layer>& layers);
+    void place_lesions(const std::vector<glm::vec4>& spheres);
+    [[nodiscard]] Binned bin() const;
     void cast(int tile, const Binned& binned, bool with_values);
+    void occlude();
+    [[nodiscard]] Shading shading_of(const Frame& frame, const Content& content) const;
+    [[nodiscard]] std::vector<std::uint8_t> tiles_with_outline(const Content& content) const;
+    void shade(const Shading& shading, const std::vector<std::uint8_t>& outlined);
+    template <class Call> void for_tiles(const Call& call) const; // in parallel, call(tile)
+    [[nodiscard]] int left(int tile) const { return tile % across_ * kTile; }
+    [[nodiscard]] int low(int tile) const { return tile / across_ * kTile; }
 
     std::shared_ptr<const Centerlines> lines_;
     bool as_field_ = false;
@@ -105,6 +122,7 @@ private:
     std::vector<Layer> layers_, piece_layers_;        // by branch; of its segments
     NearSegments rivals_;                             // of the near ones those of another layer
     std::vector<Cone> cones_;
+    std::vector<Kind> kinds_; // of them
     std::vector<Triangle> solid_triangles_, clear_triangles_;
     std::vector<Piece> pieces_; // of the segments, and one behind them that is nowhere; none: the surface is cones
     Field field_{};
@@ -115,6 +133,7 @@ private:
     std::vector<std::uint32_t> ids_, normals_;
     std::vector<std::uint32_t> rgba_; // a pixel each
     PictureArrays picture_{};
+    std::shared_ptr<Scratches> scratches_;
 };
 
 } // namespace ramus::render::caster

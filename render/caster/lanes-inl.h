@@ -117,12 +117,6 @@ HWY_INLINE V3 unpacked_normal(VU bits) {
     return normalised(n);
 }
 
-// As noise() of view.glsl.
-HWY_INLINE V noise(V x, V y) {
-    const V inner = fract(hn::MulAdd(x, set(0.06711056F), hn::Mul(y, set(0.00583715F))));
-    return fract(hn::Mul(set(52.9829189F), inner));
-}
-
 // As eye_position() of view.glsl, at a pixel's centre.
 HWY_INLINE V3 eye_position(const View& view, V x, V y, V depth) {
     const V scale = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), depth);

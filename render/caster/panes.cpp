@@ -139,7 +139,7 @@ HWY_INLINE bool all_see_the_same(const Lists& lists, int lane) {
 }
 
 HWY_INLINE void add_pane(std::uint32_t place, std::uint32_t id, std::uint32_t normal, float depth, std::size_t at,
-                         const PictureArrays& picture, Panes& panes) {
+                         const PictureArrays& picture, Records& panes) {
     const std::size_t n = panes.count++;
     panes.place[n] = place;
     panes.id[n] = id;
@@ -156,7 +156,7 @@ HWY_INLINE void add_pane(std::uint32_t place, std::uint32_t id, std::uint32_t no
 
 void ListPanes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
                const BlockTriangles& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
-               Panes& panes) {
+               Records& panes) {
     panes.count = 0;
     Lists lists;
     constexpr float kHalf = 0.5F * kBlock;
@@ -215,7 +215,7 @@ HWY_EXPORT(ListPanes);
 
 void list_panes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
                 const BlockTriangles& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
-                Panes& panes) {
+                Records& panes) {
     HWY_DYNAMIC_DISPATCH(ListPanes)
     (view, field, cones, order, count, triangles, x, y, samples, picture, panes);
 }

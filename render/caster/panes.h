@@ -6,13 +6,6 @@
 
 namespace ramus::render::caster {
 
-struct Panes {
-    std::uint32_t* place; // pixel of the tile, sample << kSampleShift, kWhole: of all samples
-    std::uint32_t* id;
-    std::uint32_t* normal;
-    float* depth;
-    std::size_t count;
-};
 inline constexpr std::size_t kMostPanesOfTile = std::size_t{kTilePixels} * kSamples * kMostPanes + 16;
 
 // What lies before the samples' opaque surfaces: pixel by pixel, those of all its samples together where they are the
@@ -20,6 +13,6 @@ inline constexpr std::size_t kMostPanesOfTile = std::size_t{kTilePixels} * kSamp
 // show, lesions before all else.
 void list_panes(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
                 const BlockTriangles& triangles, int x, int y, const Samples& samples, const PictureArrays& picture,
-                Panes& panes);
+                Records& panes);
 
 } // namespace ramus::render::caster

@@ -3,43 +3,89 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "render/caster/light-inl.h"
+#include "render/caster/look-inl.h"
 #include "render/caster/shade.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-// Colours of a vector of records, one after the other: red, green, blue and `alpha`.
-HWY_INLINE void Spread(V3 colour, V alpha, float* to) {
-    hn::StoreInterleaved4(colour.x, colour.y, colour.z, alpha, D(), to);
+using SurfacePoint = LookOfPixels::SurfacePoint;
+
+// A tile that is shaded, with its lower left pixel.
+struct Target {
+    int x, y;
+    Colours& colours;
+};
+
+// Four numbers a lane, one lane after the other.
+HWY_INLINE void spread(Vec4 colour, float* to) {
+    hn::StoreInterleaved4(colour.x.v, colour.y.v, colour.z.v, colour.w.v, D(), to);
+}
+
+// A vector of records, from `first` on.
+struct ShadedPoints {
+    SurfacePoint point;
+    VI in_picture;
+};
+
+HWY_INLINE ShadedPoints points_of(LookOfPixels& look, const Shading& shading, const Records& records, std::size_t first,
+                                  const Target& target) {
+    const D d;
+    const DU du;
+    const DI di;
+    ShadedPoints found;
+    SurfacePoint& p = found.point;
+    const VU place = hn::And(hn::LoadU(du, records.place + first), hn::Set(du, kPixelMask));
+    static_assert(kTile == 32);
+    const VU in_row = hn::And(place, hn::Set(du, std::uint32_t{kTile - 1}));
+    const VI column = hn::Add(hn::BitCast(di, in_row), hn::Set(di, target.x));
+    const VI row = hn::Add(hn::BitCast(di, hn::ShiftRight<5>(place)), hn::Set(di, target.y));
+    found.in_picture = index_of(row, hn::Set(di, shading.stride), column);
+
+    p.id = {hn::LoadU(du, records.id + first)};
+    p.fixed_colour = has(p.id, kSolid);
+    const auto of_branch = hn::Eq(hn::And(p.id.v, hn::Set(du, kSolid)), hn::Zero(du));
+    const VU branch = hn::IfThenElseZero(of_branch, hn::Sub(hn::AndNot(hn::Set(du, kLine), p.id.v), hn::Set(du, 1U)));
+    const VI word = hn::BitCast(di, hn::ShiftLeft<1>(branch));
+    const VU red_green = gather(shading.branches, word), blue_flags = gather(shading.branches + 1, word);
+    p.flags = {hn::IfThenElseZero(of_branch, hn::ShiftRight<16>(blue_flags))};
+    const VU low = hn::Set(du, 0xffffU);
+    const auto share = [&](VU bits) { return Float(hn::ConvertTo(d, hn::BitCast(di, bits))) * (1.0F / 65535.0F); };
+    p.albedo = {share(hn::And(red_green, low)), share(hn::ShiftRight<16>(red_green)), share(hn::And(blue_flags, low))};
+
+    p.normal = unpacked_normal(hn::LoadU(du, records.normal + first));
+    p.pixel = {Float(hn::ConvertTo(d, column)) + 0.5F, Float(hn::ConvertTo(d, row)) + 0.5F};
+    p.position = look.eye_position(p.pixel, hn::LoadU(d, records.depth + first));
+    p.towards_eye = look.way_to_eye(p.position);
+    p.far = look.share_of_depth(p.position.z);
+    p.value = records.value == nullptr ? hn::Zero(d) : hn::LoadU(d, records.value + first);
+    return found;
+}
+
+HWY_INLINE Vec4 veil_of(LookOfPixels& look, SurfacePoint p, VU normals) {
+    Vec4 veil = look.glass_veil(p);
+    const Mask shell = has(p.id, kSolid);
+    if (!any(shell)) return veil;
+    const Mask context = shell && has(p.id, kContext);
+    Vec4 mesh = look.lesion();
+    if (any(context)) mesh = select(context, look.context_mesh(p.id), mesh);
+    p.albedo = {mesh.x, mesh.y, mesh.z};
+    const Mask lines = context && mesh.w < 0.0F;
+    veil = select(shell, look.shell_veil(p, mesh.w), veil);
+    if (any(lines)) veil = select(lines, look.edge_veil(p, -mesh.w * Float(hn::BitCast(D(), normals))), veil);
+    return veil;
 }
 
 // Nearest first: each veils what lies behind it in its sample.
-void ShadePanes(const View& view, const Shading& shading, const Panes& panes, int x, int y, Colours& colours) {
+void shade_glass(LookOfPixels& look, const Shading& shading, const Records& glass, const Target& target) {
     alignas(64) float found[64];
-    for (std::size_t first = 0; first < panes.count; first += kN) {
-        const Place place = PlaceOf(view, shading, panes.place + first, panes.id + first, panes.normal + first,
-                                    panes.depth + first, x, y);
-        Veil veil = Glass(shading, place);
-        const auto take = [&](M which, const auto& make) {
-            if (hn::AllFalse(D(), which)) return;
-            const Veil made = make();
-            veil = {choose(which, made.radiance, veil.radiance), hn::IfThenElse(which, made.alpha, veil.alpha)};
-        };
-        const M shell = any_of(place.id, kSolid), context = hn::And(shell, any_of(place.id, kContext));
-        const Matter lesion{set(shading.look.lesion), set(shading.look.lesion[3])};
-        take(hn::AndNot(context, shell), [&] { return Shell(shading, place, lesion); });
-        if (!hn::AllFalse(D(), context)) {
-            const Matter matter = ContextOf(shading, place.id);
-            const M lines = hn::And(context, hn::Lt(matter.opacity, hn::Zero(D())));
-            take(hn::AndNot(lines, context), [&] { return Shell(shading, place, matter); });
-            take(lines, [&] { return Lines(shading, place, matter, hn::LoadU(DU(), panes.normal + first)); });
-        }
-        Spread(veil.radiance, veil.alpha, found);
-        for (std::size_t k = 0; k < std::size_t(kN) && first + k < panes.count; ++k) {
-            const std::uint32_t at = panes.place[first + k];
+    for (std::size_t first = 0; first < glass.count; first += kN) {
+        const SurfacePoint p = points_of(look, shading, glass, first, target).point;
+        spread(veil_of(look, p, hn::LoadU(DU(), glass.normal + first)), found);
+        for (std::size_t k = 0; k < std::size_t(kN) && first + k < glass.count; ++k) {
+            const std::uint32_t at = glass.place[first + k];
             const auto lay = [&](std::uint32_t sample) {
-                float* front = colours.front[sample][at & kPixelMask];
+                float* front = target.colours.front[sample][at & kPixelMask];
                 const float through = 1.0F - front[3];
                 for (std::size_t c = 0; c < 4; ++c) front[c] += through * found[4 * k + c];
             };
@@ -51,135 +97,108 @@ void ShadePanes(const View& view, const Shading& shading, const Panes& panes, in
     }
 }
 
-void ShadeRecords(const View& view, const Shading& shading, const Records& records, bool glass, int x, int y,
-                  const PictureArrays& picture, Colours& colours) {
-    const D d;
+HWY_INLINE Vec3 radiance_of(LookOfPixels& look, const ShadedPoints& points, const PictureArrays& picture) {
+    SurfacePoint p = points.point;
+    if (any(p.fixed_colour)) {
+        const Vec4 mesh = look.context_mesh(p.id);
+        p.albedo = select(p.fixed_colour, Vec3(mesh.x, mesh.y, mesh.z), p.albedo);
+    }
+    Vec3 radiance = look.radiance_of(p, gather(picture.smooth, points.in_picture));
+    const Mask line = has(p.id, kLine);
+    if (any(line)) radiance = select(line, look.line_radiance(p), radiance);
+    return radiance;
+}
+
+// Behind the glass, where there is any.
+void shade_opaque(LookOfPixels& look, const Shading& shading, const Records& records, bool glass, const Target& target,
+                  const PictureArrays& picture) {
     alignas(64) float found[64];
     for (std::size_t first = 0; first < records.count; first += kN) {
-        const V value =
-            shading.ramp != nullptr || shading.cut_count > 0 ? hn::LoadU(d, records.value + first) : hn::Zero(d);
-        Spread(Radiance(view, shading,
-                        PlaceOf(view, shading, records.place + first, records.id + first, records.normal + first,
-                                records.depth + first, x, y),
-                        value, picture),
-               set(1.0F), found);
+        const ShadedPoints points = points_of(look, shading, records, first, target);
+        spread({radiance_of(look, points, picture), 1.0F}, found);
         for (std::size_t k = 0; k < std::size_t(kN) && first + k < records.count; ++k) {
             const std::uint32_t place = records.place[first + k], pixel = place & kPixelMask;
             float share = (place & kWhole) != 0 ? 1.0F : 0.25F;
             if (glass) {
-                const auto clear = [&](std::uint32_t s) { return 0.25F * (1.0F - colours.front[s][pixel][3]); };
+                const auto clear = [&](std::uint32_t s) { return 0.25F * (1.0F - target.colours.front[s][pixel][3]); };
                 share = (place & kWhole) != 0 ? clear(0) + clear(1) + clear(2) + clear(3)
                                               : clear(place >> kSampleShift & 3U);
             }
-            float* sum = colours.sum[pixel];
+            float* sum = target.colours.sum[pixel];
             for (std::size_t c = 0; c < 4; ++c) sum[c] += share * found[4 * k + c];
         }
     }
 }
 
-// Share of the ring around a pixel that differs from it in being selected; as outline() of shade.frag.
-HWY_INLINE V Outline(const View& view, const Shading& shading, const PictureArrays& picture, int x, int y) {
-    const D d;
-    const DU du;
-    const DI di;
-    const auto is_selected = [&](VI at) {
-        const VU id = gather(picture.id, at);
-        const auto branch = hn::And(hn::Ne(id, hn::Zero(du)), hn::Eq(hn::And(id, hn::Set(du, kSolid)), hn::Zero(du)));
-        const VU index = hn::IfThenElseZero(branch, hn::Sub(id, hn::Set(du, 1U)));
-        const VU flags = hn::ShiftRight<16>(gather(shading.branches + 1, hn::BitCast(di, hn::ShiftLeft<1>(index))));
-        return hn::And(mask(branch), any_of(flags, kSelected));
-    };
-    const VI column = hn::Iota(di, x), row = hn::Set(di, y), stride = hn::Set(di, view.stride);
-    const M inside = is_selected(index_of(row, stride, column));
-    V differing = hn::Zero(d);
-    for (const auto& step : shading.outline_ring) {
-        VI tx = hn::Add(column, hn::Set(di, step[0])), ty = hn::Add(row, hn::Set(di, step[1]));
-        tx = hn::Min(hn::Max(tx, hn::Zero(di)), hn::Set(di, view.width - 1));
-        ty = hn::Min(hn::Max(ty, hn::Zero(di)), hn::Set(di, view.height - 1));
-        differing =
-            hn::Add(differing, hn::IfThenElseZero(hn::Xor(is_selected(index_of(ty, stride, tx)), inside), set(1.0F)));
-    }
-    return smooth_step(0.0F, 3.0F, differing);
+// Bytes of a colour, red lowest.
+HWY_INLINE VU packed_bytes(Vec4 colour) {
+    const auto byte = [](Float c) { return rounded((clamp(c, 0.0F, 1.0F) * 255.0F).v); };
+    return hn::Or(hn::Or(byte(colour.x), hn::ShiftLeft<8>(byte(colour.y))),
+                  hn::Or(hn::ShiftLeft<16>(byte(colour.z)), hn::ShiftLeft<24>(byte(colour.w))));
 }
 
-// As encoded() of look.glsl, for premultiplied linear colours with what lies behind them already there.
-void Encode(const View& view, const Shading& shading, bool lit, int x0, int y0, const PictureArrays& picture,
-            const Colours& colours, std::uint32_t* rgba) {
+// Of kN pixels: `sum` is what is there, premultiplied and linear, `behind` what it stands before.
+HWY_INLINE Vec4 finished(LookOfPixels& look, Vec4 sum, Vec3 behind, bool transparent, Float outline, Float dither) {
+    Float alpha = clamp(sum.w, 0.0F, 1.0F);
+    Vec3 light(sum.x, sum.y, sum.z);
+    if (!transparent) light = light + (1.0F - alpha) * behind, alpha = 1.0F;
+    return look.encoded(look.outlined(Vec4(light, alpha), outline), dither);
+}
+
+// The tile's bytes into `rgba`. `lit`: there is something in it.
+void encode(LookOfPixels& look, const Shading& shading, bool lit, const Target& target, std::uint32_t* rgba) {
     const D d;
-    const DU du;
-    const Look& look = shading.look;
-    const bool transparent = look.background_top[3] > 0.5F;
-    const V one = set(1.0F), zero = hn::Zero(d);
     alignas(64) std::uint32_t words[16];
-    for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
-        const float up = (static_cast<float>(y) + 0.5F) / static_cast<float>(view.height);
-        const float t = up * up * (3.0F - 2.0F * up);
-        V3 paper{zero, zero, zero};
-        if (!transparent) paper = mix(set(look.background_bottom), set(look.background_top), set(t));
-        const V3 behind = to_linear(paper);
-        for (int x = x0; x < x0 + kTile && x < view.width; x += kN) {
-            const V px = hn::Add(hn::Iota(d, static_cast<float>(x)), set(0.5F)), py = set(static_cast<float>(y) + 0.5F);
-            const V half_step = hn::Mul(hn::Sub(noise(hn::Add(py, set(17.0F)), hn::Add(px, set(17.0F))), set(0.5F)),
-                                        set(1.0F / 255.0F));
-            const int pixel = (y - y0) * kTile + x - x0;
-            V3 bytes = transparent
-                           ? paper
-                           : V3{hn::Add(paper.x, half_step), hn::Add(paper.y, half_step), hn::Add(paper.z, half_step)};
-            V alpha = set(transparent ? 0.0F : 1.0F);
-            V3 sum{zero, zero, zero};
-            V there = zero;
-            if (lit) hn::LoadInterleaved4(d, colours.sum[pixel], sum.x, sum.y, sum.z, there);
-            const V edge = shading.outlined ? Outline(view, shading, picture, x, y) : zero;
-            const M covered = hn::Gt(hn::Max(there, edge), zero);
-            if (!hn::AllFalse(d, covered)) {
-                V here = clamp01(there);
-                const V open = hn::Sub(one, here);
-                if (!transparent) sum = sum + open * behind, here = one;
-                const V share = hn::Mul(set(0.85F), edge);
-                sum = mix(sum, set(look.selection), share);
-                here = mix(here, one, share);
-                const V inverse = hn::IfThenElseZero(hn::Gt(here, zero), hn::Div(one, hn::Max(here, set(1e-6F))));
-                const auto encode = [&](V c) {
-                    c = hn::Mul(c, inverse);
-                    const M bright = hn::Ge(c, set(0.72F));
-                    if (!hn::AllFalse(d, bright)) {
-                        const V over = hn::Mul(hn::Sub(set(0.72F), c), set(1.442695F / 0.28F));
-                        c = hn::IfThenElse(bright, hn::NegMulAdd(set(0.28F), power_of_two(over), one), c);
-                    }
-                    return hn::Mul(clamp01(hn::Add(to_srgb(clamp01(c)), half_step)), here);
-                };
-                bytes = choose(covered, {encode(sum.x), encode(sum.y), encode(sum.z)}, bytes);
-                alpha = hn::IfThenElse(covered, here, alpha);
-            }
-            const V most = set(255.0F);
-            const auto word = [&](V c) { return rounded(hn::Mul(clamp01(c), most)); };
-            const VU packed = hn::Or(hn::Or(word(bytes.x), hn::ShiftLeft<8>(word(bytes.y))),
-                                     hn::Or(hn::ShiftLeft<16>(word(bytes.z)), hn::ShiftLeft<24>(word(alpha))));
-            std::uint32_t* to = rgba + std::size_t(y) * std::size_t(view.width) + std::size_t(x);
-            if (x + kN <= view.width) {
-                hn::StoreU(packed, du, to);
+    const bool transparent = shading.uniforms.background_top.w > 0.5F;
+    const int width = shading.width, height = shading.height;
+    for (int y = target.y; y < target.y + kTile && y < height; ++y) {
+        const float middle = static_cast<float>(y) + 0.5F;
+        const Vec3 paper = transparent ? Vec3(0.0F) : look.background(middle / static_cast<float>(height));
+        const Vec3 behind = look.to_linear(paper);
+        for (int x = target.x; x < target.x + kTile && x < width; x += kN) {
+            const Vec2 at(Float(hn::Iota(d, static_cast<float>(x))) + 0.5F, middle);
+            const Float dither = look.half_step(at);
+            Vec4 colour = transparent ? Vec4(paper, 0.0F) : Vec4(paper + Vec3(dither), 1.0F);
+            Vec4 sum(Vec3(0.0F), 0.0F);
+            if (lit)
+                hn::LoadInterleaved4(d, target.colours.sum[(y - target.y) * kTile + x - target.x], sum.x.v, sum.y.v,
+                                     sum.z.v, sum.w.v);
+            const Float outline = shading.outlined ? look.outline(at) : Float(0.0F);
+            const Mask covered = max(sum.w, outline) > 0.0F;
+            if (any(covered))
+                colour = select(covered, finished(look, sum, behind, transparent, outline, dither), colour);
+            std::uint32_t* to = rgba + std::size_t(y) * std::size_t(width) + std::size_t(x);
+            if (x + kN <= width) {
+                hn::StoreU(packed_bytes(colour), DU(), to);
             } else {
-                hn::Store(packed, du, words);
-                __builtin_memcpy(to, words, 4 * std::size_t(view.width - x));
+                hn::Store(packed_bytes(colour), DU(), words);
+                __builtin_memcpy(to, words, 4 * std::size_t(width - x));
             }
         }
     }
 }
 
-void ShadeTile(const View& view, const Shading& shading, const Records& records, const Panes& panes, int x, int y,
-               const PictureArrays& picture, Colours& colours, std::uint32_t* rgba) {
-    const bool glass = panes.count > 0, lit = glass || records.count > 0;
+void shade(const Shading& shading, const Records& records, const Records& glass, const Target& target,
+           const PictureArrays& picture, std::uint32_t* rgba) {
+    LookOfPixels look(shading, picture);
+    Colours& colours = target.colours;
+    const bool any_glass = glass.count > 0, lit = any_glass || records.count > 0;
     if (lit) __builtin_memset(colours.sum, 0, sizeof colours.sum);
-    if (glass) {
+    if (any_glass) {
         __builtin_memset(colours.front, 0, sizeof colours.front);
-        ShadePanes(view, shading, panes, x, y, colours);
+        shade_glass(look, shading, glass, target);
     }
-    ShadeRecords(view, shading, records, glass, x, y, picture, colours);
-    for (int pixel = 0; glass && pixel < kTilePixels; ++pixel)
+    shade_opaque(look, shading, records, any_glass, target, picture);
+    for (int pixel = 0; any_glass && pixel < kTilePixels; ++pixel)
         for (int c = 0; c < 4; ++c)
             colours.sum[pixel][c] += 0.25F * (colours.front[0][pixel][c] + colours.front[1][pixel][c] +
                                               colours.front[2][pixel][c] + colours.front[3][pixel][c]);
-    Encode(view, shading, lit, x, y, picture, colours, rgba);
+    encode(look, shading, lit, target, rgba);
+}
+
+void shade_into(const Shading& shading, const Records& records, const Records& glass, int x, int y,
+                const PictureArrays& picture, Colours& colours, std::uint32_t* rgba) {
+    shade(shading, records, glass, {x, y, colours}, picture, rgba);
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE
@@ -188,11 +207,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::render::caster {
 
-HWY_EXPORT(ShadeTile);
+HWY_EXPORT(shade_into);
 
-void shade_tile(const View& view, const Shading& shading, const Records& records, const Panes& panes, int x, int y,
+void shade_tile(const Shading& shading, const Records& records, const Records& glass, int x, int y,
                 const PictureArrays& picture, Colours& colours, std::uint32_t* rgba) {
-    HWY_DYNAMIC_DISPATCH(ShadeTile)(view, shading, records, panes, x, y, picture, colours, rgba);
+    HWY_DYNAMIC_DISPATCH(shade_into)(shading, records, glass, x, y, picture, colours, rgba);
 }
 
 } // namespace ramus::render::caster

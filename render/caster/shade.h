@@ -1,8 +1,7 @@
-// The caster's last stage: light. What shade.frag does for a picture at rest.
+// The caster's last stage: light. What shade.frag does for a picture at rest, with the same formulas (shaders/look).
 #pragma once
 
 #include "render/caster/cast_types.h"
-#include "render/caster/panes.h"
 
 namespace ramus::render::caster {
 
@@ -12,8 +11,9 @@ struct alignas(64) Colours {
     float front[kSamples][kTilePixels][4]; // glass: premultiplied, by sample
 };
 
-// Shades a tile into `rgba` (bytes in this order, sRGB, premultiplied; `view.width` pixels a row).
-void shade_tile(const View& view, const Shading& shading, const Records& records, const Panes& panes, int x, int y,
+// Shades the tile whose lower left pixel is x, y into `rgba` (bytes in this order, sRGB, premultiplied; the picture's
+// width in pixels a row). `glass`: what is seen through, without values, nearest first in each sample.
+void shade_tile(const Shading& shading, const Records& records, const Records& glass, int x, int y,
                 const PictureArrays& picture, Colours& colours, std::uint32_t* rgba);
 
 } // namespace ramus::render::caster

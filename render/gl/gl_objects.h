@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "render/gl/bindings.h"
 
 #include <cstddef>
 #include <glad/gl.h>

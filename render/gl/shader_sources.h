@@ -1,4 +1,4 @@
-// The text of the files in shaders/, by file name, embedded at build time.
+// The text of the files in shaders/, by their path in there, embedded at build time.
 #pragma once
 
 #include <map>

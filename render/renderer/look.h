@@ -5,11 +5,6 @@
 
 namespace ramus::render {
 
-struct LookBlock {
-    glm::vec4 background_top, background_bottom, glass_colour, selection_colour, lights, more, line_colour,
-        lesion_colour, lost_colour, far_colour, cues;
-};
-
 // `outlined`: something is selected.
 [[nodiscard]] LookBlock look_of(const Frame& frame, const ViewSetup& view, bool has_glass, bool outlined);
 

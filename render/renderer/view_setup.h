@@ -2,9 +2,9 @@
 // A value without GL.
 #pragma once
 
-#include "render/renderer/uniform_blocks.h"
 #include "render/scene/bounds.h"
 #include "render/scene/frame.h"
+#include "render/scene/uniform_blocks.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -18,10 +18,7 @@ public:
     Needs send(const Subject& subject);
 
 private:
-    void send_margins(const Frame& frame, const glm::dmat4& eye, SceneBlock& block);
-    void send_distances(const DistanceGrid& grid, const glm::dmat4& from_eye, SceneBlock& block);
-    void send_scale(const ColourScale& scale, SceneBlock& block);
-    void send_cuts(const Frame& frame, const Centerlines& lines, const glm::dmat4& eye, SceneBlock& block);
+    static void send_lines(const GpuLines::Textures& lines);
 
     Buffer block_;
     TexelTable lesions_{GL_RGBA32F}, cuts_{GL_RGBA32F}, context_{GL_RGBA32F};
@@ -29,13 +26,5 @@ private:
     Texture distances_;                         // R32F, 4 bytes a sample
     std::shared_ptr<const DistanceGrid> shown_; // in distances_
 };
-
-// Linear, with the opacity; negative: lines.
-[[nodiscard]] std::vector<glm::vec4> context_colours(const Frame& frame);
-
-// Where parts of branches that are lost begin and end, as behind_cut() of scene.glsl reads it: five texels a part, in
-// eye space. The branch and which ends it has, then for each end its position and its direction.
-[[nodiscard]] std::vector<glm::vec4> cut_ends(const std::vector<LostPart>& lost, const Centerlines& lines,
-                                              const glm::dmat4& eye);
 
 } // namespace ramus::render

@@ -1,0 +1,107 @@
+// The language of shaders/look for vectors of pixels: what look/lanes.glsl says for GLSL. Functions have GLSL's names
+// and meanings; where they differ in precision, that is said. Included once per instruction set.
+#if defined(RAMUS_CASTER_GLSL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_CASTER_GLSL_INL_H
+#undef RAMUS_CASTER_GLSL_INL_H
+#else
+#define RAMUS_CASTER_GLSL_INL_H
+#endif
+
+#include "render/caster/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::render::caster::HWY_NAMESPACE {
+
+using uint = std::uint32_t;
+
+struct Mask {
+    M m;
+    friend HWY_INLINE Mask operator&&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
+    friend HWY_INLINE Mask operator||(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
+    friend HWY_INLINE Mask operator!=(Mask a, Mask b) { return {hn::Xor(a.m, b.m)}; }
+    friend HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
+};
+HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(D(), mask.m); }
+
+struct Uint {
+    VU v;
+    friend HWY_INLINE Mask operator==(Uint a, uint b) { return {mask(hn::Eq(a.v, hn::Set(DU(), b)))}; }
+};
+HWY_INLINE Mask has(Uint bits, uint bit) { return {any_of(bits.v, bit)}; }
+
+struct Float {
+    V v;
+    Float() = default;
+    HWY_INLINE Float(V of) : v(of) {}
+    HWY_INLINE Float(float of) : v(set(of)) {}
+    friend HWY_INLINE Float operator-(Float a) { return hn::Neg(a.v); }
+    friend HWY_INLINE Float operator+(Float a, Float b) { return hn::Add(a.v, b.v); }
+    friend HWY_INLINE Float operator-(Float a, Float b) { return hn::Sub(a.v, b.v); }
+    friend HWY_INLINE Float operator*(Float a, Float b) { return hn::Mul(a.v, b.v); }
+    friend HWY_INLINE Float operator/(Float a, Float b) { return hn::Div(a.v, b.v); }
+    friend HWY_INLINE Mask operator<(Float a, Float b) { return {hn::Lt(a.v, b.v)}; }
+    friend HWY_INLINE Mask operator>(Float a, Float b) { return {hn::Gt(a.v, b.v)}; }
+    friend HWY_INLINE Mask operator<=(Float a, Float b) { return {hn::Le(a.v, b.v)}; }
+    friend HWY_INLINE Mask operator>=(Float a, Float b) { return {hn::Ge(a.v, b.v)}; }
+};
+
+HWY_INLINE Float select(Mask m, Float a, Float b) { return hn::IfThenElse(m.m, a.v, b.v); }
+HWY_INLINE Float mad(Float a, Float b, Float c) { return hn::MulAdd(a.v, b.v, c.v); }
+HWY_INLINE Float min(Float a, Float b) { return hn::Min(a.v, b.v); }
+HWY_INLINE Float max(Float a, Float b) { return hn::Max(a.v, b.v); }
+HWY_INLINE Float abs(Float a) { return hn::Abs(a.v); }
+HWY_INLINE Float fract(Float a) { return fract(a.v); }
+HWY_INLINE Float sqrt(Float a) { return hn::Sqrt(a.v); }
+HWY_INLINE Float clamp(Float a, Float low, Float high) { return min(max(a, low), high); }
+HWY_INLINE Float mix(Float a, Float b, Float t) { return mix(a.v, b.v, t.v); }
+HWY_INLINE Float smoothstep(float from, float to, Float a) { return smooth_step(from, to, a.v); }
+HWY_INLINE Float reciprocal(Float a) { return inverse_of(a.v); }
+// These three to 4e-6; pow() and log() of what is positive.
+HWY_INLINE Float exp(Float a) { return power_of_two((a * 1.44269504F).v); }
+HWY_INLINE Float log(Float a) { return Float(binary_logarithm(a.v)) * 0.69314718F; }
+HWY_INLINE Float pow(Float a, Float exponent) { return power_of_two((exponent * binary_logarithm(a.v)).v); }
+
+struct Vec2 {
+    Float x, y;
+    Vec2() = default;
+    HWY_INLINE Vec2(Float a, Float b) : x(a), y(b) {}
+    friend HWY_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+};
+
+struct Vec3 {
+    Float x, y, z;
+    Vec3() = default;
+    HWY_INLINE Vec3(Float a, Float b, Float c) : x(a), y(b), z(c) {}
+    HWY_INLINE Vec3(V3 of) : x(of.x), y(of.y), z(of.z) {}
+    HWY_INLINE explicit Vec3(Float all) : x(all), y(all), z(all) {}
+    HWY_INLINE explicit Vec3(const vec4& of) : x(of.x), y(of.y), z(of.z) {}
+    friend HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend HWY_INLINE Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend HWY_INLINE Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend HWY_INLINE Vec3 operator*(Float a, Vec3 b) { return {a * b.x, a * b.y, a * b.z}; }
+    friend HWY_INLINE Vec3 operator*(Vec3 a, Float b) { return b * a; }
+};
+HWY_INLINE Vec3 select(Mask m, Vec3 a, Vec3 b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+HWY_INLINE Vec3 mad(Float a, Vec3 b, Vec3 c) { return {mad(a, b.x, c.x), mad(a, b.y, c.y), mad(a, b.z, c.z)}; }
+HWY_INLINE Vec3 mix(Vec3 a, Vec3 b, Float t) { return {mix(a.x, b.x, t), mix(a.y, b.y, t), mix(a.z, b.z, t)}; }
+HWY_INLINE Float dot(Vec3 a, Vec3 b) { return mad(a.z, b.z, mad(a.y, b.y, a.x * b.x)); }
+HWY_INLINE Float length(Vec3 a) { return root_of(max(dot(a, a), 1e-20F).v); }
+HWY_INLINE Vec3 normalize(Vec3 a) { return Float(inverse_root(max(dot(a, a), 1e-30F).v)) * a; }
+
+struct Vec4 {
+    Float x, y, z, w;
+    HWY_INLINE Vec4(Float a, Float b, Float c, Float d) : x(a), y(b), z(c), w(d) {}
+    HWY_INLINE Vec4(Vec3 of, Float w_of) : x(of.x), y(of.y), z(of.z), w(w_of) {}
+};
+HWY_INLINE Vec4 select(Mask m, Vec4 a, Vec4 b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
+}
+HWY_INLINE Vec4 mix(Vec4 a, Vec4 b, Float t) {
+    return {mix(a.x, b.x, t), mix(a.y, b.y, t), mix(a.z, b.z, t), mix(a.w, b.w, t)};
+}
+
+} // namespace ramus::render::caster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

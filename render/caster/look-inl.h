@@ -1,0 +1,138 @@
+// The formulas of shaders/look for a vector of pixels, and what they read: uniforms and, in place of textures, arrays.
+// Included once per instruction set.
+#if defined(RAMUS_CASTER_LOOK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_CASTER_LOOK_INL_H
+#undef RAMUS_CASTER_LOOK_INL_H
+#else
+#define RAMUS_CASTER_LOOK_INL_H
+#endif
+
+#include "render/caster/glsl-inl.h"
+#include "render/scene/record_flags.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::render::caster::HWY_NAMESPACE {
+
+using namespace record;
+
+// Uniforms are its members, as they are global names in GLSL. The shaders' variants are all there: uniforms say what
+// is on.
+class LookOfPixels : Uniforms {
+public:
+    HWY_INLINE LookOfPixels(const Shading& shading, const PictureArrays& arrays)
+        : Uniforms(shading.uniforms), shading_(shading), arrays_(arrays) {}
+
+#define INLINE HWY_INLINE
+#define ANY(mask) any(mask)
+#define SCALE
+#define MARGINS
+#define CUTS
+#define CHROMADEPTH
+#define CONTOURS
+#define HALOS
+#define SHADOWS
+// In the order in which they need each other.
+// clang-format off
+#include "shaders/look/point.glsl"
+#include "shaders/look/position.glsl"
+#include "shaders/look/colour.glsl"
+#include "shaders/look/material.glsl"
+#include "shaders/look/light.glsl"
+#include "shaders/look/cues.glsl"
+#include "shaders/look/glass.glsl"
+#include "shaders/look/outline.glsl"
+// clang-format on
+#undef INLINE
+#undef ANY
+#undef SCALE
+#undef MARGINS
+#undef CUTS
+#undef CHROMADEPTH
+#undef CONTOURS
+#undef HALOS
+#undef SHADOWS
+
+    // Linear colour, and opacity; negative: lines. Of lanes that are neither lesions nor context it is something.
+    HWY_INLINE Vec4 context_mesh(Uint id) const {
+        const M there = hn::And(any_of(id.v, kSolid), any_of(id.v, kContext));
+        const VU index = hn::Sub(hn::And(id.v, hn::Set(DU(), kNumberBits)), hn::Set(DU(), 1U));
+        const VI first = hn::BitCast(DI(), hn::ShiftLeft<2>(hn::IfThenElseZero(hn::RebindMask(DU(), there), index)));
+        const auto channel = [&](int c) { return Float(gather(shading_.context + c, first)); };
+        return {channel(0), channel(1), channel(2), channel(3)};
+    }
+    HWY_INLINE Vec4 lesion() const { return {Vec3(lesion_colour), lesion_colour.w}; }
+
+private:
+    // The picture's nearest pixel to a place in it.
+    HWY_INLINE VI index_at(Vec2 pixel) const {
+        const auto held = [](Float at, int count) {
+            return hn::Min(hn::Max(hn::ConvertTo(DI(), at.v), hn::Zero(DI())), hn::Set(DI(), count - 1));
+        };
+        return index_of(held(pixel.y, shading_.height), hn::Set(DI(), shading_.stride), held(pixel.x, shading_.width));
+    }
+    HWY_INLINE Float opaque_depth_at(Vec2 pixel) const { return gather(arrays_.depth, index_at(pixel)); }
+    HWY_INLINE Mask selected_at(Vec2 pixel) const {
+        const DU du;
+        const VU id = gather(arrays_.id, index_at(pixel));
+        const auto branch = hn::And(hn::Ne(id, hn::Zero(du)), hn::Eq(hn::And(id, hn::Set(du, kSolid)), hn::Zero(du)));
+        const VU index = hn::IfThenElseZero(branch, hn::Sub(id, hn::Set(du, 1U)));
+        const VU word = gather(shading_.branches + 1, hn::BitCast(DI(), hn::ShiftLeft<1>(index)));
+        return {hn::And(mask(branch), any_of(hn::ShiftRight<16>(word), kSelected))};
+    }
+    HWY_INLINE Vec2 outline_step(int i) const { return {shading_.outline_ring[i].x, shading_.outline_ring[i].y}; }
+    HWY_INLINE Vec2 halo_step(int i) const { return {shading_.halo_ring[i].x, shading_.halo_ring[i].y}; }
+
+    HWY_INLINE Float value_on_scale(const SurfacePoint& p) const { return p.value; }
+    HWY_INLINE Float root_distance(const SurfacePoint& p) const { return p.value; }
+    HWY_INLINE const vec4& cut_texel(int i) const { return shading_.cuts[i]; }
+    HWY_INLINE const vec4& lesion_sphere(int i) const { return shading_.lesions[i]; }
+
+    // sRGB, as a texture is read: texels' values lie in their middles.
+    HWY_INLINE Vec3 ramp_colour(Float along) const {
+        const auto steps = static_cast<float>(shading_.ramp_steps);
+        const Float at = clamp(along * steps - 0.5F, 0.0F, steps - 1.0F);
+        const Float low = min(hn::Floor(at.v), steps > 1.0F ? steps - 2.0F : 0.0F), t = at - low;
+        const VI index = hn::Mul(hn::NearestInt(low.v), hn::Set(DI(), 3));
+        const int next = shading_.ramp_steps > 1 ? 3 : 0;
+        const auto channel = [&](int c) {
+            return mix(gather(shading_.ramp + c, index), gather(shading_.ramp + c + next, index), t.v);
+        };
+        return {channel(0), channel(1), channel(2)};
+    }
+
+    // Between eight samples, as a texture is read; 1e30 outside the grid.
+    HWY_INLINE Float distance_in_grid(Vec3 position) const {
+        const DI di;
+        const LesionGrid& grid = shading_.grid;
+        VI low[3], step[3];
+        V part[3];
+        Mask inside = position.z < kNothing;
+        std::int32_t stride = 1;
+        for (int i = 0; i < 3; ++i) {
+            const vec4& row = grid.from_eye[i];
+            const Float at = dot(position, Vec3(row)) + row.w;
+            const auto last = static_cast<float>(grid.size[i] - 1);
+            inside = inside && at >= -0.5F && at <= last + 0.5F;
+            const Float held = clamp(at, 0.0F, last), whole = hn::Floor(held.v);
+            part[i] = (held - whole).v;
+            const VI index = hn::ConvertTo(di, whole.v), next = hn::Add(index, hn::Set(di, 1));
+            low[i] = hn::Mul(index, hn::Set(di, stride));
+            step[i] = hn::Sub(hn::Mul(hn::Min(next, hn::Set(di, grid.size[i] - 1)), hn::Set(di, stride)), low[i]);
+            stride *= grid.size[i];
+        }
+        if (!any(inside)) return 1e30F;
+        const auto along_x = [&](VI from) {
+            return mix(gather(grid.values, from), gather(grid.values, hn::Add(from, step[0])), part[0]);
+        };
+        const auto along_xy = [&](VI from) { return mix(along_x(from), along_x(hn::Add(from, step[1])), part[1]); };
+        const VI corner = hn::Add(low[0], hn::Add(low[1], low[2]));
+        return select(inside, mix(along_xy(corner), along_xy(hn::Add(corner, step[2])), part[2]), 1e30F);
+    }
+
+    const Shading& shading_;
+    const PictureArrays& arrays_;
+};
+
+} // namespace ramus::render::caster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

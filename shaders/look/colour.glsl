@@ -1,0 +1,36 @@
+// From linear light to the picture's bytes and back.
+
+INLINE Float to_linear(Float c) {
+    return select(c <= 0.04045F, c * (1.0F / 12.92F), pow((c + 0.055F) * (1.0F / 1.055F), 2.4F));
+}
+INLINE Vec3 to_linear(Vec3 c) { return Vec3(to_linear(c.x), to_linear(c.y), to_linear(c.z)); }
+
+INLINE Float to_srgb(Float c) {
+    return select(c <= 0.0031308F, c * 12.92F, mad(1.055F, pow(c, 1.0F / 2.4F), -0.055F));
+}
+INLINE Vec3 to_srgb(Vec3 c) { return Vec3(to_srgb(c.x), to_srgb(c.y), to_srgb(c.z)); }
+
+// sRGB, `up` from 0 at the lower edge of the picture to 1 at the upper one.
+INLINE Vec3 background(Float up) {
+    return mix(Vec3(background_bottom), Vec3(background_top), smoothstep(0.0F, 1.0F, up));
+}
+
+// Noise of half a step of a byte, against banding.
+INLINE Float half_step(Vec2 pixel) {
+    return (noise(Vec2(pixel.y + 17.0F, pixel.x + 17.0F)) - 0.5F) * (1.0F / 255.0F);
+}
+
+// A soft shoulder keeps highlights from clipping; then sRGB.
+INLINE Float encoded_channel(Float c, Float dither) {
+    Mask bright = c >= 0.72F;
+    if (ANY(bright)) c = select(bright, mad(-0.28F, exp((0.72F - c) * (1.0F / 0.28F)), 1.0F), c);
+    return clamp(to_srgb(clamp(c, 0.0F, 1.0F)) + dither, 0.0F, 1.0F);
+}
+
+// Of premultiplied linear light: premultiplied sRGB.
+INLINE Vec4 encoded(Vec4 radiance, Float dither) {
+    Float per_alpha = select(radiance.w > 0.0F, 1.0F / max(radiance.w, 1e-6F), 0.0F);
+    return Vec4(encoded_channel(radiance.x * per_alpha, dither) * radiance.w,
+                encoded_channel(radiance.y * per_alpha, dither) * radiance.w,
+                encoded_channel(radiance.z * per_alpha, dither) * radiance.w, radiance.w);
+}

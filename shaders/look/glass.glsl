@@ -1,0 +1,38 @@
+// What is seen through: premultiplied colours, linear.
+
+INLINE Vec4 veiled(Vec3 radiance, Float veil, Float shine) {
+    return Vec4(radiance * veil + Vec3(shine), clamp(veil + shine, 0.0F, 1.0F));
+}
+
+// Clear grey glass: nearly nothing where it faces the eye, a veil towards its outline.
+INLINE Vec4 glass_veil(SurfacePoint p) {
+    Mask selected = has(p.flags, kSelected), hovered = has(p.flags, kHovered), glowing = has(p.flags, kGlowing);
+    Vec3 tint = Vec3(glass_colour);
+    tint = select(selected, mix(tint, Vec3(selection_colour), 0.7F), tint);
+    tint = select(hovered, 1.6F * tint, tint);
+    tint = select(glowing, 1.3F * tint, tint);
+#ifdef CUTS
+    Mask lost = has(p.flags, kLost);
+    if (ANY(lost)) tint = select(lost, mix(tint, 1.4F * Vec3(lost_colour), 0.7F), tint);
+#endif
+    Float veil = mix(0.16F, 0.72F, pow(1.0F - facing_eye(p), 1.6F));
+    veil = veil + select(selected, 0.12F, 0.0F) + select(hovered, 0.12F, 0.0F) + select(glowing, 0.06F, 0.0F);
+    float opacity = more.y;
+    veil = opacity < 1.0F ? veil * opacity : mix(veil, 0.97F, opacity - 1.0F);
+    veil = veil * mad(-0.5F * background_bottom.w, p.far, 1.0F);
+    Vec3 radiance = mad(0.85F, max(dot(p.normal, key_light()), 0.0F), 0.55F) * tint;
+    return veiled(radiance, veil, min(opacity, 1.0F) * lights.w * 0.40F * to_60(mirrored(p, key_light())));
+}
+
+// Of lesions and of clear context: a shell of even thickness takes the more light the more aslant it is looked through.
+// Clear where it faces the eye, dense at its outline. `opacity` is below 1.
+INLINE Vec4 shell_veil(SurfacePoint p, Float opacity) {
+    Float veil = 1.0F - pow(1.0F - opacity, reciprocal(mix(0.14F, 1.0F, facing_eye(p))));
+    Float light = mad(0.85F, max(dot(p.normal, key_light()), 0.0F),
+                      mad(0.15F, max(dot(p.normal, fill_light()), 0.0F), 0.45F));
+    Vec3 radiance = fogged(light * p.albedo, p.far, 0.5F);
+    return veiled(radiance, veil, lights.w * 0.22F * opacity * to_60(mirrored(p, key_light())));
+}
+
+// Of a mesh that is lines, which take `share` of the pixel.
+INLINE Vec4 edge_veil(SurfacePoint p, Float share) { return Vec4(share * fogged_line(p.albedo, p.far), share); }

@@ -1,0 +1,72 @@
+// Light. Lights are fixed to the viewer's head: a warm key from the upper left, a cool fill from the right, a rim of sky.
+INLINE Vec3 key_light() { return Vec3(-0.429F, 0.572F, 0.699F); }
+INLINE Vec3 fill_light() { return Vec3(0.772F, -0.051F, 0.634F); }
+
+// Whole powers by multiplication: a software rasteriser takes ten times as long for pow().
+INLINE Float to_8(Float x) {
+    Float x2 = x * x, x4 = x2 * x2;
+    return x4 * x4;
+}
+INLINE Float to_24(Float x) {
+    Float x8 = to_8(x);
+    return x8 * x8 * x8;
+}
+INLINE Float to_60(Float x) {
+    Float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x20 = x8 * x8 * x4;
+    return x20 * x20 * x20;
+}
+INLINE Float to_70(Float x) {
+    Float x2 = x * x, x8 = to_8(x), x16 = x8 * x8, x32 = x16 * x16;
+    return x32 * x32 * (x2 * x2 * x2);
+}
+
+// With `wrap` light reaches around to what is turned away.
+INLINE Float diffuse(SurfacePoint p, Vec3 light, float wrap) {
+    return max((dot(p.normal, light) + wrap) * (1.0F / (1.0F + wrap)), 0.0F);
+}
+// To be raised to a power.
+INLINE Float mirrored(SurfacePoint p, Vec3 light) { return max(dot(p.normal, normalize(light + p.towards_eye)), 0.0F); }
+
+INLINE Float facing_eye(SurfacePoint p) { return clamp(dot(p.normal, p.towards_eye), 0.0F, 1.0F); }
+
+#ifdef SHADOWS
+// How much of the key light what the picture shows takes from a point: steps towards the light, shorter ones first, and
+// asks whether something lies before them, but not far before.
+INLINE Float shadowed(SurfacePoint p) {
+    Float reach = 2.2F * depth_range.w * (picture.w > 0.5F ? Float(1.0F) : p.position.z);
+    Float least = 0.012F * reach, per_reach = 1.0F / reach, hidden = 0.0F;
+    Vec3 start = p.position + least * Vec3(p.normal.x, p.normal.y, -p.normal.z);
+    Vec3 key = key_light();
+    Vec3 way = reach * Vec3(key.x, key.y, -key.z);
+    for (int i = 1; i <= 30; ++i) {
+        float part = float(i) / 30.0F, t = part * (0.3F + 0.7F * part);
+        Vec3 at = start + t * way;
+        Float before = at.z - opaque_depth_at(pixel_of(at));
+        Float inside = clamp((before - least) / mad(0.12F * t, reach, 2.0F * least), 0.0F, 1.0F);
+        Float near = clamp(mad(-2.0F, before * per_reach, 2.0F), 0.0F, 1.0F);
+        hidden = max(hidden, inside * near * (1.0F - t));
+    }
+    return hidden;
+}
+#endif
+
+// `open`: how much of the sky reaches the point; `aside`: 0 where it faces the eye, 1 at its outline.
+INLINE Vec3 lit(SurfacePoint p, Vec3 albedo, Float open, Float aside) {
+    Float shadow = mad(0.75F, open - 1.0F, 1.0F); // the key is soft: what takes the sky takes some of it as well
+    Float fill_share = 1.0F;
+#ifdef SHADOWS
+    if (more.w > 0.0F) {
+        Float lit_share = mad(-0.85F * more.w, shadowed(p), 1.0F);
+        shadow = shadow * lit_share;
+        fill_share = mad(0.45F, lit_share, 0.55F);
+    }
+#endif
+    Vec3 ambient = mix(Vec3(0.085F, 0.070F, 0.074F), Vec3(0.190F, 0.205F, 0.240F), mad(0.5F, p.normal.y, 0.5F));
+    Float key = 1.50F * lights.x * (diffuse(p, key_light(), 0.06F) * shadow);
+    Float fill = 0.34F * lights.y * (diffuse(p, fill_light(), 0.30F) * fill_share * open);
+    Vec3 light = open * open * ambient + key * Vec3(1.0F, 0.965F, 0.915F) + fill * Vec3(0.80F, 0.90F, 1.0F);
+    Float glint = 0.25F * to_70(mirrored(p, key_light())), sheen = 0.03F * to_24(mirrored(p, fill_light()));
+    Vec3 shine = lights.w * shadow * Vec3(glint + sheen, mad(glint, 0.98F, sheen), mad(glint, 0.95F, sheen));
+    Float rim = lights.z * (aside * aside * aside) * (open * mad(0.4F, p.normal.y, 0.6F));
+    return albedo * light + shine + rim * (0.14F * albedo + Vec3(0.015F, 0.0174F, 0.020F));
+}
