@@ -224,7 +224,10 @@ Result<int> run_render(const RenderFlags& flags) {
     if (!renderer) return tl::unexpected(renderer.error());
     stage.draw_with(**renderer);
     const auto run = [&](ActionContext& where) { return run_script(where, inputs->script, flags.commands); };
-    ActionContext here{.document = document, .picture = stage, .assets = stage.assets, .tell = say};
+    ActionContext here{.document = document,
+                       .picture = stage,
+                       .assets = stage.assets,
+                       .tell = [&](const std::string& line) { say(flags.common, line); }};
     for (const std::string& file : flags.context) {
         const std::array<std::string, 2> words{"context", file};
         if (auto added = run_command(here, words); !added) return tl::unexpected(added.error());

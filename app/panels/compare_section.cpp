@@ -20,7 +20,7 @@ using Mode = Comparison::Mode;
 constexpr std::array kModes{std::pair{Mode::kOff, "Off"}, std::pair{Mode::kSideBySide, "Side by side"},
                             std::pair{Mode::kBlend, "Blend"}, std::pair{Mode::kSuperimposed, "Superimposed"}};
 
-const char* label_of(mesh::Method method) { return mesh::row_of(method).label.data(); } // of a literal: ends in 0
+const char* method_label(mesh::Method method) { return mesh::row_of(method).label.data(); } // of a literal: ends in 0
 
 void begin_row(const char* label, const char* help) {
     ImGui::AlignTextToFramePadding();
@@ -54,10 +54,10 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
     const bool there = index < now.size();
     std::optional<std::vector<mesh::Method>> wanted;
     begin_row(label, help);
-    if (ImGui::BeginCombo("##surface", there ? label_of(now[index]) : "None")) {
+    if (ImGui::BeginCombo("##surface", there ? method_label(now[index]) : "None")) {
         for (const mesh::MethodRow& row : mesh::kMethods) {
             const mesh::Method kind = row.method;
-            if (!selectable(label_of(kind), there && now[index] == kind)) continue;
+            if (!selectable(method_label(kind), there && now[index] == kind)) continue;
             std::vector<mesh::Method> next = now;
             const auto other = std::ranges::find(next, kind);
             if (!there && other == next.end())

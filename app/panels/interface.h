@@ -7,7 +7,7 @@
 #include "app/panels/life_dialogs.h"
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
-#include "app/panels/slider.h"
+#include "app/panels/slider_row.h"
 #include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace/workspace.h"

@@ -18,7 +18,7 @@ std::vector<glm::vec4> cut_ends(const std::vector<LostPart>& lost, const Centerl
         if (part.whole() || !lines.at(part.branch, 0.0)) continue;
         cuts.emplace_back(part.branch, part.from > 0.0 ? 1.0F : 0.0F, part.to < 1.0 ? 1.0F : 0.0F, 0.0F);
         for (const double fraction : {part.from, part.to}) {
-            const Centerlines::Place at = *lines.at(part.branch, fraction);
+            const Centerlines::BranchPoint at = *lines.at(part.branch, fraction);
             cuts.emplace_back(glm::dvec3(eye * glm::dvec4(at.position, 1.0)), at.radius_mm);
             cuts.emplace_back(glm::dvec3(eye * glm::dvec4(at.along, 0.0)), at.from_root_mm);
         }

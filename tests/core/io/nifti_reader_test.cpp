@@ -16,7 +16,7 @@ using test::NiftiType;
 
 namespace {
 
-struct Files {
+struct VolumeFiles {
     TemporaryFolder folder;
 
     Result<volume::Volume> read(const std::string& bytes, double memory = 0.0, const char* name = "a.nii") const {
@@ -53,7 +53,7 @@ NiftiFile two_by_three_by_four() {
 }
 
 template <class T> void check_type(NiftiType type, const std::vector<T>& values) {
-    const Files files;
+    const VolumeFiles files;
     for (const int version : {1, 2}) {
         for (const bool big_endian : {false, true}) {
             CAPTURE(static_cast<int>(type));
@@ -95,7 +95,7 @@ TEST_CASE("NIfTI values of every type, version and byte order are read as they a
 }
 
 TEST_CASE("values are kept in the smallest type that holds them, whatever the file's is") {
-    const Files files;
+    const VolumeFiles files;
     const auto of = [&](const std::vector<double>& values) {
         NiftiFile file;
         file.type = static_cast<int>(NiftiType::kFloat64);
@@ -125,7 +125,7 @@ TEST_CASE("values are kept in the smallest type that holds them, whatever the fi
 }
 
 TEST_CASE("voxels run along the first axis first, compressed or not, and behind extensions") {
-    const Files files;
+    const VolumeFiles files;
     NiftiFile file = two_by_three_by_four();
     const auto check = [](const Result<volume::Volume>& volume) {
         REQUIRE(volume);
@@ -144,7 +144,7 @@ TEST_CASE("voxels run along the first axis first, compressed or not, and behind 
 }
 
 TEST_CASE("where voxels lie: sform before qform before voxel sizes, in mm") {
-    const Files files;
+    const VolumeFiles files;
     NiftiFile file = two_by_three_by_four();
     const auto place = [&](const glm::dvec3& voxel) {
         return glm::dvec3(files.good(file).to_patient * glm::dvec4(voxel, 1.0));
@@ -188,7 +188,7 @@ TEST_CASE("where voxels lie: sform before qform before voxel sizes, in mm") {
 }
 
 TEST_CASE("values are scaled as the header says, and not by a slope of 0") {
-    const Files files;
+    const VolumeFiles files;
     NiftiFile file = two_by_three_by_four();
     const auto last = [&] { return volume::value_at(files.good(file), {1, 2, 3}); };
     file.slope = 0.0, file.intercept = 5.0;
@@ -206,7 +206,7 @@ TEST_CASE("values are scaled as the header says, and not by a slope of 0") {
 }
 
 TEST_CASE("one volume in four dimensions is read, more are refused") {
-    const Files files;
+    const VolumeFiles files;
     NiftiFile file = two_by_three_by_four();
     file.dim[0] = 5;
     CHECK(files.good(file).size == glm::ivec3(2, 3, 4));
@@ -217,7 +217,7 @@ TEST_CASE("one volume in four dimensions is read, more are refused") {
 }
 
 TEST_CASE("what cannot be read is refused with a word") {
-    const Files files;
+    const VolumeFiles files;
     const NiftiFile good = two_by_three_by_four();
     const auto with = [&](auto change) {
         NiftiFile file = good;
@@ -286,7 +286,7 @@ TEST_CASE("what cannot be read is refused with a word") {
 }
 
 TEST_CASE("a small file that claims much is refused before memory is taken") {
-    const Files files;
+    const VolumeFiles files;
     NiftiFile file = two_by_three_by_four();
     file.version = 2;
     file.units = 3; // micron, or it would be too far away
@@ -311,7 +311,7 @@ TEST_CASE("a small file that claims much is refused before memory is taken") {
 }
 
 TEST_CASE("a file that was cut short or damaged on its way is refused") {
-    const Files files;
+    const VolumeFiles files;
     Job job;
     NiftiFile file;
     file.dim = {3, 50, 40, 30, 1, 1, 1, 1};
@@ -344,7 +344,7 @@ TEST_CASE("a file that was cut short or damaged on its way is refused") {
 }
 
 TEST_CASE("random damage to headers ends in a volume or in an error") {
-    const Files files;
+    const VolumeFiles files;
     std::mt19937 random(11);
     NiftiFile file = two_by_three_by_four();
     for (int n = 0; n < 3000; ++n) {
@@ -359,7 +359,7 @@ TEST_CASE("random damage to headers ends in a volume or in an error") {
 }
 
 TEST_CASE("reading can be cancelled") {
-    const Files files;
+    const VolumeFiles files;
     Job job;
     job.cancel();
     const auto volume =

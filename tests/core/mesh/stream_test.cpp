@@ -1,5 +1,6 @@
 // A surface that is streamed is the one that is made as a whole: in memory, and as a file byte by byte.
 #include "core/field/convolution_field.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/polygonize/octree/subtree_schedule.h"
