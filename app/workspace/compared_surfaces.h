@@ -38,7 +38,7 @@ struct ComparedSurface {
 };
 
 [[nodiscard]] ComparedRequest compared_request(const Marks& marks, mesh::Method kind);
-// All that the picture needs beside the session's own surface, in the order of its panes.
+// All that the picture needs beside the session's own surface, in the order of its viewports.
 [[nodiscard]] std::vector<ComparedRequest> compared_requests(const Marks& marks);
 
 // Fails as surfaces, volumes and isosurfaces do, with the mask's name, and when the mask lies elsewhere than the tree.

@@ -17,19 +17,17 @@ void ContextReader::start(const ContextSource& source) {
     worker_.start("Reading " + std::filesystem::path(source.file).filename().string(),
                   [this, source](Job& job, const Worker::Post& post) {
                       auto shape = read_context_shape(source, nullptr, job);
-                      if (job.cancelled()) return;
-                      post([this, read = Read{source, std::move(shape)}] { read_.push_back(read); });
+                      if (!job.cancelled()) post([this, shape = std::move(shape)] { read_ = shape; });
                   });
 }
 
 bool ContextReader::update(const std::vector<ContextItem>& context, Assets& assets) {
     worker_.drain();
-    for (Read& read : read_) {
-        if (!read.shape.value) errors_.push_back(read.shape.value.error());
-        assets.put(read.source, std::move(read.shape));
+    if (auto read = std::exchange(read_, std::nullopt)) {
+        if (!read->value) errors_.push_back(read->value.error());
+        assets.put(current_, std::move(*read));
         came_ = true;
     }
-    read_.clear();
     if (const std::string failure = worker_.take_failure(); !failure.empty()) {
         errors_.push_back({"the file could not be read: " + failure, current_.file, ""});
         given_up_.insert(current_);
@@ -52,9 +50,9 @@ void ContextReader::cancel() {
 
 void ContextReader::forget() {
     worker_.cancel();
-    read_.clear();
     errors_.clear();
     given_up_.clear();
+    read_.reset();
 }
 
 } // namespace ramus::app

@@ -13,10 +13,10 @@ namespace ramus::app {
 namespace {
 
 // A session's tree, and its cones. `where` names the session in messages; empty: it is a fresh one.
-Result<LoadedTree> load_tree_of(Session wanted, const std::string& where, const io::ReadOptions& reading, Job& job) {
+Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const io::ReadOptions& reading, Job& job) {
     const Stopwatch watch;
     LoadedTree loaded;
-    loaded.session = std::move(wanted);
+    loaded.session = std::move(opened);
     Session& session = loaded.session;
     auto tree = io::read_tree(session.tree.path, reading);
     if (!tree) return tl::unexpected(tree.error());

@@ -1,118 +1,70 @@
 #include "app/workspace/workspace.h"
 
-#include <chrono>
-#include <oneapi/tbb/task_arena.h>
+#include <algorithm>
 
 namespace ramus::app {
 
-namespace {
-
-constexpr const char* kComputing = "Computing the surface";
-
-// While the window comes up, and draws the cones, one core is free.
-Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& request, std::size_t segments, Job& job) {
-    constexpr std::size_t kMany = 100'000; // there the surface is what takes time, and wants all cores
-    if (segments > kMany) return maker.next(request, job);
-    tbb::task_arena one(1);
-    return one.execute([&] { return maker.next(request, job); });
-}
-
-} // namespace
-
 Workspace::Workspace(std::function<void()> wake)
-    : context(wake), loader_(wake), mesher_(wake), planner_(wake), comparer_(wake) {}
+    : context(wake), loader_(wake), surface_(wake), comparison_(wake), lesions_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
     load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
 }
 
 void Workspace::recover(const autosave::Snapshot& snapshot) {
-    load_with(snapshot.file.empty() ? snapshot.session.tree.path : snapshot.file,
-              [snapshot, like = document.marks().options, how = reading](Job& job) {
-                  auto loaded = load(snapshot, how, job);
-                  if (loaded) {
-                      loaded->session.marks.options.threads = like.threads;
-                      loaded->session.marks.options.memory_bytes = like.memory_bytes;
-                  }
-                  return loaded;
-              });
+    const auto read = [snapshot, like = document.marks().options, how = reading](Job& job) {
+        auto loaded = load(snapshot, how, job);
+        if (!loaded) return loaded;
+        loaded->session.marks.options.threads = like.threads;
+        loaded->session.marks.options.memory_bytes = like.memory_bytes;
+        return loaded;
+    };
+    load_with(snapshot.file.empty() ? snapshot.session.tree.path : snapshot.file, read);
 }
 
-void Workspace::load_with(const std::filesystem::path& path, std::function<Result<LoadedTree>(Job&)> load) {
+void Workspace::load_with(const std::filesystem::path& path, TreeLoader::Read read) {
     first_is_coming_ = false;
     arrival_.reset();
-    loader_.start("Reading " + path.filename().string(),
-                  [this, path, load = std::move(load), before = document.marks()](Job& job, const Worker::Post& post) {
-                      auto loaded = load(job);
-                      if (job.cancelled()) return;
-                      if (!loaded) {
-                          post([this, error = loaded.error()] {
-                              errors_.push_back(error);
-                              changed_ = true;
-                          });
-                          return;
-                      }
-                      const SurfaceRequest request = surface_request(loaded->session.marks);
-                      const auto maker = loaded->maker;
-                      const std::size_t segments = loaded->assets.tree->segment_count();
-                      // std::function wants something to copy.
-                      const auto shared = std::make_shared<LoadedTree>(std::move(*loaded));
-                      post([this, path, shared, before] {
-                          changed_ = true;
-                          if (document.marks() != before && document.has_unsaved_work()) {
-                              arrival_ = shared;
-                              arrival_path_ = path;
-                              return;
-                          }
-                          adopt(std::move(*shared), path);
-                          first_is_coming_ = true;
-                      });
-                      auto first = first_surface(*maker, request, segments, job);
-                      if (first && !job.cancelled())
-                          post([this, first] {
-                              if (first_is_coming_) take(*first);
-                          });
-                  });
+    marks_before_loading_ = document.marks();
+    loader_.start(path, std::move(read));
     changed_ = true;
+}
+
+void Workspace::take_loaded() {
+    loader_.update();
+    if (auto error = loader_.take_error()) {
+        errors_.push_back(std::move(*error));
+        changed_ = true;
+    }
+    if (auto arrived = loader_.take_arrival()) {
+        changed_ = true;
+        if (document.marks() != marks_before_loading_ && document.has_unsaved_work()) {
+            arrival_ = std::move(arrived);
+        } else {
+            adopt(std::move(arrived->tree), arrived->path);
+            first_is_coming_ = true;
+        }
+    }
+    if (auto first = loader_.take_first_surface(); first && first_is_coming_) surface_.show(std::move(*first));
 }
 
 void Workspace::let_in() {
-    if (const auto arrived = std::exchange(arrival_, nullptr)) adopt(std::move(*arrived), arrival_path_);
+    if (auto arrived = std::exchange(arrival_, std::nullopt)) adopt(std::move(arrived->tree), arrived->path);
 }
 
 void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
-    mesher_.cancel();
-    comparer_.cancel();
-    compared_.clear();
-    comparing_.reset();
-    failed_.reset();
-    comparison_problem_.clear();
-    planner_.cancel(); // lesions that are on their way belong to the tree before
+    lesions_.cancel(); // what is on its way belongs to the tree before
     context.forget();
+    comparison_.forget();
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
-    wanted_.reset();
     tried_.reset();
-    problem_.clear();
-    kept_.clear();
-    maker_ = loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(assets.tree);
+    surface_.open(loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(assets.tree),
+                  std::move(loaded.cones));
     document.open(assets.tree, std::move(loaded.session), assets.facts, std::move(loaded.file));
     if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
-    shown_ = std::move(loaded.cones);
     opened_ = Opened{path, loaded.has_camera, loaded.unsaved_changes.has_value()};
-    just_shown_ = true;
     changed_ = true;
-}
-
-void Workspace::take(ReadySurface surface) {
-    shown_ = std::move(surface);
-    changed_ = true;
-    just_shown_ = shown_.provisional;
-    awaited_ = false;
-    if (shown_.provisional) return;
-    std::erase_if(kept_, [&](const ReadySurface& kept) { return kept.request == shown_.request; });
-    kept_.push_front(shown_);
-    if (kept_.size() > kKeptSurfaces) kept_.pop_back();
 }
 
 SurfaceRequest Workspace::request() const {
@@ -121,201 +73,109 @@ SurfaceRequest Workspace::request() const {
     return request;
 }
 
-void Workspace::start_surface() {
-    if (!document.tree()) return;
-    // The first surface of a tree comes with it.
-    if (first_is_coming_ && loader_.busy()) return;
-    first_is_coming_ = false;
-    SurfaceRequest request = this->request();
-    if (wanted_ == request) {
-        // What is only being tried is about to change: its preview is enough.
-        const bool refine = shown_.provisional && shown_.request == request && !tried_;
-        if (refine && !mesher_.busy() && problem_.empty()) {
-            refining_ = true;
-            make_next(request);
-        }
-        return;
-    }
-    if (mesher_.busy() && worth_finishing(request)) return;
-    const bool small_change = wanted_ && wanted_->options == request.options && shown_.mesh && !shown_.provisional;
-    refining_ = false;
-    wanted_ = request;
-    problem_.clear();
-    mesher_.cancel();
-    changed_ = true;
-    if (shown_.mesh && !shown_.provisional && shown_.request == request) return;
-    for (const ReadySurface& surface : kept_) {
-        if (surface.request != request) continue;
-        shown_ = surface;
-        return;
-    }
-    make_next(request);
-    if (!small_change) return;
-    mesher_.wait(kPatience);
-    mesher_.drain();
-}
-
-void Workspace::await_preview() {
-    if (!shown_.preview_follows || !mesher_.busy() || std::exchange(awaited_, true)) return;
-    mesher_.wait(kPreviewPatience);
-    mesher_.drain();
-}
-
-// When only other branches are hidden, what is being made is the way to what is wanted now. And while somebody drags a
-// slider, previews that never get finished would show nothing.
-bool Workspace::worth_finishing(const SurfaceRequest& request) const {
-    if (wanted_ && wanted_->options == request.options) return true;
-    return !refining_ && std::chrono::steady_clock::now() - started_ < kShort;
-}
-
-void Workspace::make_next(const SurfaceRequest& request) {
-    started_ = std::chrono::steady_clock::now();
-    mesher_.start(kComputing, [this, request, maker = maker_](Job& job, const Worker::Post& post) {
-        for (bool more = true; more;) {
-            const auto made = maker->next(request, job);
-            if (job.cancelled()) return;
-            more = made && made->preview_follows;
-            post([this, made] {
-                if (made)
-                    take(*made);
-                else
-                    problem_ = made.error().message();
-                changed_ = true;
-            });
-        }
-    });
-}
-
 const Assets& Workspace::current_assets() {
     refresh(assets, document, tried_ ? *tried_ : document.marks().options);
     return assets;
 }
 
-void Workspace::start_plan() {
-    if (planner_.busy() || !lesions_awaited(assets, document.marks(), GridIs::kMadeAhead)) return;
-    planner_.start("Measuring distances",
-                   [this, copy = assets, marks = document.marks()](Job&, const Worker::Post& post) mutable {
-                       complete_lesions(copy, marks, GridIs::kMadeAhead);
-                       post([this, copy] {
-                           merge(assets, copy);
-                           changed_ = true;
-                       });
-                   });
+void Workspace::follow_surface() {
+    if (!document.tree()) return;
+    // The first surface of a tree comes with it.
+    if (first_is_coming_ && loader_.worker().busy()) return;
+    first_is_coming_ = false;
+    surface_.follow(request(), tried_.has_value());
+}
+
+void Workspace::await_preview() {
+    surface_.await_preview();
+    changed_ |= surface_.take_changed();
+}
+
+void Workspace::follow_lesions() {
+    const Marks& now = document.marks();
+    if (lesions_.busy() || !lesions_awaited(assets, now, GridIs::kMadeAhead) || lesions_failed_ == planned(now)) return;
+    lesions_of_ = planned(now);
+    lesions_.start("Measuring distances", [this, copy = assets, marks = now](Job&, const Worker::Post& post) mutable {
+        complete_lesions(copy, marks, GridIs::kMadeAhead);
+        post([this, copy] {
+            merge(assets, copy);
+            changed_ = true;
+        });
+    });
 }
 
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
-    for (const ComparedSurface& one : compared_) show(surfaces, one);
-    surfaces.set(document.marks().options.method, shown_.mesh, shown_.preview);
+    for (const ComparedSurface& one : comparison_.surfaces()) show(surfaces, one);
+    surfaces.set(document.marks().options.method, shown().mesh, shown().preview);
     return surfaces;
 }
 
-// The first that is in the picture and not as it shall be.
-std::optional<ComparedRequest> Workspace::missing_surface() const {
-    if (!document.tree()) return {};
-    for (ComparedRequest& wanted : compared_requests(document.marks())) {
-        const bool there = std::ranges::any_of(compared_, [&](const auto& one) { return one.request == wanted; });
-        if (!there && failed_ != wanted) return std::move(wanted);
-    }
-    return {};
-}
-
-bool Workspace::comparing() const { return comparer_.busy() || missing_surface(); }
-
-void Workspace::start_comparison() {
-    const auto wanted = missing_surface();
-    if (!wanted) {
-        if (comparer_.busy()) comparer_.cancel(); // nobody wants it any more
-        comparing_.reset();
-        if (compared_surfaces(document.marks().comparison).empty()) compared_.clear();
-        const auto wanted_now = compared_requests(document.marks());
-        if (!failed_ || std::ranges::find(wanted_now, *failed_) == wanted_now.end())
-            failed_.reset(), comparison_problem_.clear();
-        return;
-    }
-    // The session's own surface comes first: both want the whole machine.
-    if (mesher_.busy() || loader_.busy() || (comparer_.busy() && comparing_ == wanted)) return;
-    comparing_ = wanted;
-    changed_ = true;
-    comparer_.start("Computing the " + std::string(mesh::row_of(wanted->kind).noun),
-                    [this, request = *wanted, tree = document.tree()](Job& job, const Worker::Post& post) {
-                        const auto made = make_compared(*tree, request, job);
-                        if (job.cancelled()) return;
-                        post([this, made, request] {
-                            changed_ = true;
-                            comparing_.reset();
-                            if (!made) {
-                                failed_ = request;
-                                comparison_problem_ = made.error().message();
-                                return;
-                            }
-                            if (failed_ && failed_->same_place(request)) failed_.reset(), comparison_problem_.clear();
-                            std::erase_if(compared_, [&](const auto& one) { return one.request.same_place(request); });
-                            compared_.push_back(*made);
-                        });
-                    });
-}
-
 void Workspace::cancel_work() {
-    if (loader_.busy()) {
+    if (loader_.worker().busy()) {
         loader_.cancel();
-        if (std::exchange(first_is_coming_, false)) {
-            wanted_ = request();
-            problem_ = "cancelled";
-        }
-    } else if (mesher_.busy()) {
-        mesher_.cancel();
-        problem_ = "cancelled";
-    } else if (comparer_.busy()) {
-        comparer_.cancel();
-        failed_ = std::exchange(comparing_, std::nullopt);
-        comparison_problem_ = "cancelled";
+        if (std::exchange(first_is_coming_, false)) surface_.give_up(request(), "cancelled");
+    } else if (surface_.worker().busy()) {
+        surface_.give_up("cancelled");
+    } else if (comparison_.worker().busy()) {
+        comparison_.cancel();
     }
     context.cancel();
     changed_ = true;
 }
 
 void Workspace::retry_surface() {
-    wanted_.reset();
+    surface_.retry();
     changed_ = true;
+}
+
+void Workspace::take_failures() {
+    const auto tell = [&](const std::string& failure, const Worker& worker) {
+        if (failure.empty()) return;
+        errors_.push_back({"the work was given up: " + failure, worker.title(),
+                           failure == "std::bad_alloc" ? "there is not enough memory for it" : ""});
+        changed_ = true;
+    };
+    tell(loader_.take_failure(), loader_.worker());
+    tell(surface_.take_failure(), surface_.worker());
+    const std::string lesions_failure = lesions_.take_failure();
+    if (!lesions_failure.empty()) lesions_failed_ = lesions_of_;
+    tell(lesions_failure, lesions_);
+    tell(comparison_.take_failure(), comparison_.worker());
 }
 
 bool Workspace::update() {
     const bool was_busy = busy();
-    loader_.drain();
-    mesher_.drain();
-    planner_.drain();
-    comparer_.drain();
-    for (Worker* worker : {&loader_, &mesher_, &planner_, &comparer_})
-        if (const std::string failure = worker->take_failure(); !failure.empty()) {
-            errors_.push_back({"the work was given up: " + failure, worker->title(),
-                               failure == "std::bad_alloc" ? "there is not enough memory for it" : ""});
-            if (worker == &mesher_) problem_ = errors_.back().what;
-            if (worker == &comparer_) {
-                failed_ = std::exchange(comparing_, std::nullopt);
-                comparison_problem_ = errors_.back().what;
-            }
-            changed_ = true;
-        }
+    take_loaded();
+    surface_.drain();
+    lesions_.drain();
+    comparison_.drain();
+    take_failures();
     if (document.tree() && context.update(document.marks().context, assets)) changed_ = true;
     while (const auto error = context.take_error()) errors_.push_back(*error);
-    start_plan();
-    // A picture is drawn before a better one is begun: both want the whole machine.
-    if (!std::exchange(just_shown_, false)) start_surface();
-    start_comparison();
+    follow_lesions();
+    if (!surface_.take_just_shown()) follow_surface();
+    if (document.tree())
+        comparison_.follow(document.tree(), document.marks(), surface_.worker().busy() || loader_.worker().busy());
+    changed_ |= surface_.take_changed();
+    changed_ |= comparison_.take_changed();
     return std::exchange(changed_, false) || was_busy != busy();
 }
 
+bool Workspace::busy() const { return std::ranges::any_of(workers(), &Worker::busy) || context.busy(); }
+
 std::string Workspace::activity() const {
-    if (loader_.busy() && !first_is_coming_) return loader_.title();
-    if (!mesher_.busy() && planner_.busy()) return planner_.title();
-    if (!mesher_.busy() && context.busy()) return context.title();
-    if (!mesher_.busy() && !loader_.busy() && comparer_.busy()) return comparer_.title();
+    constexpr const char* kComputing = "Computing the surface";
+    const bool loading = loader_.worker().busy(), meshing = surface_.worker().busy();
+    if (loading && !first_is_coming_) return loader_.worker().title();
+    if (!meshing && lesions_.busy()) return lesions_.title();
+    if (!meshing && context.busy()) return context.title();
+    if (!meshing && !loading && comparison_.worker().busy()) return comparison_.worker().title();
     return busy() ? kComputing : std::string{};
 }
 
 float Workspace::progress() const {
-    for (const Worker* worker : {&loader_, &mesher_, &planner_, &comparer_})
+    for (const Worker* worker : workers())
         if (worker->busy()) return worker->progress();
     return context.progress();
 }

@@ -2,20 +2,21 @@
 // results arrive in update(), on the owner's thread, which waits a frame or two at most. The cones are there as soon as
 // the tree is; the surface of the session's options, without its hidden branches, replaces them when it is ready, and
 // follows. A file that cannot be read leaves everything as it was. No GL, no window.
+//
+// Each kind of work has its own object and thread: loading a tree, following with the surface, making surfaces to
+// compare with, reading context, and reading lesions and measuring distances to them.
 #pragma once
 
 #include "app/assets/assets.h"
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
-#include "app/workspace/compared_surfaces.h"
+#include "app/workspace/comparison_maker.h"
 #include "app/workspace/context_reader.h"
-#include "app/workspace/loaded_tree.h"
-#include "app/workspace/surface_maker.h"
-#include "core/base/error.h"
-#include "core/base/worker.h"
+#include "app/workspace/surface_follower.h"
+#include "app/workspace/tree_loader.h"
 #include "core/io/trees/tree_file.h"
 
-#include <chrono>
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -36,7 +37,7 @@ public:
 
     // A file that was read while work on the tree before went on, and that work is not saved: it waits to be let in, or
     // to be sent away.
-    [[nodiscard]] bool arrival_waits() const { return arrival_ != nullptr; }
+    [[nodiscard]] bool arrival_waits() const { return arrival_.has_value(); }
     void let_in();
     void send_away() { arrival_.reset(); }
 
@@ -49,20 +50,21 @@ public:
     // What belongs to the document, as of the last refresh(); and brought up to it, and to the options that are tried.
     Assets assets;
     const Assets& current_assets();
+    ContextReader context; // what is shown beside the tree
 
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return document.facts(); }
-    [[nodiscard]] const ReadySurface& shown() const { return shown_; }
+    [[nodiscard]] const ReadySurface& shown() const { return surface_.shown(); }
     // Whether what is shown is the surface of the session as it is now.
     [[nodiscard]] bool surface_ready() const {
-        return shown_.mesh && !shown_.provisional && shown_.request == surface_request(document.marks());
+        return shown().mesh && !shown().provisional && shown().request == surface_request(document.marks());
     }
     // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
     // as they were before.
     [[nodiscard]] ShownSurfaces surfaces() const;
     // Whether a surface to compare with is being made, or about to be.
-    [[nodiscard]] bool comparing() const;
+    [[nodiscard]] bool comparing() const { return document.tree() && comparison_.awaited(document.marks()); }
     // Why one cannot be had; empty: all can.
-    [[nodiscard]] const std::string& comparison_problem() const { return comparison_problem_; }
+    [[nodiscard]] const std::string& comparison_problem() const { return comparison_.problem(); }
     // Waits a moment for the preview of the surface that is shown, when it is about to come. For who draws so slowly
     // that the surface itself would take longer.
     void await_preview();
@@ -70,13 +72,13 @@ public:
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
     [[nodiscard]] const std::optional<mesh::SurfaceOptions>& tried_options() const { return tried_; }
     // Whether a surface is on its way, or about to be, that shall take the place of the one that is shown.
-    [[nodiscard]] bool surface_awaited() const {
-        return shown_.mesh && problem_.empty() && (shown_.provisional || shown_.request != request());
-    }
+    [[nodiscard]] bool surface_awaited() const { return surface_.awaited(request()); }
+    // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
+    // shown. Empty otherwise.
+    [[nodiscard]] const std::string& surface_problem() const { return surface_.problem(); }
+    void retry_surface();
 
-    [[nodiscard]] bool busy() const {
-        return loader_.busy() || mesher_.busy() || planner_.busy() || comparer_.busy() || context.busy();
-    }
+    [[nodiscard]] bool busy() const;
     [[nodiscard]] std::string activity() const; // "Reading liver.swc", "Computing the surface"; empty when idle
     [[nodiscard]] float progress() const;       // of that, 0 to 1
 
@@ -88,49 +90,33 @@ public:
     };
     [[nodiscard]] std::optional<Opened> take_opened() { return std::exchange(opened_, std::nullopt); }
     [[nodiscard]] std::optional<Error> take_error();
-    ContextReader context; // what is shown beside the tree
-    // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
-    // shown. Empty otherwise.
-    [[nodiscard]] const std::string& surface_problem() const { return problem_; }
-    void retry_surface();
 
 private:
-    static constexpr std::size_t kKeptSurfaces = 3;
-    // A branch that is hidden is gone from the surface within a frame or two: then the next picture is the right one.
-    static constexpr std::chrono::milliseconds kPatience{25};
-    static constexpr std::chrono::milliseconds kPreviewPatience{80};
-    static constexpr std::chrono::milliseconds kShort{500}; // what is being made is let finish
-
-    void load_with(const std::filesystem::path& path, std::function<Result<LoadedTree>(Job&)> load);
+    void load_with(const std::filesystem::path& path, TreeLoader::Read read);
     [[nodiscard]] SurfaceRequest request() const;
-    void take(ReadySurface surface);
-    void make_next(const SurfaceRequest& request);
-    [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;
-    void start_surface();
-    void start_plan();
-    void start_comparison();
-    [[nodiscard]] std::optional<ComparedRequest> missing_surface() const;
+    void take_loaded();
+    void take_failures();
+    void follow_surface();
+    void follow_lesions();
+    // Of the work that shows its progress, in the order in which it is named.
+    [[nodiscard]] std::array<const Worker*, 4> workers() const {
+        return {&loader_.worker(), &surface_.worker(), &lesions_, &comparison_.worker()};
+    }
 
-    ReadySurface shown_;
-    std::deque<ReadySurface> kept_; // newest first: undo finds the surface that was there before
     std::optional<mesh::SurfaceOptions> tried_;
-    std::optional<SurfaceRequest> wanted_;
-    std::shared_ptr<SurfaceMaker> maker_;
-    std::chrono::steady_clock::time_point started_; // the mesher's task
-    bool refining_ = false;                         // it makes a surface whose preview is shown
-    std::string problem_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;
-    std::shared_ptr<LoadedTree> arrival_;
-    std::filesystem::path arrival_path_;
-    std::vector<ComparedSurface> compared_;             // one a kind
-    std::optional<ComparedRequest> comparing_, failed_; // what is being made; what could not be
-    std::string comparison_problem_;                    // why
+    Marks marks_before_loading_;
+    std::optional<TreeLoader::Arrival> arrival_; // waits to be let in
+    PlannedMarks lesions_of_;                    // what is being measured
+    std::optional<PlannedMarks> lesions_failed_; // not tried again
     bool changed_ = false;
-    bool awaited_ = false;                        // the preview of what is shown
-    bool first_is_coming_ = false;                // the loader, which read the tree, is at its first surface
-    bool just_shown_ = false;                     // a picture that something better shall follow
-    Worker loader_, mesher_, planner_, comparer_; // last: their threads end first
+    bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
+    // Last: their threads end first.
+    TreeLoader loader_;
+    SurfaceFollower surface_;
+    ComparisonMaker comparison_;
+    Worker lesions_;
 };
 
 } // namespace ramus::app

@@ -241,6 +241,26 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     CHECK(load_context(workspace.assets, marks, job));
 }
 
+TEST_CASE("a picture is made of its arguments alone") {
+    Stage stage;
+    stage.commands.good("context \"" + stage.ball("organ.stl") +
+                        "\"\ncut 1\nmeasure diameter 0 0.5\ncolour-by diameter");
+    const Session& session = stage.commands.document.session();
+    const Assets assets = stage.commands.current_assets();
+    const render::Frame frame = compose(session, assets, nullptr, {});
+    REQUIRE(frame.context.size() == 1);
+    CHECK(frame.lost.size() == 1);
+    CHECK(frame.labels.size() == 1);
+    // What others have read is not in it, and what becomes of files does not matter.
+    Assets fresh;
+    refresh(fresh, stage.commands.document);
+    CHECK(compose(session, fresh, nullptr, {}).context.empty());
+    CHECK(compose(session, fresh, nullptr, {}).lost == frame.lost);
+    CHECK(compose(session, {}, nullptr, {}).lost.empty());
+    fs::remove(stage.context()[0].file);
+    CHECK(compose(session, assets, nullptr, {}) == frame);
+}
+
 TEST_CASE("reading that was cancelled is not taken up again until somebody asks") {
     ContextStage stage;
     const std::string file = stage.ball("organ.ply", {0, 0, 15}, 6);
