@@ -1,6 +1,6 @@
 #include "app/actions/arguments.h"
 
-#include "app/storage/places.h"
+#include "app/storage/user_folders.h"
 
 #include <algorithm>
 #include <charconv>

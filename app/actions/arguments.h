@@ -17,7 +17,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most);
 // An index into a list that people count from 1; `what`: "cut", of which there are `count`.
 [[nodiscard]] Result<std::size_t> list_index(Arguments arguments, std::size_t count, const std::string& what);
-// The one file of a command, or what app/storage/places.h suggests.
+// The one file of a command, or what app/storage/user_folders.h suggests.
 [[nodiscard]] Result<std::filesystem::path> file_argument(ActionContext& context, Arguments arguments,
                                                           std::string_view command, std::string_view extension);
 

@@ -21,7 +21,7 @@ bool whole_in_picture(const ActionContext& context, glm::ivec2 size) {
     });
 }
 
-// Panes are narrower than the picture: a tree that was whole in it is whole in them.
+// Viewports are narrower than the picture: a tree that was whole in it is whole in them.
 void change(ActionContext& context, Marks next) {
     const glm::ivec2 before = context.picture.picture_size();
     const bool whole = whole_in_picture(context, before);
@@ -116,7 +116,7 @@ std::vector<Command> compare_commands() {
                 compare),
         mode_entry<Mode::kOff>("One surface", "Compares nothing: one surface fills the picture."),
         mode_entry<Mode::kSideBySide>("Surfaces side by side",
-                                      "Compares surfaces in panes that one camera looks into."),
+                                      "Compares surfaces in viewports that one camera looks into."),
         mode_entry<Mode::kBlend>("Surfaces blended", "Compares two surfaces: one fades into the other."),
         mode_entry<Mode::kSuperimposed>("Surfaces superimposed",
                                         "Compares two surfaces: the second as lines over the first."),

@@ -25,7 +25,7 @@ public:
     PictureHost& operator=(const PictureHost&) = delete;
     virtual ~PictureHost() = default;
 
-    // Pixels; of pictures with several panes, of one of them.
+    // Pixels; of pictures with several viewports, of one of them.
     [[nodiscard]] virtual glm::ivec2 picture_size() const = 0;
     // What the picture shows; null: nothing.
     [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;

@@ -11,7 +11,7 @@ template <class Map, class Key> auto* found(Map& map, const Key& key) {
     return at == map.end() ? nullptr : &at->second;
 }
 
-bool grid_wanted(const Marks& marks, GridIs grid) {
+bool grid_needed(const Marks& marks, GridIs grid) {
     return !marks.planning.bands_mm.empty() && (grid == GridIs::kMadeAhead || marks.colour_by == ColourBy::kLesion);
 }
 
@@ -95,7 +95,7 @@ bool lesions_awaited(const Assets& assets, const Marks& marks, GridIs grid) {
     const measure::Lesions lesions = loaded_lesions(assets, marks);
     if (lesions.meshes.empty()) return false;
     return !assets.lesion_distances.fits(lesions) ||
-           (grid_wanted(marks, grid) && !assets.lesion_grid.fits(lesions, widest_margin_mm(marks.planning)));
+           (grid_needed(marks, grid) && !assets.lesion_grid.fits(lesions, widest_margin_mm(marks.planning)));
 }
 
 void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
@@ -103,7 +103,7 @@ void complete_lesions(Assets& assets, const Marks& marks, GridIs grid) {
     measure::Lesions lesions = loaded_lesions(assets, marks);
     if (!assets.tree || lesions.meshes.empty()) return;
     const double reach = widest_margin_mm(marks.planning);
-    if (grid_wanted(marks, grid) && !assets.lesion_grid.fits(lesions, reach))
+    if (grid_needed(marks, grid) && !assets.lesion_grid.fits(lesions, reach))
         assets.lesion_grid = distance_grid(lesions, reach);
     if (assets.lesion_distances.fits(lesions)) return;
     std::vector<double> mm = measure::wall_distances(*assets.tree, lesions);

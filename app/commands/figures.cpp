@@ -45,26 +45,26 @@ namespace {
 
 // What the flags say about what lies over the tree.
 void dress(render::Frame& frame, const FigureFlags& flags) {
-    const auto wanted = [&](const char* name) {
+    const auto shows = [&](const char* name) {
         return std::ranges::find(flags.overlays, name) != flags.overlays.end();
     };
     frame.overlays.caption = latin1(flags.caption);
     if (!flags.overlays_given) return;
-    frame.overlays.orientation_cube = wanted("cube");
-    frame.overlays.scale_bar = wanted("scale");
-    frame.overlays.orientation_letters = wanted("letters");
-    if (!wanted("legend")) frame.overlays.legend = {};
+    frame.overlays.orientation_cube = shows("cube");
+    frame.overlays.scale_bar = shows("scale");
+    frame.overlays.orientation_letters = shows("letters");
+    if (!shows("legend")) frame.overlays.legend = {};
 }
 
 } // namespace
 
 void dress(render::Sheet& sheet, const FigureFlags& flags) {
-    for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
-        render::Overlays& overlays = sheet.panes[i].frame.overlays;
-        const render::Overlays shared = overlays; // what panes beside each other have once, they have once
-        dress(sheet.panes[i].frame, flags);
-        if (sheet.panes.size() == 1 || sheet.blend) continue;
-        overlays.orientation_cube &= i + 1 == sheet.panes.size();
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        render::Overlays& overlays = sheet.viewports[i].frame.overlays;
+        const render::Overlays shared = overlays; // what viewports beside each other have once, they have once
+        dress(sheet.viewports[i].frame, flags);
+        if (sheet.viewports.size() == 1 || sheet.blend) continue;
+        overlays.orientation_cube &= i + 1 == sheet.viewports.size();
         overlays.scale_bar &= i == 0;
         if (i > 0) overlays.caption = shared.caption;
     }
@@ -78,15 +78,15 @@ Result<void> check_enlarged(glm::ivec2 size, const FigureFlags& flags) {
     return fits;
 }
 
-// Headings go below the caption of their own pane by themselves; those beside them, and that of a blend, with them.
+// Headings go below the caption of their own viewport by themselves; those beside them, and that of a blend, with them.
 void make_room_for_caption(render::Sheet& sheet) {
-    const render::Sheet::Pane& first = sheet.panes.front();
+    const render::Sheet::Viewport& first = sheet.viewports.front();
     const int bottom = render::OverlayPainter().caption_bottom(render::SpriteSource(first.frame));
     if (bottom == 0) return;
     if (sheet.blend) sheet.heading_top = std::max(sheet.heading_top, bottom);
-    for (std::size_t i = 1; i < sheet.panes.size() && !sheet.blend; ++i) {
-        render::Overlays& overlays = sheet.panes[i].frame.overlays;
-        if (sheet.panes[i].at.y == first.at.y && overlays.caption.empty() && !overlays.heading.empty())
+    for (std::size_t i = 1; i < sheet.viewports.size() && !sheet.blend; ++i) {
+        render::Overlays& overlays = sheet.viewports[i].frame.overlays;
+        if (sheet.viewports[i].at.y == first.at.y && overlays.caption.empty() && !overlays.heading.empty())
             overlays.inset_top = std::max(overlays.inset_top, bottom);
     }
 }
@@ -104,9 +104,9 @@ void enlarge(render::Frame& frame, const FigureFlags& flags) {
 Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureFlags& flags) {
     sheet.size *= flags.supersample;
     sheet.heading_top *= flags.supersample;
-    for (render::Sheet::Pane& pane : sheet.panes) {
-        pane.at *= flags.supersample;
-        enlarge(pane.frame, flags);
+    for (render::Sheet::Viewport& viewport : sheet.viewports) {
+        viewport.at *= flags.supersample;
+        enlarge(viewport.frame, flags);
     }
     make_room_for_caption(sheet);
     if (auto fits = check_enlarged(sheet.size, flags); !fits) return tl::unexpected(fits.error());

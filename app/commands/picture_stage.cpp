@@ -76,32 +76,33 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     Viewing viewing = viewing_;
     viewing.size = size;
     render::Sheet sheet = compose_sheet(document_.session(), assets, surfaces, viewing);
-    const std::vector<ComparedPane> panes = panes_of(marks, size, viewing.pixel_ratio);
-    for (std::size_t i = 0; i < panes.size(); ++i) sheet.panes[i].frame.preview = surfaces.preview_of(panes[i].surface);
+    const std::vector<Viewport> viewports = viewports_of(marks, size, viewing.pixel_ratio);
+    for (std::size_t i = 0; i < viewports.size(); ++i)
+        sheet.viewports[i].frame.preview = surfaces.preview_of(viewports[i].surface);
     return sheet;
 }
 
 Result<render::BranchPicture> PictureStage::branch_picture() {
-    const auto wanted = frame();
-    if (!wanted) return tl::unexpected(wanted.error());
-    if (const auto drawn = renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    const auto requested = frame();
+    if (!requested) return tl::unexpected(requested.error());
+    if (const auto drawn = renderer_->draw(*requested); !drawn) return tl::unexpected(drawn.error());
     return renderer_->read_branches();
 }
 
 Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
-    const auto wanted = sheet();
-    if (!wanted) return tl::unexpected(wanted.error());
-    if (const auto drawn = sheet_renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
-    if (const auto finer = sheet_renderer_->refine(*wanted); !finer) return tl::unexpected(finer.error());
+    const auto requested = sheet();
+    if (!requested) return tl::unexpected(requested.error());
+    if (const auto drawn = sheet_renderer_->draw(*requested); !drawn) return tl::unexpected(drawn.error());
+    if (const auto finer = sheet_renderer_->refine(*requested); !finer) return tl::unexpected(finer.error());
     return render::write_png(sheet_renderer_->read_image(), path);
 }
 
 Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size) {
-    auto wanted = frame();
-    if (!wanted) return tl::unexpected(wanted.error());
-    wanted->camera = camera;
-    wanted->size = size;
-    if (const auto drawn = renderer_->draw(*wanted); !drawn) return tl::unexpected(drawn.error());
+    auto requested = frame();
+    if (!requested) return tl::unexpected(requested.error());
+    requested->camera = camera;
+    requested->size = size;
+    if (const auto drawn = renderer_->draw(*requested); !drawn) return tl::unexpected(drawn.error());
     (void)renderer_->refine();
     return renderer_->read_image();
 }

@@ -42,10 +42,10 @@ std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, co
     return cameras;
 }
 
-// A box around what can be seen of the surfaces in the panes.
+// A box around what can be seen of the surfaces in the viewports.
 render::Box visible_box(const render::Sheet& sheet) {
     render::Box visible, all;
-    for (const auto& [at, frame, has_branches] : sheet.panes) {
+    for (const auto& [at, frame, has_branches] : sheet.viewports) {
         if (!frame.mesh) continue;
         const auto positions = frame.mesh->positions([&states = frame.states](int branch) {
             const auto index = static_cast<std::size_t>(branch);
@@ -61,7 +61,7 @@ render::Box visible_box(const render::Sheet& sheet) {
 }
 
 void look_from(render::Sheet& sheet, const render::Camera& camera) {
-    for (render::Sheet::Pane& pane : sheet.panes) pane.frame.camera = camera;
+    for (render::Sheet::Viewport& viewport : sheet.viewports) viewport.frame.camera = camera;
 }
 
 // Parts of one size, so many of them in a row and below each other.
@@ -71,12 +71,12 @@ struct Grid {
     [[nodiscard]] glm::ivec2 part() const { return (size - line * (count - 1)) / count; }
     // What does not divide goes between them.
     [[nodiscard]] glm::ivec2 at(int index) const {
-        const glm::ivec2 place(index % count.x, index / count.x);
-        return place * (size - part()) / glm::max(count - 1, glm::ivec2(1));
+        const glm::ivec2 cell(index % count.x, index / count.x);
+        return cell * (size - part()) / glm::max(count - 1, glm::ivec2(1));
     }
 };
 
-bool side_by_side(const render::Sheet& sheet) { return sheet.panes.size() > 1 && !sheet.blend; }
+bool side_by_side(const render::Sheet& sheet) { return sheet.viewports.size() > 1 && !sheet.blend; }
 
 Grid grid_for(const render::Sheet& sheet, glm::ivec2 size) {
     if (!side_by_side(sheet)) return {size, {2, 2}, 0};
@@ -93,9 +93,9 @@ std::string title_of(render::View view, bool first) {
 
 // The words at the corner of each cell. In a table of views and surfaces the head of its row and of its column.
 void label(render::Sheet& sheet, std::size_t view, bool table) {
-    const std::string caption = sheet.panes.front().frame.overlays.caption; // the whole sheet's
-    for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
-        render::Overlays& overlays = sheet.panes[i].frame.overlays;
+    const std::string caption = sheet.viewports.front().frame.overlays.caption; // the whole sheet's
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        render::Overlays& overlays = sheet.viewports[i].frame.overlays;
         std::string words;
         if (side_by_side(sheet) && (view == 0 || !table)) words = overlays.heading;
         if (!side_by_side(sheet) || i == 0 || !table)
@@ -129,8 +129,8 @@ Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const Com
     if (!whole) return tl::unexpected(whole.error());
     const Grid grid = grid_for(*whole, size);
     const glm::ivec2 part = grid.part();
-    const auto panes = static_cast<int>(side_by_side(*whole) ? whole->panes.size() : 1);
-    if (part.x < 1 || part.y < 1 || std::max(part.x, part.y) < 2 * panes - 1)
+    const auto viewports = static_cast<int>(side_by_side(*whole) ? whole->viewports.size() : 1);
+    if (part.x < 1 || part.y < 1 || std::max(part.x, part.y) < 2 * viewports - 1)
         return fail("a sheet of " + std::to_string(size.x) + " x " + std::to_string(size.y) +
                         " pixels has no room for four views",
                     {}, "give a larger --size");
@@ -139,13 +139,13 @@ Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const Com
     dress(*composed, flags);
     std::vector<render::Camera> cameras;
     for (const render::View view : kViews)
-        cameras.push_back(render::looking(composed->panes.front().frame.camera, view));
-    cameras = at_one_scale(std::move(cameras), visible_box(*composed), composed->panes.front().frame.size);
+        cameras.push_back(render::looking(composed->viewports.front().frame.camera, view));
+    cameras = at_one_scale(std::move(cameras), visible_box(*composed), composed->viewports.front().frame.size);
     // Views in one direction and surfaces in the other, unless the picture is so long that both go the same way.
-    const bool below = composed->panes.back().at.y > 0;
+    const bool below = composed->viewports.back().at.y > 0;
     const bool table = side_by_side(*composed) && below == (grid.count.x > 1);
     render::Image picture(size.x, size.y);
-    if (side_by_side(*composed) && !composed->panes.front().frame.background.transparent)
+    if (side_by_side(*composed) && !composed->viewports.front().frame.background.transparent)
         fill(picture, composed->divider);
     for (std::size_t i = 0; i < kViews.size(); ++i) {
         render::Sheet one = *composed;
@@ -161,7 +161,7 @@ Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const Com
 Result<std::vector<std::filesystem::path>> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
                                                            const FigureFlags& flags, bool keep_camera,
                                                            const std::filesystem::path& output) {
-    const render::Frame& first = sheet.panes.front().frame;
+    const render::Frame& first = sheet.viewports.front().frame;
     std::vector<render::Camera> cameras;
     for (int i = 0; i < flags.turntable; ++i)
         cameras.push_back(render::turned(first.camera, 360.0 * i / flags.turntable, 0.0));

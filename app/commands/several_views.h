@@ -10,7 +10,7 @@
 
 namespace ramus::app {
 
-// The document's picture in another size: its panes are where that has room for them.
+// The document's picture in another size: its viewports are where that has room for them.
 using ComposeSheet = std::function<Result<render::Sheet>(glm::ivec2 size)>;
 
 // Anterior, left, posterior and superior, all at one scale, in a picture of this size: two and two; where surfaces are

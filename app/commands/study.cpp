@@ -30,9 +30,9 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::size_t kPlaces = 3;
-constexpr double kPlaceHeight = 14.0; // of a close-up's picture, in diameters of the vessel in its middle
-constexpr double kPlaceShare = 0.35;  // of the whole tree's picture that it shows at most, in height
+constexpr std::size_t kCloseUps = 3;
+constexpr double kCloseUpHeight = 14.0; // of a close-up's picture, in diameters of the vessel in its middle
+constexpr double kCloseUpShare = 0.35;  // of the whole tree's picture that it shows at most, in height
 
 struct StudyFlags {
     SurfaceFlags common;
@@ -58,7 +58,7 @@ struct Surfaces {
 
 Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& tree) {
     Surfaces made;
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (const auto& [kind, name] : {std::pair{mesh::Method::kIsosurface, "isosurface"},
                                      {mesh::Method::kTruncatedCones, "cones"},
                                      {mesh::Method::kConvolutionSurface, "convolution"}}) {
@@ -75,63 +75,63 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         for (const std::string& note : surface->notes) say(flags.common, flags.mask + ": " + note);
         if (kind == mesh::Method::kIsosurface) made.voxel_mm = surface->voxel_mm;
         const std::string title = kind == mesh::Method::kIsosurface ? "Isosurface of the mask" : title_of(kind, {});
-        made.all[place++] = {name, title, surface->mesh};
+        made.all[index++] = {name, title, surface->mesh};
     }
     return made;
 }
 
-// A place worth a close-up.
-struct Place {
+// A vessel that is worth a picture of its own.
+struct CloseUp {
     glm::dvec3 position{0.0};
     double radius = 0.0;
 };
 
 // Where vessels branch, the widest first; the middles of branches where nothing does.
-std::vector<Place> places_of(const tree::VesselTree& tree) {
+std::vector<CloseUp> close_ups_of(const tree::VesselTree& tree) {
     std::map<std::uint32_t, int> meeting;
     for (const tree::Branch& branch : tree.branches)
         for (const std::uint32_t end : {branch.points.front(), branch.points.back()}) ++meeting[end];
-    std::vector<Place> places;
+    std::vector<CloseUp> found;
     for (const auto& [point, branches] : meeting)
-        if (branches > 2) places.push_back({tree.points[point].position, tree.points[point].radius});
-    for (std::size_t i = 0; places.size() < kPlaces && i < tree.branches.size(); ++i) {
+        if (branches > 2) found.push_back({tree.points[point].position, tree.points[point].radius});
+    for (std::size_t i = 0; found.size() < kCloseUps && i < tree.branches.size(); ++i) {
         const auto& points = tree.branches[i].points;
         const tree::Point& middle = tree.points[points[points.size() / 2]];
-        places.push_back({middle.position, middle.radius});
+        found.push_back({middle.position, middle.radius});
     }
-    std::ranges::stable_sort(places, std::greater<>(), &Place::radius);
-    return places;
+    std::ranges::stable_sort(found, std::greater<>(), &CloseUp::radius);
+    return found;
 }
 
 // Of the widest, the middling and the thin ones one each, of those that can be seen in the picture that is drawn.
-std::vector<Place> choose(render::Renderer& renderer, const render::Frame& context, const std::vector<Place>& all) {
-    std::vector<Place> seen;
-    for (const Place& place : all) {
-        const auto at = render::project(context.camera, context.size, place.position);
+std::vector<CloseUp> choose(render::Renderer& renderer, const render::Frame& context, const std::vector<CloseUp>& all) {
+    std::vector<CloseUp> seen;
+    for (const CloseUp& one : all) {
+        const auto at = render::project(context.camera, context.size, one.position);
         const glm::dvec2 margin = 0.08 * glm::dvec2(context.size);
         if (!at || at->x < margin.x || at->y < margin.y || at->x > context.size.x - margin.x ||
             at->y > context.size.y - margin.y)
             continue;
         const render::Pick pick = renderer.pick(at->x, at->y);
-        if (pick.branch != render::kNoBranch && glm::distance(pick.position, place.position) < 2.0 * place.radius)
-            seen.push_back(place);
+        if (pick.branch != render::kNoBranch && glm::distance(pick.position, one.position) < 2.0 * one.radius)
+            seen.push_back(one);
     }
-    const std::vector<Place>& from = seen.size() >= kPlaces ? seen : all;
+    const std::vector<CloseUp>& from = seen.size() >= kCloseUps ? seen : all;
     std::set<std::size_t> ranks;
     for (const double share : {0.0, 0.4, 0.85})
         ranks.insert(std::min(from.size() - 1, static_cast<std::size_t>(share * static_cast<double>(from.size()))));
-    std::vector<Place> chosen;
+    std::vector<CloseUp> chosen;
     for (const std::size_t rank : ranks) chosen.push_back(from[rank]);
     return chosen;
 }
 
-render::Camera close_to(const Place& place, render::Camera camera) {
+render::Camera close_to(const CloseUp& close_up, render::Camera camera) {
     const double slope = std::tan(glm::radians(0.5 * camera.view_angle));
     const double whole = slope * glm::distance(camera.position, camera.focal_point);
-    const double half = std::min(0.5 * kPlaceHeight * 2.0 * place.radius, kPlaceShare * whole);
+    const double half = std::min(0.5 * kCloseUpHeight * 2.0 * close_up.radius, kCloseUpShare * whole);
     const glm::dvec3 forward = render::axes_of(camera).forward;
-    camera.focal_point = place.position;
-    camera.position = place.position - half / slope * forward;
+    camera.focal_point = close_up.position;
+    camera.position = close_up.position - half / slope * forward;
     camera.scale = half;
     return camera;
 }
@@ -186,20 +186,20 @@ Result<int> run_study(const StudyFlags& flags) {
     const render::Frame whole =
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces->all[2].title);
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
-    const std::vector<Place> places = choose(**renderer, whole, places_of(*tree));
+    const std::vector<CloseUp> close_ups = choose(**renderer, whole, close_ups_of(*tree));
     nlohmann::ordered_json report;
     report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
     if (surfaces->voxel_mm > 0.0) report["voxel_mm"] = surfaces->voxel_mm;
     report["places"] = nlohmann::json::array();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const render::Camera camera = close_to(places[i], whole.camera);
+    for (std::size_t i = 0; i < close_ups.size(); ++i) {
+        const render::Camera camera = close_to(close_ups[i], whole.camera);
         for (const auto& [name, title, mesh] : surfaces->all) {
             render::Frame frame = painter.frame(mesh, camera, title);
             frame.overlays.orientation_cube = false;
             if (auto done = painter.write(frame, "place_" + std::to_string(i + 1) + "_" + name); !done)
                 return tl::unexpected(done.error());
         }
-        report["places"].push_back({{"diameter_mm", 2.0 * places[i].radius}, {"camera", render::to_json(camera)}});
+        report["places"].push_back({{"diameter_mm", 2.0 * close_ups[i].radius}, {"camera", render::to_json(camera)}});
     }
     report["pictures"] = painter.files();
     if (flags.json)

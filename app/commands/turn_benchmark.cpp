@@ -12,9 +12,9 @@ namespace ramus::app {
 namespace {
 
 void look_from(render::Sheet& sheet, const render::Camera& camera, render::Quality quality) {
-    for (render::Sheet::Pane& pane : sheet.panes) {
-        pane.frame.camera = camera;
-        pane.frame.quality = quality;
+    for (render::Sheet::Viewport& viewport : sheet.viewports) {
+        viewport.frame.camera = camera;
+        viewport.frame.quality = quality;
     }
 }
 
@@ -45,7 +45,7 @@ Result<double> difference_at_rest(render::SheetRenderer& renderer, render::Sheet
 
 Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet sheet, int frames, bool hurry,
                                 nlohmann::json& report) {
-    const render::Camera start_camera = sheet.panes.front().frame.camera;
+    const render::Camera start_camera = sheet.viewports.front().frame.camera;
     const auto camera_at = [&](double turn) { return render::turned(start_camera, 360.0 * turn, 0.0); };
     const render::Quality quality = hurry ? render::Quality::kInteractive : render::Quality::kFull;
     look_from(sheet, camera_at(-1.0 / frames), quality); // what is made once is made
@@ -67,7 +67,7 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     report["fps"] = fps;
     report["triangles"] = static_cast<double>(triangles) / frames;
     report["cones"] = static_cast<double>(cones) / frames;
-    report["panes"] = sheet.panes.size();
+    report["panes"] = sheet.viewports.size();
     report["quality"] = hurry ? "interactive" : "full";
     double difference = 0.0;
     constexpr int kCompared = 4;

@@ -56,7 +56,7 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
         layout.overview_height = std::clamp(pixels(overview_points), pixels(kLeastOverviewHeight), available);
     layout.view_size =
         glm::max(glm::ivec2(window.x - layout.panel_width, between - layout.overview_height), glm::ivec2(1));
-    layout.pane_size = layout.view_size;
+    layout.viewport_size = layout.view_size;
     return layout;
 }
 

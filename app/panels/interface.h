@@ -31,9 +31,9 @@ struct Layout {
     int panel_width = 0;                 // 0 when it is closed
     int overview_height = 0;             // likewise; it lies under the picture
     glm::ivec2 view_at{0}, view_size{1}; // the picture
-    // Its panes: their corners in the picture, and the size of each. One, nearly always.
-    std::vector<glm::ivec2> panes_at{glm::ivec2(0)};
-    glm::ivec2 pane_size{1};
+    // Its viewports: their corners in the picture, and the size of each. One, nearly always.
+    std::vector<glm::ivec2> viewports_at{glm::ivec2(0)};
+    glm::ivec2 viewport_size{1};
 };
 // How high and wide these want to be; `overview_points` 0: closed.
 [[nodiscard]] Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points = 0.0F,
@@ -92,6 +92,7 @@ struct Interface {
     bool help_open = false;
     std::array<char, 64> help_search{};
     Settings settings;
+    std::vector<std::filesystem::path> recent_files; // newest first
     OpenDialog open_dialog;
     RecoveryDialog recovery;
     UnsavedDialog unsaved;

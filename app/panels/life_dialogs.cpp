@@ -4,7 +4,7 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
-#include "app/storage/places.h"
+#include "app/storage/user_folders.h"
 
 #include <algorithm>
 #include <cmath>

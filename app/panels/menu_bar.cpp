@@ -3,7 +3,6 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
-#include "app/storage/recent_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +54,7 @@ void draw_history(InterfaceContext& context) {
 }
 
 void draw_recent(InterfaceContext& context) {
-    const auto& files = recent_files();
+    const auto& files = context.interface.recent_files;
     if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
     std::filesystem::path chosen;
     for (const auto& file : files) {

@@ -5,8 +5,7 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
-#include "app/storage/places.h"
-#include "app/storage/recent_files.h"
+#include "app/storage/user_folders.h"
 #include "core/io/meshes/mesh_format.h"
 #include "core/io/trees/tree_format.h"
 #include "core/io/volumes/volume_format.h"
@@ -16,6 +15,7 @@
 #include <cctype>
 #include <cstring>
 #include <imgui.h>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -121,7 +121,7 @@ std::string size_text(std::uintmax_t bytes) {
 }
 
 // Where the user may want to go: recent files and a few folders. Returns what was chosen.
-fs::path draw_places(float width, bool with_files) {
+fs::path draw_places(float width, std::span<const fs::path> recent_files) {
     fs::path chosen;
     ImGui::BeginChild("places", {width, 0.0F});
     widgets::quiet("Places");
@@ -129,17 +129,16 @@ fs::path draw_places(float width, bool with_files) {
         if (ImGui::Selectable(label)) chosen = path;
         widgets::tooltip(path.c_str());
     };
-    if (const fs::path home = places::home(); !home.empty()) entry("Home", home);
-    if (const fs::path documents = places::documents(); !documents.empty()) entry("Documents", documents);
+    if (const fs::path home = user_folders::home(); !home.empty()) entry("Home", home);
+    if (const fs::path documents = user_folders::documents(); !documents.empty()) entry("Documents", documents);
     std::error_code ignored;
     entry("Here", fs::current_path(ignored));
     entry("Computer", "/");
-    if (with_files && !recent_files().empty()) {
+    if (!recent_files.empty()) {
         ImGui::Dummy({0.0F, 6.0F * theme::scale()});
         widgets::quiet("Recent");
     }
-    for (const auto& file : recent_files()) {
-        if (!with_files) break;
+    for (const fs::path& file : recent_files) {
         ImGui::PushID(file.c_str());
         entry(widgets::fitted(file.filename().string(), width - 12.0F * theme::scale()).c_str(), file);
         ImGui::PopID();
@@ -282,7 +281,9 @@ void draw_open_dialog(InterfaceContext& context) {
     };
     widgets::heading(purpose.title);
     ImGui::Dummy({0.0F, 2.0F * scale});
-    take(draw_places(190.0F * scale, dialog.purpose == FilePurpose::kOpen));
+    std::span<const fs::path> recent;
+    if (dialog.purpose == FilePurpose::kOpen) recent = context.interface.recent_files;
+    take(draw_places(190.0F * scale, recent));
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
     take(draw_path_row(dialog));

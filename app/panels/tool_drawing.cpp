@@ -76,12 +76,12 @@ void draw_tool_drawing(InterfaceContext& context) {
     const ToolDrawing& drawing = context.interface.tool_drawing;
     const Layout& layout = context.layout;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    // Panes are the same view of the same place: what is drawn in one shows in all.
-    for (const glm::ivec2& corner : layout.panes_at) {
-        const glm::ivec2 at = layout.view_at + corner, to = at + layout.pane_size;
+    // Viewports are the same view of the same place: what is drawn in one shows in all.
+    for (const glm::ivec2& corner : layout.viewports_at) {
+        const glm::ivec2 at = layout.view_at + corner, to = at + layout.viewport_size;
         list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
                           {static_cast<float>(to.x), static_cast<float>(to.y)});
-        const Painter painter(list, at, layout.pane_size);
+        const Painter painter(list, at, layout.viewport_size);
         for (const auto& area : drawing.areas) painter.area(area);
         for (const auto& line : drawing.lines) painter.line(line);
         for (const auto& circle : drawing.circles) painter.circle(circle);

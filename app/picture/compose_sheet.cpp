@@ -43,72 +43,72 @@ std::string blend_heading(const std::string& first, const std::string& second, d
 
 } // namespace
 
-std::vector<ComparedPane> panes_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
+std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
     const Comparison& comparison = marks.comparison;
     const std::vector<mesh::Method> kinds = compared_surfaces(comparison);
     if (kinds.empty()) return {{glm::ivec2(0), size, marks.options.method, {}, true}};
-    std::vector<ComparedPane> panes;
+    std::vector<Viewport> viewports;
     for (const mesh::Method kind : kinds)
-        panes.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != mesh::Method::kIsosurface});
+        viewports.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != mesh::Method::kIsosurface});
     if (comparison.mode == Comparison::Mode::kSuperimposed) {
-        panes[0].title += ", lines: " + lowered(panes[1].title);
-        panes.resize(1);
+        viewports[0].title += ", lines: " + lowered(viewports[1].title);
+        viewports.resize(1);
     }
-    if (comparison.mode != Comparison::Mode::kSideBySide) return panes;
+    if (comparison.mode != Comparison::Mode::kSideBySide) return viewports;
     const int axis = size.x >= size.y ? 0 : 1;
-    const int count = static_cast<int>(panes.size());
+    const int count = static_cast<int>(viewports.size());
     const int line = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
     const int side = std::max(1, (size[axis] - (count - 1) * line) / count);
     for (int i = 0; i < count; ++i) {
-        ComparedPane& pane = panes[static_cast<std::size_t>(i)];
-        // What does not divide goes into the lines: all panes have one size.
-        pane.at[axis] = std::max(0, (size[axis] - side) * i / (count - 1));
-        pane.size[axis] = side;
+        Viewport& viewport = viewports[static_cast<std::size_t>(i)];
+        // What does not divide goes into the lines: all viewports have one size.
+        viewport.at[axis] = std::max(0, (size[axis] - side) * i / (count - 1));
+        viewport.size[axis] = side;
     }
-    return panes;
+    return viewports;
 }
 
 render::Sheet compose_sheet(const Session& session, const Assets& assets, const ShownSurfaces& surfaces,
                             const Viewing& viewing, const SheetViewing& sheet_viewing) {
     const Marks& marks = session.marks;
     const Comparison& comparison = marks.comparison;
-    const std::vector<ComparedPane> panes = panes_of(marks, viewing.size, viewing.pixel_ratio);
+    const std::vector<Viewport> viewports = viewports_of(marks, viewing.size, viewing.pixel_ratio);
     const bool beside = comparison.mode == Comparison::Mode::kSideBySide;
     render::Sheet sheet;
     sheet.size = viewing.size;
     sheet.divider = kDividerColour;
-    std::size_t with_legend = 0; // one pane has it: the last that has colours of branches
-    for (std::size_t i = 0; i < panes.size(); ++i)
-        if (panes[i].has_branches) with_legend = i;
-    for (std::size_t i = 0; i < panes.size(); ++i) {
+    std::size_t with_legend = 0; // one viewport has it: the last that has colours of branches
+    for (std::size_t i = 0; i < viewports.size(); ++i)
+        if (viewports[i].has_branches) with_legend = i;
+    for (std::size_t i = 0; i < viewports.size(); ++i) {
         Viewing own = viewing;
-        own.size = panes[i].size;
-        own.method = panes[i].surface;
-        render::Frame frame = compose(session, assets, surfaces.of(panes[i].surface), own);
-        if (!panes[i].has_branches) take_branches_away(frame);
+        own.size = viewports[i].size;
+        own.method = viewports[i].surface;
+        render::Frame frame = compose(session, assets, surfaces.of(viewports[i].surface), own);
+        if (!viewports[i].has_branches) take_branches_away(frame);
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)
             frame.context.push_back({.mesh = surfaces.lines,
                                      .preview = surfaces.lines_preview,
                                      .colour = kLineColour,
                                      .opacity = 0.9F,
                                      .wireframe = true});
-        // They are the same in all: panes beside each other share one each.
+        // They are the same in all: viewports beside each other share one each.
         const bool there = assets.tree != nullptr;
-        frame.overlays.orientation_cube = there && (!beside || i + 1 == panes.size());
+        frame.overlays.orientation_cube = there && (!beside || i + 1 == viewports.size());
         frame.overlays.scale_bar = there && (!beside || i == 0);
         if (i != with_legend) frame.overlays.legend = {};
-        if (comparison.mode != Comparison::Mode::kBlend) frame.overlays.heading = latin1(panes[i].title);
-        if (!panes[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
-        sheet.panes.push_back({panes[i].at, std::move(frame), panes[i].has_branches});
+        if (comparison.mode != Comparison::Mode::kBlend) frame.overlays.heading = latin1(viewports[i].title);
+        if (!viewports[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
+        sheet.viewports.push_back({viewports[i].at, std::move(frame), viewports[i].has_branches});
     }
     if (comparison.mode == Comparison::Mode::kBlend && assets.tree) {
         sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
-        sheet.heading = latin1(blend_heading(panes[0].title, panes[1].title, *sheet.blend));
+        sheet.heading = latin1(blend_heading(viewports[0].title, viewports[1].title, *sheet.blend));
         sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));
         // What lies over both is that of both.
-        render::Overlays& first = sheet.panes[0].frame.overlays;
-        render::Overlays& second = sheet.panes[1].frame.overlays;
-        (with_legend == 0 ? second : first).legend = sheet.panes[with_legend].frame.overlays.legend;
+        render::Overlays& first = sheet.viewports[0].frame.overlays;
+        render::Overlays& second = sheet.viewports[1].frame.overlays;
+        (with_legend == 0 ? second : first).legend = sheet.viewports[with_legend].frame.overlays.legend;
     }
     return sheet;
 }

@@ -1,5 +1,5 @@
-// compose_sheet(): a session's picture with what it is compared with: where the panes are, what each of them shows,
-// and their frames. Nothing is compared: one pane, whose frame is compose()'s. The window, its mouse and pictures
+// compose_sheet(): a session's picture with what it is compared with: where the viewports are, what each of them shows,
+// and their frames. Nothing is compared: one viewport, whose frame is compose()'s. The window, its mouse and pictures
 // without a window share it.
 #pragma once
 
@@ -12,17 +12,17 @@
 namespace ramus::app {
 
 // A part of the picture that shows one surface.
-struct ComparedPane {
-    glm::ivec2 at{0}, size{1}; // pixels; all panes of a picture have one size
+struct Viewport {
+    glm::ivec2 at{0}, size{1}; // pixels; all viewports of a picture have one size
     mesh::Method surface = mesh::Method::kConvolutionSurface;
     std::string title;        // UTF-8; empty: nothing is compared
     bool has_branches = true; // a mask has none
-    bool operator==(const ComparedPane&) const = default;
+    bool operator==(const Viewport&) const = default;
 };
 
 // Of a picture of `size`. Beside each other, or below each other where the picture is higher than wide; a thin line is
-// left between them. Two that cover the same place are blended. Superimposed surfaces share one pane, the first's.
-[[nodiscard]] std::vector<ComparedPane> panes_of(const Marks& marks, glm::ivec2 size, float pixel_ratio);
+// left between them. Two that cover the same place are blended. Superimposed surfaces share one viewport, the first's.
+[[nodiscard]] std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio);
 
 inline constexpr glm::vec3 kDividerColour{0.24F, 0.26F, 0.29F}; // sRGB
 

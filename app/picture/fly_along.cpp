@@ -49,12 +49,12 @@ std::vector<tree::Point> resampled(const Polyline& way) {
     std::vector<tree::Point> samples;
     std::size_t segment = 1;
     for (int i = 0; i < kSamples; ++i) {
-        const double wanted = way.at.back() * i / (kSamples - 1);
-        while (segment + 1 < way.at.size() && way.at[segment] < wanted) ++segment;
+        const double along = way.at.back() * i / (kSamples - 1);
+        while (segment + 1 < way.at.size() && way.at[segment] < along) ++segment;
         const tree::Point& a = way.points[segment - 1];
         const tree::Point& b = way.points[segment];
         const double length = way.at[segment] - way.at[segment - 1];
-        const double t = length > 0.0 ? std::clamp((wanted - way.at[segment - 1]) / length, 0.0, 1.0) : 1.0;
+        const double t = length > 0.0 ? std::clamp((along - way.at[segment - 1]) / length, 0.0, 1.0) : 1.0;
         samples.push_back({glm::mix(a.position, b.position, t), glm::mix(a.radius, b.radius, t)});
     }
     return samples;
@@ -102,12 +102,12 @@ glm::dvec3 across(const glm::dvec3& vector, const glm::dvec3& direction) {
 
 // Directions that turn by kMostTurn from one to the next at most, and follow the given ones as fast as that allows.
 // They begin to turn before the way does: half of a sharp bend is flown before it, half behind.
-std::vector<glm::dvec3> limited(const std::vector<glm::dvec3>& wanted) {
-    std::vector<glm::dvec3> result{wanted.front()};
-    constexpr std::size_t kLead = 30; // samples
-    for (std::size_t i = 1; i < wanted.size(); ++i) {
+std::vector<glm::dvec3> limited(const std::vector<glm::dvec3>& given) {
+    std::vector<glm::dvec3> result{given.front()};
+    constexpr std::size_t kAhead = 30; // samples
+    for (std::size_t i = 1; i < given.size(); ++i) {
         const glm::dvec3 last = result.back();
-        const glm::dvec3& goal = wanted[std::min(i + kLead, wanted.size() - 1)];
+        const glm::dvec3& goal = given[std::min(i + kAhead, given.size() - 1)];
         const double angle = std::acos(std::clamp(glm::dot(last, goal), -1.0, 1.0));
         result.push_back(angle <= kMostTurn
                              ? goal
@@ -164,14 +164,14 @@ FlyPath::FlyPath(const tree::VesselTree& tree, int end) : end_(end) {
         seconds_.push_back(seconds);
         seconds += kSecondsPerDistance * step / sample.distance_mm;
     }
-    const double wanted = std::clamp(seconds_.back(), kLeastSeconds, kMostSeconds);
-    for (double& time : seconds_) time *= wanted / seconds_.back();
+    const double duration = std::clamp(seconds_.back(), kLeastSeconds, kMostSeconds);
+    for (double& time : seconds_) time *= duration / seconds_.back();
 }
 
 FlyPath::Sample FlyPath::at(double fraction) const {
-    const double place = std::clamp(fraction, 0.0, 1.0) * (kSamples - 1);
-    const auto before = std::min(static_cast<std::size_t>(place), samples_.size() - 2);
-    const double t = place - static_cast<double>(before);
+    const double sample_at = std::clamp(fraction, 0.0, 1.0) * (kSamples - 1);
+    const auto before = std::min(static_cast<std::size_t>(sample_at), samples_.size() - 2);
+    const double t = sample_at - static_cast<double>(before);
     const Sample& a = samples_[before];
     const Sample& b = samples_[before + 1];
     Sample sample;
@@ -199,9 +199,9 @@ glm::dvec3 FlyPath::point_at(double fraction) const { return at(fraction).point;
 double FlyPath::distance_at(double fraction) const { return at(fraction).distance_mm; }
 
 double FlyPath::after(double fraction, double seconds) const {
-    const double place = std::clamp(fraction, 0.0, 1.0) * (kSamples - 1);
-    const auto before = std::min(static_cast<std::size_t>(place), seconds_.size() - 2);
-    const double now = glm::mix(seconds_[before], seconds_[before + 1], place - static_cast<double>(before));
+    const double sample_at = std::clamp(fraction, 0.0, 1.0) * (kSamples - 1);
+    const auto before = std::min(static_cast<std::size_t>(sample_at), seconds_.size() - 2);
+    const double now = glm::mix(seconds_[before], seconds_[before + 1], sample_at - static_cast<double>(before));
     const double then = std::clamp(now + seconds, 0.0, seconds_.back());
     const auto next = std::ranges::upper_bound(seconds_, then);
     const auto last = std::clamp<std::ptrdiff_t>(next - seconds_.begin(), 1, kSamples - 1);

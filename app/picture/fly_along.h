@@ -2,9 +2,9 @@
 // diameters behind and above, and looks ahead along the vessel. A path is made once for a branch; then every fraction
 // of it, 0 at the root and 1 at the end, has its camera. Fractions are of the length in mm.
 //
-// Place and direction change continuously and slowly, however sharply the vessels bend: the camera follows a smoothed
-// centerline, nearer to a thin vessel than to a thick one, and turns by less than two degrees on a thousandth of the
-// way. Played at an even pace, the vessel seems to pass at the same speed in the picture everywhere.
+// Position and direction change continuously and slowly, however sharply the vessels bend: the camera follows a
+// smoothed centerline, nearer to a thin vessel than to a thick one, and turns by less than two degrees on a thousandth
+// of the way. Played at an even pace, the vessel seems to pass at the same speed in the picture everywhere.
 #pragma once
 
 #include "core/tree/vessel_tree.h"

@@ -110,12 +110,12 @@ private:
         std::map<std::uint32_t, std::pair<double, int>> trees; // by root: sum over its branches, and how many
         for (const int id : layout_.roots)
             trees[root_point(id)].first += across[index(id)], ++trees[root_point(id)].second;
-        const auto place = [&](int id) {
+        const auto key = [&](int id) {
             const auto& [sum, count] = trees.at(root_point(id));
             return std::pair(sum / count, root_point(id));
         };
         sort(layout_.roots.begin(), layout_.roots.end());
-        std::ranges::stable_sort(layout_.roots, [&](int a, int b) { return place(a) < place(b); });
+        std::ranges::stable_sort(layout_.roots, [&](int a, int b) { return key(a) < key(b); });
     }
 
     void order_branches() {

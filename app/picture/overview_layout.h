@@ -22,10 +22,10 @@ enum class OverviewDepth { kGeneration, kDistance }; // branchings, or mm along 
 struct OverviewLine {
     double at = 0.0;                // across
     double from = 0.0, to = 0.0;    // down, of the branch itself
-    double first = 0.0, last = 0.0; // room across of it and all below
+    double first = 0.0, last = 0.0; // extent across of it and all below
     double deepest = 0.0;           // down, of it and all below
     double mean_end = 0.0;          // down, mean of the leaves below
-    int begin = -1, end = -1;       // places in OverviewLayout::order of it and all below; -1: a link
+    int begin = -1, end = -1;       // indices into OverviewLayout::order of it and all below; -1: a link
 };
 
 // A branch that closes a loop: from where it begins to where it ends.

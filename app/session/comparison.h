@@ -15,7 +15,7 @@ namespace ramus::app {
 struct Comparison {
     enum class Mode : std::uint8_t {
         kOff,
-        kSideBySide,   // each in a pane of its own, seen by one camera
+        kSideBySide,   // each in a viewport of its own, seen by one camera
         kBlend,        // the first two, one fading into the other
         kSuperimposed, // the first shaded, the second as a wireframe over it
     };

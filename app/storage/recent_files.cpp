@@ -1,6 +1,6 @@
 #include "app/storage/recent_files.h"
 
-#include "app/storage/places.h"
+#include "app/storage/user_folders.h"
 #include "core/io/output_file.h"
 
 #include <fstream>
@@ -13,11 +13,13 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path list_file() {
-    const fs::path folder = places::state();
+    const fs::path folder = user_folders::state();
     return folder.empty() ? folder : folder / "recent";
 }
 
-std::vector<fs::path> read_list() {
+} // namespace
+
+std::vector<fs::path> read_recent_files() {
     std::vector<fs::path> files;
     constexpr std::size_t kMost = 100;
     std::ifstream stream(list_file());
@@ -28,30 +30,21 @@ std::vector<fs::path> read_list() {
     return files;
 }
 
-std::vector<fs::path>& list() {
-    static std::vector<fs::path> files = read_list();
-    return files;
-}
-
-} // namespace
-
-const std::vector<fs::path>& recent_files() { return list(); }
-
-void remember_file(const fs::path& path, std::size_t most) {
+std::vector<fs::path> remember_file(const fs::path& path, std::size_t most) {
     const fs::path file = fs::absolute(path).lexically_normal();
-    auto files = read_list(); // another window may have written in between
+    auto files = read_recent_files(); // another window may have written in between
     std::erase(files, file);
     files.insert(files.begin(), file);
     if (files.size() > most) files.resize(most);
-    list() = files;
     const fs::path target = list_file();
-    if (target.empty()) return;
+    if (target.empty()) return files;
     std::error_code ignored;
     fs::create_directories(target.parent_path(), ignored);
     std::string text;
     for (const fs::path& each : files)
         if (each.string().find('\n') == std::string::npos) text += each.string() + "\n";
     (void)io::write_file(target, text);
+    return files;
 }
 
 } // namespace ramus::app

@@ -1,6 +1,6 @@
 // Settings: what a person wants of the window every time, kept in settings.json in the settings folder
-// (app/storage/places.h). What belongs to a tree is the session's. Reading takes what is missing from the defaults and
-// refuses wrong types and values; names that it does not know are another version's, and ignored.
+// (app/storage/user_folders.h). What belongs to a tree is the session's. Reading takes what is missing from the
+// defaults and refuses wrong types and values; names that it does not know are another version's, and ignored.
 #pragma once
 
 #include "core/base/error.h"

@@ -52,29 +52,29 @@ render::Camera PictureView::camera_on_its_way() {
 }
 
 bool PictureView::draw(bool dragging) {
-    const std::vector<ComparedPane> panes = state_.panes();
+    const std::vector<Viewport> viewports = state_.viewports();
     const ShownSurfaces surfaces = state_.workspace.surfaces();
-    compose_window(panes, surfaces);
+    compose_window(viewports, surfaces);
     const render::Quality quality = quality_now(dragging);
-    dress(panes, surfaces, quality);
-    tell_panels(panes);
+    dress(viewports, surfaces, quality);
+    tell_panels(viewports);
     const auto drawn = sheets_.draw(sheet_, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
     take(drawn, quality);
     return drawn && drawn->shaded;
 }
 
-// The first pane decides how quickly the others are seen.
-void PictureView::compose_window(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces) {
+// The first viewport decides how quickly the others are seen.
+void PictureView::compose_window(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces) {
     Workspace& workspace = state_.workspace;
-    const bool compares = !panes.front().title.empty();
+    const bool compares = !viewports.front().title.empty();
     SheetViewing sheet_viewing{.blend = state_.interface.tried_blend};
     if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * state_.scale));
     sheet_ =
         compose_sheet(workspace.document.session(), workspace.current_assets(), surfaces, viewing(), sheet_viewing);
     shown_camera_ = camera_on_its_way();
-    render::Frame& first = sheet_.panes.front().frame;
+    render::Frame& first = sheet_.viewports.front().frame;
     first.camera = shown_camera_;
-    if (panes.front().surface == own_kind() && pace_.slow(first) && !cast_) {
+    if (viewports.front().surface == own_kind() && pace_.slow(first) && !cast_) {
         workspace.await_preview();
         first.mesh = workspace.shown().mesh;
     }
@@ -82,7 +82,7 @@ void PictureView::compose_window(const std::vector<ComparedPane>& panes, const S
 }
 
 render::Quality PictureView::quality_now(bool dragging) {
-    const render::Frame& first = sheet_.panes.front().frame;
+    const render::Frame& first = sheet_.viewports.front().frame;
     const bool better_to_come = state_.workspace.shown().provisional || first.surface_awaited;
     const render::Quality quality = pace_.quality(first, dragging || glide_, better_to_come, state_.now);
     // A picture that shows already what is wanted does not give way to the surface before.
@@ -90,34 +90,34 @@ render::Quality PictureView::quality_now(bool dragging) {
     return awaits_ ? render::Quality::kInteractive : quality;
 }
 
-void PictureView::dress(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces,
+void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces,
                         render::Quality quality) {
     const ReadySurface& shown = state_.workspace.shown();
-    for (std::size_t i = 0; i < sheet_.panes.size(); ++i) {
-        render::Frame& frame = sheet_.panes[i].frame;
+    for (std::size_t i = 0; i < sheet_.viewports.size(); ++i) {
+        render::Frame& frame = sheet_.viewports[i].frame;
         frame.camera = shown_camera_;
         frame.quality = quality;
-        frame.preview = surfaces.preview_of(panes[i].surface);
-        if (panes[i].surface != own_kind()) continue;
+        frame.preview = surfaces.preview_of(viewports[i].surface);
+        if (viewports[i].surface != own_kind()) continue;
         frame.mesh = shown.mesh;
         frame.preview = shown.preview;
     }
 }
 
 // The overview and the list show branches as the picture does.
-void PictureView::tell_panels(const std::vector<ComparedPane>& panes) {
+void PictureView::tell_panels(const std::vector<Viewport>& viewports) {
     Interface& interface = state_.interface;
     if (!interface.overview.open && state_.layout.panel_width == 0) return;
-    const auto own = std::ranges::find(panes, own_kind(), &ComparedPane::surface);
-    const auto index = own == panes.end() ? 0 : own - panes.begin();
-    const render::Frame& frame = sheet_.panes[static_cast<std::size_t>(index)].frame;
+    const auto own = std::ranges::find(viewports, own_kind(), &Viewport::surface);
+    const auto index = own == viewports.end() ? 0 : own - viewports.begin();
+    const render::Frame& frame = sheet_.viewports[static_cast<std::size_t>(index)].frame;
     PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents, frame.lost};
     if (look != interface.picture) state_.redraw();
     interface.picture = std::move(look);
 }
 
 void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Quality quality) {
-    const render::Frame& frame = sheet_.panes.front().frame;
+    const render::Frame& frame = sheet_.viewports.front().frame;
     const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
     // Said once; the interface goes on without a picture.
     const std::string problem = drawn ? std::string() : drawn.error().message();

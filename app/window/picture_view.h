@@ -40,7 +40,7 @@ public:
     [[nodiscard]] float pictured_width() const { return pictured_width_; }
 
     // PictureHost
-    [[nodiscard]] glm::ivec2 picture_size() const override { return state_.pane_size(); }
+    [[nodiscard]] glm::ivec2 picture_size() const override { return state_.viewport_size(); }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
@@ -61,10 +61,10 @@ private:
     [[nodiscard]] Viewing viewing() const;
     [[nodiscard]] mesh::Method own_kind() const { return state_.workspace.document.marks().options.method; }
     [[nodiscard]] render::Camera camera_on_its_way();
-    void compose_window(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces);
+    void compose_window(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces);
     [[nodiscard]] render::Quality quality_now(bool dragging);
-    void dress(const std::vector<ComparedPane>& panes, const ShownSurfaces& surfaces, render::Quality quality);
-    void tell_panels(const std::vector<ComparedPane>& panes);
+    void dress(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces, render::Quality quality);
+    void tell_panels(const std::vector<Viewport>& viewports);
     void take(const Result<render::DrawStatistics>& drawn, render::Quality quality);
     Result<void> draw_for_keeping(const render::Camera& camera, glm::ivec2 size);
 

@@ -3,9 +3,9 @@
 #include "app/actions/script.h"
 #include "app/panels/theme.h"
 #include "app/storage/autosave.h"
-#include "app/storage/places.h"
 #include "app/storage/settings.h"
 #include "app/storage/tree_source.h"
+#include "app/storage/user_folders.h"
 #include "app/window/glfw_window.h"
 #include "app/window/status_file.h"
 #include "app/window/viewer.h"
@@ -50,7 +50,7 @@ public:
         : written_(settings), own_scale_(own_scale), autosaver_(folder(), wake_window), writer_(wake_window) {}
 
     [[nodiscard]] static std::filesystem::path folder() {
-        const std::filesystem::path state = places::state();
+        const std::filesystem::path state = user_folders::state();
         return state.empty() ? state : state / "autosave";
     }
 
@@ -68,7 +68,7 @@ public:
         if (wanted_ == written_ || writer_.busy() || now < changed_ + kSettleSeconds) return;
         written_ = wanted_;
         writer_.start("Saving", [wanted](Job&, const Worker::Post&) {
-            (void)write_settings(wanted, places::settings()); // a convenience
+            (void)write_settings(wanted, user_folders::settings()); // a convenience
         });
     }
 
@@ -84,7 +84,7 @@ public:
             writer_.drain();
         }
         if (const Settings last = settings(window, viewer); last != written_)
-            (void)write_settings(last, places::settings());
+            (void)write_settings(last, user_folders::settings());
     }
 
 private:
@@ -175,7 +175,7 @@ int run_window(const WindowOptions& options) {
     workspace.document.open(nullptr, empty);
     if (const auto file = first_file(options)) workspace.open(*file);
 
-    const StoredSettings stored = read_settings(places::settings());
+    const StoredSettings stored = read_settings(user_folders::settings());
     const Settings& settings = stored.settings;
     const bool own_scale = options.scale > 0.0F;
     const float wanted_scale = own_scale ? options.scale : static_cast<float>(settings.ui_scale);

@@ -55,7 +55,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     state_.now = now;
     lay_out();
     take_news();
-    lay_out_panes();
+    lay_out_viewports();
     // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
     input_.ask_pick();
     input_.take_pick();
@@ -77,11 +77,11 @@ void Viewer::lay_out() {
                               interface.overview.wanted_height(), interface.panel_points);
 }
 
-void Viewer::lay_out_panes() {
+void Viewer::lay_out_viewports() {
     Layout& layout = state_.layout;
-    layout.panes_at.clear();
-    for (const ComparedPane& pane : state_.panes()) layout.panes_at.push_back(pane.at);
-    layout.pane_size = state_.pane_size();
+    layout.viewports_at.clear();
+    for (const Viewport& viewport : state_.viewports()) layout.viewports_at.push_back(viewport.at);
+    layout.viewport_size = state_.viewport_size();
 }
 
 void Viewer::take_news() {

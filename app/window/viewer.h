@@ -64,7 +64,7 @@ private:
     Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake);
     [[nodiscard]] bool working() const { return state_.workspace.busy() || state_.commands.busy(); }
     void lay_out();
-    void lay_out_panes();
+    void lay_out_viewports();
     void take_news();
     void begin_tree(const Workspace::Opened& opened);
     void build_interface();

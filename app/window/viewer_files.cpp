@@ -1,7 +1,7 @@
 #include "app/window/viewer_files.h"
 
-#include "app/storage/places.h"
 #include "app/storage/recent_files.h"
+#include "app/storage/user_folders.h"
 
 #include <algorithm>
 #include <chrono>
@@ -91,7 +91,7 @@ void ViewerFiles::take(const Workspace::Opened& opened) {
     opened_(opened);
     Interface& interface = state_.interface;
     if (state_.persons_window) {
-        remember_file(opened.path, static_cast<std::size_t>(interface.settings.recent_files));
+        interface.recent_files = remember_file(opened.path, static_cast<std::size_t>(interface.settings.recent_files));
         interface.settings.last_folder = opened.path.parent_path();
     }
     auto& entries = interface.recovery.entries;

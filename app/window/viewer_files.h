@@ -1,6 +1,7 @@
 // ViewerFiles: opening files, what was left by other runs, and what is asked before work is lost.
 #pragma once
 
+#include "app/storage/recent_files.h"
 #include "app/window/viewer_state.h"
 
 #include <filesystem>
@@ -14,7 +15,9 @@ class ViewerFiles final : public FileHost {
 public:
     // `opened` is called when a tree came in, before anything else is done with it.
     ViewerFiles(ViewerState& state, std::function<void(const Workspace::Opened&)> opened)
-        : state_(state), opened_(std::move(opened)) {}
+        : state_(state), opened_(std::move(opened)) {
+        state.interface.recent_files = read_recent_files();
+    }
 
     Result<void> open(const std::filesystem::path& path) override;
     void ask_for_file(FilePurpose purpose) override;

@@ -12,21 +12,21 @@ bool ViewerInput::over_picture(glm::dvec2 at) const {
            !interface_takes_mouse(static_cast<float>(at.x), static_cast<float>(at.y));
 }
 
-glm::dvec2 ViewerInput::from_pane(glm::dvec2 at) const {
-    const std::vector<ComparedPane> all = state_.panes();
-    return at + glm::dvec2(all[std::min(pane_, all.size() - 1)].at);
+glm::dvec2 ViewerInput::from_viewport(glm::dvec2 at) const {
+    const std::vector<Viewport> all = state_.viewports();
+    return at + glm::dvec2(all[std::min(viewport_, all.size() - 1)].at);
 }
 
-glm::dvec2 ViewerInput::in_pane(glm::dvec2 at) const { return in_picture(at) - from_pane(glm::dvec2(0.0)); }
+glm::dvec2 ViewerInput::in_viewport(glm::dvec2 at) const { return in_picture(at) - from_viewport(glm::dvec2(0.0)); }
 
-void ViewerInput::enter_pane() {
+void ViewerInput::enter_viewport() {
     const glm::dvec2 at = in_picture(pointer_);
-    const std::vector<ComparedPane> all = state_.panes();
-    pane_ = 0;
+    const std::vector<Viewport> all = state_.viewports();
+    viewport_ = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (at.x >= all[i].at.x && at.y >= all[i].at.y && at.x < all[i].at.x + all[i].size.x &&
             at.y < all[i].at.y + all[i].size.y)
-            pane_ = i;
+            viewport_ = i;
 }
 
 void ViewerInput::take_pick() {
@@ -57,10 +57,10 @@ void ViewerInput::ask_pick() {
 void ViewerInput::mouse_moved(glm::dvec2 at) {
     pointer_ = at;
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
-    if (!mouse_.held() && !tool_mouse_.held()) enter_pane();
+    if (!mouse_.held() && !tool_mouse_.held()) enter_viewport();
     if (mouse_.held()) {
         const auto camera =
-            mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), in_pane(at));
+            mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), in_viewport(at));
         if (camera) picture_.move_camera(*camera);
         if (mouse_.dragging()) {
             state_.interface.hovered = tree::kNoBranch;
@@ -98,9 +98,9 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
         tool_mouse_.press(*state_.interface.tool, pointing(modifiers), now);
         perform_tool();
     } else if (down && over_picture(pointer_))
-        mouse_.press(button, modifiers, in_pane(pointer_));
+        mouse_.press(button, modifiers, in_viewport(pointer_));
     else if (!down && mouse_.held()) {
-        if (const auto click = mouse_.release(button, in_pane(pointer_), now)) clicked(*click);
+        if (const auto click = mouse_.release(button, in_viewport(pointer_), now)) clicked(*click);
         pick_wanted_ = true;
     }
     // A press on the picture is also ImGui's: an open menu closes.
@@ -112,7 +112,7 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
 void ViewerInput::mouse_wheel(glm::dvec2 notches) {
     if (over_picture(pointer_) && notches.y != 0.0)
         picture_.move_camera(ViewportMouse::wheel(state_.workspace.document.session().camera, picture_.picture_size(),
-                                                  in_pane(pointer_), notches.y));
+                                                  in_viewport(pointer_), notches.y));
     else
         input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
     pick_wanted_ = true;
@@ -120,14 +120,14 @@ void ViewerInput::mouse_wheel(glm::dvec2 notches) {
 }
 
 Pointing ViewerInput::pointing(Modifiers modifiers) {
-    return {.at = in_pane(pointer_),
+    return {.at = in_viewport(pointer_),
             .modifiers = modifiers,
             .held = tool_mouse_.held(),
             .size = picture_.picture_size(),
             .pixel_ratio = state_.scale,
             .document = state_.workspace.document,
             .settings = state_.interface.tool_settings,
-            .pick_at = [this](glm::dvec2 at) { return picture_.pick(from_pane(at)); }};
+            .pick_at = [this](glm::dvec2 at) { return picture_.pick(from_viewport(at)); }};
 }
 
 void ViewerInput::perform_tool() {
@@ -147,7 +147,7 @@ void ViewerInput::clicked(const Click& click) {
         perform_tool();
         return;
     }
-    const render::Pick pick = picture_.pick(from_pane(click.at));
+    const render::Pick pick = picture_.pick(from_viewport(click.at));
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document.branch_count();
     const std::vector<std::string> id{std::to_string(pick.branch)};
     switch (click.kind) {

@@ -48,10 +48,10 @@ public:
 private:
     [[nodiscard]] bool over_picture(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 in_picture(glm::dvec2 at) const { return at - glm::dvec2(state_.layout.view_at); }
-    // From the corner of the pane that the pointer is in, or was in when a button was pressed.
-    [[nodiscard]] glm::dvec2 in_pane(glm::dvec2 at) const;
-    [[nodiscard]] glm::dvec2 from_pane(glm::dvec2 at) const; // to the picture's corner
-    void enter_pane();
+    // From the corner of the viewport that the pointer is in, or was in when a button was pressed.
+    [[nodiscard]] glm::dvec2 in_viewport(glm::dvec2 at) const;
+    [[nodiscard]] glm::dvec2 from_viewport(glm::dvec2 at) const; // to the picture's corner
+    void enter_viewport();
     [[nodiscard]] bool points_at_branches() const;
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     void perform_tool();
@@ -63,7 +63,7 @@ private:
     ImguiInput input_;
     ViewportMouse mouse_;
     ToolMouse tool_mouse_;
-    std::size_t pane_ = 0; // see in_pane()
+    std::size_t viewport_ = 0; // see in_viewport()
     glm::dvec2 pointer_{-1.0};
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;

@@ -48,10 +48,10 @@ struct ViewerState {
         context().perform(name, arguments);
     }
 
-    [[nodiscard]] std::vector<ComparedPane> panes() const {
-        return panes_of(workspace.document.marks(), layout.view_size, scale);
+    [[nodiscard]] std::vector<Viewport> viewports() const {
+        return viewports_of(workspace.document.marks(), layout.view_size, scale);
     }
-    [[nodiscard]] glm::ivec2 pane_size() const { return panes().front().size; }
+    [[nodiscard]] glm::ivec2 viewport_size() const { return viewports().front().size; }
 };
 
 } // namespace ramus::app

@@ -14,11 +14,11 @@ namespace {
 // Where things are and what is under them, without what is drawn there.
 Sheet outline_of(const Sheet& sheet) {
     Sheet outline = sheet;
-    for (Sheet::Pane& pane : outline.panes) {
+    for (Sheet::Viewport& viewport : outline.viewports) {
         Frame bare;
-        bare.size = pane.frame.size;
-        bare.background = pane.frame.background;
-        pane.frame = bare;
+        bare.size = viewport.frame.size;
+        bare.background = viewport.frame.background;
+        viewport.frame = bare;
     }
     return outline;
 }
@@ -27,15 +27,15 @@ Sheet outline_of(const Sheet& sheet) {
 
 Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
-    others_.resize(std::min(others_.size(), sheet.panes.size() - 1));
-    while (others_.size() + 1 < sheet.panes.size()) {
+    others_.resize(std::min(others_.size(), sheet.viewports.size() - 1));
+    while (others_.size() + 1 < sheet.viewports.size()) {
         auto made = Renderer::create(kGlassBytes, first_.surface_bytes());
         if (!made) return tl::unexpected(made.error());
         others_.push_back(std::move(*made));
     }
     DrawStatistics sum;
-    for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
-        const auto done = renderer(i).draw(sheet.panes[i].frame, upload_budget, seconds);
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        const auto done = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
         if (!done) return done;
         upload_budget -= upload_budget == kUploadAll ? 0 : std::min<std::size_t>(upload_budget, done->uploaded);
         sum.triangles += done->triangles;
@@ -70,7 +70,7 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
             painter_.emplace();
         }
         const Image heading =
-            sheet.heading.empty() ? Image() : painter_->heading(sheet.heading, SpriteSource(sheet.panes[0].frame));
+            sheet.heading.empty() ? Image() : painter_->heading(sheet.heading, SpriteSource(sheet.viewports[0].frame));
         blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, heading, sheet.heading_top);
         return {};
     } catch (const OutOfGraphicsMemory& error) {
@@ -82,7 +82,7 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
 Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
     Refined sum;
     const Stopwatch watch;
-    for (std::size_t i = 0; i < sheet.panes.size() && !sum.more; ++i) {
+    for (std::size_t i = 0; i < sheet.viewports.size() && !sum.more; ++i) {
         const Refined done = renderer(i).refine(seconds - watch.seconds());
         sum.more = done.more;
         sum.changed |= done.changed;
@@ -96,18 +96,19 @@ void SheetRenderer::finish() { glFinish(); }
 
 Image SheetRenderer::read_image() {
     if (blend_) return blend_->picture().read();
-    if (shown_.panes.size() == 1) return first_.read_image();
+    if (shown_.viewports.size() == 1) return first_.read_image();
     Image sheet(shown_.size.x, shown_.size.y);
-    const bool clear = std::ranges::any_of(shown_.panes, [](const auto& p) { return p.frame.background.transparent; });
+    const bool clear =
+        std::ranges::any_of(shown_.viewports, [](const auto& p) { return p.frame.background.transparent; });
     for (std::size_t i = 0; i < sheet.rgba.size() && !clear; i += 4) {
         for (int k = 0; k < 3; ++k)
             sheet.rgba[i + static_cast<std::size_t>(k)] =
                 static_cast<std::uint8_t>(std::lround(255.0F * shown_.divider[k]));
         sheet.rgba[i + 3] = 255;
     }
-    for (std::size_t i = 0; i < shown_.panes.size(); ++i) {
+    for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
         const Image image = renderer(i).read_image();
-        const glm::ivec2 at = shown_.panes[i].at;
+        const glm::ivec2 at = shown_.viewports[i].at;
         for (int y = 0; y < image.height; ++y)
             std::memcpy(sheet.pixel(at.x, at.y + y), image.pixel(0, y), 4 * static_cast<std::size_t>(image.width));
     }
@@ -117,10 +118,10 @@ Image SheetRenderer::read_image() {
 std::vector<bool> SheetRenderer::read_covered() {
     const auto width = static_cast<std::size_t>(shown_.size.x);
     std::vector<bool> covered(width * static_cast<std::size_t>(shown_.size.y));
-    for (std::size_t i = 0; i < shown_.panes.size(); ++i) {
+    for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
         const BranchPicture picture = renderer(i).read_branches();
-        const auto left = static_cast<std::size_t>(shown_.panes[i].at.x);
-        const auto top = static_cast<std::size_t>(shown_.panes[i].at.y);
+        const auto left = static_cast<std::size_t>(shown_.viewports[i].at.x);
+        const auto top = static_cast<std::size_t>(shown_.viewports[i].at.y);
         const auto across = static_cast<std::size_t>(picture.width);
         for (std::size_t k = 0; k < picture.branches.size(); ++k)
             if (picture.branches[k] != kNoBranch) covered[(top + k / across) * width + left + k % across] = true;
@@ -130,7 +131,7 @@ std::vector<bool> SheetRenderer::read_covered() {
 
 void SheetRenderer::present(unsigned framebuffer, int x, int y) {
     if (blend_) return blend_->picture().present(framebuffer, x, y);
-    if (shown_.panes.size() > 1) {
+    if (shown_.viewports.size() > 1) {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
         glEnable(GL_SCISSOR_TEST);
         glScissor(x, y, shown_.size.x, shown_.size.y);
@@ -138,21 +139,21 @@ void SheetRenderer::present(unsigned framebuffer, int x, int y) {
         glClear(GL_COLOR_BUFFER_BIT);
         glDisable(GL_SCISSOR_TEST);
     }
-    for (std::size_t i = 0; i < shown_.panes.size(); ++i) {
-        const Sheet::Pane& pane = shown_.panes[i];
-        renderer(i).present(framebuffer, x + pane.at.x, y + shown_.size.y - pane.at.y - pane.frame.size.y);
+    for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
+        const Sheet::Viewport& viewport = shown_.viewports[i];
+        renderer(i).present(framebuffer, x + viewport.at.x, y + shown_.size.y - viewport.at.y - viewport.frame.size.y);
     }
 }
 
-std::size_t SheetRenderer::pane_at(const Sheet& sheet, glm::dvec2 at) {
+std::size_t SheetRenderer::viewport_at(const Sheet& sheet, glm::dvec2 at) {
     if (sheet.blend) {
         const std::size_t more = *sheet.blend > 0.5 ? 1 : 0;
-        return sheet.panes[more].has_branches ? more : 1 - more;
+        return sheet.viewports[more].has_branches ? more : 1 - more;
     }
     std::size_t nearest = 0;
     double least = 1e300;
-    for (std::size_t i = 0; i < sheet.panes.size(); ++i) {
-        const glm::dvec2 from(sheet.panes[i].at), to = from + glm::dvec2(sheet.panes[i].frame.size);
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        const glm::dvec2 from(sheet.viewports[i].at), to = from + glm::dvec2(sheet.viewports[i].frame.size);
         const glm::dvec2 away = glm::max(glm::max(from - at, at - to), glm::dvec2(0.0));
         if (const double squared = away.x * away.x + away.y * away.y; squared < least) least = squared, nearest = i;
     }
@@ -160,27 +161,27 @@ std::size_t SheetRenderer::pane_at(const Sheet& sheet, glm::dvec2 at) {
 }
 
 // Places on a surface without branches are none that tools could take for a vessel's.
-Pick SheetRenderer::without_branch(std::size_t pane, Pick pick) const {
-    if (pane < shown_.panes.size() && !shown_.panes[pane].has_branches) pick.branch = kNoBranch;
+Pick SheetRenderer::without_branch(std::size_t viewport, Pick pick) const {
+    if (viewport < shown_.viewports.size() && !shown_.viewports[viewport].has_branches) pick.branch = kNoBranch;
     return pick;
 }
 
 Pick SheetRenderer::pick(glm::dvec2 at) {
-    if (shown_.panes.empty()) return {};
-    const std::size_t pane = pane_at(shown_, at);
-    const glm::dvec2 in = at - glm::dvec2(shown_.panes[pane].at);
-    return without_branch(pane, renderer(pane).pick(in.x, in.y));
+    if (shown_.viewports.empty()) return {};
+    const std::size_t viewport = viewport_at(shown_, at);
+    const glm::dvec2 in = at - glm::dvec2(shown_.viewports[viewport].at);
+    return without_branch(viewport, renderer(viewport).pick(in.x, in.y));
 }
 
 void SheetRenderer::request_pick(glm::dvec2 at) {
-    if (shown_.panes.empty()) return;
-    asked_ = pane_at(shown_, at);
-    const glm::dvec2 in = at - glm::dvec2(shown_.panes[asked_].at);
+    if (shown_.viewports.empty()) return;
+    asked_ = viewport_at(shown_, at);
+    const glm::dvec2 in = at - glm::dvec2(shown_.viewports[asked_].at);
     renderer(asked_).request_pick(in.x, in.y);
 }
 
 std::optional<Pick> SheetRenderer::poll_pick() {
-    if (asked_ >= shown_.panes.size()) return Pick{};
+    if (asked_ >= shown_.viewports.size()) return Pick{};
     const auto pick = renderer(asked_).poll_pick();
     if (!pick) return pick;
     return without_branch(asked_, *pick);

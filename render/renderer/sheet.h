@@ -1,6 +1,7 @@
-// Sheet: one picture of several frames, in panes beside each other or one fading into the other, as a plain comparable
-// value; and SheetRenderer, which draws it. A sheet of one pane is that frame's picture, to the bit. Each pane keeps
-// what it drew, so that what changes in one draws nothing in the others, and fading draws no frame again.
+// Sheet: one picture of several frames, in viewports beside each other or one fading into the other, as a plain
+// comparable value; and SheetRenderer, which draws it. A sheet of one viewport is that frame's picture, to the bit.
+// Each viewport keeps what it drew, so that what changes in one draws nothing in the others, and fading draws no frame
+// again.
 //
 // As of Renderer: GL context, pixels from the top left, here of the sheet.
 #pragma once
@@ -17,18 +18,18 @@
 namespace ramus::render {
 
 struct Sheet {
-    struct Pane {
+    struct Viewport {
         glm::ivec2 at{0}; // its upper left corner; its size is the frame's
         Frame frame;
         bool has_branches = true; // else what is under a pixel is no branch
-        bool operator==(const Pane&) const = default;
+        bool operator==(const Viewport&) const = default;
     };
-    glm::ivec2 size{1};          // pixels
-    std::vector<Pane> panes;     // one at least; two of the sheet's size where there is a blend
-    std::optional<double> blend; // how much there is of the second, 0 to 1
-    std::string heading;         // of a blend: Latin-1, in the middle at the top
-    int heading_top = 0;         // pixels above it
-    glm::vec3 divider{0.0F};     // sRGB, between panes; nothing where the background is transparent
+    glm::ivec2 size{1};              // pixels
+    std::vector<Viewport> viewports; // one at least; two of the sheet's size where there is a blend
+    std::optional<double> blend;     // how much there is of the second, 0 to 1
+    std::string heading;             // of a blend: Latin-1, in the middle at the top
+    int heading_top = 0;             // pixels above it
+    glm::vec3 divider{0.0F};         // sRGB, between viewports; nothing where the background is transparent
     bool operator==(const Sheet&) const = default;
 };
 
@@ -37,10 +38,10 @@ public:
     // `first` outlives it. Others are made as sheets need them, and let go.
     explicit SheetRenderer(Renderer& first) : first_(first) {}
 
-    // Statistics are sums over the panes.
+    // Statistics are sums over the viewports.
     [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll,
                                               double seconds = kUntilDone);
-    // As Renderer::refine(), of one pane after the other; `sheet` is the last one drawn.
+    // As Renderer::refine(), of one viewport after the other; `sheet` is the last one drawn.
     [[nodiscard]] Result<Refined> refine(const Sheet& sheet, double seconds = kUntilDone);
     static void finish(); // waits until all that was drawn is there
     [[nodiscard]] Image read_image();
@@ -53,20 +54,20 @@ public:
     [[nodiscard]] Pick pick(glm::dvec2 at);
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<Pick> poll_pick();
-    // The pane that a pixel lies in; the nearest of them between panes.
-    [[nodiscard]] static std::size_t pane_at(const Sheet& sheet, glm::dvec2 at);
+    // The viewport that a pixel lies in; the nearest of them between viewports.
+    [[nodiscard]] static std::size_t viewport_at(const Sheet& sheet, glm::dvec2 at);
 
 private:
-    [[nodiscard]] Renderer& renderer(std::size_t pane) { return pane == 0 ? first_ : *others_[pane - 1]; }
+    [[nodiscard]] Renderer& renderer(std::size_t viewport) { return viewport == 0 ? first_ : *others_[viewport - 1]; }
     [[nodiscard]] Result<void> blend(const Sheet& sheet);
-    [[nodiscard]] Pick without_branch(std::size_t pane, Pick pick) const;
+    [[nodiscard]] Pick without_branch(std::size_t viewport, Pick pick) const;
 
     Renderer& first_;
     std::vector<std::unique_ptr<Renderer>> others_;
     std::optional<Blend> blend_;
     std::optional<OverlayPainter> painter_; // of its heading
     Sheet shown_;                           // of its frames only what tells where they are
-    std::size_t asked_ = 0;                 // the pane of request_pick()
+    std::size_t asked_ = 0;                 // the viewport of request_pick()
 };
 
 } // namespace ramus::render

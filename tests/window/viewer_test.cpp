@@ -1,4 +1,4 @@
-// The window without a window: what it does where graphics memory runs out, and with several panes.
+// The window without a window: what it does where graphics memory runs out, and with several viewports.
 #include "app/window/viewer.h"
 #include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
@@ -82,7 +82,7 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
     }
 }
 
-TEST_CASE("panes beside each other turn together, and each is pointed at by itself") {
+TEST_CASE("viewports beside each other turn together, and each is pointed at by itself") {
     const TemporaryFolder folder;
     const auto file = folder.path() / "tree.swc";
     std::ofstream(file) << "1 1 0 0 -20 6 -1\n2 1 0 0 20 6 1\n";
@@ -111,40 +111,40 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
     run({"compare", "side-by-side", "iso,cones,cs"});
     settle();
     const app::Layout& layout = (*viewer)->layout();
-    REQUIRE(layout.panes_at.size() == 3);
-    CHECK((*viewer)->picture().picture_size() == layout.pane_size);
-    CHECK(3 * layout.pane_size.x < layout.view_size.x);
-    const auto middle = [&](std::size_t pane) {
-        return glm::dvec2(layout.view_at + layout.panes_at[pane]) + 0.5 * glm::dvec2(layout.pane_size);
+    REQUIRE(layout.viewports_at.size() == 3);
+    CHECK((*viewer)->picture().picture_size() == layout.viewport_size);
+    CHECK(3 * layout.viewport_size.x < layout.view_size.x);
+    const auto middle = [&](std::size_t viewport) {
+        return glm::dvec2(layout.view_at + layout.viewports_at[viewport]) + 0.5 * glm::dvec2(layout.viewport_size);
     };
-    // The tree was fitted to the pane: its middle is in the middle of each.
+    // The tree was fitted to the viewport: its middle is in the middle of each.
     const render::Image beside = target.read_image();
-    for (std::size_t pane = 0; pane < 3; ++pane) {
-        CAPTURE(pane);
-        const glm::ivec2 at(middle(pane));
+    for (std::size_t viewport = 0; viewport < 3; ++viewport) {
+        CAPTURE(viewport);
+        const glm::ivec2 at(middle(viewport));
         CHECK(beside.pixel(at.x, at.y)[0] > beside.pixel(at.x, at.y)[2] + 40); // vessels are red
-        (*viewer)->input().mouse_moved(middle(pane));
+        (*viewer)->input().mouse_moved(middle(viewport));
         settle();
-        CHECK((*viewer)->interface().hovered == (pane == 0 ? tree::kNoBranch : 0)); // a mask has no branches
+        CHECK((*viewer)->interface().hovered == (viewport == 0 ? tree::kNoBranch : 0)); // a mask has no branches
     }
     // A click on the mask selects nothing, one on the cones the branch.
-    for (const std::size_t pane : {0U, 1U}) {
-        (*viewer)->input().mouse_moved(middle(pane));
+    for (const std::size_t viewport : {0U, 1U}) {
+        (*viewer)->input().mouse_moved(middle(viewport));
         (*viewer)->input().mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
         (*viewer)->input().mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
         settle();
-        CHECK(workspace.document.marks().selection.size() == pane);
+        CHECK(workspace.document.marks().selection.size() == viewport);
     }
     // Dragging in any of them turns the one camera, as far in each.
     const render::Camera start = workspace.document.session().camera;
     std::vector<render::Camera> turned;
-    for (std::size_t pane = 0; pane < 3; ++pane) {
+    for (std::size_t viewport = 0; viewport < 3; ++viewport) {
         workspace.document.set_camera(start);
-        (*viewer)->input().mouse_moved(middle(pane));
+        (*viewer)->input().mouse_moved(middle(viewport));
         (*viewer)->input().mouse_button(app::MouseButton::kLeft, true, {}, now += 1.0);
-        (*viewer)->input().mouse_moved(middle(pane) + glm::dvec2(30.0, 0.0));
+        (*viewer)->input().mouse_moved(middle(viewport) + glm::dvec2(30.0, 0.0));
         (*viewer)->draw(now += 0.05, target.framebuffer());
-        (*viewer)->input().mouse_moved(middle(pane) + glm::dvec2(5.0, 500.0)); // out of it
+        (*viewer)->input().mouse_moved(middle(viewport) + glm::dvec2(5.0, 500.0)); // out of it
         (*viewer)->input().mouse_button(app::MouseButton::kLeft, false, {}, now += 0.05);
         turned.push_back(workspace.document.session().camera);
         CHECK(turned.back() != start);
@@ -153,6 +153,6 @@ TEST_CASE("panes beside each other turn together, and each is pointed at by itse
     }
     run({"compare", "off"});
     settle();
-    CHECK(layout.panes_at.size() == 1);
+    CHECK(layout.viewports_at.size() == 1);
     CHECK((*viewer)->picture().picture_size() == layout.view_size);
 }

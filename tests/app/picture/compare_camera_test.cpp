@@ -1,4 +1,4 @@
-// Panes are narrower than the picture: what comparing does to the camera, and how undo takes that back.
+// Viewports are narrower than the picture: what comparing does to the camera, and how undo takes that back.
 #include "app/actions/script.h"
 #include "app/assets/assets.h"
 #include "app/picture/compose_sheet.h"
@@ -12,13 +12,13 @@ using namespace ramus::app;
 
 namespace {
 
-// A picture of 800 x 400 with panes, as windows and files have them.
+// A picture of 800 x 400 with viewports, as windows and files have them.
 class PaneHost final : public PictureHost {
 public:
     PaneHost(const Document& document, std::shared_ptr<const render::PagedMesh> mesh)
         : document_(document), mesh_(std::move(mesh)) {}
     [[nodiscard]] glm::ivec2 picture_size() const override {
-        return panes_of(document_.marks(), {800, 400}, 1.0F).front().size;
+        return viewports_of(document_.marks(), {800, 400}, 1.0F).front().size;
     }
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh_; }
     Result<void> write_picture(const std::filesystem::path&) override { return {}; }
@@ -69,7 +69,7 @@ TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it ag
     const render::Camera whole = stage.camera();
     stage.run("compare side-by-side");
     const render::Camera halves = stage.camera();
-    // It was as wide as the picture, and is as wide as a pane of half of it.
+    // It was as wide as the picture, and is as wide as a viewport of half of it.
     CHECK(distance(halves) > 1.8 * distance(whole));
     CHECK(stage.document.step_count() == 1);
     CHECK(stage.host->leaps == 1);

@@ -1,5 +1,5 @@
-// Surfaces of the same vessels looked at together: what is said, kept and undone, where panes lie, what they show, and
-// how the surfaces come to be.
+// Surfaces of the same vessels looked at together: what is said, kept and undone, where viewports lie, what they show,
+// and how the surfaces come to be.
 #include "app/picture/compose_sheet.h"
 #include "app/session/session_file.h"
 #include "app/workspace/workspace.h"
@@ -126,12 +126,12 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
     CHECK(stage.marks().comparison.blend == 0.25);
 }
 
-TEST_CASE("panes have one size, lie inside the picture in their order, and do not touch") {
+TEST_CASE("viewports have one size, lie inside the picture in their order, and do not touch") {
     Marks marks;
-    CHECK(panes_of(marks, {800, 600}, 1.0F) ==
-          std::vector<ComparedPane>{{{0, 0}, {800, 600}, mesh::Method::kConvolutionSurface, "", true}});
+    CHECK(viewports_of(marks, {800, 600}, 1.0F) ==
+          std::vector<Viewport>{{{0, 0}, {800, 600}, mesh::Method::kConvolutionSurface, "", true}});
     marks.options.method = mesh::Method::kTruncatedCones;
-    CHECK(panes_of(marks, {800, 600}, 1.0F)[0].surface == mesh::Method::kTruncatedCones);
+    CHECK(viewports_of(marks, {800, 600}, 1.0F)[0].surface == mesh::Method::kTruncatedCones);
     marks.comparison.mode = Mode::kSideBySide;
     for (const std::size_t count : {2U, 3U}) {
         marks.comparison.surfaces = {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones,
@@ -142,19 +142,19 @@ TEST_CASE("panes have one size, lie inside the picture in their order, and do no
                 CAPTURE(count);
                 CAPTURE(size.x);
                 CAPTURE(ratio);
-                const auto panes = panes_of(marks, size, ratio);
-                REQUIRE(panes.size() == count);
+                const auto viewports = viewports_of(marks, size, ratio);
+                REQUIRE(viewports.size() == count);
                 const int along = size.x >= size.y ? 0 : 1, line = ratio > 1.4F ? 2 : 1;
-                CHECK(panes.front().at == glm::ivec2(0));
-                CHECK(panes.back().at[along] + panes.back().size[along] == size[along]);
+                CHECK(viewports.front().at == glm::ivec2(0));
+                CHECK(viewports.back().at[along] + viewports.back().size[along] == size[along]);
                 for (std::size_t i = 0; i < count; ++i) {
-                    CHECK(panes[i].size == panes[0].size);
-                    CHECK(panes[i].size[1 - along] == size[1 - along]);
-                    CHECK(panes[i].surface == marks.comparison.surfaces[i]);
-                    CHECK(panes[i].has_branches == (panes[i].surface != mesh::Method::kIsosurface));
-                    CHECK_FALSE(panes[i].title.empty());
+                    CHECK(viewports[i].size == viewports[0].size);
+                    CHECK(viewports[i].size[1 - along] == size[1 - along]);
+                    CHECK(viewports[i].surface == marks.comparison.surfaces[i]);
+                    CHECK(viewports[i].has_branches == (viewports[i].surface != mesh::Method::kIsosurface));
+                    CHECK_FALSE(viewports[i].title.empty());
                     if (i == 0 || size.x < 10) continue;
-                    const int gap = panes[i].at[along] - panes[i - 1].at[along] - panes[i - 1].size[along];
+                    const int gap = viewports[i].at[along] - viewports[i - 1].at[along] - viewports[i - 1].size[along];
                     CHECK(gap >= line);
                     CHECK(gap <= line + 2); // and what does not divide
                 }
@@ -162,16 +162,16 @@ TEST_CASE("panes have one size, lie inside the picture in their order, and do no
     }
     for (const Mode mode : {Mode::kBlend, Mode::kSuperimposed}) {
         marks.comparison.mode = mode;
-        const auto panes = panes_of(marks, {800, 600}, 1.0F);
-        CHECK(panes.size() == (mode == Mode::kBlend ? 2U : 1U));
-        for (const ComparedPane& pane : panes) {
-            CHECK(pane.at == glm::ivec2(0));
-            CHECK(pane.size == glm::ivec2(800, 600));
+        const auto viewports = viewports_of(marks, {800, 600}, 1.0F);
+        CHECK(viewports.size() == (mode == Mode::kBlend ? 2U : 1U));
+        for (const Viewport& viewport : viewports) {
+            CHECK(viewport.at == glm::ivec2(0));
+            CHECK(viewport.size == glm::ivec2(800, 600));
         }
     }
 }
 
-TEST_CASE("all panes have one camera; one without branches shows nothing of them") {
+TEST_CASE("all viewports have one camera; one without branches shows nothing of them") {
     test::CommandStage stage(forked());
     ShownSurfaces surfaces;
     for (auto& mesh : surfaces.meshes) mesh = std::make_shared<const render::PagedMesh>();
@@ -179,19 +179,19 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
     stage.good("select 1\nhide\nselect 2\ncolour-by diameter\ncut 2\nskeleton on\ncompare side-by-side iso,cones,cs");
     const Viewing viewing{.size = {900, 300}, .hovered = 2};
     const render::Sheet sheet = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
-    REQUIRE(sheet.panes.size() == 3);
+    REQUIRE(sheet.viewports.size() == 3);
     CHECK_FALSE(sheet.blend);
     int bars = 0, cubes = 0, legends = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const render::Frame& frame = sheet.panes[i].frame;
+        const render::Frame& frame = sheet.viewports[i].frame;
         const bool iso = i == 0;
         CHECK(frame.camera == stage.document.session().camera);
-        CHECK(frame.size == sheet.panes[0].frame.size);
+        CHECK(frame.size == sheet.viewports[0].frame.size);
         const bool cones = stage.marks().comparison.surfaces[i] == mesh::Method::kTruncatedCones; // so they move
         CHECK((frame.width == 0.0F) == cones);
         CHECK((frame.beyond_ends == 1.0F) == cones);
         CHECK(frame.mesh == surfaces.of(stage.marks().comparison.surfaces[i]));
-        CHECK(sheet.panes[i].has_branches == !iso);
+        CHECK(sheet.viewports[i].has_branches == !iso);
         CHECK(frame.states.empty() == iso);
         CHECK(frame.selected.empty() == iso);
         CHECK(frame.lost.empty() == iso);
@@ -211,25 +211,25 @@ TEST_CASE("all panes have one camera; one without branches shows nothing of them
     const render::Sheet blend = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     CHECK(blend.blend == 0.25);
     CHECK(blend.heading == "Convolution surface 75 %, isosurface of the tree's voxels 25 %");
-    CHECK(blend.panes[0].frame.overlays == blend.panes[1].frame.overlays); // what lies over both is not faded
+    CHECK(blend.viewports[0].frame.overlays == blend.viewports[1].frame.overlays); // what lies over both is not faded
     // Fading changes no frame.
     const render::Sheet tried =
         compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing, {.blend = 0.75});
-    CHECK(tried.panes == blend.panes);
+    CHECK(tried.viewports == blend.viewports);
     CHECK(tried.blend == 0.75);
 
     stage.good("compare superimposed");
     const render::Sheet over = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
-    REQUIRE(over.panes.size() == 1);
-    REQUIRE(over.panes[0].frame.context.size() == 1);
-    CHECK(over.panes[0].frame.context[0].wireframe);
-    CHECK(over.panes[0].frame.context[0].mesh == surfaces.lines);
+    REQUIRE(over.viewports.size() == 1);
+    REQUIRE(over.viewports[0].frame.context.size() == 1);
+    CHECK(over.viewports[0].frame.context[0].wireframe);
+    CHECK(over.viewports[0].frame.context[0].mesh == surfaces.lines);
 
     stage.good("compare off");
     const render::Sheet plain = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
-    REQUIRE(plain.panes.size() == 1);
-    CHECK(plain.panes[0].frame == compose(stage.document.session(), stage.current_assets(),
-                                          surfaces.of(mesh::Method::kConvolutionSurface), viewing));
+    REQUIRE(plain.viewports.size() == 1);
+    CHECK(plain.viewports[0].frame == compose(stage.document.session(), stage.current_assets(),
+                                              surfaces.of(mesh::Method::kConvolutionSurface), viewing));
 }
 
 TEST_CASE("the surfaces that a comparison needs") {

@@ -1,6 +1,6 @@
 #include "app/session/document.h"
-#include "app/storage/places.h"
 #include "app/storage/settings.h"
+#include "app/storage/user_folders.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstdlib>
@@ -96,36 +96,36 @@ TEST_CASE("settings that cannot be understood are told of, kept aside, and do no
 TEST_CASE("places follow the XDG rules") {
     Environment environment;
     environment.set("HOME", "/home/ada");
-    CHECK(places::settings() == "/home/ada/.config/ramus");
-    CHECK(places::state() == "/home/ada/.local/state/ramus");
+    CHECK(user_folders::settings() == "/home/ada/.config/ramus");
+    CHECK(user_folders::state() == "/home/ada/.local/state/ramus");
     environment.set("XDG_CONFIG_HOME", "/etc/ada");
     environment.set("XDG_STATE_HOME", "/var/ada");
-    CHECK(places::settings() == "/etc/ada/ramus");
-    CHECK(places::state() == "/var/ada/ramus");
+    CHECK(user_folders::settings() == "/etc/ada/ramus");
+    CHECK(user_folders::state() == "/var/ada/ramus");
     environment.set("XDG_STATE_HOME", "relative"); // to be ignored, say the rules
-    CHECK(places::state() == "/home/ada/.local/state/ramus");
+    CHECK(user_folders::state() == "/home/ada/.local/state/ramus");
     environment.set("XDG_STATE_HOME", "");
-    CHECK(places::state() == "/home/ada/.local/state/ramus");
+    CHECK(user_folders::state() == "/home/ada/.local/state/ramus");
     // Without HOME the system's user database counts; whatever it says, nothing is relative.
     ::unsetenv("HOME");
-    CHECK((places::home().empty() || places::home().is_absolute()));
+    CHECK((user_folders::home().empty() || user_folders::home().is_absolute()));
     ::unsetenv("XDG_CONFIG_HOME");
-    CHECK((places::settings().empty() || places::settings().is_absolute()));
+    CHECK((user_folders::settings().empty() || user_folders::settings().is_absolute()));
 }
 
 TEST_CASE("pictures and documents lie where the person's folders are") {
     const TemporaryFolder folder;
     Environment environment;
     environment.set("HOME", folder.path());
-    CHECK(places::pictures().empty()); // it does not exist
+    CHECK(user_folders::pictures().empty()); // it does not exist
     fs::create_directories(folder.path() / "Pictures");
-    CHECK(places::pictures() == folder.path() / "Pictures");
+    CHECK(user_folders::pictures() == folder.path() / "Pictures");
     fs::create_directories(folder.path() / "Bilder");
     fs::create_directories(folder.path() / ".config");
     std::ofstream(folder.path() / ".config" / "user-dirs.dirs")
         << "# comment\nXDG_DOCUMENTS_DIR=\"" << folder.path().string() << "\"\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
-    CHECK(places::pictures() == folder.path() / "Bilder");
-    CHECK(places::documents() == folder.path());
+    CHECK(user_folders::pictures() == folder.path() / "Bilder");
+    CHECK(user_folders::documents() == folder.path());
 }
 
 TEST_CASE("what is saved without a name goes beside the tree or the session, never over another file") {

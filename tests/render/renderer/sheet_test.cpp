@@ -49,16 +49,16 @@ struct TwoPanes {
     TwoPanes() {
         sheet.size = {603, 200};
         sheet.divider = {1.0F, 0.5F, 0.0F};
-        sheet.panes = {{{0, 0}, thick, false}, {{303, 0}, thin, true}};
+        sheet.viewports = {{{0, 0}, thick, false}, {{303, 0}, thin, true}};
     }
 };
 
 } // namespace
 
-TEST_CASE_FIXTURE(TwoPanes, "a sheet of one pane is that frame's picture, of several each in its place") {
+TEST_CASE_FIXTURE(TwoPanes, "a sheet of one viewport is that frame's picture, of several each in its place") {
     Sheet one;
     one.size = thick.size;
-    one.panes = {{{0, 0}, thick, true}};
+    one.viewports = {{{0, 0}, thick, true}};
     REQUIRE(sheets.draw(one));
     CHECK(sheets.read_image() == first);
 
@@ -81,7 +81,7 @@ TEST_CASE_FIXTURE(TwoPanes, "a sheet of one pane is that frame's picture, of sev
     CHECK(target.read_image() == both);
 }
 
-TEST_CASE_FIXTURE(TwoPanes, "a sheet asks each pane for what it shows") {
+TEST_CASE_FIXTURE(TwoPanes, "a sheet asks each viewport for what it shows") {
     REQUIRE(sheets.draw(sheet));
     CHECK(sheets.pick({150.0, 100.0}).branch == kNoBranch); // it has no branches
     CHECK(sheets.pick({303.0 + 150.0, 100.0}).branch == 0);
@@ -93,8 +93,8 @@ TEST_CASE_FIXTURE(TwoPanes, "a sheet asks each pane for what it shows") {
         while (!pick) pick = sheets.poll_pick();
         CHECK(pick->branch == branch);
     }
-    CHECK(SheetRenderer::pane_at(sheet, {299.0, 10.0}) == 0);
-    CHECK(SheetRenderer::pane_at(sheet, {304.0, 10.0}) == 1);
+    CHECK(SheetRenderer::viewport_at(sheet, {299.0, 10.0}) == 0);
+    CHECK(SheetRenderer::viewport_at(sheet, {304.0, 10.0}) == 1);
 }
 
 TEST_CASE_FIXTURE(TwoPanes, "a sheet tells which pixels show a surface") {
@@ -108,8 +108,8 @@ TEST_CASE_FIXTURE(TwoPanes, "a sheet tells which pixels show a surface") {
     CHECK_FALSE(at(453, 100 + 35));
     CHECK_FALSE(at(301, 100)); // between them
     sheet.size = thick.size;
-    sheet.panes[1].at = {0, 0};
-    sheet.panes[1].frame = tube(8.0F);
+    sheet.viewports[1].at = {0, 0};
+    sheet.viewports[1].frame = tube(8.0F);
     sheet.blend = 0.5;
     REQUIRE(sheets.draw(sheet));
     CHECK(sheets.read_covered()[300 * (100 + 70) + 150]); // in either picture
@@ -120,18 +120,18 @@ TEST_CASE_FIXTURE(TwoPanes, "of a sheet what did not change is not drawn") {
     const auto again = sheets.draw(sheet);
     REQUIRE(again);
     CHECK_FALSE(again->shaded);
-    sheet.panes[1].frame.camera.scale *= 1.1;
+    sheet.viewports[1].frame.camera.scale *= 1.1;
     const auto turned = sheets.draw(sheet);
     REQUIRE(turned);
     CHECK(turned->geometry);
-    CHECK(turned->triangles == thin.mesh->triangle_count()); // of one pane
+    CHECK(turned->triangles == thin.mesh->triangle_count()); // of one viewport
     const Image now = sheets.read_image();
     CHECK(std::equal(first.pixel(0, 100), first.pixel(0, 100) + 1200, now.pixel(0, 100)));
 }
 
-TEST_CASE_FIXTURE(TwoPanes, "nothing lies between a sheet's panes on nothing") {
+TEST_CASE_FIXTURE(TwoPanes, "nothing lies between a sheet's viewports on nothing") {
     REQUIRE(sheets.draw(sheet));
-    for (auto& pane : sheet.panes) pane.frame.background.transparent = true;
+    for (auto& viewport : sheet.viewports) viewport.frame.background.transparent = true;
     REQUIRE(sheets.draw(sheet));
     CHECK(sheets.read_image().pixel(301, 100)[3] == 0);
 }
@@ -150,7 +150,7 @@ TEST_CASE("fading is the mean of linear light, exact at both ends, and draws no 
             SheetRenderer sheets(*renderer);
             Sheet sheet;
             sheet.size = thick.size;
-            sheet.panes = {{{0, 0}, thick, true}, {{0, 0}, thin, false}};
+            sheet.viewports = {{{0, 0}, thick, true}, {{0, 0}, thin, false}};
             sheet.blend = 0.0;
             REQUIRE(sheets.draw(sheet));
             CHECK(sheets.read_image() == first);

@@ -1,5 +1,5 @@
-// Places: the folders where ramus keeps things between runs, and where what it saves goes, by the XDG rules. Every one
-// may be empty: a machine without a home folder is legal, and then there is no such place. Nothing is created here.
+// The folders where ramus keeps things between runs, and where what it saves goes, by the XDG rules. Every one
+// may be empty: a machine without a home folder is legal, and then there is no such folder. Nothing is created here.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace ramus::app {
 
 class Document;
 
-namespace places {
+namespace user_folders {
 
 [[nodiscard]] std::filesystem::path home();     // $HOME, else what the system knows of this user
 [[nodiscard]] std::filesystem::path settings(); // $XDG_CONFIG_HOME/ramus, else ~/.config/ramus
@@ -21,7 +21,7 @@ namespace places {
 
 [[nodiscard]] bool writable(const std::filesystem::path& folder); // exists, and files can be made there
 
-} // namespace places
+} // namespace user_folders
 
 // Where what the document is saved as goes when nobody gave a name. Absolute.
 //

@@ -1,4 +1,4 @@
-#include "app/storage/places.h"
+#include "app/storage/user_folders.h"
 
 #include "app/session/document.h"
 
@@ -13,7 +13,7 @@ namespace ramus::app {
 
 namespace fs = std::filesystem;
 
-namespace places {
+namespace user_folders {
 
 namespace {
 
@@ -53,10 +53,10 @@ fs::path own_folder(const std::string& variable, const char* usual) {
 
 fs::path home() {
     if (const fs::path set = absolute_from("HOME"); !set.empty()) return set;
-    std::array<char, 4096> room{};
+    std::array<char, 4096> buffer{};
     passwd entry{};
     passwd* found = nullptr;
-    if (::getpwuid_r(::getuid(), &entry, room.data(), room.size(), &found) != 0 || found == nullptr) return {};
+    if (::getpwuid_r(::getuid(), &entry, buffer.data(), buffer.size(), &found) != 0 || found == nullptr) return {};
     return found->pw_dir != nullptr && *found->pw_dir == '/' ? fs::path(found->pw_dir) : fs::path();
 }
 
@@ -78,7 +78,7 @@ bool writable(const fs::path& folder) {
     return !folder.empty() && fs::is_directory(folder, ignored) && ::access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-} // namespace places
+} // namespace user_folders
 
 fs::path suggested_file(const Document& document, std::string_view extension) {
     const fs::path& file = document.file();
@@ -89,9 +89,9 @@ fs::path suggested_file(const Document& document, std::string_view extension) {
     std::error_code ignored;
     fs::path folder = fs::current_path(ignored);
     const fs::path beside_tree = tree.parent_path();
-    for (const fs::path& candidate : {file.parent_path(), extension == ".png" ? places::pictures() : fs::path(),
-                                      beside_tree, places::documents(), places::home()}) {
-        if (!places::writable(candidate)) continue;
+    for (const fs::path& candidate : {file.parent_path(), extension == ".png" ? user_folders::pictures() : fs::path(),
+                                      beside_tree, user_folders::documents(), user_folders::home()}) {
+        if (!user_folders::writable(candidate)) continue;
         folder = candidate;
         break;
     }
