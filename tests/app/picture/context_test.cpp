@@ -242,7 +242,7 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
 }
 
 TEST_CASE("a picture is made of its arguments alone") {
-    Stage stage;
+    ContextStage stage;
     stage.commands.good("context \"" + stage.ball("organ.stl") +
                         "\"\ncut 1\nmeasure diameter 0 0.5\ncolour-by diameter");
     const Session& session = stage.commands.document.session();
