@@ -136,9 +136,9 @@ TEST_CASE("messages name the formats that there are") {
     for (const auto extension : io::readable_extensions(io::mesh_formats())) CHECK(mesh.find(extension) != mesh.npos);
 }
 
-TEST_CASE("the manual page, the README and the desktop's file types know every format") {
+TEST_CASE("the manual page, the documents and the desktop's file types know every format") {
     const std::string manual = source_file("assets/desktop/ramus.1.in");
-    const std::string readme = source_file("README.md");
+    const std::string formats = source_file("docs/FORMATS.md");
     const std::string types = source_file("assets/desktop/org.ramus.Ramus.xml");
     for_each_format([&](const io::FileFormat& format) {
         CAPTURE(format.name);
@@ -151,7 +151,7 @@ TEST_CASE("the manual page, the README and the desktop's file types know every f
         if (!is_read(format)) continue;
         for (const std::string_view extension : format.extensions) {
             CAPTURE(extension);
-            CHECK(readme.find(extension) != std::string::npos);
+            CHECK(formats.find(extension) != std::string::npos);
             // Of .json the desktop knows already what it is; a session is .ramus.json.
             CHECK(types.find("*" + std::string(extension == ".json" ? ".ramus.json" : extension)) != std::string::npos);
         }
