@@ -1,4 +1,4 @@
-"""From the surface benchmark's table of values to the README's table and plot.
+"""From the surface benchmark's table of values to the table and plot of docs/SPEED.md.
 
     report.py surfaces.tsv FOLDER      writes FOLDER/table.md and FOLDER/speed.svg
 """
