@@ -4,7 +4,6 @@
 // s = B / C, a quadratic along the ray. Beyond the ends it is the balls there.
 #version 450 core
 #include "view.glsl"
-#include "octahedral.glsl"
 
 in vec2 through;
 flat in vec3 from, to;

@@ -6,7 +6,8 @@
 #include "limits.glsl"
 #include "ids.glsl"
 #include "glass_fragments.glsl"
-#include "octahedral.glsl"
+#include "look/lanes.glsl"
+#include "look/octahedral.glsl"
 
 in vec3 normal_eye;
 layout(location = kUniformNumber) uniform uint number; // of the mesh, from 1; with kLesionFragment of the lesion

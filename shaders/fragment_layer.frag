@@ -5,7 +5,8 @@
 #include "bindings.glsl"
 #include "limits.glsl"
 #include "glass_fragments.glsl"
-#include "octahedral.glsl"
+#include "look/lanes.glsl"
+#include "look/octahedral.glsl"
 
 in vec3 normal_eye;
 noperspective centroid in float depth_value;

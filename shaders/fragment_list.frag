@@ -3,7 +3,8 @@
 // Variant: BORDER for triangles where branches meet: a fragment for each that is glass.
 #include "bindings.glsl"
 #include "glass_fragments.glsl"
-#include "octahedral.glsl"
+#include "look/lanes.glsl"
+#include "look/octahedral.glsl"
 
 layout(early_fragment_tests) in; // what opaque surfaces hide is no fragment
 

@@ -3,7 +3,8 @@
 // Variants: BORDER for triangles where branches meet, of which the samples of opaque branches are drawn; LINE draws
 // centerlines.
 #include "ids.glsl"
-#include "octahedral.glsl"
+#include "look/lanes.glsl"
+#include "look/octahedral.glsl"
 
 in vec3 normal_eye;
 #ifdef BORDER

@@ -1,9 +1,9 @@
-// Ambient occlusion from the picture's own depths: how much of the hemisphere over a point its surroundings take.
-// Alchemy's estimator (McGuire et al., 2011) on a spiral of taps, turned in sixteen ways within every four by four
-// pixels: the blur, two boxes of four one after the other, takes their mean.
+// Ambient occlusion of the picture's opaque surfaces, with the noise of its taps: see look/occlusion.glsl.
 #version 450 core
 #include "bindings.glsl"
 #include "view.glsl"
+#include "look/occlusion.glsl"
+#include "look/taps.glsl"
 
 layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
 layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
@@ -21,29 +21,20 @@ void main() {
     }
     vec3 centre = eye_position(gl_FragCoord.xy, depth);
     vec3 n = unpack_normal(texelFetch(id_normal, pixel, 0).y) * vec3(1.0, 1.0, -1.0); // depth is +z here
-    const int kFine[4] = int[4](0, 2, 1, 3);
-    float turn = 0.39269908 * (float(4 * ((pixel.x + pixel.y) & 3) + kFine[pixel.y & 3]) + turned);
-    float radius_pixels = depth_range.z;
-    float radius_mm = depth_range.w * (picture.w > 0.5 ? 1.0 : depth);
-    float bias = 0.02 * radius_mm, softness = 0.01 * radius_mm * radius_mm;
-    float fall_off_per_mm2 = 0.25 / (radius_mm * radius_mm);
+    float turn = first_turn(pixel.x, pixel.y) + 0.39269908 * turned;
+    OcclusionScale scale = occlusion_scale(depth);
     ivec2 last = ivec2(picture.xy) - 1;
     float sum = 0.0;
     vec2 direction = vec2(cos(turn), sin(turn));
     const mat2 kGolden = mat2(-0.73736887, 0.67549029, -0.67549029, -0.73736887); // by the golden angle
     for (int i = 0; i < taps; ++i) {
-        float fraction = (float(i) + 0.5) / float(taps);
-        // Denser towards the centre: contacts count more than far neighbours.
-        vec2 offset = radius_pixels * fraction * sqrt(fraction) * direction;
+        vec2 offset = depth_range.z * tap_distance(i, taps) * direction;
         direction = kGolden * direction;
         ivec2 tap = pixel + ivec2(round(offset));
         if (clamp(tap, ivec2(0), last) != tap) continue;
         float tap_depth = texelFetch(opaque_depth, tap, 0).x;
         if (tap_depth >= kNothing) continue;
-        vec3 v = eye_position(vec2(tap) + 0.5, tap_depth) - centre;
-        float squared = dot(v, v);
-        float fall_off = max(0.0, 1.0 - squared * fall_off_per_mm2);
-        sum += fall_off * max(0.0, dot(v, n) - bias) * inversesqrt(squared + softness);
+        sum = with_tap(sum, eye_position(vec2(tap) + 0.5, tap_depth) - centre, n, scale);
     }
-    occlusion = clamp(2.4 * sum / float(taps), 0.0, 1.0);
+    occlusion = occlusion_of_sum(sum, float(taps));
 }

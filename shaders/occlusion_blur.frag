@@ -2,6 +2,7 @@
 #version 450 core
 #include "bindings.glsl"
 #include "view.glsl"
+#include "look/occlusion.glsl"
 
 layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
 layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
@@ -16,13 +17,12 @@ void main() {
         blurred = 0.0;
         return;
     }
-    float tolerance = 0.5 * depth_range.w * (picture.w > 0.5 ? 1.0 : depth);
+    float per_tolerance = blur_tolerance_inverse(depth);
     ivec2 last = ivec2(picture.xy) - 1;
     float sum = 0.0, weights = 0.0;
     for (int i = -3; i <= 3; ++i) {
         ivec2 tap = clamp(pixel + i * along, ivec2(0), last);
-        float difference = abs(texelFetch(opaque_depth, tap, 0).x - depth);
-        float weight = (4.0 - abs(float(i))) * max(0.0, 1.0 - difference / tolerance);
+        float weight = blur_weight(i, texelFetch(opaque_depth, tap, 0).x - depth, per_tolerance);
         sum += weight * texelFetch(occlusion, tap, 0).x;
         weights += weight;
     }

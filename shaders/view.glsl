@@ -13,11 +13,6 @@ float eye_depth(float value) {
 
 #include "look/position.glsl"
 
-vec3 unpack_normal(uint bits) {
-    vec2 p = unpackSnorm2x16(bits);
-    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-    float t = max(-n.z, 0.0);
-    n.x += n.x >= 0.0 ? -t : t;
-    n.y += n.y >= 0.0 ? -t : t;
-    return normalize(n);
-}
+#include "look/octahedral.glsl"
+
+vec3 unpack_normal(uint bits) { return from_octahedral(unpackSnorm2x16(bits)); }

@@ -121,9 +121,8 @@ HWY_INLINE void ResolveLanes(const View& view, const Field& field, const Samples
     const V pixel_mm = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), nearest);
     const M goes_on = hn::And(surface, hn::Or(whole, hn::Lt(hn::Sub(farthest, nearest), hn::Mul(set(3.0F), pixel_mm))));
     if (field.pieces != nullptr && !hn::AllFalse(d, goes_on)) {
-        const V px = hn::Add(hn::Load(d, kColumn + lane), set(static_cast<float>(x + left) + 0.5F));
-        const V py = hn::Add(hn::Load(d, kRow + lane), set(static_cast<float>(y + low) + 0.5F));
-        const V3 at = eye_position(view, px, py, hn::Mul(mean_depth, set(0.25F)));
+        const Rays<V> rays = rays_at(view, static_cast<float>(x + left), static_cast<float>(y + low), lane, 0.5F, 0.5F);
+        const V3 at = place_on(view, rays, hn::Mul(mean_depth, set(0.25F)));
         mean = Blended(field, goes_on, hn::Load(du, samples.cone[block] + lane), at, mean);
         whole = hn::Or(whole, hn::And(goes_on, one_vessel));
         const auto smooth = hn::RebindMask(du, goes_on);

@@ -30,8 +30,7 @@ struct View {
     float centre_x = 0, centre_y = 0;      // pixel that the eye looks through
     float mm_a_pixel = 0;                  // at depth 1 when perspective
     bool flat = false;                     // orthographic
-    float near_mm = 0, far_mm = 1;         // ends of the tree along the line of sight
-    float reach_pixels = 0, reach_mm = 0;  // of the occlusion; mm at depth 1 when perspective
+    ViewBlock block{};                     // as the shaders have it
     int taps = 20;                         // of the occlusion, 0: none
 };
 

@@ -77,7 +77,7 @@ bool Caster::draws(const Frame& frame) {
 }
 
 void Caster::make_room(const View& view) {
-    const bool same_reach = view.reach_pixels == view_.reach_pixels;
+    const bool same_reach = view.block.depth_range.z == view_.block.depth_range.z;
     if (view.width == view_.width && view.height == view_.height && same_reach && !rgba_.empty()) return;
     across_ = (view.width + kTile - 1) / kTile;
     up_ = (view.height + kTile - 1) / kTile;
@@ -89,7 +89,7 @@ void Caster::make_room(const View& view) {
     rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
     // As are those where pixels beside the picture would be.
-    const auto beside = static_cast<std::ptrdiff_t>(view.reach_pixels) / 4 + 2;
+    const auto beside = static_cast<std::ptrdiff_t>(view.block.depth_range.z) / 4 + 2;
     const std::ptrdiff_t dealt_stride = view.stride / 4 + 2 * beside, dealt_plane = dealt_stride * view.height;
     dealt_.assign(4 * std::size_t(dealt_plane), kNothing);
     picture_ = {depths_.data() + kTile, picked_.data() + kTile, ids_.data() + kTile, normals_.data() + kTile,

@@ -56,6 +56,8 @@ HWY_INLINE Float clamp(Float a, Float low, Float high) { return min(max(a, low),
 HWY_INLINE Float mix(Float a, Float b, Float t) { return mix(a.v, b.v, t.v); }
 HWY_INLINE Float smoothstep(float from, float to, Float a) { return smooth_step(from, to, a.v); }
 HWY_INLINE Float reciprocal(Float a) { return inverse_of(a.v); }
+HWY_INLINE Float with_sign(Float size, Float of) { return hn::CopySign(size.v, of.v); }
+HWY_INLINE Float rough_inversesqrt(Float a) { return hn::ApproximateReciprocalSqrt(a.v); } // to 4e-4
 // These three to 4e-6; pow() and log() of what is positive.
 HWY_INLINE Float exp(Float a) { return power_of_two((a * 1.44269504F).v); }
 HWY_INLINE Float log(Float a) { return Float(binary_logarithm(a.v)) * 0.69314718F; }
@@ -67,6 +69,8 @@ struct Vec2 {
     HWY_INLINE Vec2(Float a, Float b) : x(a), y(b) {}
     friend HWY_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 };
+
+HWY_INLINE Vec2 select(Mask m, Vec2 a, Vec2 b) { return {select(m, a.x, b.x), select(m, a.y, b.y)}; }
 
 struct Vec3 {
     Float x, y, z;

@@ -91,38 +91,6 @@ HWY_INLINE V3 choose(M m, V3 a, V3 b) {
 }
 HWY_INLINE V3 normalised(V3 a) { return inverse_root(hn::Max(dot(a, a), set(1e-30F))) * a; }
 
-// As octahedral.glsl; `n` may have any length.
-HWY_INLINE VU packed_normal(V3 n) {
-    const V zero = hn::Zero(D());
-    const V scale = hn::Mul(set(32767.0F), inverse_of(hn::Add(hn::Abs(n.x), hn::Add(hn::Abs(n.y), hn::Abs(n.z)))));
-    V x = hn::Mul(n.x, scale), y = hn::Mul(n.y, scale);
-    const M behind = hn::Lt(n.z, zero);
-    const V one = set(32767.0F);
-    const V folded_x = hn::CopySign(hn::Sub(one, hn::Abs(y)), x), folded_y = hn::CopySign(hn::Sub(one, hn::Abs(x)), y);
-    x = hn::IfThenElse(behind, folded_x, x);
-    y = hn::IfThenElse(behind, folded_y, y);
-    return hn::Or(hn::And(rounded(x), hn::Set(DU(), 0xffffU)), hn::ShiftLeft<16>(rounded(y)));
-}
-
-// As unpack_normal() of view.glsl.
-HWY_INLINE V3 unpacked_normal(VU bits) {
-    const VI low = hn::ShiftRight<16>(hn::BitCast(DI(), hn::ShiftLeft<16>(bits)));
-    const VI high = hn::ShiftRight<16>(hn::BitCast(DI(), bits));
-    const V scale = set(1.0F / 32767.0F);
-    V3 n{hn::Mul(hn::ConvertTo(D(), low), scale), hn::Mul(hn::ConvertTo(D(), high), scale), hn::Zero(D())};
-    n.z = hn::Sub(set(1.0F), hn::Add(hn::Abs(n.x), hn::Abs(n.y)));
-    const V fold = hn::Max(hn::Neg(n.z), hn::Zero(D()));
-    n.x = hn::Sub(n.x, hn::CopySign(fold, n.x));
-    n.y = hn::Sub(n.y, hn::CopySign(fold, n.y));
-    return normalised(n);
-}
-
-// As eye_position() of view.glsl, at a pixel's centre.
-HWY_INLINE V3 eye_position(const View& view, V x, V y, V depth) {
-    const V scale = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), depth);
-    return {hn::Mul(hn::Sub(x, set(view.centre_x)), scale), hn::Mul(hn::Sub(y, set(view.centre_y)), scale), depth};
-}
-
 HWY_INLINE VI index_of(VI row, VI stride, VI column) { return hn::Add(hn::Mul(row, stride), column); }
 // One load a lane: processors that guard their gathers against leaks take several times as long for those.
 template <class Value> HWY_INLINE void gather_lanes(const Value* values, VI index, Value* to) {

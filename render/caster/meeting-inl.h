@@ -6,6 +6,7 @@
 #define RAMUS_CASTER_MEETING_INL_H
 #endif
 
+#include "render/caster/normals-inl.h"
 #include "render/caster/pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -3,7 +3,7 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "render/caster/lanes-inl.h"
+#include "render/caster/normals-inl.h"
 #include "render/caster/occlude.h"
 
 #include <algorithm>
@@ -12,7 +12,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
-void DealTile(int x0, int y0, const View& view, const PictureArrays& picture) {
+#define INLINE HWY_INLINE
+struct OcclusionOfPixels : ViewBlock {
+#include "shaders/look/occlusion.glsl"
+};
+#undef INLINE
+using OcclusionScale = OcclusionOfPixels::OcclusionScale;
+
+void deal_lanes(int x0, int y0, const View& view, const PictureArrays& picture) {
     const hn::CappedTag<float, kTile / 4> d;
     constexpr int kLanes = int(hn::MaxLanes(d));
     for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
@@ -25,49 +32,41 @@ void DealTile(int x0, int y0, const View& view, const PictureArrays& picture) {
     }
 }
 
-// Places of row y, four pixels apart from column x + k on.
-struct Places {
+// Pixels of row y, four apart from column x + k on.
+struct FarPixels {
     int x, k, y;
-    V depth;
-    V3 normal;
+    Float depth;
+    Vec3 normal; // with depth as +z
 };
 
 template <bool Flat>
-HWY_INLINE V OcclusionOf(const View& view, const Taps& taps, const PictureArrays& picture, const Places& at) {
-    const V zero = hn::Zero(D());
+HWY_INLINE Float occlusion_of(const View& view, const Taps& taps, const PictureArrays& picture, const FarPixels& at) {
+    OcclusionOfPixels formulas{view.block};
     // From the line of sight, mm at depth 1 when perspective.
-    const V pixel = hn::MulAdd(hn::Iota(D(), 0), set(4.0F), set(static_cast<float>(at.x + at.k) + 0.5F));
-    const V first_x = hn::Mul(hn::Sub(pixel, set(view.centre_x)), set(view.mm_a_pixel));
+    const Float first_x =
+        (mad(hn::Iota(D(), 0), 4.0F, static_cast<float>(at.x + at.k) + 0.5F) - view.centre_x) * view.mm_a_pixel;
     const float first_y = (static_cast<float>(at.y) + 0.5F - view.centre_y) * view.mm_a_pixel;
-    const V across = Flat ? first_x : hn::Mul(first_x, at.depth);
-    const V up = Flat ? set(first_y) : hn::Mul(set(first_y), at.depth);
-    const V reach = Flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), at.depth);
-    const V squared_reach = hn::Mul(reach, reach);
-    const V bias = hn::Mul(set(0.02F), reach), softness = hn::Mul(set(0.01F), squared_reach);
-    const V fall_off = hn::Div(set(0.25F), squared_reach);
+    const Float across = Flat ? first_x : first_x * at.depth, up = Flat ? Float(first_y) : first_y * at.depth;
+    const OcclusionScale scale = formulas.occlusion_scale(at.depth);
     const auto& places = taps.of[at.y & 3][at.k];
-    V sum = zero;
+    Float sum = 0.0F;
     for (int i = 0; i < taps.count; ++i) {
         const int dx = places.x[i], y = at.y + places.y[i], column = at.k + dx;
         if (y < 0 || y >= view.height) continue;
-        const V tap = hn::LoadU(D(), picture.dealt + (column & 3) * picture.dealt_plane + y * picture.dealt_stride +
-                                         at.x / 4 + (column >> 2));
         // Where there is nothing it is so far away that it weighs nothing.
-        const V tap_x = hn::Add(first_x, set(static_cast<float>(dx) * view.mm_a_pixel));
-        const V tap_y = set(first_y + static_cast<float>(places.y[i]) * view.mm_a_pixel);
-        const V deeper = hn::Sub(tap, at.depth);
-        const V3 v = Flat ? V3{hn::Sub(tap_x, across), hn::Sub(tap_y, up), deeper}
-                          : V3{hn::MulSub(tap_x, tap, across), hn::MulSub(tap_y, tap, up), deeper};
-        const V squared = dot(v, v);
-        const V weight = hn::Max(zero, hn::NegMulAdd(squared, fall_off, set(1.0F)));
-        const V over = hn::Max(zero, hn::Sub(dot(v, at.normal), bias));
-        const V closeness = hn::ApproximateReciprocalSqrt(hn::Add(squared, softness));
-        sum = hn::MulAdd(hn::Mul(weight, over), closeness, sum);
+        const Float tap = hn::LoadU(D(), picture.dealt + (column & 3) * picture.dealt_plane + y * picture.dealt_stride +
+                                             at.x / 4 + (column >> 2));
+        const Float tap_x = first_x + static_cast<float>(dx) * view.mm_a_pixel;
+        const Float tap_y = first_y + static_cast<float>(places.y[i]) * view.mm_a_pixel;
+        const Float deeper = tap - at.depth;
+        const Vec3 way = Flat ? Vec3(tap_x - across, tap_y - up, deeper)
+                              : Vec3(mad(tap_x, tap, -across), mad(tap_y, tap, -up), deeper);
+        sum = formulas.with_tap(sum, way, at.normal, scale);
     }
-    return clamp01(hn::Mul(set(2.4F / static_cast<float>(taps.count)), sum));
+    return formulas.occlusion_of_sum(sum, static_cast<float>(taps.count));
 }
 
-void OccludeTiles(const View& view, const Taps& taps, int x0, int y0, const PictureArrays& picture) {
+void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const PictureArrays& picture) {
     const D d;
     const DU du;
     constexpr int kWide = kOccludedTiles * kTile;
@@ -87,77 +86,75 @@ void OccludeTiles(const View& view, const Taps& taps, int x0, int y0, const Pict
             VU normal[4];
             hn::LoadInterleaved4(du, picture.normal + first, normal[0], normal[1], normal[2], normal[3]);
             for (int k = 0; k < 4; ++k) {
-                V3 n = unpacked_normal(normal[k]);
-                n.z = hn::Neg(n.z); // depth is +z here
-                const Places places{x, k, y, depth[k], n};
-                const V occlusion = view.flat ? OcclusionOf<true>(view, taps, picture, places)
-                                              : OcclusionOf<false>(view, taps, picture, places);
-                found[k] = hn::IfThenElseZero(there[k], occlusion);
+                const V3 n = unpacked_normal(normal[k]);
+                const FarPixels pixels{x, k, y, depth[k], V3{n.x, n.y, hn::Neg(n.z)}};
+                const Float occlusion = view.flat ? occlusion_of<true>(view, taps, picture, pixels)
+                                                  : occlusion_of<false>(view, taps, picture, pixels);
+                found[k] = hn::IfThenElseZero(there[k], occlusion.v);
             }
             hn::StoreInterleaved4(found[0], found[1], found[2], found[3], d, picture.occlusion + first);
         }
     }
 }
 
-// How much a value four pixels' steps along counts: the more the nearer, and only if it is about as deep.
 struct Mean {
-    V sum, weights; // from zero
-    HWY_INLINE void add(V value, V depth_there, V depth, V inverse_tolerance, V centred) {
-        const V difference = hn::Abs(hn::Sub(depth_there, depth));
-        const V weight =
-            hn::Mul(centred, hn::Max(hn::Zero(D()), hn::NegMulAdd(difference, inverse_tolerance, set(1.0F))));
-        sum = hn::MulAdd(weight, value, sum);
-        weights = hn::Add(weights, weight);
+    Float sum, weights; // from zero
+    HWY_INLINE void add(Float value, Float weight) {
+        sum = mad(weight, value, sum);
+        weights = weights + weight;
     }
-    [[nodiscard]] HWY_INLINE V value() const { return hn::Div(sum, hn::Max(weights, set(1e-6F))); }
+    [[nodiscard]] HWY_INLINE V value() const { return (sum / max(weights, 1e-6F)).v; }
 };
 
-constexpr float Centred(int step) { return static_cast<float>(4 - (step < 0 ? -step : step)); }
+constexpr int kBlurReach = 3; // pixels
+constexpr int kBlurRows = kTile + 2 * kBlurReach;
 
-void SmoothTile(const View& view, int x0, int y0, const PictureArrays& picture) {
+// Along rows, of the tile's and of those around it that the blur across needs.
+void blur_along_rows(const View& view, int x0, int y0, const PictureArrays& picture, float* half) {
     const D d;
-    const V nothing = set(0.5F * kNothing), zero = hn::Zero(d);
-    const auto inverse_tolerance = [&](V depth) {
-        const V reach = view.flat ? set(view.reach_mm) : hn::Mul(set(view.reach_mm), depth);
-        return hn::Div(set(2.0F), reach);
-    };
-    constexpr int kRows = kTile + 6, kFirst = -3; // along rows
-    alignas(64) float half[kRows * kTile];
-    for (int i = 0; i < kRows; ++i) {
-        const int y = y0 + kFirst + i;
+    OcclusionOfPixels formulas{view.block};
+    for (int i = 0; i < kBlurRows; ++i) {
+        const int y = y0 - kBlurReach + i;
         if (y < 0 || y >= view.height) continue;
         for (int x = x0; x < x0 + kTile && x < view.width; x += kN) {
             const float* depths = picture.depth + std::ptrdiff_t{y} * view.stride + x;
             const float* values = picture.occlusion + std::ptrdiff_t{y} * view.stride + x;
-            const V depth = hn::LoadU(d, depths);
-            V found = zero;
-            if (!hn::AllFalse(d, hn::Lt(depth, nothing))) {
-                const V inverse = inverse_tolerance(depth);
-                Mean mean{zero, zero};
-                for (int step = -3; step <= 3; ++step) // into the padding, at the picture's sides
-                    mean.add(hn::LoadU(d, values + step), hn::LoadU(d, depths + step), depth, inverse,
-                             set(Centred(step)));
+            const Float depth = hn::LoadU(d, depths);
+            V found = hn::Zero(d);
+            if (any(depth < 0.5F * kNothing)) {
+                const Float per_tolerance = formulas.blur_tolerance_inverse(depth);
+                Mean mean{0.0F, 0.0F};
+                for (int step = -kBlurReach; step <= kBlurReach; ++step) // into the padding, at the picture's sides
+                    mean.add(hn::LoadU(d, values + step),
+                             formulas.blur_weight(step, Float(hn::LoadU(d, depths + step)) - depth, per_tolerance));
                 found = mean.value();
             }
             hn::Store(found, d, half + i * kTile + x - x0);
         }
     }
+}
+
+void smooth_lanes(const View& view, int x0, int y0, const PictureArrays& picture) {
+    const D d;
+    OcclusionOfPixels formulas{view.block};
+    alignas(64) float half[kBlurRows * kTile];
+    blur_along_rows(view, x0, y0, picture, half);
     for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
         for (int x = x0; x < x0 + kTile && x < view.width; x += kN) {
             const float* depths = picture.depth + std::ptrdiff_t{y} * view.stride + x;
-            const V depth = hn::LoadU(d, depths);
-            const M there = hn::Lt(depth, nothing);
-            V found = zero;
-            if (!hn::AllFalse(d, there)) {
-                const V inverse = inverse_tolerance(depth);
-                Mean mean{zero, zero};
-                for (int step = -3; step <= 3; ++step) {
+            const Float depth = hn::LoadU(d, depths);
+            const Mask there = depth < 0.5F * kNothing;
+            V found = hn::Zero(d);
+            if (any(there)) {
+                const Float per_tolerance = formulas.blur_tolerance_inverse(depth);
+                Mean mean{0.0F, 0.0F};
+                for (int step = -kBlurReach; step <= kBlurReach; ++step) {
                     if (y + step < 0 || y + step >= view.height) continue;
-                    mean.add(hn::Load(d, half + (y + step - y0 - kFirst) * kTile + x - x0),
-                             hn::LoadU(d, depths + std::ptrdiff_t{step} * view.stride), depth, inverse,
-                             set(Centred(step)));
+                    const Float there_depth = hn::LoadU(d, depths + std::ptrdiff_t{step} * view.stride);
+                    mean.add(hn::Load(d, half + (y + step - y0 + kBlurReach) * kTile + x - x0),
+                             formulas.blur_weight(step, there_depth - depth, per_tolerance));
                 }
-                found = hn::IfThenElseZero(there, mean.value());
+                found = hn::IfThenElseZero(there.m, mean.value());
             }
             hn::StoreU(found, d, picture.smooth + std::ptrdiff_t{y} * view.stride + x);
         }
@@ -170,22 +167,29 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::render::caster {
 
-HWY_EXPORT(DealTile);
-HWY_EXPORT(OccludeTiles);
-HWY_EXPORT(SmoothTile);
+HWY_EXPORT(deal_lanes);
+HWY_EXPORT(occlude_lanes);
+HWY_EXPORT(smooth_lanes);
+
+namespace {
+
+struct TapFormulas {
+    static float sqrt(float x) { return std::sqrt(x); }
+#include "shaders/look/taps.glsl"
+};
+
+} // namespace
 
 Taps taps_of(const View& view) {
     Taps taps{};
+    TapFormulas formulas;
     taps.count = std::min(view.taps, Taps::kMost);
-    constexpr double kTurn = 0.39269908, kGolden = 2.39996323; // a sixteenth of the way around; the golden angle
-    constexpr int kFine[4] = {0, 2, 1, 3};
+    constexpr double kGolden = 2.39996323; // angle
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
             for (int i = 0; i < taps.count; ++i) {
-                const double angle = kTurn * (4 * ((row + column) & 3) + kFine[row]) + kGolden * i;
-                const double fraction = (i + 0.5) / taps.count;
-                // Denser towards the centre: contacts count more than far neighbours.
-                const double far = double{view.reach_pixels} * fraction * std::sqrt(fraction);
+                const double angle = double{formulas.first_turn(column, row)} + kGolden * i;
+                const double far = double{view.block.depth_range.z} * double{formulas.tap_distance(i, taps.count)};
                 taps.of[row][column].x[i] = static_cast<std::int16_t>(std::lround(far * std::cos(angle)));
                 taps.of[row][column].y[i] = static_cast<std::int16_t>(std::lround(far * std::sin(angle)));
             }
@@ -193,13 +197,13 @@ Taps taps_of(const View& view) {
 }
 
 void deal_tile(int x, int y, const View& view, const PictureArrays& picture) {
-    HWY_DYNAMIC_DISPATCH(DealTile)(x, y, view, picture);
+    HWY_DYNAMIC_DISPATCH(deal_lanes)(x, y, view, picture);
 }
 void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture) {
-    HWY_DYNAMIC_DISPATCH(OccludeTiles)(view, taps, x, y, picture);
+    HWY_DYNAMIC_DISPATCH(occlude_lanes)(view, taps, x, y, picture);
 }
 void smooth_tile(const View& view, int x, int y, const PictureArrays& picture) {
-    HWY_DYNAMIC_DISPATCH(SmoothTile)(view, x, y, picture);
+    HWY_DYNAMIC_DISPATCH(smooth_lanes)(view, x, y, picture);
 }
 
 } // namespace ramus::render::caster

@@ -173,7 +173,8 @@ bool Caster::place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) c
     const glm::vec3 centre(sphere);
     cone = {};
     cone.nearest = centre.z - sphere.w;
-    if (!(sphere.w > 0.0F) || (!view_.flat && centre.z - 1.05F * sphere.w <= 1e-4F * view_.far_mm)) return false;
+    if (!(sphere.w > 0.0F) || (!view_.flat && centre.z - 1.05F * sphere.w <= 1e-4F * view_.block.depth_range.y))
+        return false;
     const float pixel = 1.0F / view_.mm_a_pixel;
     cone.reach = pixel * (view_.flat ? sphere.w : outline(centre, sphere.w));
     const glm::vec2 at = pixel * (view_.flat ? glm::vec2(centre) : glm::vec2(centre) / centre.z) +
@@ -202,7 +203,8 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
     const glm::vec3 axis = to - from;
     cone.nearest = std::min(from.z - first, to.z - last);
     // What reaches behind the eye has no outline.
-    if (!view_.flat && std::min(from.z - 1.05F * first, to.z - 1.05F * last) <= 1e-4F * view_.far_mm) return false;
+    if (!view_.flat && std::min(from.z - 1.05F * first, to.z - 1.05F * last) <= 1e-4F * view_.block.depth_range.y)
+        return false;
     const glm::vec2 a = view_.flat ? glm::vec2(from) : glm::vec2(from) / from.z;
     const glm::vec2 b = view_.flat ? glm::vec2(to) : glm::vec2(to) / to.z;
     const float pixel = 1.0F / view_.mm_a_pixel;

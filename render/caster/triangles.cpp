@@ -115,7 +115,7 @@ void place_triangles(const Body& body, const View& view, const glm::dmat4& to_ey
     });
     constexpr std::size_t kChunk = 4096;
     const std::size_t chunks = (shape.triangles.size() + kChunk - 1) / kChunk;
-    const float nearest = 1e-4F * view.far_mm;
+    const float nearest = 1e-4F * view.block.depth_range.y;
     std::vector<std::vector<Triangle>> parts(chunks);
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
         const Placing placing(body, view);

@@ -5,7 +5,9 @@
 // - Numbers have the suffix F.
 // - `if` takes what is the same for all pixels, or ANY(mask): whether there may be a pixel where it is true. Inside, as
 //   everywhere, select(mask, a, b) says what each pixel gets.
-// - mad(a, b, c) is a * b + c, in one step where the processor has it; reciprocal(x) may be off by 1e-7 of its value.
+// - with_sign(a, b) is a with the sign of b, a being positive.
+// - mad(a, b, c) is a * b + c, in one step where the processor has it; reciprocal(x) may be off by 1e-7 of its value,
+//   rough_inversesqrt(x) by 4e-4.
 #ifndef LOOK_LANES
 #define LOOK_LANES
 
@@ -20,7 +22,9 @@
 #define select(mask, a, b) ((mask) ? (a) : (b))
 #define mad(a, b, c) ((a) * (b) + (c))
 #define reciprocal(x) (1.0 / (x))
+#define rough_inversesqrt(x) inversesqrt(x)
 
+float with_sign(float size, float of) { return of >= 0.0 ? size : -size; }
 bool has(uint bits, uint bit) { return (bits & bit) != 0u; }
 
 #endif

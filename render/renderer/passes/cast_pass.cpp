@@ -39,10 +39,7 @@ caster::View view_of(const Frame& frame, const ViewSetup& from) {
     view.centre_y = from.block.pixel_to_eye.y;
     view.mm_a_pixel = from.block.pixel_to_eye.z;
     view.flat = frame.camera.orthographic;
-    view.near_mm = from.block.depth_range.x;
-    view.far_mm = from.block.depth_range.y;
-    view.reach_pixels = from.block.depth_range.z;
-    view.reach_mm = from.block.depth_range.w;
+    view.block = from.block;
     view.taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0;
     return view;
 }
