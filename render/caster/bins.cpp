@@ -1,5 +1,7 @@
 #include "render/caster/bins.h"
 
+#include "render/caster/group_by.h"
+
 #include <algorithm>
 
 namespace ramus::render::caster {
@@ -8,47 +10,37 @@ namespace {
 
 int tile_at(float at, int most) { return static_cast<int>(std::clamp(at / kTile, 0.0F, float(most - 1))); }
 
-// Things by place, in their order: those of place p are things[first[p]] to things[first[p + 1] - 1].
-// for_placed(call) calls call(thing, place) for all, twice the same.
-template <class ForPlaced>
-void sort_into(std::size_t places, const ForPlaced& for_placed, std::vector<std::uint32_t>& first,
-               std::vector<std::uint32_t>& things) {
-    first.assign(places + 2, 0); // a place ahead, so that filling moves them to where they begin
-    for_placed([&](std::uint32_t, std::size_t place) { ++first[place + 2]; });
-    for (std::size_t place = 0; place < places; ++place) first[place + 2] += first[place + 1];
-    things.resize(first.back());
-    for_placed([&](std::uint32_t thing, std::size_t place) { things[first[place + 1]++] = thing; });
-}
-
 } // namespace
 
 // for_tiles(i, call) calls `call` with every tile that thing i reaches.
 template <class ForTiles> void Bins::fill(std::size_t count, const ForTiles& for_tiles) {
-    const auto for_placed = [&](const auto& call) {
+    const auto for_each = [&](const auto& call) {
         for (std::size_t i = 0; i < count; ++i)
             for_tiles(i, [&](std::size_t tile) { call(static_cast<std::uint32_t>(i), tile); });
     };
-    sort_into(std::size_t(across_) * std::size_t(up_), for_placed, first_, things_);
+    group_by(std::size_t(across_) * std::size_t(up_), for_each, first_, items_);
 }
 
-Bins::Bins(int across, int up, const std::vector<Cone>& cones, const std::function<bool(std::size_t)>& wanted)
+Bins::Bins(int across, int up, const std::vector<RoundCone>& cones, const std::function<bool(std::size_t)>& included)
     : across_(across), up_(up) {
     fill(cones.size(), [&](std::size_t i, const auto& call) {
-        if (!wanted(i)) return;
-        const Cone& cone = cones[i];
-        const float to_x = cone.pixel[0] + cone.length * cone.way[0], to_y = cone.pixel[1] + cone.length * cone.way[1];
-        const int x0 = tile_at(std::min(cone.pixel[0], to_x) - cone.reach, across_);
-        const int x1 = tile_at(std::max(cone.pixel[0], to_x) + cone.reach, across_);
-        const int y0 = tile_at(std::min(cone.pixel[1], to_y) - cone.reach, up_);
-        const int y1 = tile_at(std::max(cone.pixel[1], to_y) + cone.reach, up_);
-        const float most = cone.reach + 0.7072F * kTile;
+        if (!included(i)) return;
+        const RoundCone& cone = cones[i];
+        const float to_x = cone.image_from[0] + cone.image_length * cone.image_direction[0],
+                    to_y = cone.image_from[1] + cone.image_length * cone.image_direction[1];
+        const int x0 = tile_at(std::min(cone.image_from[0], to_x) - cone.image_half_width, across_);
+        const int x1 = tile_at(std::max(cone.image_from[0], to_x) + cone.image_half_width, across_);
+        const int y0 = tile_at(std::min(cone.image_from[1], to_y) - cone.image_half_width, up_);
+        const int y1 = tile_at(std::max(cone.image_from[1], to_y) + cone.image_half_width, up_);
+        const float most = cone.image_half_width + 0.7072F * kTile;
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) {
                 if (x1 - x0 + y1 - y0 > 1) { // slanting ones pass many tiles of their box by
-                    const float px = (float(x) + 0.5F) * kTile - cone.pixel[0],
-                                py = (float(y) + 0.5F) * kTile - cone.pixel[1];
-                    const float t = std::clamp(px * cone.way[0] + py * cone.way[1], 0.0F, cone.length);
-                    const float dx = px - t * cone.way[0], dy = py - t * cone.way[1];
+                    const float px = (float(x) + 0.5F) * kTile - cone.image_from[0],
+                                py = (float(y) + 0.5F) * kTile - cone.image_from[1];
+                    const float t = std::clamp(px * cone.image_direction[0] + py * cone.image_direction[1], 0.0F,
+                                               cone.image_length);
+                    const float dx = px - t * cone.image_direction[0], dy = py - t * cone.image_direction[1];
                     if (dx * dx + dy * dy > most * most) continue;
                 }
                 call(std::size_t(y) * std::size_t(across_) + std::size_t(x));
@@ -70,7 +62,7 @@ BlockTriangles BlockBins::fill(const std::vector<Triangle>& all, std::span<const
     const auto block_at = [](float at, int corner) {
         return static_cast<int>(std::clamp(at - static_cast<float>(corner), 0.0F, float(kTile - 1))) / kBlock;
     };
-    const auto for_placed = [&](const auto& call) {
+    const auto for_each = [&](const auto& call) {
         for (const std::uint32_t triangle : order) {
             const Triangle& t = all[triangle];
             const int x1 = block_at(t.high[0], x), y1 = block_at(t.high[1], y);
@@ -79,7 +71,7 @@ BlockTriangles BlockBins::fill(const std::vector<Triangle>& all, std::span<const
                     call(triangle, static_cast<std::size_t>(by * kBlocks + bx));
         }
     };
-    sort_into(std::size_t{kBlocks} * kBlocks, for_placed, first_, order_);
+    group_by(std::size_t{kBlocks} * kBlocks, for_each, first_, order_);
     return {all.data(), first_.data(), order_.data()};
 }
 

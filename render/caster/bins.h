@@ -13,20 +13,20 @@ namespace ramus::render::caster {
 class Bins {
 public:
     Bins() = default;
-    Bins(int across, int up, const std::vector<Cone>& cones, const std::function<bool(std::size_t)>& wanted);
+    Bins(int across, int up, const std::vector<RoundCone>& cones, const std::function<bool(std::size_t)>& included);
     Bins(int across, int up, const std::vector<Triangle>& triangles);
 
     [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {
-        if (things_.empty()) return {};
+        if (items_.empty()) return {};
         const auto t = static_cast<std::size_t>(tile);
-        return std::span(things_).subspan(first_[t], first_[t + 1] - first_[t]);
+        return std::span(items_).subspan(first_[t], first_[t + 1] - first_[t]);
     }
 
 private:
     template <class ForTiles> void fill(std::size_t count, const ForTiles& for_tiles);
 
     int across_ = 0, up_ = 0;
-    std::vector<std::uint32_t> first_, things_; // of tile t: things_[first_[t]] to things_[first_[t + 1] - 1]
+    std::vector<std::uint32_t> first_, items_; // of tile t: items_[first_[t]] to items_[first_[t + 1] - 1]
 };
 
 // The same for the blocks of one tile.

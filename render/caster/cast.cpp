@@ -3,188 +3,216 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "render/caster/blended-inl.h"
 #include "render/caster/cast.h"
 #include "render/caster/cast_block-inl.h"
+#include "render/caster/field_normals-inl.h"
 #include "render/scene/record_flags.h"
-
-#include <algorithm>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
-alignas(64) constexpr std::uint32_t kLanePlace[16] = {0,
-                                                      1,
-                                                      2,
-                                                      3,
-                                                      kTile,
-                                                      kTile + 1,
-                                                      kTile + 2,
-                                                      kTile + 3,
-                                                      2 * kTile,
-                                                      2 * kTile + 1,
-                                                      2 * kTile + 2,
-                                                      2 * kTile + 3,
-                                                      3 * kTile,
-                                                      3 * kTile + 1,
-                                                      3 * kTile + 2,
-                                                      3 * kTile + 3};
+// Blocks from the first to the last of a row or column that [from, to] touches, `corner` being the tile's first pixel.
+struct BlockRange {
+    int first, last;
+};
+HWY_INLINE BlockRange blocks_touched(float from, float to, int corner) {
+    const float low = from - static_cast<float>(corner), high = to - static_cast<float>(corner);
+    return {low <= 0.0F ? 0 : static_cast<int>(low >= float(kTile) ? float(kTile) : low) / kBlock,
+            high < 0.0F ? -1 : static_cast<int>(high >= float(kTile - 1) ? float(kTile - 1) : high) / kBlock};
+}
+// Under the box around the cone's outline, `axis`: 0 across, 1 up.
+HWY_INLINE BlockRange blocks_under(const RoundCone& cone, int axis, int corner) {
+    const float from = cone.image_from[axis], to = from + cone.image_length * cone.image_direction[axis];
+    return blocks_touched((from < to ? from : to) - cone.image_half_width,
+                          (from > to ? from : to) + cone.image_half_width, corner);
+}
 
-void CastTile(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
-              bool with_values, int x, int y, Samples& samples) {
-    for (int block = 0; block < kBlocks * kBlocks; ++block) {
-        samples.farthest[block] = kNothing;
-        samples.touched[block] = false; // what it holds is of another tile
-    }
-    constexpr float kHalf = 0.5F * kBlock;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Cone& cone = cones[order[i]];
-        // Blocks under the box around its outline.
-        const float to_x = cone.pixel[0] + cone.length * cone.way[0], to_y = cone.pixel[1] + cone.length * cone.way[1];
-        const auto first = [&](float a, float b, int corner) {
-            const float low = (a < b ? a : b) - cone.reach - static_cast<float>(corner);
-            return low <= 0.0F ? 0 : static_cast<int>(low >= float(kTile) ? float(kTile) : low) / kBlock;
-        };
-        const auto last = [&](float a, float b, int corner) {
-            const float high = (a > b ? a : b) + cone.reach - static_cast<float>(corner);
-            return high < 0.0F ? -1 : static_cast<int>(high >= float(kTile - 1) ? float(kTile - 1) : high) / kBlock;
-        };
-        const int x0 = first(cone.pixel[0], to_x, x), x1 = last(cone.pixel[0], to_x, x);
-        const int y0 = first(cone.pixel[1], to_y, y), y1 = last(cone.pixel[1], to_y, y);
-        for (int by = y0; by <= y1; ++by) {
-            for (int bx = x0; bx <= x1; ++bx) {
-                const int block = by * kBlocks + bx;
-                const auto left = static_cast<float>(x + kBlock * bx), low = static_cast<float>(y + kBlock * by);
-                if (!reaches(cone, left + kHalf, low + kHalf, samples.farthest[block])) continue;
-                const auto cast = [&](auto flat) {
-                    if (cone.contested)
-                        CastContested<flat()>(view, field, cone, order[i], with_values, left, low, block, samples);
-                    else
-                        CastBlock<flat()>(view, cone, order[i], with_values, left, low, block, samples);
-                };
-                view.flat ? cast(std::true_type()) : cast(std::false_type());
+template <bool Flat> HWY_INLINE void cast_cones(const TileTask& tile, const TileCones& cones, Samples& samples) {
+    for (std::size_t i = 0; i < cones.count; ++i) {
+        const std::uint32_t number = cones.order[i];
+        const RoundCone& cone = cones.all[number];
+        const BlockRange across = blocks_under(cone, 0, tile.x), up = blocks_under(cone, 1, tile.y);
+        for (int row = up.first; row <= up.last; ++row) {
+            for (int column = across.first; column <= across.last; ++column) {
+                const Block block = block_of(tile, row * kBlocks + column);
+                if (!reaches(cone, block, samples.farthest[block.index])) continue;
+                if (cone.near_other_layer)
+                    cast_mixed_block<Flat>(block, cone, number, samples);
+                else
+                    cast_block<Flat>(block, cone, number, samples);
             }
         }
     }
 }
 
-// One block of 16 pixels, lane by lane.
-HWY_INLINE void ResolveLanes(const View& view, const Field& field, const Samples& samples, bool with_values, int block,
-                             int lane, int x, int y, int left, int low, float* depths, float* picked,
-                             std::uint32_t* ids, std::uint32_t* normals, Records& records) {
-    const D d;
-    const DU du;
-    VU id[kSamples], normal[kSamples];
-    V depth[kSamples];
-    for (int s = 0; s < kSamples; ++s) {
-        id[s] = hn::Load(du, samples.id[block][s] + lane);
-        normal[s] = hn::Load(du, samples.normal[block][s] + lane);
-        depth[s] = hn::Load(d, samples.depth[block][s] + lane);
+void cast_lanes(const TileTask& tile, const TileCones& cones, Samples& samples) {
+    for (int block = 0; block < kBlocks * kBlocks; ++block) {
+        samples.farthest[block] = kNothing;
+        samples.touched[block] = false; // what it holds is of another tile
     }
-    V nearest = depth[0], solid = set(kNothing), mean_depth = depth[0];
-    VU seen = id[0], seen_normal = normal[0], lines = id[0];
-    M all = mask(hn::Ne(id[0], hn::Zero(du))), whole = all;
-    V farthest = depth[0];
-    for (int s = 1; s < kSamples; ++s) {
-        const M nearer = hn::Lt(depth[s], nearest);
-        seen = hn::IfThenElse(hn::RebindMask(du, nearer), id[s], seen);
-        seen_normal = hn::IfThenElse(hn::RebindMask(du, nearer), normal[s], seen_normal);
-        nearest = hn::Min(nearest, depth[s]);
-        farthest = hn::Max(farthest, depth[s]);
-        all = hn::And(all, mask(hn::Ne(id[s], hn::Zero(du))));
-        lines = hn::Or(lines, id[s]);
-        whole = hn::And(whole, mask(hn::Eq(id[s], id[0])));
-        mean_depth = hn::Add(mean_depth, depth[s]);
-    }
-    solid = nearest;
-    if (!hn::AllFalse(d, any_of(lines, kLine))) {
-        solid = set(kNothing);
-        for (int s = 0; s < kSamples; ++s)
-            solid = hn::IfThenElse(any_of(id[s], kLine), solid, hn::Min(solid, depth[s]));
-    }
-    V3 mean{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    const M one_vessel = whole;
-    if (!hn::AllFalse(d, all)) {
-        const V3 first = unpacked_normal(normal[0]);
-        mean = first;
-        for (int s = 1; s < kSamples; ++s) {
-            const V3 direction = unpacked_normal(normal[s]);
-            whole = hn::And(whole, hn::Gt(dot(direction, first), set(0.7F)));
-            mean = mean + direction;
-        }
-    }
-    // Where the surface goes on through the pixel it is smooth, across creases of cones and from vessel to vessel.
-    const M surface = hn::AndNot(any_of(lines, kLine | kSolid), all);
-    const V pixel_mm = view.flat ? set(view.mm_a_pixel) : hn::Mul(set(view.mm_a_pixel), nearest);
-    const M goes_on = hn::And(surface, hn::Or(whole, hn::Lt(hn::Sub(farthest, nearest), hn::Mul(set(3.0F), pixel_mm))));
-    if (field.pieces != nullptr && !hn::AllFalse(d, goes_on)) {
-        const Rays<V> rays = rays_at(view, static_cast<float>(x + left), static_cast<float>(y + low), lane, 0.5F, 0.5F);
-        const V3 at = place_on(view, rays, hn::Mul(mean_depth, set(0.25F)));
-        mean = Blended(field, goes_on, hn::Load(du, samples.cone[block] + lane), at, mean);
-        whole = hn::Or(whole, hn::And(goes_on, one_vessel));
-        const auto smooth = hn::RebindMask(du, goes_on);
-        const VU packed = packed_normal(mean);
-        for (VU& direction : normal) direction = hn::IfThenElse(smooth, packed, direction);
-        seen_normal = hn::IfThenElse(smooth, packed, seen_normal);
-    }
-    hn::Store(solid, d, depths + lane);
-    hn::Store(nearest, d, picked + lane);
-    hn::Store(hn::AndNot(hn::Set(du, kLine), seen), du, ids + lane);
-    hn::Store(seen_normal, du, normals + lane);
-
-    const VU place =
-        hn::Add(hn::Load(du, kLanePlace + lane), hn::Set(du, static_cast<std::uint32_t>(low * kTile + left)));
-    const auto append = [&](M which, VU places, VU ids_of, VU normals_of, V depths_of, V values_of) {
-        if (hn::AllFalse(d, which)) return;
-        // Whole vectors, of which the next ones overwrite what does not count: storing only what counts is microcode
-        // on some processors.
-        const auto which_u = hn::RebindMask(du, which);
-        const std::size_t n = records.count;
-        hn::StoreU(hn::Compress(places, which_u), du, records.place + n);
-        hn::StoreU(hn::Compress(ids_of, which_u), du, records.id + n);
-        hn::StoreU(hn::Compress(normals_of, which_u), du, records.normal + n);
-        hn::StoreU(hn::Compress(depths_of, which), d, records.depth + n);
-        if (with_values) hn::StoreU(hn::Compress(values_of, which), d, records.value + n);
-        records.count += hn::CountTrue(d, which);
-    };
-    const auto value = [&](int s) { return with_values ? hn::Load(d, samples.value[block][s] + lane) : hn::Zero(d); };
-    append(whole, hn::Or(place, hn::Set(du, kWhole)), id[0], packed_normal(mean), hn::Mul(mean_depth, set(0.25F)),
-           value(0));
-    for (int s = 0; s < kSamples; ++s)
-        append(hn::AndNot(whole, mask(hn::Ne(id[s], hn::Zero(du)))),
-               hn::Or(place, hn::Set(du, static_cast<std::uint32_t>(s) << kSampleShift)), id[s], normal[s], depth[s],
-               value(s));
+    if (tile.view.flat)
+        cast_cones<true>(tile, cones, samples);
+    else
+        cast_cones<false>(tile, cones, samples);
 }
 
-void ResolveTile(const View& view, const Field& field, const Samples& samples, bool with_values, int x, int y,
-                 const PictureArrays& picture, Records& records) {
-    alignas(64) float depths[16], picked[16];
-    alignas(64) std::uint32_t ids[16], normals[16];
+// Some pixels of a block: their samples, and what those have in common.
+struct Pixels {
+    VU id[kSamples], normal[kSamples];
+    Float depth[kSamples];
+    Float nearest, farthest, mean_depth;
+    Float opaque;                  // nearest but lines
+    VU nearest_id, nearest_normal; // of the nearest sample
+    VU all_bits;                   // of the ids
+    Mask hit, one_surface;         // all samples are hit; by the same surface
+    Mask whole;                    // so, and they face about the same way: shaded as one
+    Vec3 normal_sum;               // of the samples
+};
+
+HWY_INLINE void load(const Samples& samples, int block, int lane, Pixels& p) {
+    const D d;
+    const DU du;
+    for (int s = 0; s < kSamples; ++s) {
+        p.id[s] = hn::Load(du, samples.id[block][s] + lane);
+        p.normal[s] = hn::Load(du, samples.normal[block][s] + lane);
+        p.depth[s] = hn::Load(d, samples.depth[block][s] + lane);
+    }
+    p.nearest = p.farthest = p.depth[0];
+    p.nearest_id = p.all_bits = p.id[0];
+    p.nearest_normal = p.normal[0];
+    p.hit = p.one_surface = Uint{p.id[0]} != 0U;
+    Float sum = p.depth[0];
+    for (int s = 1; s < kSamples; ++s) {
+        const auto nearer = hn::RebindMask(du, (p.depth[s] < p.nearest).m);
+        p.nearest_id = hn::IfThenElse(nearer, p.id[s], p.nearest_id);
+        p.nearest_normal = hn::IfThenElse(nearer, p.normal[s], p.nearest_normal);
+        p.nearest = min(p.nearest, p.depth[s]);
+        p.farthest = max(p.farthest, p.depth[s]);
+        p.hit = p.hit && Uint{p.id[s]} != 0U;
+        p.all_bits = hn::Or(p.all_bits, p.id[s]);
+        p.one_surface = p.one_surface && Mask{mask(hn::Eq(p.id[s], p.id[0]))};
+        sum = sum + p.depth[s];
+    }
+    p.mean_depth = 0.25F * sum;
+    p.opaque = p.nearest;
+    if (any(has({p.all_bits}, kLine))) {
+        p.opaque = kNothing;
+        for (int s = 0; s < kSamples; ++s)
+            p.opaque = select(has({p.id[s]}, kLine), p.opaque, min(p.opaque, p.depth[s]));
+    }
+    p.whole = p.one_surface;
+    p.normal_sum = Vec3(0.0F);
+    if (!any(p.hit)) return;
+    const Vec3 first = unpacked_normal(p.normal[0]);
+    p.normal_sum = first;
+    for (int s = 1; s < kSamples; ++s) {
+        const Vec3 normal = unpacked_normal(p.normal[s]);
+        p.whole = p.whole && dot(normal, first) > 0.7F;
+        p.normal_sum = p.normal_sum + normal;
+    }
+}
+
+// Where the surface goes on through a pixel it is smooth, across creases of cones and from vessel to vessel.
+HWY_INLINE void smooth_with_field(const Block& block, int lane, const Samples& samples, Pixels& p) {
+    const TileTask& tile = block.tile;
+    const DU du;
+    const Mask surface = p.hit && !has({p.all_bits}, kLine | kSolid);
+    const Float pixel_mm = tile.view.flat ? Float(tile.view.mm_a_pixel) : tile.view.mm_a_pixel * p.nearest;
+    const Mask goes_on = surface && (p.whole || p.farthest - p.nearest < 3.0F * pixel_mm);
+    if (tile.field.segments == nullptr || !any(goes_on)) return;
+    const Vec3 at = point_on(tile.view, pixel_rays(block, lane), p.mean_depth);
+    const VU cones = hn::Load(du, samples.cone[block.index] + lane);
+    p.normal_sum = field_normals(tile.field, goes_on, cones, at, p.normal_sum);
+    p.whole = p.whole || (goes_on && p.one_surface);
+    const auto smooth = hn::RebindMask(du, goes_on.m);
+    const VU packed = packed_normal(p.normal_sum);
+    for (VU& normal : p.normal) normal = hn::IfThenElse(smooth, packed, normal);
+    p.nearest_normal = hn::IfThenElse(smooth, packed, p.nearest_normal);
+}
+
+struct RecordLanes {
+    VU position, id, normal;
+    Float depth, value;
+};
+
+// Whole vectors, of which the next ones overwrite what does not count: storing only what counts is microcode on some
+// processors.
+HWY_INLINE void append(Mask which, const RecordLanes& lanes, Records& records) {
+    const D d;
+    const DU du;
+    if (!any(which)) return;
+    const auto which_u = hn::RebindMask(du, which.m);
+    const std::size_t n = records.count;
+    hn::StoreU(hn::Compress(lanes.position, which_u), du, records.position + n);
+    hn::StoreU(hn::Compress(lanes.id, which_u), du, records.id + n);
+    hn::StoreU(hn::Compress(lanes.normal, which_u), du, records.normal + n);
+    hn::StoreU(hn::Compress(lanes.depth.v, which.m), d, records.depth + n);
+    if (records.value != nullptr) hn::StoreU(hn::Compress(lanes.value.v, which.m), d, records.value + n);
+    records.count += hn::CountTrue(d, which.m);
+}
+
+// One record for each pixel of one surface, one for each sample that is hit elsewhere.
+HWY_INLINE void append(const Block& block, int lane, const Samples& samples, const Pixels& p, Records& records) {
+    const DU du;
+    // Pixels of a block lie in four rows of the tile.
+    const VU in_block = hn::Iota(du, static_cast<std::uint32_t>(lane));
+    const VU row = hn::ShiftRight<2>(in_block), column = hn::And(in_block, hn::Set(du, std::uint32_t{kBlock - 1}));
+    static_assert(kBlock == 4 && kTile == 32);
+    const int corner = block.index / kBlocks * kBlock * kTile + block.index % kBlocks * kBlock;
+    const VU position =
+        hn::Add(hn::Add(hn::ShiftLeft<5>(row), column), hn::Set(du, static_cast<std::uint32_t>(corner)));
+    const auto value = [&](int s) {
+        return records.value != nullptr ? hn::Load(D(), samples.value[block.index][s] + lane) : hn::Zero(D());
+    };
+    append(p.whole,
+           {hn::Or(position, hn::Set(du, kWhole)), p.id[0], packed_normal(p.normal_sum), p.mean_depth, value(0)},
+           records);
+    for (int s = 0; s < kSamples; ++s) {
+        const VU sample = hn::Set(du, static_cast<std::uint32_t>(s) << kSampleShift);
+        append(Uint{p.id[s]} != 0U && !p.whole, {hn::Or(position, sample), p.id[s], p.normal[s], p.depth[s], value(s)},
+               records);
+    }
+}
+
+// Rows of a block that is there in full, into the picture.
+template <class Value> HWY_INLINE void store_rows(const Value* block, std::size_t stride, Value* to) {
+    for (std::size_t row = 0; row < kBlock; ++row)
+        __builtin_memcpy(to + row * stride, block + row * kBlock, sizeof(Value) * kBlock);
+}
+
+void resolve_lanes(const TileTask& tile, const Samples& samples, const PictureArrays& picture, Records& records) {
+    alignas(64) float opaque[kBlockPixels], nearest[kBlockPixels];
+    alignas(64) std::uint32_t ids[kBlockPixels], normals[kBlockPixels];
     records.count = 0;
-    for (int block = 0; block < kBlocks * kBlocks; ++block) {
-        const int left = block % kBlocks * kBlock, low = block / kBlocks * kBlock;
-        if (x + left >= view.width || y + low >= view.height) continue;
-        const std::size_t corner = std::size_t(y + low) * std::size_t(view.stride) + std::size_t(x + left);
-        if (!samples.touched[block]) {
-            for (std::size_t at = corner; at < corner + kBlock * std::size_t(view.stride);
-                 at += std::size_t(view.stride))
+    const View& view = tile.view;
+    const auto stride = static_cast<std::size_t>(view.stride);
+    for (int index = 0; index < kBlocks * kBlocks; ++index) {
+        const int x = tile.x + index % kBlocks * kBlock, y = tile.y + index / kBlocks * kBlock;
+        if (x >= view.width || y >= view.height) continue;
+        const std::size_t corner = std::size_t(y) * stride + std::size_t(x);
+        if (!samples.touched[index]) {
+            for (std::size_t at = corner; at < corner + kBlock * stride; at += stride)
                 for (std::size_t k = at; k < at + kBlock; ++k)
                     picture.depth[k] = picture.picked_depth[k] = kNothing, picture.id[k] = 0;
             continue;
         }
-        for (int lane = 0; lane < 16; lane += kN)
-            ResolveLanes(view, field, samples, with_values, block, lane, x, y, left, low, depths, picked, ids, normals,
-                         records);
-        for (int row = 0; row < kBlock; ++row) {
-            const std::size_t to = corner + std::size_t(row) * std::size_t(view.stride);
-            __builtin_memcpy(picture.depth + to, depths + kBlock * row, sizeof(float) * kBlock);
-            __builtin_memcpy(picture.picked_depth + to, picked + kBlock * row, sizeof(float) * kBlock);
-            __builtin_memcpy(picture.id + to, ids + kBlock * row, sizeof(std::uint32_t) * kBlock);
-            __builtin_memcpy(picture.normal + to, normals + kBlock * row, sizeof(std::uint32_t) * kBlock);
+        const Block block = block_of(tile, index);
+        for (int lane = 0; lane < kBlockPixels; lane += kN) {
+            Pixels p;
+            load(samples, index, lane, p);
+            smooth_with_field(block, lane, samples, p);
+            hn::Store(p.opaque.v, D(), opaque + lane);
+            hn::Store(p.nearest.v, D(), nearest + lane);
+            hn::Store(hn::AndNot(hn::Set(DU(), kLine), p.nearest_id), DU(), ids + lane);
+            hn::Store(p.nearest_normal, DU(), normals + lane);
+            append(block, lane, samples, p, records);
         }
+        store_rows(opaque, stride, picture.depth + corner);
+        store_rows(nearest, stride, picture.picked_depth + corner);
+        store_rows(ids, stride, picture.id + corner);
+        store_rows(normals, stride, picture.normal + corner);
     }
 }
 
@@ -194,16 +222,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::render::caster {
 
-HWY_EXPORT(CastTile);
-HWY_EXPORT(ResolveTile);
+HWY_EXPORT(cast_lanes);
+HWY_EXPORT(resolve_lanes);
 
-void cast_tile(const View& view, const Field& field, const Cone* cones, const std::uint32_t* order, std::size_t count,
-               bool with_values, int x, int y, Samples& samples) {
-    HWY_DYNAMIC_DISPATCH(CastTile)(view, field, cones, order, count, with_values, x, y, samples);
+void cast_tile(const TileTask& tile, const TileCones& cones, Samples& samples) {
+    HWY_DYNAMIC_DISPATCH(cast_lanes)(tile, cones, samples);
 }
-void resolve_tile(const View& view, const Field& field, const Samples& samples, bool with_values, int x, int y,
-                  const PictureArrays& picture, Records& records) {
-    HWY_DYNAMIC_DISPATCH(ResolveTile)(view, field, samples, with_values, x, y, picture, records);
+void resolve_tile(const TileTask& tile, const Samples& samples, const PictureArrays& picture, Records& records) {
+    HWY_DYNAMIC_DISPATCH(resolve_lanes)(tile, samples, picture, records);
 }
 
 } // namespace ramus::render::caster

@@ -6,107 +6,102 @@
 #define RAMUS_CASTER_CAST_BLOCK_INL_H
 #endif
 
-#include "render/caster/meeting-inl.h"
-#include "render/caster/owner-inl.h"
+#include "render/caster/intersection-inl.h"
+#include "render/caster/strongest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {
 
 // An untouched block holds what is left of another tile.
-HWY_INLINE void Touch(int block, Samples& samples) {
+HWY_INLINE void clear_untouched(int block, Samples& samples) {
     if (samples.touched[block]) return;
     samples.touched[block] = true;
     for (int sample = 0; sample < kSamples; ++sample)
-        for (int lane = 0; lane < 16; lane += kN) {
+        for (int lane = 0; lane < kBlockPixels; lane += kN) {
             hn::Store(set(kNothing), D(), samples.depth[block][sample] + lane);
             hn::Store(hn::Zero(DU()), DU(), samples.id[block][sample] + lane);
         }
 }
 
-// What a sample sees of a cone.
-struct Seen {
-    V depth, at; // at: along the cone
+// What samples see of a cone.
+struct Hit {
+    Mask where;
+    Float depth; // of all lanes, hit or not
+    Float along; // the cone
     VU normal;
 };
 
-HWY_INLINE void Write(const Cone& cone, std::uint32_t number, bool with_values, int block, int sample, int lane,
-                      M which, const Seen& seen, Samples& samples) {
+// `number`: of the cone.
+HWY_INLINE void write(const Block& block, const RoundCone& cone, std::uint32_t number, int sample, int lane,
+                      const Hit& hit, Samples& samples) {
     const D d;
     const DU du;
-    const auto which_u = hn::RebindMask(du, which);
+    const auto where = hn::RebindMask(du, hit.where.m);
     const auto put = [&](std::uint32_t* to, VU value) {
-        hn::Store(hn::IfThenElse(which_u, value, hn::Load(du, to + lane)), du, to + lane);
+        hn::Store(hn::IfThenElse(where, value, hn::Load(du, to + lane)), du, to + lane);
     };
-    hn::Store(seen.depth, d, samples.depth[block][sample] + lane);
-    put(samples.id[block][sample], hn::Set(du, cone.id));
-    if (sample == 0) put(samples.cone[block], hn::Set(du, number));
-    put(samples.normal[block][sample], seen.normal);
-    if (!with_values) return;
-    float* values = samples.value[block][sample] + lane;
-    const V value = mix(set(cone.value[0]), set(cone.value[1]), seen.at);
-    hn::Store(hn::IfThenElse(which, value, hn::Load(d, values)), d, values);
+    const int b = block.index;
+    hn::Store(hit.depth.v, d, samples.depth[b][sample] + lane);
+    put(samples.id[b][sample], hn::Set(du, cone.id));
+    if (sample == 0) put(samples.cone[b], hn::Set(du, number));
+    put(samples.normal[b][sample], hit.normal);
+    if (!block.tile.with_values) return;
+    float* values = samples.value[b][sample] + lane;
+    const Float value = mix(cone.value[0], cone.value[1], hit.along);
+    hn::Store(select(hit.where, value, hn::Load(d, values)).v, d, values);
 }
 
 // Two samples at a time.
 template <bool Flat>
-HWY_INLINE void CastBlock(const View& view, const Cone& cone, std::uint32_t number, bool with_values, float x, float y,
-                          int block, Samples& samples) {
+HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint32_t number, Samples& samples) {
     const D d;
-    Touch(block, samples);
-    V farthest = hn::Zero(d);
-    for (int lane = 0; lane < 16; lane += kN) {
-        bool any = false; // normals are those at the pixels' middles, once there is a sample to have them
+    clear_untouched(block.index, samples);
+    Float farthest = 0.0F;
+    for (int lane = 0; lane < kBlockPixels; lane += kN) {
+        bool any_hit = false; // normals are those at the pixels' middles, once there is a sample to have them
         VU normal = hn::Zero(DU());
         for (int sample = 0; sample < kSamples; sample += 2) {
-            const auto depths = [&](int s) { return hn::Load(d, samples.depth[block][s] + lane); };
-            const Rays<V> first = rays_of(view, x, y, lane, sample), second = rays_of(view, x, y, lane, sample + 1);
-            const auto found = meet<Flat, false>(cone, Rays<Pair>{{first.x, second.x}, {first.y, second.y}});
-            const Pair old{depths(sample), depths(sample + 1)};
-            const MaskPair nearer = And(found.there, Lt(found.depth, old));
-            if (None(nearer)) {
-                farthest = hn::Max(farthest, hn::Max(old.a, old.b));
+            const auto depths = [&](int s) { return Float(hn::Load(d, samples.depth[block.index][s] + lane)); };
+            const Rays<Float> first = sample_rays(block, lane, sample), second = sample_rays(block, lane, sample + 1);
+            const auto found = intersect<Flat, false>(cone, Rays<FloatPair>{{first.x, second.x}, {first.y, second.y}});
+            const FloatPair old{depths(sample), depths(sample + 1)};
+            const MaskPair nearer = found.hit && found.depth < old;
+            if (!any(nearer)) {
+                farthest = max(farthest, max(old.a, old.b));
                 continue;
             }
-            const Pair now = IfThenElse(nearer, found.depth, old);
-            farthest = hn::Max(farthest, hn::Max(now.a, now.b));
-            if (!any) normal = packed_normal(facing<Flat>(cone, rays_at(view, x, y, lane, 0.5F, 0.5F)));
-            any = true;
-            const auto write = [&](int s, M which, V depth, V at) {
-                Write(cone, number, with_values, block, s, lane, which, {depth, at, normal}, samples);
-            };
-            write(sample, nearer.a, now.a, found.s.a);
-            write(sample + 1, nearer.b, now.b, found.s.b);
+            const FloatPair now = select(nearer, found.depth, old);
+            farthest = max(farthest, max(now.a, now.b));
+            if (!any_hit) normal = packed_normal(pixel_normal<Flat>(cone, pixel_rays(block, lane)));
+            any_hit = true;
+            write(block, cone, number, sample, lane, {nearer.a, now.a, found.along.a, normal}, samples);
+            write(block, cone, number, sample + 1, lane, {nearer.b, now.b, found.along.b, normal}, samples);
         }
     }
-    samples.farthest[block] = hn::GetLane(hn::MaxOfLanes(d, farthest));
+    samples.farthest[block.index] = hn::GetLane(hn::MaxOfLanes(d, farthest.v));
 }
 
-// Where glass goes on from a cone it is open: the eye looks through to the inside of its far wall, which faces the eye
-// as a lid would.
+// Of a cone that has neighbours in glass. Where glass goes on from it, it is open: the eye looks through to the inside
+// of its far wall, which faces the eye as a lid would.
 template <bool Flat>
-HWY_INLINE void CastContested(const View& view, const Field& field, const Cone& cone, std::uint32_t number,
-                              bool with_values, float x, float y, int block, Samples& samples) {
-    const D d;
-    Touch(block, samples);
-    for (int lane = 0; lane < 16; lane += kN) {
+HWY_INLINE void cast_mixed_block(const Block& block, const RoundCone& cone, std::uint32_t number, Samples& samples) {
+    const TileTask& tile = block.tile;
+    clear_untouched(block.index, samples);
+    for (int lane = 0; lane < kBlockPixels; lane += kN) {
         for (int sample = 0; sample < kSamples; ++sample) {
-            const Rays<V> rays = rays_of(view, x, y, lane, sample);
-            const auto found = meet<Flat, true>(cone, rays);
-            const V old = hn::Load(d, samples.depth[block][sample] + lane);
-            const M before = hn::And(found.there, hn::Lt(found.depth, old));
-            if (hn::AllFalse(d, before)) continue;
-            const auto own = [&](M which, V depth) {
-                return OwnLeads(field, number, which, place_on(view, rays, depth));
+            const Rays<Float> rays = sample_rays(block, lane, sample);
+            const auto found = intersect<Flat, true>(cone, rays);
+            const Float old = hn::Load(D(), samples.depth[block.index][sample] + lane);
+            const Mask before = found.hit && found.depth < old;
+            if (!any(before)) continue;
+            const auto own = [&](Mask which, Float depth) {
+                return own_layer_leads(tile.field, number, which, point_on(tile.view, rays, depth));
             };
-            const M front = own(before, found.depth), open = hn::AndNot(front, hn::And(before, hn::Lt(found.out, old)));
-            const M lid = hn::AllFalse(d, open) ? open : own(open, found.out);
-            const M seen = hn::Or(front, lid);
-            const V depth = hn::IfThenElse(seen, hn::IfThenElse(lid, found.out, found.depth), old);
-            const V zero = hn::Zero(d);
-            const V3 normal =
-                choose(lid, {zero, zero, set(1.0F)}, facing<Flat>(cone, rays_at(view, x, y, lane, 0.5F, 0.5F)));
-            Write(cone, number, with_values, block, sample, lane, seen, {depth, found.s, packed_normal(normal)},
-                  samples);
+            const Mask front = own(before, found.depth), open = before && found.exit < old && !front;
+            const Mask lid = any(open) ? own(open, found.exit) : open, seen = front || lid;
+            const Float depth = select(seen, select(lid, found.exit, found.depth), old);
+            const Vec3 normal = select(lid, Vec3(0.0F, 0.0F, 1.0F), pixel_normal<Flat>(cone, pixel_rays(block, lane)));
+            write(block, cone, number, sample, lane, {seen, depth, found.along, packed_normal(normal)}, samples);
         }
     }
 }

@@ -16,10 +16,11 @@ inline constexpr int kTile = 32;               // pixels a side; what one task c
 inline constexpr int kOccludedTiles = 2;       // beside each other, occluded together
 inline constexpr int kBlock = 4;               // pixels a side; what one vector of rays covers
 inline constexpr int kBlocks = kTile / kBlock; // a side
+inline constexpr int kBlockPixels = kBlock * kBlock;
 inline constexpr int kTilePixels = kTile * kTile;
 inline constexpr int kSamples = 4;
-inline constexpr int kMostPanes = 16; // of glass behind each other in one sample; nearer ones win
-inline constexpr float kNothing = 1e30F;
+inline constexpr int kMaxFragments = 16; // of glass behind each other in one sample; nearer ones win
+inline constexpr float kNothing = 1e30F; // depth where there is no surface
 
 // Where in its pixel a sample lies: those of the resting picture's rasteriser, so that edges stay where they are.
 inline constexpr float kSampleX[kSamples] = {0.375F, 0.875F, 0.125F, 0.625F};
@@ -34,37 +35,46 @@ struct View {
     int taps = 20;                         // of the occlusion, 0: none
 };
 
-// The hull of two balls. What cone.frag explains about the meeting of a ray with it holds here.
-struct Cone {
-    float from[3], axis[3]; // axis: to the other end
+// The hull of two balls in eye space. What cone.frag explains about the intersection of a ray with it holds here.
+struct RoundCone {
+    float from[3], axis[3]; // axis: to the other ball's centre
     float middle_depth;
-    float first_radius, last_radius, growth;
-    float squared, shrunk, inverse_shrunk; // |axis|^2, |axis|^2 - growth^2 and its inverse
-    float from_way[4], to_way[4];          // the vessel's direction at both ends; 3: 1 where it goes on
-    float pixel[2], way[2], length, reach; // in the picture: from where to where, and how far beside that, pixels
-    float nearest;                         // depth
-    float depth[3];   // of the axis: at its first end, and how it changes to the other; when [2] is 0, its inverse
-    float widest;     // radius
-    float value[2];   // at both ends, to colour by
-    std::uint32_t id; // as in ids.glsl
-    bool contested;   // some of what it is near is of another layer
-    bool follows;     // its first ball is the last one of an opaque cone, neither is contested: that one meets it
+    float first_radius, last_radius, radius_change;
+    float axis_squared;                       // |axis|^2
+    float side_squared, inverse_side_squared; // |axis|^2 - radius_change^2, of the side from ball to ball
+    float from_direction[4], to_direction[4]; // of the vessel at both ends; [3]: 1 where it goes on there
+    float image_from[2], image_direction[2];  // of the axis in the picture, pixels
+    float image_length, image_half_width;     // pixels; the outline lies within half_width of the axis
+    float nearest_depth;
+    float depth[3]; // of the axis: at its first end, and how it changes to the other; when [2] is 0, its inverse
+    float larger_radius;
+    float value[2];         // at both ends, to colour by
+    std::uint32_t id;       // as in ids.glsl
+    bool near_other_layer;  // some of its neighbours are of another layer
+    bool shares_first_ball; // with the opaque cone before it, neither is near another layer: that one is hit there
 };
 
 // A triangle of a mesh beside the tree, counter-clockwise in the picture.
 struct Triangle {
     struct Edge {
-        float x, y, way_x, way_y; // from where in which way, pixels
-        bool own;                 // what lies on it is this triangle's
+        float x, y, direction_x, direction_y; // from where in which direction, pixels
+        bool own;                             // what lies on it is this triangle's
     };
     Edge edge[3];              // across from each corner
     float share;               // 1 / twice its area
-    float depth[3];            // times what a place spans with the edges: depth, or its inverse when perspective
+    float depth[3];            // times the edge functions of a point: its depth, or its inverse when perspective
     float normal[3][3];        // likewise, times `share`
     float slope[3];            // of the share that each corner has, per pixel
     float low[2], high[2];     // box, pixels
     float half_width, crowded; // of lines, pixels, and how faint they are where triangles crowd; 0: a surface
     std::uint32_t id;
+};
+
+// The round cones that may be seen in a tile, nearest first, for speed alone.
+struct TileCones {
+    const RoundCone* all;
+    const std::uint32_t* order;
+    std::size_t count;
 };
 
 // The triangles that touch each block of a tile: of block b, order[first[b]] to order[first[b + 1] - 1].
@@ -74,39 +84,47 @@ struct BlockTriangles {
 };
 
 // A segment of the convolution surface's field, in eye space, mm.
-struct Piece {
-    float from[3], way[3]; // way: of unit length
+struct FieldSegment {
+    float from[3], direction[3]; // direction: of unit length
     float length, radius, slope;
 };
-inline constexpr Piece kNowhere{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
+inline constexpr FieldSegment kNoSegment{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
 
-// What the surface of each cone is made of: the pieces near[first[c]] to near[first[c + 1] - 1], an even number.
+// The field around each cone: of segments neighbours[first[c]] to neighbours[first[c + 1] - 1], an even number.
 struct Field {
-    const Piece* pieces; // null: the surface is the cones
+    const FieldSegment* segments; // null: the surface is the cones
     const std::uint32_t* first;
-    const std::uint32_t* near;
+    const std::uint32_t* neighbours;
     float root_width, isovalue; // of the kernel
-    // Those of the near ones of a cone that are of another layer; an even number as well.
-    const std::uint32_t *first_rival, *rivals;
-    const std::uint32_t* branch; // of each piece
+    // Those neighbours of a cone that are of another layer; an even number as well.
+    const std::uint32_t *first_other, *other_layer;
+    const std::uint32_t* branch; // of each segment
     const Layer* layer;          // of its branch
+};
+
+// A tile to cast, with what every stage needs.
+struct TileTask {
+    const View& view;
+    const Field& field;
+    bool with_values; // surfaces are coloured by a value along the vessels
+    int x, y;         // lower left pixel
 };
 
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].
 struct alignas(64) Samples {
-    float depth[kBlocks * kBlocks][kSamples][16];
-    std::uint32_t id[kBlocks * kBlocks][kSamples][16];
-    std::uint32_t normal[kBlocks * kBlocks][kSamples][16]; // octahedral, y up and z towards the eye
-    float value[kBlocks * kBlocks][kSamples][16];
-    std::uint32_t cone[kBlocks * kBlocks][16]; // that the first sample hit
-    float farthest[kBlocks * kBlocks];         // of the block's depths
-    bool touched[kBlocks * kBlocks];           // else it holds nothing, and what is above means nothing
+    float depth[kBlocks * kBlocks][kSamples][kBlockPixels];
+    std::uint32_t id[kBlocks * kBlocks][kSamples][kBlockPixels];
+    std::uint32_t normal[kBlocks * kBlocks][kSamples][kBlockPixels]; // octahedral, y up and z towards the eye
+    float value[kBlocks * kBlocks][kSamples][kBlockPixels];
+    std::uint32_t cone[kBlocks * kBlocks][kBlockPixels]; // that the first sample hit
+    float farthest[kBlocks * kBlocks];                   // of the block's depths
+    bool touched[kBlocks * kBlocks];                     // else it holds nothing, and what is above means nothing
 };
 
 // What is shaded at once: one record for the pixels of one surface, one a sample on edges.
 inline constexpr std::uint32_t kPixelMask = kTilePixels - 1, kSampleShift = 10, kWhole = 1U << 12;
 struct Records {
-    std::uint32_t* place; // pixel of the tile, sample << kSampleShift, kWhole
+    std::uint32_t* position; // pixel of the tile, sample << kSampleShift, kWhole: of all samples
     std::uint32_t* id;
     std::uint32_t* normal;
     float* depth;
@@ -120,12 +138,12 @@ struct PictureArrays {
     float* picked_depth;   // nearest of anything
     std::uint32_t* id;     // of that, 0: nothing
     std::uint32_t* normal; // of the nearest opaque surface
-    // Depths once more, dealt into planes by column: every fourth of a row, `dealt_stride` a row, and `dealt_plane`
-    // from plane to plane. There the taps of pixels that lie four apart lie side by side.
-    float* dealt;
-    std::ptrdiff_t dealt_stride, dealt_plane;
-    float* occlusion; // before and
-    float* smooth;    // after its noise is gone
+    // Depths once more, in four planes by column: every fourth of a row, `plane_stride` a row, and `plane_size` from
+    // plane to plane. There the taps of pixels that lie four apart lie side by side.
+    float* depth_planes;
+    std::ptrdiff_t plane_stride, plane_size;
+    float* occlusion;          // before and
+    float* smoothed_occlusion; // after its noise is removed
 };
 
 // All uniform blocks of shade.frag.

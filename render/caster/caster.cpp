@@ -1,8 +1,8 @@
 #include "render/caster/caster.h"
 
 #include "render/caster/cast.h"
+#include "render/caster/fragments.h"
 #include "render/caster/occlude.h"
-#include "render/caster/panes.h"
 #include "render/caster/raster.h"
 #include "render/caster/shade.h"
 #include "render/scene/record_flags.h"
@@ -37,13 +37,17 @@ struct Caster::Scratches {
         Samples samples;
         Colours colours;
         BlockBins blocks;
-        std::vector<std::uint32_t> order, words = std::vector<std::uint32_t>(3 * kMostPanesOfTile);
-        std::vector<float> floats = std::vector<float>(2 * kMostPanesOfTile);
+        std::vector<std::uint32_t> order, words = std::vector<std::uint32_t>(3 * kMaxFragmentsOfTile);
+        std::vector<float> floats = std::vector<float>(2 * kMaxFragmentsOfTile);
 
         [[nodiscard]] Records records(bool with_values) {
             std::uint32_t* w = words.data();
             float* f = floats.data();
-            return {w, w + kMostPanesOfTile, w + 2 * kMostPanesOfTile, f, with_values ? f + kMostPanesOfTile : nullptr,
+            return {w,
+                    w + kMaxFragmentsOfTile,
+                    w + 2 * kMaxFragmentsOfTile,
+                    f,
+                    with_values ? f + kMaxFragmentsOfTile : nullptr,
                     0};
         }
     };
@@ -58,7 +62,7 @@ void Caster::KeptRecords::keep(const Records& records) {
         to.assign(from, from + count);
         to.resize(count + 16, filler);
     };
-    copy(place, records.place, 0U);
+    copy(position, records.position, 0U);
     copy(id, records.id, 1U);
     copy(normal, records.normal, 0U);
     copy(depth, records.depth, 1.0F);
@@ -67,16 +71,16 @@ void Caster::KeptRecords::keep(const Records& records) {
 }
 
 Records Caster::KeptRecords::view() {
-    return {place.data(), id.data(), normal.data(), depth.data(), value.empty() ? nullptr : value.data(), count};
+    return {position.data(), id.data(), normal.data(), depth.data(), value.empty() ? nullptr : value.data(), count};
 }
 
 bool Caster::draws(const Frame& frame) {
-    // A place on a vessel has one value: its diameter cannot go with where it is cut.
+    // A point of a vessel has one value: its diameter cannot go with where it is cut.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
     return whole || frame.scale.value != ColourScale::Value::kDiameter;
 }
 
-void Caster::make_room(const View& view) {
+void Caster::resize(const View& view) {
     const bool same_reach = view.block.depth_range.z == view_.block.depth_range.z;
     if (view.width == view_.width && view.height == view_.height && same_reach && !rgba_.empty()) return;
     across_ = (view.width + kTile - 1) / kTile;
@@ -84,17 +88,17 @@ void Caster::make_room(const View& view) {
     // Taps to the left and right of the picture read the padding.
     const std::size_t pixels = std::size_t(view.stride) * std::size_t(up_ * kTile) + 2 * kTile;
     for (auto* array : {&depths_, &picked_}) array->assign(pixels, kNothing);
-    for (auto* array : {&occlusion_, &smooth_}) array->assign(pixels, 0.0F);
+    for (auto* array : {&occlusion_, &smoothed_}) array->assign(pixels, 0.0F);
     for (auto* array : {&ids_, &normals_}) array->assign(pixels, 0);
     rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
     // As are those where pixels beside the picture would be.
     const auto beside = static_cast<std::ptrdiff_t>(view.block.depth_range.z) / 4 + 2;
-    const std::ptrdiff_t dealt_stride = view.stride / 4 + 2 * beside, dealt_plane = dealt_stride * view.height;
-    dealt_.assign(4 * std::size_t(dealt_plane), kNothing);
-    picture_ = {depths_.data() + kTile, picked_.data() + kTile, ids_.data() + kTile, normals_.data() + kTile,
-                dealt_.data() + beside, dealt_stride,           dealt_plane,         occlusion_.data() + kTile,
-                smooth_.data() + kTile};
+    const std::ptrdiff_t plane_stride = view.stride / 4 + 2 * beside, plane_size = plane_stride * view.height;
+    depth_planes_.assign(4 * std::size_t(plane_size), kNothing);
+    picture_ = {depths_.data() + kTile,        picked_.data() + kTile, ids_.data() + kTile, normals_.data() + kTile,
+                depth_planes_.data() + beside, plane_stride,           plane_size,          occlusion_.data() + kTile,
+                smoothed_.data() + kTile};
 }
 
 template <class Call> void Caster::for_tiles(const Call& call) const {
@@ -106,49 +110,50 @@ template <class Call> void Caster::for_tiles(const Call& call) const {
 void Caster::cast(int index, const Binned& binned, bool with_values) {
     Scratches::Scratch& scratch = *scratches_->all.local();
     Tile& tile = tiles_[std::size_t(index)];
-    const int x = left(index), y = low(index);
+    const TileTask task{view_, field_, with_values, left(index), low(index)};
     const auto sorted = [&](const Bins& bins) {
         const std::span<const std::uint32_t> here = bins.of(index);
         scratch.order.assign(here.begin(), here.end());
         std::ranges::sort(scratch.order, [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(cones_[a].nearest, a) < std::pair(cones_[b].nearest, b);
+            return std::pair(cones_[a].nearest_depth, a) < std::pair(cones_[b].nearest_depth, b);
         });
+        return TileCones{cones_.data(), scratch.order.data(), scratch.order.size()};
     };
-    sorted(binned.opaque);
-    cast_tile(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(), with_values, x, y,
-              scratch.samples);
-    if (const auto solid = binned.solid_triangles.of(index); !solid.empty())
-        raster_tile(view_, scratch.blocks.fill(solid_triangles_, solid, x, y), with_values, x, y, scratch.samples);
+    const auto by_block = [&](const std::vector<Triangle>& all, const Bins& bins) {
+        return scratch.blocks.fill(all, bins.of(index), task.x, task.y);
+    };
+    cast_tile(task, sorted(binned.opaque), scratch.samples);
+    if (!binned.solid_triangles.of(index).empty())
+        raster_tile(task, by_block(solid_triangles_, binned.solid_triangles), scratch.samples);
     Records opaque = scratch.records(with_values);
-    resolve_tile(view_, field_, scratch.samples, with_values, x, y, picture_, opaque);
-    if (view_.taps > 0) deal_tile(x, y, view_, picture_);
+    resolve_tile(task, scratch.samples, picture_, opaque);
+    if (view_.taps > 0) split_depths(task.x, task.y, view_, picture_);
     tile.opaque.keep(opaque);
     tile.glass.count = 0;
-    const auto clear = binned.clear_triangles.of(index);
-    sorted(binned.glass);
-    if (scratch.order.empty() && clear.empty()) return;
+    const TileCones glass_cones = sorted(binned.glass);
+    if (glass_cones.count == 0 && binned.clear_triangles.of(index).empty()) return;
     Records glass = scratch.records(false);
-    list_panes(view_, field_, cones_.data(), scratch.order.data(), scratch.order.size(),
-               scratch.blocks.fill(clear_triangles_, clear, x, y), x, y, scratch.samples, picture_, glass);
+    list_fragments(task, glass_cones, by_block(clear_triangles_, binned.clear_triangles), scratch.samples, picture_,
+                   glass);
     tile.glass.keep(glass);
 }
 
-std::size_t Caster::place_vessels(const Frame& frame, const glm::dmat4& to_eye, const std::vector<Layer>& layers) {
+std::size_t Caster::prepare_vessels(const Frame& frame, const glm::dmat4& to_eye, const std::vector<Layer>& layers) {
     const glm::mat4 lines_to_eye(glm::translate(to_eye, thinned_.origin));
     const std::size_t segments = segments_.size();
     const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
     cones_.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
     kinds_.assign(cones_.size(), Kind::kNone);
-    pieces_.assign(near_width_ > 0.0F ? segments + 1 : 0, kNowhere);
-    field_ = {pieces_.empty() ? nullptr : pieces_.data(),
-              near_.first.data(),
-              near_.segments.data(),
+    field_segments_.assign(neighbours_width_ > 0.0F ? segments + 1 : 0, kNoSegment);
+    field_ = {field_segments_.empty() ? nullptr : field_segments_.data(),
+              neighbours_.first.data(),
+              neighbours_.segments.data(),
               std::sqrt(frame.width),
               std::exp2(-frame.width),
-              rivals_.first.data(),
-              rivals_.segments.data(),
-              piece_branches_.data(),
-              piece_layers_.data()};
+              other_layer_.first.data(),
+              other_layer_.segments.data(),
+              segment_branches_.data(),
+              segment_layers_.data()};
     std::atomic<std::size_t> drawn{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
         std::size_t there = 0;
@@ -156,9 +161,9 @@ std::size_t Caster::place_vessels(const Frame& frame, const glm::dmat4& to_eye, 
             const auto branch = std::size_t(segments_[i].branch);
             const Layer layer = branch < layers.size() ? layers[branch] : Layer::kOpaque;
             if (layer == Layer::kNone) continue;
-            if (!pieces_.empty()) pieces_[i] = piece_of(segments_[i], lines_to_eye);
+            if (!field_segments_.empty()) field_segments_[i] = field_segment_of(segments_[i], lines_to_eye);
             if (!prepare(segments_[i], lines_to_eye, frame, fitted_, cones_[i])) continue;
-            cones_[i].contested = rivals_.first[i] < rivals_.first[i + 1];
+            cones_[i].near_other_layer = other_layer_.first[i] < other_layer_.first[i + 1];
             ++there;
             kinds_[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
             if (layer != Layer::kGlass) continue;
@@ -169,18 +174,19 @@ std::size_t Caster::place_vessels(const Frame& frame, const glm::dmat4& to_eye, 
     });
     for (std::size_t i = 1; i < segments; ++i) {
         if (kinds_[i] != Kind::kOpaque || kinds_[i - 1] != Kind::kOpaque) continue;
-        cones_[i].follows = segments_[i].before == segments_[i - 1].point && !cones_[i].contested &&
-                            segments_[i - 1].point + 1 == segments_[i].point && !cones_[i - 1].contested;
+        cones_[i].shares_first_ball = segments_[i].previous == segments_[i - 1].point && !cones_[i].near_other_layer &&
+                                      segments_[i - 1].point + 1 == segments_[i].point &&
+                                      !cones_[i - 1].near_other_layer;
     }
     return drawn;
 }
 
-void Caster::place_lesions(const std::vector<glm::vec4>& spheres) {
+void Caster::prepare_lesions(const std::vector<glm::vec4>& spheres) {
     const std::size_t vessels = cones_.size();
     cones_.resize(vessels + spheres.size());
     kinds_.resize(cones_.size(), Kind::kNone);
     for (std::size_t i = 0; i < spheres.size(); ++i)
-        if (place_ball(spheres[i], kSolid | static_cast<std::uint32_t>(i + 1), cones_[vessels + i]))
+        if (prepare_ball(spheres[i], kSolid | static_cast<std::uint32_t>(i + 1), cones_[vessels + i]))
             kinds_[vessels + i] = Kind::kGlass;
 }
 
@@ -198,7 +204,7 @@ Caster::Binned Caster::bin() const {
 
 void Caster::occlude() {
     if (view_.taps == 0) {
-        std::ranges::fill(smooth_, 0.0F);
+        std::ranges::fill(smoothed_, 0.0F);
         return;
     }
     const Taps taps = taps_of(view_);
@@ -270,23 +276,23 @@ void Caster::shade(const Shading& shading, const std::vector<std::uint8_t>& outl
         Tile& tile = tiles_[std::size_t(index)];
         Shading here = shading;
         here.outlined = outlined[std::size_t(index)] != 0;
-        shade_tile(here, tile.opaque.view(), tile.glass.view(), left(index), low(index), picture_,
-                   scratches_->all.local()->colours, rgba_.data());
+        shade_tile(here, tile.opaque.view(), tile.glass.view(), picture_,
+                   {left(index), low(index), scratches_->all.local()->colours, rgba_.data()});
     });
 }
 
 std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4& to_eye, const Content& content) {
     if (!scratches_) scratches_ = std::make_shared<Scratches>();
-    make_room(view);
+    resize(view);
     view_ = view;
-    find_near(frame);
-    find_contested(content.layers);
-    const std::size_t drawn = place_vessels(frame, to_eye, content.layers);
-    place_lesions(content.data.lesions);
+    follow_width(frame);
+    find_mixed_layers(content.layers);
+    const std::size_t drawn = prepare_vessels(frame, to_eye, content.layers);
+    prepare_lesions(content.data.lesions);
     solid_triangles_.clear();
     clear_triangles_.clear();
     for (const Body& body : content.bodies)
-        place_triangles(body, view_, to_eye, body.clear ? clear_triangles_ : solid_triangles_);
+        project_triangles(body, view_, to_eye, body.clear ? clear_triangles_ : solid_triangles_);
     const Binned binned = bin();
     const bool with_values = content.uniforms.scale.w > 0.0F || !content.data.cuts.empty();
     for_tiles([&](int tile) { cast(tile, binned, with_values); });

@@ -1,6 +1,6 @@
 // Caster: pictures of vessels while the view moves, made on the processor's own cores where OpenGL is software. Rays
 // are cast at round cones along the centerlines, as cone.frag does it, with the samples, the occlusion and the light of
-// the picture at rest; where they meet a cone, the field of the convolution surface says which way that faces, so that
+// the picture at rest; where they hit a cone, the field of the convolution surface gives its normal, so that
 // forks and bends look as smooth as they are. A vector of pixels goes through each step at once (run-time choice of
 // instruction set), tiles in parallel. In the time that a software rasteriser takes for a picture of half the size this
 // makes one of full size and quality. Pictures are the same whatever the number of threads.
@@ -10,7 +10,7 @@
 
 #include "render/caster/bins.h"
 #include "render/caster/cast_types.h"
-#include "render/caster/near_segments.h"
+#include "render/caster/neighbours.h"
 #include "render/caster/triangles.h"
 #include "render/scene/centerlines.h"
 #include "render/scene/frame.h"
@@ -58,20 +58,21 @@ private:
     struct Segment {
         std::uint32_t point; // and the next one
         std::int32_t branch;
-        // Of the vessel's way on, before and behind; or one of these.
+        // Points that the vessel comes from and goes on to; or one of these.
         static constexpr std::uint32_t kFree = ~0U, kJoins = ~0U - 1; // ends here; goes into another vessel here
-        std::uint32_t before, behind;
+        std::uint32_t previous, next;
     };
+    // What lasts from picture to picture: of the lines, of the surface's width, of what is in glass.
     void find_joints();
-    void find_near(const Frame& frame);
+    void follow_width(const Frame& frame);
     void fit_cones(float width, float beyond_ends);
     void fit_to_field();
-    void find_contested(const std::vector<Layer>& layers);
-    [[nodiscard]] Piece piece_of(const Segment& segment, const glm::mat4& to_eye) const;
+    void find_mixed_layers(const std::vector<Layer>& layers);
+    [[nodiscard]] FieldSegment field_segment_of(const Segment& segment, const glm::mat4& to_eye) const;
     enum class Kind : std::uint8_t { kNone, kOpaque, kGlass };
     // What a tile keeps from casting to shading.
     struct KeptRecords {
-        std::vector<std::uint32_t> place, id, normal;
+        std::vector<std::uint32_t> position, id, normal;
         std::vector<float> depth, value; // value: empty where there is none
         std::size_t count = 0;
 
@@ -86,18 +87,19 @@ private:
     };
     struct Scratches; // what threads work in
 
-    void make_room(const View& view);
-    // From and to those of `points` that the segment joins.
+    void resize(const View& view);
+    // These fill in a cone in eye space; false: there is nothing of it to see. The first one's ends are those of
+    // `points`.
     [[nodiscard]] bool prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
-                               const std::vector<glm::vec4>& points, Cone& cone) const;
+                               const std::vector<glm::vec4>& points, RoundCone& cone) const;
     [[nodiscard]] bool prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
-                                    Cone& cone) const;
-    [[nodiscard]] bool place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const;
-    static void set_radii(Cone& cone, float first, float last); // and what follows from them; its axis is there
+                                    RoundCone& cone) const;
+    [[nodiscard]] bool prepare_ball(const glm::vec4& sphere, std::uint32_t id, RoundCone& cone) const;
+    static void set_radii(RoundCone& cone, float first, float last); // and what follows from them; its axis is there
     // The steps of a picture. The first places cones for opaque vessels, for glass and for the lines inside it, and
     // returns how many.
-    std::size_t place_vessels(const Frame& frame, const glm::dmat4& to_eye, const std::vector<Layer>& layers);
-    void place_lesions(const std::vector<glm::vec4>& spheres);
+    std::size_t prepare_vessels(const Frame& frame, const glm::dmat4& to_eye, const std::vector<Layer>& layers);
+    void prepare_lesions(const std::vector<glm::vec4>& spheres);
     [[nodiscard]] Binned bin() const;
     void cast(int tile, const Binned& binned, bool with_values);
     void occlude();
@@ -111,25 +113,28 @@ private:
     std::shared_ptr<const Centerlines> lines_;
     bool as_field_ = false;
     Centerlines thinned_;
-    std::vector<std::uint32_t> place_; // of its points: places_of()
-    // By point of those: where the surface lies around it, middle and radius; and where it is itself.
+    std::vector<std::uint32_t> coincident_; // of its points: coincident_points()
+    // By point of those: the ball around it that is nearest to the surface; and where the point itself is.
     std::vector<glm::vec4> fitted_, on_line_;
+    // By segment; those that the field reads have one more, which is nowhere.
     std::vector<Segment> segments_;
-    NearSegments near_;
-    float near_width_ = 0.0F;                         // of the kernel that those are for; 0: of none
+    std::vector<std::uint32_t> segment_branches_;
+    Neighbours neighbours_;
+    float neighbours_width_ = 0.0F;                   // of the kernel that those are for; 0: of none
     float fitted_width_ = -1.0F, fitted_ends_ = 0.0F; // of the frame that all that is for
-    std::vector<std::uint32_t> piece_branches_;       // of the segments, and of one behind them that is nowhere
-    std::vector<Layer> layers_, piece_layers_;        // by branch; of its segments
-    NearSegments rivals_;                             // of the near ones those of another layer
-    std::vector<Cone> cones_;
+    std::vector<Layer> layers_, segment_layers_;      // by branch; by segment
+    Neighbours other_layer_;                          // of the neighbours those of another layer
+    std::vector<FieldSegment> field_segments_;        // none: the surface is cones
+    Field field_{};
+
+    std::vector<RoundCone> cones_;
     std::vector<Kind> kinds_; // of them
     std::vector<Triangle> solid_triangles_, clear_triangles_;
-    std::vector<Piece> pieces_; // of the segments, and one behind them that is nowhere; none: the surface is cones
-    Field field_{};
+
     View view_;
     int across_ = 0, up_ = 0; // tiles
     std::vector<Tile> tiles_;
-    std::vector<float> depths_, dealt_, picked_, occlusion_, smooth_;
+    std::vector<float> depths_, depth_planes_, picked_, occlusion_, smoothed_;
     std::vector<std::uint32_t> ids_, normals_;
     std::vector<std::uint32_t> rgba_; // a pixel each
     PictureArrays picture_{};

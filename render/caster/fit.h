@@ -1,4 +1,4 @@
-// Where the convolution surface lies around places of the centerlines.
+// Where the convolution surface lies around points of the centerlines.
 #pragma once
 
 #include "render/caster/cast_types.h"
@@ -7,13 +7,13 @@
 
 namespace ramus::render::caster {
 
-// Across the vessel at a place: the circle that is nearest to the surface there.
-struct Across {
-    float middle[3], side[3], up[3]; // side, up: unit vectors across it; in the space of the field's pieces
+// A vessel's cross section: the circle that is nearest to the surface there.
+struct CrossSection {
+    float middle[3], side[3], up[3]; // side, up: unit vectors in its plane; in the space of the field's segments
     float radius;                    // of the vessel, then of the circle
     float least, most;               // that the radius may be, in radii of the vessel
-    std::uint32_t near;              // a segment there, whose near pieces are the surface
+    std::uint32_t segment;           // there, whose neighbours make the surface
 };
-void fit_circles(const Field& field, Across* places, std::size_t count);
+void fit_circles(const Field& field, CrossSection* sections, std::size_t count);
 
 } // namespace ramus::render::caster

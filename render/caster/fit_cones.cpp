@@ -31,15 +31,17 @@ Tip tip_of(float width, float beyond) {
     return {radius, radius - beyond};
 }
 
-Across across(const glm::vec3& middle, const glm::vec3& way, float radius, std::size_t near) {
-    const glm::vec3 aside = std::abs(way.x) < 0.6F * glm::length(way) ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 side = glm::normalize(glm::cross(way, aside)), up = glm::normalize(glm::cross(way, side));
-    Across place{};
-    for (int i = 0; i < 3; ++i) place.middle[i] = middle[i], place.side[i] = side[i], place.up[i] = up[i];
-    place.radius = radius;
-    place.least = kLeast, place.most = kMost;
-    place.near = static_cast<std::uint32_t>(near);
-    return place;
+CrossSection cross_section(const glm::vec3& middle, const glm::vec3& direction, float radius, std::size_t segment) {
+    const bool along_x = std::abs(direction.x) >= 0.6F * glm::length(direction);
+    const glm::vec3 aside = along_x ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 side = glm::normalize(glm::cross(direction, aside)),
+                    up = glm::normalize(glm::cross(direction, side));
+    CrossSection section{};
+    for (int i = 0; i < 3; ++i) section.middle[i] = middle[i], section.side[i] = side[i], section.up[i] = up[i];
+    section.radius = radius;
+    section.least = kLeast, section.most = kMost;
+    section.segment = static_cast<std::uint32_t>(segment);
+    return section;
 }
 
 } // namespace
@@ -48,49 +50,48 @@ void Caster::fit_cones(float width, float beyond_ends) {
     const auto radius = [&](std::size_t point) { return 0.5F * thinned_.details[point].diameter_mm; };
     fitted_ = on_line_;
     for (std::size_t i = 0; i < fitted_.size(); ++i) fitted_[i].w = radius(i);
-    if (near_width_ > 0.0F) fit_to_field();
+    if (neighbours_width_ > 0.0F) fit_to_field();
     // A ball of the vessel's radius at a free end would reach beyond it by that.
     const Tip tip = tip_of(width, beyond_ends);
     const auto end_at = [&](std::uint32_t end, std::uint32_t inward) {
-        const glm::vec3 way = glm::vec3(on_line_[inward]) - glm::vec3(on_line_[end]);
-        const float whole = glm::length(way);
+        const glm::vec3 axis = glm::vec3(on_line_[inward]) - glm::vec3(on_line_[end]);
+        const float whole = glm::length(axis);
         const float share = whole > 0.0F ? std::min(0.45F, tip.before * radius(end) / whole) : 0.0F;
-        fitted_[end] = glm::vec4(glm::vec3(on_line_[end]) + share * way, tip.radius * radius(end));
+        fitted_[end] = glm::vec4(glm::vec3(on_line_[end]) + share * axis, tip.radius * radius(end));
     };
     for (const Segment& segment : segments_) {
-        if (segment.before == Segment::kFree) end_at(segment.point, segment.point + 1);
-        if (segment.behind == Segment::kFree) end_at(segment.point + 1, segment.point);
+        if (segment.previous == Segment::kFree) end_at(segment.point, segment.point + 1);
+        if (segment.next == Segment::kFree) end_at(segment.point + 1, segment.point);
     }
 }
 
 void Caster::fit_to_field() {
-    std::vector<Piece> pieces(segments_.size() + 1, kNowhere);
-    for (std::size_t i = 0; i < segments_.size(); ++i) pieces[i] = piece_of(segments_[i], glm::mat4(1.0F));
+    std::vector<FieldSegment> segments(segments_.size() + 1, kNoSegment);
+    for (std::size_t i = 0; i < segments_.size(); ++i) segments[i] = field_segment_of(segments_[i], glm::mat4(1.0F));
     Field field{};
-    field.pieces = pieces.data();
-    field.first = near_.first.data();
-    field.near = near_.segments.data();
-    field.root_width = std::sqrt(near_width_);
-    std::vector<Across> places;
-    std::vector<std::uint32_t> points; // that the places are
+    field.segments = segments.data();
+    field.first = neighbours_.first.data();
+    field.neighbours = neighbours_.segments.data();
+    field.root_width = std::sqrt(neighbours_width_);
+    std::vector<CrossSection> sections;
+    std::vector<std::uint32_t> points; // that the sections are at
     for (std::size_t s = 0; s < segments_.size(); ++s) {
         const std::uint32_t first = segments_[s].point, last = first + 1;
         const auto add = [&](std::uint32_t point, std::uint32_t from, std::uint32_t to) {
-            const glm::vec3 way = glm::vec3(on_line_[to]) - glm::vec3(on_line_[from]);
-            if (!(glm::length(way) > 0.0F)) return;
-            places.push_back(across(glm::vec3(on_line_[point]), way, 0.5F * thinned_.details[point].diameter_mm, s));
+            const glm::vec3 direction = glm::vec3(on_line_[to]) - glm::vec3(on_line_[from]);
+            if (!(glm::length(direction) > 0.0F)) return;
+            const float radius = 0.5F * thinned_.details[point].diameter_mm;
+            sections.push_back(cross_section(glm::vec3(on_line_[point]), direction, radius, s));
             points.push_back(point);
         };
         // Each point with the segment that begins there; a branch's last one with the one that ends there.
         add(first, s > 0 && segments_[s - 1].point + 1 == first ? first - 1 : first, last);
         if (s + 1 == segments_.size() || segments_[s + 1].point != last) add(last, first, last);
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256),
-                      [&](const auto& range) { fit_circles(field, places.data() + range.begin(), range.size()); });
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Across& place = places[i];
-        fitted_[points[i]] = {place.middle[0], place.middle[1], place.middle[2], place.radius};
-    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sections.size(), 256),
+                      [&](const auto& range) { fit_circles(field, sections.data() + range.begin(), range.size()); });
+    for (std::size_t i = 0; i < sections.size(); ++i)
+        fitted_[points[i]] = {sections[i].middle[0], sections[i].middle[1], sections[i].middle[2], sections[i].radius};
 }
 
 } // namespace ramus::render::caster

@@ -26,6 +26,7 @@ HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(D(), mask.m); }
 struct Uint {
     VU v;
     friend HWY_INLINE Mask operator==(Uint a, uint b) { return {mask(hn::Eq(a.v, hn::Set(DU(), b)))}; }
+    friend HWY_INLINE Mask operator!=(Uint a, uint b) { return {mask(hn::Ne(a.v, hn::Set(DU(), b)))}; }
 };
 HWY_INLINE Mask has(Uint bits, uint bit) { return {any_of(bits.v, bit)}; }
 
@@ -50,11 +51,14 @@ HWY_INLINE Float mad(Float a, Float b, Float c) { return hn::MulAdd(a.v, b.v, c.
 HWY_INLINE Float min(Float a, Float b) { return hn::Min(a.v, b.v); }
 HWY_INLINE Float max(Float a, Float b) { return hn::Max(a.v, b.v); }
 HWY_INLINE Float abs(Float a) { return hn::Abs(a.v); }
-HWY_INLINE Float fract(Float a) { return fract(a.v); }
+HWY_INLINE Float fract(Float a) { return hn::Sub(a.v, hn::Floor(a.v)); }
 HWY_INLINE Float sqrt(Float a) { return hn::Sqrt(a.v); }
 HWY_INLINE Float clamp(Float a, Float low, Float high) { return min(max(a, low), high); }
 HWY_INLINE Float mix(Float a, Float b, Float t) { return mix(a.v, b.v, t.v); }
-HWY_INLINE Float smoothstep(float from, float to, Float a) { return smooth_step(from, to, a.v); }
+HWY_INLINE Float smoothstep(float from, float to, Float a) {
+    const Float t = clamp((a - from) * (1.0F / (to - from)), 0.0F, 1.0F);
+    return t * t * hn::NegMulAdd(set(2.0F), t.v, set(3.0F));
+}
 HWY_INLINE Float reciprocal(Float a) { return inverse_of(a.v); }
 HWY_INLINE Float with_sign(Float size, Float of) { return hn::CopySign(size.v, of.v); }
 HWY_INLINE Float rough_inversesqrt(Float a) { return hn::ApproximateReciprocalSqrt(a.v); } // to 4e-4
@@ -76,7 +80,6 @@ struct Vec3 {
     Float x, y, z;
     Vec3() = default;
     HWY_INLINE Vec3(Float a, Float b, Float c) : x(a), y(b), z(c) {}
-    HWY_INLINE Vec3(V3 of) : x(of.x), y(of.y), z(of.z) {}
     HWY_INLINE explicit Vec3(Float all) : x(all), y(all), z(all) {}
     HWY_INLINE explicit Vec3(const vec4& of) : x(of.x), y(of.y), z(of.z) {}
     friend HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

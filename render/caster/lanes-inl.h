@@ -26,13 +26,7 @@ using M = hn::Mask<D>;
 constexpr int kN = int(hn::MaxLanes(D()));
 
 HWY_INLINE V set(float x) { return hn::Set(D(), x); }
-HWY_INLINE V clamp01(V x) { return hn::Min(hn::Max(x, hn::Zero(D())), set(1.0F)); }
 HWY_INLINE V mix(V a, V b, V t) { return hn::MulAdd(t, hn::Sub(b, a), a); }
-HWY_INLINE V fract(V x) { return hn::Sub(x, hn::Floor(x)); }
-HWY_INLINE V smooth_step(float from, float to, V x) {
-    const V t = clamp01(hn::Mul(hn::Sub(x, set(from)), set(1.0F / (to - from))));
-    return hn::Mul(hn::Mul(t, t), hn::NegMulAdd(set(2.0F), t, set(3.0F)));
-}
 // 1 / sqrt(x), to single precision for x > 0.
 HWY_INLINE V inverse_root(V x) {
     const V guess = hn::ApproximateReciprocalSqrt(x);
@@ -75,21 +69,6 @@ HWY_INLINE V power_of_two(V x) {
     p = hn::MulAdd(p, t, set(1.0F));
     return hn::BitCast(D(), hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(whole)));
 }
-
-struct V3 {
-    V x, y, z;
-};
-HWY_INLINE V3 set(const float* v) { return {set(v[0]), set(v[1]), set(v[2])}; }
-HWY_INLINE V dot(V3 a, V3 b) { return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))); }
-HWY_INLINE V3 operator+(V3 a, V3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE V3 operator-(V3 a, V3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V3 operator*(V a, V3 b) { return {hn::Mul(a, b.x), hn::Mul(a, b.y), hn::Mul(a, b.z)}; }
-HWY_INLINE V3 operator*(V3 a, V3 b) { return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)}; }
-HWY_INLINE V3 mix(V3 a, V3 b, V t) { return {mix(a.x, b.x, t), mix(a.y, b.y, t), mix(a.z, b.z, t)}; }
-HWY_INLINE V3 choose(M m, V3 a, V3 b) {
-    return {hn::IfThenElse(m, a.x, b.x), hn::IfThenElse(m, a.y, b.y), hn::IfThenElse(m, a.z, b.z)};
-}
-HWY_INLINE V3 normalised(V3 a) { return inverse_root(hn::Max(dot(a, a), set(1e-30F))) * a; }
 
 HWY_INLINE VI index_of(VI row, VI stride, VI column) { return hn::Add(hn::Mul(row, stride), column); }
 // One load a lane: processors that guard their gathers against leaks take several times as long for those.

@@ -16,18 +16,17 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 #undef INLINE
 
 // `n` may have any length.
-HWY_INLINE VU packed_normal(V3 n) {
+HWY_INLINE VU packed_normal(Vec3 n) {
     const Vec2 p = octahedral(n);
     const auto word = [](Float x) { return rounded((x * 32767.0F).v); };
     return hn::Or(hn::And(word(p.x), hn::Set(DU(), 0xffffU)), hn::ShiftLeft<16>(word(p.y)));
 }
 
-HWY_INLINE V3 unpacked_normal(VU bits) {
+HWY_INLINE Vec3 unpacked_normal(VU bits) {
     const VI low = hn::ShiftRight<16>(hn::BitCast(DI(), hn::ShiftLeft<16>(bits)));
     const VI high = hn::ShiftRight<16>(hn::BitCast(DI(), bits));
     const auto number = [](VI word) { return Float(hn::ConvertTo(D(), word)) * (1.0F / 32767.0F); };
-    const Vec3 n = from_octahedral({number(low), number(high)});
-    return {n.x.v, n.y.v, n.z.v};
+    return from_octahedral({number(low), number(high)});
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE

@@ -19,15 +19,15 @@ struct OcclusionOfPixels : ViewBlock {
 #undef INLINE
 using OcclusionScale = OcclusionOfPixels::OcclusionScale;
 
-void deal_lanes(int x0, int y0, const View& view, const PictureArrays& picture) {
+void split_depth_lanes(int x0, int y0, const View& view, const PictureArrays& picture) {
     const hn::CappedTag<float, kTile / 4> d;
     constexpr int kLanes = int(hn::MaxLanes(d));
     for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
         for (int x = x0; x < x0 + kTile; x += 4 * kLanes) {
             hn::Vec<decltype(d)> v[4];
             hn::LoadInterleaved4(d, picture.depth + std::ptrdiff_t{y} * view.stride + x, v[0], v[1], v[2], v[3]);
-            float* to = picture.dealt + y * picture.dealt_stride + x / 4;
-            for (int k = 0; k < 4; ++k) hn::StoreU(v[k], d, to + k * picture.dealt_plane);
+            float* to = picture.depth_planes + y * picture.plane_stride + x / 4;
+            for (int k = 0; k < 4; ++k) hn::StoreU(v[k], d, to + k * picture.plane_size);
         }
     }
 }
@@ -48,16 +48,16 @@ HWY_INLINE Float occlusion_of(const View& view, const Taps& taps, const PictureA
     const float first_y = (static_cast<float>(at.y) + 0.5F - view.centre_y) * view.mm_a_pixel;
     const Float across = Flat ? first_x : first_x * at.depth, up = Flat ? Float(first_y) : first_y * at.depth;
     const OcclusionScale scale = formulas.occlusion_scale(at.depth);
-    const auto& places = taps.of[at.y & 3][at.k];
+    const auto& offsets = taps.of[at.y & 3][at.k];
     Float sum = 0.0F;
     for (int i = 0; i < taps.count; ++i) {
-        const int dx = places.x[i], y = at.y + places.y[i], column = at.k + dx;
+        const int dx = offsets.x[i], y = at.y + offsets.y[i], column = at.k + dx;
         if (y < 0 || y >= view.height) continue;
         // Where there is nothing it is so far away that it weighs nothing.
-        const Float tap = hn::LoadU(D(), picture.dealt + (column & 3) * picture.dealt_plane + y * picture.dealt_stride +
-                                             at.x / 4 + (column >> 2));
+        const Float tap = hn::LoadU(D(), picture.depth_planes + (column & 3) * picture.plane_size +
+                                             y * picture.plane_stride + at.x / 4 + (column >> 2));
         const Float tap_x = first_x + static_cast<float>(dx) * view.mm_a_pixel;
-        const Float tap_y = first_y + static_cast<float>(places.y[i]) * view.mm_a_pixel;
+        const Float tap_y = first_y + static_cast<float>(offsets.y[i]) * view.mm_a_pixel;
         const Float deeper = tap - at.depth;
         const Vec3 way = Flat ? Vec3(tap_x - across, tap_y - up, deeper)
                               : Vec3(mad(tap_x, tap, -across), mad(tap_y, tap, -up), deeper);
@@ -74,11 +74,11 @@ void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const Pic
     for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
         for (int x = x0; x < x0 + kWide && x < view.width; x += 4 * kN) {
             const std::ptrdiff_t first = std::ptrdiff_t{y} * view.stride + x;
-            const float* dealt = picture.dealt + y * picture.dealt_stride + x / 4;
+            const float* dealt = picture.depth_planes + y * picture.plane_stride + x / 4;
             V depth[4], found[4];
             M any = hn::FirstN(d, 0), there[4];
             for (int k = 0; k < 4; ++k) {
-                depth[k] = hn::LoadU(d, dealt + k * picture.dealt_plane);
+                depth[k] = hn::LoadU(d, dealt + k * picture.plane_size);
                 there[k] = hn::Lt(depth[k], set(0.5F * kNothing));
                 any = hn::Or(any, there[k]);
             }
@@ -86,8 +86,8 @@ void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const Pic
             VU normal[4];
             hn::LoadInterleaved4(du, picture.normal + first, normal[0], normal[1], normal[2], normal[3]);
             for (int k = 0; k < 4; ++k) {
-                const V3 n = unpacked_normal(normal[k]);
-                const FarPixels pixels{x, k, y, depth[k], V3{n.x, n.y, hn::Neg(n.z)}};
+                const Vec3 n = unpacked_normal(normal[k]);
+                const FarPixels pixels{x, k, y, depth[k], {n.x, n.y, -n.z}};
                 const Float occlusion = view.flat ? occlusion_of<true>(view, taps, picture, pixels)
                                                   : occlusion_of<false>(view, taps, picture, pixels);
                 found[k] = hn::IfThenElseZero(there[k], occlusion.v);
@@ -156,7 +156,7 @@ void smooth_lanes(const View& view, int x0, int y0, const PictureArrays& picture
                 }
                 found = hn::IfThenElseZero(there.m, mean.value());
             }
-            hn::StoreU(found, d, picture.smooth + std::ptrdiff_t{y} * view.stride + x);
+            hn::StoreU(found, d, picture.smoothed_occlusion + std::ptrdiff_t{y} * view.stride + x);
         }
     }
 }
@@ -167,7 +167,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::render::caster {
 
-HWY_EXPORT(deal_lanes);
+HWY_EXPORT(split_depth_lanes);
 HWY_EXPORT(occlude_lanes);
 HWY_EXPORT(smooth_lanes);
 
@@ -196,8 +196,8 @@ Taps taps_of(const View& view) {
     return taps;
 }
 
-void deal_tile(int x, int y, const View& view, const PictureArrays& picture) {
-    HWY_DYNAMIC_DISPATCH(deal_lanes)(x, y, view, picture);
+void split_depths(int x, int y, const View& view, const PictureArrays& picture) {
+    HWY_DYNAMIC_DISPATCH(split_depth_lanes)(x, y, view, picture);
 }
 void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture) {
     HWY_DYNAMIC_DISPATCH(occlude_lanes)(view, taps, x, y, picture);

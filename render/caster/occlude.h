@@ -18,7 +18,7 @@ struct Taps {
 
 // Each fills the tile, or tiles, whose lower left pixel is (x, y). Depths must have been dealt for the whole picture
 // when it is occluded, and occlusion be there for the tiles around when it is smoothed.
-void deal_tile(int x, int y, const View& view, const PictureArrays& picture);
+void split_depths(int x, int y, const View& view, const PictureArrays& picture);
 void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture);
 void smooth_tile(const View& view, int x, int y, const PictureArrays& picture);
 

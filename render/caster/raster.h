@@ -5,7 +5,7 @@
 
 namespace ramus::render::caster {
 
-// Lays the triangles into the samples of the tile whose lower left pixel is (x, y), after the cones.
-void raster_tile(const View& view, const BlockTriangles& triangles, bool with_values, int x, int y, Samples& samples);
+// Draws the triangles into the tile's samples, after the cones.
+void raster_tile(const TileTask& tile, const BlockTriangles& triangles, Samples& samples);
 
 } // namespace ramus::render::caster

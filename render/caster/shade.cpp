@@ -11,12 +11,6 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using SurfacePoint = LookOfPixels::SurfacePoint;
 
-// A tile that is shaded, with its lower left pixel.
-struct Target {
-    int x, y;
-    Colours& colours;
-};
-
 // Four numbers a lane, one lane after the other.
 HWY_INLINE void spread(Vec4 colour, float* to) {
     hn::StoreInterleaved4(colour.x.v, colour.y.v, colour.z.v, colour.w.v, D(), to);
@@ -29,17 +23,17 @@ struct ShadedPoints {
 };
 
 HWY_INLINE ShadedPoints points_of(LookOfPixels& look, const Shading& shading, const Records& records, std::size_t first,
-                                  const Target& target) {
+                                  const ShadedTile& tile) {
     const D d;
     const DU du;
     const DI di;
     ShadedPoints found;
     SurfacePoint& p = found.point;
-    const VU place = hn::And(hn::LoadU(du, records.place + first), hn::Set(du, kPixelMask));
+    const VU pixel = hn::And(hn::LoadU(du, records.position + first), hn::Set(du, kPixelMask));
     static_assert(kTile == 32);
-    const VU in_row = hn::And(place, hn::Set(du, std::uint32_t{kTile - 1}));
-    const VI column = hn::Add(hn::BitCast(di, in_row), hn::Set(di, target.x));
-    const VI row = hn::Add(hn::BitCast(di, hn::ShiftRight<5>(place)), hn::Set(di, target.y));
+    const VU in_row = hn::And(pixel, hn::Set(du, std::uint32_t{kTile - 1}));
+    const VI column = hn::Add(hn::BitCast(di, in_row), hn::Set(di, tile.x));
+    const VI row = hn::Add(hn::BitCast(di, hn::ShiftRight<5>(pixel)), hn::Set(di, tile.y));
     found.in_picture = index_of(row, hn::Set(di, shading.stride), column);
 
     p.id = {hn::LoadU(du, records.id + first)};
@@ -77,15 +71,15 @@ HWY_INLINE Vec4 veil_of(LookOfPixels& look, SurfacePoint p, VU normals) {
 }
 
 // Nearest first: each veils what lies behind it in its sample.
-void shade_glass(LookOfPixels& look, const Shading& shading, const Records& glass, const Target& target) {
+void shade_glass(LookOfPixels& look, const Shading& shading, const Records& glass, const ShadedTile& tile) {
     alignas(64) float found[64];
     for (std::size_t first = 0; first < glass.count; first += kN) {
-        const SurfacePoint p = points_of(look, shading, glass, first, target).point;
+        const SurfacePoint p = points_of(look, shading, glass, first, tile).point;
         spread(veil_of(look, p, hn::LoadU(DU(), glass.normal + first)), found);
         for (std::size_t k = 0; k < std::size_t(kN) && first + k < glass.count; ++k) {
-            const std::uint32_t at = glass.place[first + k];
+            const std::uint32_t at = glass.position[first + k];
             const auto lay = [&](std::uint32_t sample) {
-                float* front = target.colours.front[sample][at & kPixelMask];
+                float* front = tile.colours.front[sample][at & kPixelMask];
                 const float through = 1.0F - front[3];
                 for (std::size_t c = 0; c < 4; ++c) front[c] += through * found[4 * k + c];
             };
@@ -103,28 +97,28 @@ HWY_INLINE Vec3 radiance_of(LookOfPixels& look, const ShadedPoints& points, cons
         const Vec4 mesh = look.context_mesh(p.id);
         p.albedo = select(p.fixed_colour, Vec3(mesh.x, mesh.y, mesh.z), p.albedo);
     }
-    Vec3 radiance = look.radiance_of(p, gather(picture.smooth, points.in_picture));
+    Vec3 radiance = look.radiance_of(p, gather(picture.smoothed_occlusion, points.in_picture));
     const Mask line = has(p.id, kLine);
     if (any(line)) radiance = select(line, look.line_radiance(p), radiance);
     return radiance;
 }
 
 // Behind the glass, where there is any.
-void shade_opaque(LookOfPixels& look, const Shading& shading, const Records& records, bool glass, const Target& target,
-                  const PictureArrays& picture) {
+void shade_opaque(LookOfPixels& look, const Shading& shading, const Records& records, bool glass,
+                  const ShadedTile& tile, const PictureArrays& picture) {
     alignas(64) float found[64];
     for (std::size_t first = 0; first < records.count; first += kN) {
-        const ShadedPoints points = points_of(look, shading, records, first, target);
+        const ShadedPoints points = points_of(look, shading, records, first, tile);
         spread({radiance_of(look, points, picture), 1.0F}, found);
         for (std::size_t k = 0; k < std::size_t(kN) && first + k < records.count; ++k) {
-            const std::uint32_t place = records.place[first + k], pixel = place & kPixelMask;
-            float share = (place & kWhole) != 0 ? 1.0F : 0.25F;
+            const std::uint32_t position = records.position[first + k], pixel = position & kPixelMask;
+            float share = (position & kWhole) != 0 ? 1.0F : 0.25F;
             if (glass) {
-                const auto clear = [&](std::uint32_t s) { return 0.25F * (1.0F - target.colours.front[s][pixel][3]); };
-                share = (place & kWhole) != 0 ? clear(0) + clear(1) + clear(2) + clear(3)
-                                              : clear(place >> kSampleShift & 3U);
+                const auto clear = [&](std::uint32_t s) { return 0.25F * (1.0F - tile.colours.front[s][pixel][3]); };
+                share = (position & kWhole) != 0 ? clear(0) + clear(1) + clear(2) + clear(3)
+                                                 : clear(position >> kSampleShift & 3U);
             }
-            float* sum = target.colours.sum[pixel];
+            float* sum = tile.colours.sum[pixel];
             for (std::size_t c = 0; c < 4; ++c) sum[c] += share * found[4 * k + c];
         }
     }
@@ -145,29 +139,29 @@ HWY_INLINE Vec4 finished(LookOfPixels& look, Vec4 sum, Vec3 behind, bool transpa
     return look.encoded(look.outlined(Vec4(light, alpha), outline), dither);
 }
 
-// The tile's bytes into `rgba`. `lit`: there is something in it.
-void encode(LookOfPixels& look, const Shading& shading, bool lit, const Target& target, std::uint32_t* rgba) {
+// The tile's bytes. `lit`: there is something in it.
+void encode(LookOfPixels& look, const Shading& shading, bool lit, const ShadedTile& tile) {
     const D d;
     alignas(64) std::uint32_t words[16];
     const bool transparent = shading.uniforms.background_top.w > 0.5F;
     const int width = shading.width, height = shading.height;
-    for (int y = target.y; y < target.y + kTile && y < height; ++y) {
+    for (int y = tile.y; y < tile.y + kTile && y < height; ++y) {
         const float middle = static_cast<float>(y) + 0.5F;
         const Vec3 paper = transparent ? Vec3(0.0F) : look.background(middle / static_cast<float>(height));
         const Vec3 behind = look.to_linear(paper);
-        for (int x = target.x; x < target.x + kTile && x < width; x += kN) {
+        for (int x = tile.x; x < tile.x + kTile && x < width; x += kN) {
             const Vec2 at(Float(hn::Iota(d, static_cast<float>(x))) + 0.5F, middle);
             const Float dither = look.half_step(at);
             Vec4 colour = transparent ? Vec4(paper, 0.0F) : Vec4(paper + Vec3(dither), 1.0F);
             Vec4 sum(Vec3(0.0F), 0.0F);
             if (lit)
-                hn::LoadInterleaved4(d, target.colours.sum[(y - target.y) * kTile + x - target.x], sum.x.v, sum.y.v,
-                                     sum.z.v, sum.w.v);
+                hn::LoadInterleaved4(d, tile.colours.sum[(y - tile.y) * kTile + x - tile.x], sum.x.v, sum.y.v, sum.z.v,
+                                     sum.w.v);
             const Float outline = shading.outlined ? look.outline(at) : Float(0.0F);
             const Mask covered = max(sum.w, outline) > 0.0F;
             if (any(covered))
                 colour = select(covered, finished(look, sum, behind, transparent, outline, dither), colour);
-            std::uint32_t* to = rgba + std::size_t(y) * std::size_t(width) + std::size_t(x);
+            std::uint32_t* to = tile.rgba + std::size_t(y) * std::size_t(width) + std::size_t(x);
             if (x + kN <= width) {
                 hn::StoreU(packed_bytes(colour), DU(), to);
             } else {
@@ -178,27 +172,22 @@ void encode(LookOfPixels& look, const Shading& shading, bool lit, const Target& 
     }
 }
 
-void shade(const Shading& shading, const Records& records, const Records& glass, const Target& target,
-           const PictureArrays& picture, std::uint32_t* rgba) {
+void shade_lanes(const Shading& shading, const Records& records, const Records& glass, const PictureArrays& picture,
+                 const ShadedTile& tile) {
     LookOfPixels look(shading, picture);
-    Colours& colours = target.colours;
+    Colours& colours = tile.colours;
     const bool any_glass = glass.count > 0, lit = any_glass || records.count > 0;
     if (lit) __builtin_memset(colours.sum, 0, sizeof colours.sum);
     if (any_glass) {
         __builtin_memset(colours.front, 0, sizeof colours.front);
-        shade_glass(look, shading, glass, target);
+        shade_glass(look, shading, glass, tile);
     }
-    shade_opaque(look, shading, records, any_glass, target, picture);
+    shade_opaque(look, shading, records, any_glass, tile, picture);
     for (int pixel = 0; any_glass && pixel < kTilePixels; ++pixel)
         for (int c = 0; c < 4; ++c)
             colours.sum[pixel][c] += 0.25F * (colours.front[0][pixel][c] + colours.front[1][pixel][c] +
                                               colours.front[2][pixel][c] + colours.front[3][pixel][c]);
-    encode(look, shading, lit, target, rgba);
-}
-
-void shade_into(const Shading& shading, const Records& records, const Records& glass, int x, int y,
-                const PictureArrays& picture, Colours& colours, std::uint32_t* rgba) {
-    shade(shading, records, glass, {x, y, colours}, picture, rgba);
+    encode(look, shading, lit, tile);
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE
@@ -207,11 +196,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::render::caster {
 
-HWY_EXPORT(shade_into);
+HWY_EXPORT(shade_lanes);
 
-void shade_tile(const Shading& shading, const Records& records, const Records& glass, int x, int y,
-                const PictureArrays& picture, Colours& colours, std::uint32_t* rgba) {
-    HWY_DYNAMIC_DISPATCH(shade_into)(shading, records, glass, x, y, picture, colours, rgba);
+void shade_tile(const Shading& shading, const Records& records, const Records& glass, const PictureArrays& picture,
+                const ShadedTile& tile) {
+    HWY_DYNAMIC_DISPATCH(shade_lanes)(shading, records, glass, picture, tile);
 }
 
 } // namespace ramus::render::caster

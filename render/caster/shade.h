@@ -11,9 +11,15 @@ struct alignas(64) Colours {
     float front[kSamples][kTilePixels][4]; // glass: premultiplied, by sample
 };
 
-// Shades the tile whose lower left pixel is x, y into `rgba` (bytes in this order, sRGB, premultiplied; the picture's
-// width in pixels a row). `glass`: what is seen through, without values, nearest first in each sample.
-void shade_tile(const Shading& shading, const Records& records, const Records& glass, int x, int y,
-                const PictureArrays& picture, Colours& colours, std::uint32_t* rgba);
+// A tile that is shaded.
+struct ShadedTile {
+    int x, y; // lower left pixel
+    Colours& colours;
+    std::uint32_t* rgba; // of the picture: bytes in this order, sRGB, premultiplied; its width in pixels a row
+};
+
+// `glass`: what is seen through, without values, nearest first in each sample.
+void shade_tile(const Shading& shading, const Records& records, const Records& glass, const PictureArrays& picture,
+                const ShadedTile& tile);
 
 } // namespace ramus::render::caster

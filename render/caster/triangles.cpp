@@ -34,9 +34,9 @@ std::size_t cut_off(const std::array<Corner, 3>& corners, float nearest, std::ar
     return count;
 }
 
-class Placing {
+class Projection {
 public:
-    Placing(const Body& body, const View& view) : body_(body), view_(view) {}
+    Projection(const Body& body, const View& view) : body_(body), view_(view) {}
 
     void add(std::array<Corner, 3> corners, std::vector<Triangle>& to) const {
         std::array<glm::vec2, 3> at;
@@ -70,14 +70,15 @@ public:
         for (std::size_t i = 0; i < 3; ++i) {
             // The edge across from corner i. Of two triangles that share it both reckon the same numbers, of opposite
             // sign, and a point that lies on it is one's.
-            const glm::vec2 from = at[(i + 1) % 3], to_corner = at[(i + 2) % 3], way = to_corner - from;
+            const glm::vec2 from = at[(i + 1) % 3], to_corner = at[(i + 2) % 3], direction = to_corner - from;
             const bool first = from.x < to_corner.x || (from.x == to_corner.x && from.y < to_corner.y);
             const glm::vec2 base = first ? from : to_corner;
-            t.edge[i] = {base.x, base.y, way.x, way.y, way.y > 0.0F || (way.y == 0.0F && way.x > 0.0F)};
+            const bool owned = direction.y > 0.0F || (direction.y == 0.0F && direction.x > 0.0F);
+            t.edge[i] = {base.x, base.y, direction.x, direction.y, owned};
             const float linear = view_.flat ? 1.0F : 1.0F / corners[i].at.z;
             t.depth[i] = share * (view_.flat ? corners[i].at.z : linear);
             for (int k = 0; k < 3; ++k) t.normal[i][k] = linear * corners[i].normal[k];
-            t.slope[i] = share * glm::length(way);
+            t.slope[i] = share * glm::length(direction);
             widest = std::max(widest, t.slope[i]);
         }
         t.share = share;
@@ -95,7 +96,7 @@ private:
 
 } // namespace
 
-void place_triangles(const Body& body, const View& view, const glm::dmat4& to_eye, std::vector<Triangle>& triangles) {
+void project_triangles(const Body& body, const View& view, const glm::dmat4& to_eye, std::vector<Triangle>& triangles) {
     const ShapeTriangles& shape = *body.shape;
     if (shape.triangles.empty()) return;
     glm::dmat4 about = glm::translate(to_eye, shape.bounds.centre());
@@ -118,17 +119,18 @@ void place_triangles(const Body& body, const View& view, const glm::dmat4& to_ey
     const float nearest = 1e-4F * view.block.depth_range.y;
     std::vector<std::vector<Triangle>> parts(chunks);
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-        const Placing placing(body, view);
+        const Projection projection(body, view);
         for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, shape.triangles.size()); ++i) {
             const glm::uvec3& t = shape.triangles[i];
             const std::array<Corner, 3> own{corners[t.x], corners[t.y], corners[t.z]};
             if (view.flat || (own[0].at.z >= nearest && own[1].at.z >= nearest && own[2].at.z >= nearest)) {
-                placing.add(own, parts[chunk]);
+                projection.add(own, parts[chunk]);
                 continue;
             }
             std::array<Corner, 4> polygon;
             const std::size_t count = cut_off(own, nearest, polygon);
-            for (std::size_t k = 2; k < count; ++k) placing.add({polygon[0], polygon[k - 1], polygon[k]}, parts[chunk]);
+            for (std::size_t k = 2; k < count; ++k)
+                projection.add({polygon[0], polygon[k - 1], polygon[k]}, parts[chunk]);
         }
     });
     for (const std::vector<Triangle>& part : parts) triangles.insert(triangles.end(), part.begin(), part.end());

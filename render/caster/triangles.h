@@ -21,6 +21,6 @@ struct Body {
 
 // Appends what of it can be seen in the picture: triangles that face the eye, or all where the mesh is open, cut off
 // before the eye. `to_eye`: from mm to eye space, depth as +z. The order is the mesh's.
-void place_triangles(const Body& body, const View& view, const glm::dmat4& to_eye, std::vector<Triangle>& triangles);
+void project_triangles(const Body& body, const View& view, const glm::dmat4& to_eye, std::vector<Triangle>& triangles);
 
 } // namespace ramus::render::caster

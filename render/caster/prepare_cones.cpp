@@ -34,10 +34,10 @@ void put(float (&to)[4], const glm::vec4& v) { to[0] = v.x, to[1] = v.y, to[2] =
 // as wide as the vessel to 0.3 % at width 5.
 constexpr float kBeforeEnd = 0.8F;
 Centerlines with_ends(const Centerlines& lines) {
-    const std::vector<std::uint32_t> place = places_of(lines);
-    std::vector<int> ends(place.size(), 0); // of branches, by place
+    const std::vector<std::uint32_t> coincident = coincident_points(lines);
+    std::vector<int> ends(coincident.size(), 0); // of branches, by point
     for (const Centerlines::Run& run : lines.runs)
-        if (run.count > 1) ++ends[place[run.first]], ++ends[place[run.first + run.count - 1]];
+        if (run.count > 1) ++ends[coincident[run.first]], ++ends[coincident[run.first + run.count - 1]];
     Centerlines more;
     more.origin = lines.origin;
     const auto keep = [&](const glm::vec4& point, const Centerlines::Detail& detail) {
@@ -49,7 +49,7 @@ Centerlines with_ends(const Centerlines& lines) {
         const Centerlines::Detail& detail = lines.details[end];
         const float before = 0.5F * kBeforeEnd * detail.diameter_mm;
         const float whole = glm::distance(glm::vec3(a), glm::vec3(b));
-        if (ends[place[end]] > 1 || whole < 1.8F * before) return;
+        if (ends[coincident[end]] > 1 || whole < 1.8F * before) return;
         const float t = before / whole;
         keep(glm::mix(a, b, t), {glm::mix(detail.diameter_mm, lines.details[inward].diameter_mm, t), detail.branch});
     };
@@ -75,12 +75,12 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines, bool as_fie
     segments_.clear();
     fitted_width_ = -1.0F;
     layers_.clear();
-    rivals_.first.clear();
+    other_layer_.first.clear();
     thinned_ = {};
     if (!lines || lines->points.empty()) return;
     thinned_ = lines->thinned(kThinnedShare * lines->extent_mm());
     if (as_field) thinned_ = with_ends(thinned_);
-    place_ = places_of(thinned_);
+    coincident_ = coincident_points(thinned_);
     on_line_ = thinned_.points;
     for (glm::vec4& point : on_line_) point.w = 0.0F;
     for (std::size_t branch = 0; branch < thinned_.runs.size(); ++branch) {
@@ -91,45 +91,45 @@ void Caster::follow(const std::shared_ptr<const Centerlines>& lines, bool as_fie
                 {i, static_cast<std::int32_t>(branch), first ? Segment::kFree : i - 1, last ? Segment::kFree : i + 2});
         }
     }
-    piece_branches_.assign(segments_.size() + 1, 0);
-    std::ranges::transform(segments_, piece_branches_.begin(),
+    segment_branches_.assign(segments_.size() + 1, 0);
+    std::ranges::transform(segments_, segment_branches_.begin(),
                            [](const Segment& segment) { return static_cast<std::uint32_t>(segment.branch); });
     find_joints();
 }
 
-void Caster::find_near(const Frame& frame) {
+void Caster::follow_width(const Frame& frame) {
     if (frame.width == fitted_width_ && frame.beyond_ends == fitted_ends_) return;
     fitted_width_ = frame.width;
     fitted_ends_ = frame.beyond_ends;
     // The vessels of larger trees are narrower than pixels, and nobody waits for what they look like in between.
     constexpr std::size_t kMostSegments = 250'000;
-    near_width_ = segments_.size() > kMostSegments ? 0.0F : frame.width;
-    rivals_.first.clear();
-    if (near_width_ > 0.0F) {
+    neighbours_width_ = segments_.size() > kMostSegments ? 0.0F : frame.width;
+    other_layer_.first.clear();
+    if (neighbours_width_ > 0.0F) {
         std::vector<std::uint32_t> points(segments_.size());
         std::ranges::transform(segments_, points.begin(), &Segment::point);
-        near_ = find_near_segments(thinned_, place_, points,
-                                   static_cast<float>(field::gaussian(near_width_).support_radii));
+        neighbours_ = find_neighbours(thinned_, coincident_, points,
+                                      static_cast<float>(field::gaussian(neighbours_width_).support_radii));
     }
     fit_cones(frame.width, frame.beyond_ends);
 }
 
-Piece Caster::piece_of(const Segment& segment, const glm::mat4& to_eye) const {
+FieldSegment Caster::field_segment_of(const Segment& segment, const glm::mat4& to_eye) const {
     const std::size_t i = segment.point;
     const glm::vec3 from = to_eye * glm::vec4(glm::vec3(thinned_.points[i]), 1.0F);
     const glm::vec3 axis = glm::mat3(to_eye) * (glm::vec3(thinned_.points[i + 1]) - glm::vec3(thinned_.points[i]));
     const float length = std::max(glm::length(axis), 1e-6F);
     const float first = 0.5F * thinned_.details[i].diameter_mm, last = 0.5F * thinned_.details[i + 1].diameter_mm;
-    Piece piece{};
-    put(piece.from, from);
-    put(piece.way, axis / length);
-    piece.length = length;
-    piece.radius = std::max(first, 1e-6F);
-    piece.slope = (std::max(last, 1e-6F) - piece.radius) / length;
-    return piece;
+    FieldSegment made{};
+    put(made.from, from);
+    put(made.direction, axis / length);
+    made.length = length;
+    made.radius = std::max(first, 1e-6F);
+    made.slope = (std::max(last, 1e-6F) - made.radius) / length;
+    return made;
 }
 
-// Branches that meet have an end at the very same place. There the two widest are one vessel that goes on, if they do
+// Branches that meet have an end at the very same point. There the two widest are one vessel that goes on, if they do
 // not turn back; the others go into it.
 void Caster::find_joints() {
     struct End {
@@ -138,11 +138,11 @@ void Caster::find_joints() {
     };
     std::map<std::uint32_t, std::vector<End>> joints;
     const auto add = [&](std::uint32_t& beyond, std::uint32_t joint, std::uint32_t inward) {
-        if (beyond == Segment::kFree) joints[place_[joint]].push_back({&beyond, joint, inward});
+        if (beyond == Segment::kFree) joints[coincident_[joint]].push_back({&beyond, joint, inward});
     };
     for (Segment& segment : segments_) {
-        add(segment.before, segment.point, segment.point + 1);
-        add(segment.behind, segment.point + 1, segment.point);
+        add(segment.previous, segment.point, segment.point + 1);
+        add(segment.next, segment.point + 1, segment.point);
     }
     for (auto& [at, ends] : joints) {
         if (ends.size() < 2) continue;
@@ -159,33 +159,33 @@ void Caster::find_joints() {
     }
 }
 
-void Caster::set_radii(Cone& cone, float first, float last) {
+void Caster::set_radii(RoundCone& cone, float first, float last) {
     cone.first_radius = first;
     cone.last_radius = last;
-    cone.widest = std::max(first, last);
-    cone.growth = last - first;
-    cone.shrunk = cone.squared - cone.growth * cone.growth;
-    cone.inverse_shrunk = cone.shrunk > 0.0F ? 1.0F / cone.shrunk : 0.0F;
+    cone.larger_radius = std::max(first, last);
+    cone.radius_change = last - first;
+    cone.side_squared = cone.axis_squared - cone.radius_change * cone.radius_change;
+    cone.inverse_side_squared = cone.side_squared > 0.0F ? 1.0F / cone.side_squared : 0.0F;
 }
 
 // A ball in eye space. False: there is nothing of it to see.
-bool Caster::place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) const {
+bool Caster::prepare_ball(const glm::vec4& sphere, std::uint32_t id, RoundCone& cone) const {
     const glm::vec3 centre(sphere);
     cone = {};
-    cone.nearest = centre.z - sphere.w;
+    cone.nearest_depth = centre.z - sphere.w;
     if (!(sphere.w > 0.0F) || (!view_.flat && centre.z - 1.05F * sphere.w <= 1e-4F * view_.block.depth_range.y))
         return false;
     const float pixel = 1.0F / view_.mm_a_pixel;
-    cone.reach = pixel * (view_.flat ? sphere.w : outline(centre, sphere.w));
+    cone.image_half_width = pixel * (view_.flat ? sphere.w : outline(centre, sphere.w));
     const glm::vec2 at = pixel * (view_.flat ? glm::vec2(centre) : glm::vec2(centre) / centre.z) +
                          glm::vec2(view_.centre_x, view_.centre_y);
-    if (at.x + cone.reach < 0.0F || at.y + cone.reach < 0.0F || at.x - cone.reach > float(view_.width) ||
-        at.y - cone.reach > float(view_.height))
+    if (at.x + cone.image_half_width < 0.0F || at.y + cone.image_half_width < 0.0F ||
+        at.x - cone.image_half_width > float(view_.width) || at.y - cone.image_half_width > float(view_.height))
         return false;
     put(cone.depth, {view_.flat ? centre.z : 1.0F / centre.z, 0.0F, view_.flat ? 1.0F : 0.0F});
-    cone.pixel[0] = at.x, cone.pixel[1] = at.y;
-    put(cone.from_way, {0.0F, 0.0F, 1.0F, 0.0F});
-    put(cone.to_way, {0.0F, 0.0F, 1.0F, 0.0F});
+    cone.image_from[0] = at.x, cone.image_from[1] = at.y;
+    put(cone.from_direction, {0.0F, 0.0F, 1.0F, 0.0F});
+    put(cone.to_direction, {0.0F, 0.0F, 1.0F, 0.0F});
     put(cone.from, centre);
     cone.middle_depth = centre.z;
     set_radii(cone, sphere.w, sphere.w);
@@ -195,51 +195,55 @@ bool Caster::place_ball(const glm::vec4& sphere, std::uint32_t id, Cone& cone) c
 
 // As cone.vert. False: there is nothing of it to see.
 bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Frame& frame,
-                     const std::vector<glm::vec4>& points, Cone& cone) const {
-    const auto place = [&](std::size_t point) { return glm::vec3(to_eye * glm::vec4(glm::vec3(points[point]), 1.0F)); };
+                     const std::vector<glm::vec4>& points, RoundCone& cone) const {
+    const auto in_eye_space = [&](std::size_t point) {
+        return glm::vec3(to_eye * glm::vec4(glm::vec3(points[point]), 1.0F));
+    };
     const std::size_t i = segment.point;
-    const glm::vec3 from = place(i), to = place(i + 1);
+    const glm::vec3 from = in_eye_space(i), to = in_eye_space(i + 1);
     const float first = points[i].w, last = points[i + 1].w;
     const glm::vec3 axis = to - from;
-    cone.nearest = std::min(from.z - first, to.z - last);
+    cone.nearest_depth = std::min(from.z - first, to.z - last);
     // What reaches behind the eye has no outline.
     if (!view_.flat && std::min(from.z - 1.05F * first, to.z - 1.05F * last) <= 1e-4F * view_.block.depth_range.y)
         return false;
     const glm::vec2 a = view_.flat ? glm::vec2(from) : glm::vec2(from) / from.z;
     const glm::vec2 b = view_.flat ? glm::vec2(to) : glm::vec2(to) / to.z;
     const float pixel = 1.0F / view_.mm_a_pixel;
-    cone.reach = pixel * (view_.flat ? std::max(first, last) : std::max(outline(from, first), outline(to, last)));
-    const glm::vec2 start = pixel * a + glm::vec2(view_.centre_x, view_.centre_y), way = pixel * (b - a);
-    const glm::vec2 low = glm::min(start, start + way) - cone.reach, high = glm::max(start, start + way) + cone.reach;
+    cone.image_half_width =
+        pixel * (view_.flat ? std::max(first, last) : std::max(outline(from, first), outline(to, last)));
+    const glm::vec2 start = pixel * a + glm::vec2(view_.centre_x, view_.centre_y), image_axis = pixel * (b - a);
+    const glm::vec2 low = glm::min(start, start + image_axis) - cone.image_half_width,
+                    high = glm::max(start, start + image_axis) + cone.image_half_width;
     if (high.x < 0.0F || high.y < 0.0F || low.x > float(view_.width) || low.y > float(view_.height)) return false;
-    cone.length = glm::length(way);
+    cone.image_length = glm::length(image_axis);
     const float d0 = view_.flat ? from.z : 1.0F / from.z, d1 = view_.flat ? to.z : 1.0F / to.z;
     put(cone.depth, {d0, d1 - d0, view_.flat ? 1.0F : 0.0F});
-    cone.pixel[0] = start.x, cone.pixel[1] = start.y;
-    cone.way[0] = cone.length > 0.0F ? way.x / cone.length : 0.0F;
-    cone.way[1] = cone.length > 0.0F ? way.y / cone.length : 0.0F;
+    cone.image_from[0] = start.x, cone.image_from[1] = start.y;
+    cone.image_direction[0] = cone.image_length > 0.0F ? image_axis.x / cone.image_length : 0.0F;
+    cone.image_direction[1] = cone.image_length > 0.0F ? image_axis.y / cone.image_length : 0.0F;
 
     const float length = glm::length(axis);
     const glm::vec3 direction = length > 0.0F ? axis / length : glm::vec3(0.0F, 0.0F, 1.0F);
     // At the joint of two segments the vessel goes half as the one, half as the other.
-    const auto way_at = [&](std::size_t joint, std::uint32_t beyond, float outward) {
+    const auto direction_at = [&](std::size_t joint, std::uint32_t beyond, float outward) {
         if (beyond >= Segment::kJoins) return glm::vec4(direction, 0.0F);
-        const glm::vec3 other = outward * (place(beyond) - place(joint));
+        const glm::vec3 other = outward * (in_eye_space(beyond) - in_eye_space(joint));
         const float squared = glm::dot(other, other);
         if (squared <= 0.0F) return glm::vec4(direction, 1.0F);
         const glm::vec3 middle = direction + other / std::sqrt(squared);
         const float both = glm::dot(middle, middle);
         return glm::vec4(both > 0.0F ? middle / std::sqrt(both) : direction, 1.0F);
     };
-    put(cone.from_way, way_at(i, segment.before, -1.0F));
-    put(cone.to_way, way_at(i + 1, segment.behind, 1.0F));
+    put(cone.from_direction, direction_at(i, segment.previous, -1.0F));
+    put(cone.to_direction, direction_at(i + 1, segment.next, 1.0F));
     put(cone.from, from);
     put(cone.axis, axis);
     cone.middle_depth = 0.5F * (from.z + to.z);
-    cone.squared = glm::dot(axis, axis);
+    cone.axis_squared = glm::dot(axis, axis);
     set_radii(cone, first, last);
     cone.id = static_cast<std::uint32_t>(segment.branch) + 1;
-    cone.contested = cone.follows = false;
+    cone.near_other_layer = cone.shares_first_ball = false;
     const bool by_root = frame.scale.value != ColourScale::Value::kDiameter;
     cone.value[0] = by_root ? thinned_.points[i].w : thinned_.details[i].diameter_mm;
     cone.value[1] = by_root ? thinned_.points[i + 1].w : thinned_.details[i + 1].diameter_mm;
@@ -247,14 +251,14 @@ bool Caster::prepare(const Segment& segment, const glm::mat4& to_eye, const Fram
 }
 
 // Inside glass, from end to end: as wide as centerline.vert draws it, wherever it is.
-bool Caster::prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, Cone& line) const {
+bool Caster::prepare_line(const Segment& segment, const glm::mat4& to_eye, const Frame& frame, RoundCone& line) const {
     if (!prepare(segment, to_eye, frame, on_line_, line)) return false;
     const float pixels = 0.5F * std::max(1.0F, kCenterlineWidth * frame.pixel_ratio);
     const float first = line.from[2], last = line.from[2] + line.axis[2];
     const float at_unit_depth = pixels * view_.mm_a_pixel;
     set_radii(line, at_unit_depth * (view_.flat ? 1.0F : first), at_unit_depth * (view_.flat ? 1.0F : last));
-    line.reach = 1.5F * pixels + 1.0F;
-    line.nearest = std::min(first - line.first_radius, last - line.last_radius);
+    line.image_half_width = 1.5F * pixels + 1.0F;
+    line.nearest_depth = std::min(first - line.first_radius, last - line.last_radius);
     line.id |= kLine;
     return true;
 }
