@@ -8,11 +8,9 @@
 #include "render/scene/record_flags.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -110,14 +108,14 @@ template <class Call> void Caster::for_tiles(const Call& call) const {
 void Caster::cast(int index, const Binned& binned, bool with_values) {
     Scratches::Scratch& scratch = *scratches_->all.local();
     Tile& tile = tiles_[std::size_t(index)];
-    const TileTask task{view_, field_, with_values, left(index), low(index)};
+    const TileTask task{view_, vessels_.field(), with_values, left(index), low(index)};
     const auto sorted = [&](const Bins& bins) {
         const std::span<const std::uint32_t> here = bins.of(index);
         scratch.order.assign(here.begin(), here.end());
         std::ranges::sort(scratch.order, [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(cones_[a].nearest_depth, a) < std::pair(cones_[b].nearest_depth, b);
+            return std::pair(cones_.cones[a].nearest_depth, a) < std::pair(cones_.cones[b].nearest_depth, b);
         });
-        return TileCones{cones_.data(), scratch.order.data(), scratch.order.size()};
+        return TileCones{cones_.cones.data(), scratch.order.data(), scratch.order.size()};
     };
     const auto by_block = [&](const std::vector<Triangle>& all, const Bins& bins) {
         return scratch.blocks.fill(all, bins.of(index), task.x, task.y);
@@ -138,65 +136,14 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
     tile.glass.keep(glass);
 }
 
-std::size_t Caster::prepare_vessels(const Frame& frame, const glm::dmat4& to_eye, const std::vector<Layer>& layers) {
-    const glm::mat4 lines_to_eye(glm::translate(to_eye, thinned_.origin));
-    const std::size_t segments = segments_.size();
-    const bool any_glass = std::ranges::find(layers, Layer::kGlass) != layers.end();
-    cones_.resize(any_glass ? 2 * segments : segments); // the second half: lines inside glass
-    kinds_.assign(cones_.size(), Kind::kNone);
-    field_segments_.assign(neighbours_width_ > 0.0F ? segments + 1 : 0, kNoSegment);
-    field_ = {field_segments_.empty() ? nullptr : field_segments_.data(),
-              neighbours_.first.data(),
-              neighbours_.segments.data(),
-              std::sqrt(frame.width),
-              std::exp2(-frame.width),
-              other_layer_.first.data(),
-              other_layer_.segments.data(),
-              segment_branches_.data(),
-              segment_layers_.data()};
-    std::atomic<std::size_t> drawn{0};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, segments, 512), [&](const auto& range) {
-        std::size_t there = 0;
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const auto branch = std::size_t(segments_[i].branch);
-            const Layer layer = branch < layers.size() ? layers[branch] : Layer::kOpaque;
-            if (layer == Layer::kNone) continue;
-            if (!field_segments_.empty()) field_segments_[i] = field_segment_of(segments_[i], lines_to_eye);
-            if (!prepare(segments_[i], lines_to_eye, frame, fitted_, cones_[i])) continue;
-            cones_[i].near_other_layer = other_layer_.first[i] < other_layer_.first[i + 1];
-            ++there;
-            kinds_[i] = layer == Layer::kGlass ? Kind::kGlass : Kind::kOpaque;
-            if (layer != Layer::kGlass) continue;
-            if (prepare_line(segments_[i], lines_to_eye, frame, cones_[segments + i]))
-                kinds_[segments + i] = Kind::kOpaque;
-        }
-        drawn += there;
-    });
-    for (std::size_t i = 1; i < segments; ++i) {
-        if (kinds_[i] != Kind::kOpaque || kinds_[i - 1] != Kind::kOpaque) continue;
-        cones_[i].shares_first_ball = segments_[i].previous == segments_[i - 1].point && !cones_[i].near_other_layer &&
-                                      segments_[i - 1].point + 1 == segments_[i].point &&
-                                      !cones_[i - 1].near_other_layer;
-    }
-    return drawn;
-}
-
-void Caster::prepare_lesions(const std::vector<glm::vec4>& spheres) {
-    const std::size_t vessels = cones_.size();
-    cones_.resize(vessels + spheres.size());
-    kinds_.resize(cones_.size(), Kind::kNone);
-    for (std::size_t i = 0; i < spheres.size(); ++i)
-        if (prepare_ball(spheres[i], kSolid | static_cast<std::uint32_t>(i + 1), cones_[vessels + i]))
-            kinds_[vessels + i] = Kind::kGlass;
-}
-
 Caster::Binned Caster::bin() const {
-    const auto of_kind = [&](Kind kind) {
-        return Bins(across_, up_, cones_, [&](std::size_t i) { return kinds_[i] == kind; });
+    const auto of_kind = [&](ConeList::Kind kind) {
+        return Bins(across_, up_, cones_.cones, [&](std::size_t i) { return cones_.kinds[i] == kind; });
     };
     Binned binned;
-    binned.opaque = of_kind(Kind::kOpaque);
-    if (std::ranges::find(kinds_, Kind::kGlass) != kinds_.end()) binned.glass = of_kind(Kind::kGlass);
+    binned.opaque = of_kind(ConeList::Kind::kOpaque);
+    if (std::ranges::find(cones_.kinds, ConeList::Kind::kGlass) != cones_.kinds.end())
+        binned.glass = of_kind(ConeList::Kind::kGlass);
     if (!solid_triangles_.empty()) binned.solid_triangles = Bins(across_, up_, solid_triangles_);
     if (!clear_triangles_.empty()) binned.clear_triangles = Bins(across_, up_, clear_triangles_);
     return binned;
@@ -285,10 +232,8 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     if (!scratches_) scratches_ = std::make_shared<Scratches>();
     resize(view);
     view_ = view;
-    follow_width(frame);
-    find_mixed_layers(content.layers);
-    const std::size_t drawn = prepare_vessels(frame, to_eye, content.layers);
-    prepare_lesions(content.data.lesions);
+    const std::size_t drawn = vessels_.prepare(frame, view_, to_eye, content.layers, cones_);
+    append_lesions(view_, content.data.lesions, cones_);
     solid_triangles_.clear();
     clear_triangles_.clear();
     for (const Body& body : content.bodies)

@@ -1,7 +1,7 @@
 // Cones that lie where the surface does: it is not quite around the vessels' lines where they bend, and thinner than
 // they are at free ends. Once for all pictures.
-#include "render/caster/caster.h"
 #include "render/caster/fit.h"
+#include "render/caster/vessel_cones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ CrossSection cross_section(const glm::vec3& middle, const glm::vec3& direction, 
 
 } // namespace
 
-void Caster::fit_cones(float width, float beyond_ends) {
+void VesselCones::fit_cones(float width, float beyond_ends) {
     const auto radius = [&](std::size_t point) { return 0.5F * thinned_.details[point].diameter_mm; };
     fitted_ = on_line_;
     for (std::size_t i = 0; i < fitted_.size(); ++i) fitted_[i].w = radius(i);
@@ -65,7 +65,7 @@ void Caster::fit_cones(float width, float beyond_ends) {
     }
 }
 
-void Caster::fit_to_field() {
+void VesselCones::fit_to_field() {
     std::vector<FieldSegment> segments(segments_.size() + 1, kNoSegment);
     for (std::size_t i = 0; i < segments_.size(); ++i) segments[i] = field_segment_of(segments_[i], glm::mat4(1.0F));
     Field field{};
