@@ -63,7 +63,7 @@ public:
     HWY_INLINE Vec4 lesion() const { return {Vec3(lesion_colour), lesion_colour.w}; }
 
 private:
-    // The picture's nearest pixel to a place in it.
+    // Index of the picture's nearest pixel.
     HWY_INLINE VI index_at(Vec2 pixel) const {
         const auto held = [](Float at, int count) {
             return hn::Min(hn::Max(hn::ConvertTo(DI(), at.v), hn::Zero(DI())), hn::Set(DI(), count - 1));

@@ -68,7 +68,7 @@ public:
         const float share = 1.0F / area;
         float widest = 0.0F;
         for (std::size_t i = 0; i < 3; ++i) {
-            // The edge across from corner i. Of two triangles that share it both reckon the same numbers, of opposite
+            // The edge across from corner i. Of two triangles that share it both compute the same numbers, of opposite
             // sign, and a point that lies on it is one's.
             const glm::vec2 from = at[(i + 1) % 3], to_corner = at[(i + 2) % 3], direction = to_corner - from;
             const bool first = from.x < to_corner.x || (from.x == to_corner.x && from.y < to_corner.y);

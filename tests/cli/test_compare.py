@@ -8,7 +8,7 @@ from nifti import compressed, nifti, voxels
 from png import Picture
 from ramus import GOOD, CommandLineTest
 
-LINE = (61, 66, 74)  # between panes
+LINE = (61, 66, 74)  # between viewports
 
 
 class Compare(CommandLineTest):

@@ -14,7 +14,7 @@ from screen import SMALL_TREE, Window, check, choose, cropped, differing, drag, 
 MODE = "Surfaces of the same vessels, seen together"
 SECOND = "The surface that it is compared with"
 SHARE = "How much there is of the second surface"
-BELOW_HEADING = 90  # pixels: what the tools' bar and the words over the panes take
+BELOW_HEADING = 90  # pixels: what the tools' bar and the words over the viewports take
 
 
 def comparison(status):
@@ -22,11 +22,12 @@ def comparison(status):
 
 
 def halves(window, view):
-    """The two panes without the edges that are theirs alone: the words at the top, scale bar and cube at the bottom."""
+    """The two viewports without the edges that are theirs alone: the words at the top, scale bar and cube at the bottom."""
     x, y, width, height = view
     seen = window.pixels(x, y, width, height)
-    pane = (width - 1) // 2
-    return [cropped(seen, width, (left, BELOW_HEADING, pane, height - BELOW_HEADING - 140)) for left in (0, width - pane)]
+    viewport = (width - 1) // 2
+    boxes = [(left, BELOW_HEADING, viewport, height - BELOW_HEADING - 140) for left in (0, width - viewport)]
+    return [cropped(seen, width, box) for box in boxes]
 
 
 def leave_picture(window, view):
@@ -46,36 +47,36 @@ def compare(program, screen, folder):
         before = window.pixels(*view)
 
         choose(window, MODE, "Side by side")
-        status = window.wait("two panes", lambda s: comparison(s)["mode"] == "side-by-side")
+        status = window.wait("two viewports", lambda s: comparison(s)["mode"] == "side-by-side")
         narrow = status["camera"]
         check(narrow["position"][1] > camera["position"][1], "side by side, the eye goes back: the tree is whole in half the width")
         leave_picture(window, view)
         smooth, cones = halves(window, view)
-        check(0.0 < differing(smooth, cones) < 0.2, "one pane has the convolution surface, the other the truncated cones")
+        check(0.0 < differing(smooth, cones) < 0.2, "one viewport has the convolution surface, the other the truncated cones")
 
         window.xdotool("key", "ctrl+z")
         window.wait("one surface", lambda s: comparison(s)["mode"] == "off" and s["camera"] == camera)
         leave_picture(window, view)
         check(window.pixels(*view) == before, "undo brings back the picture from before, its camera too")
         window.xdotool("key", "ctrl+shift+z")
-        window.wait("two panes again", lambda s: comparison(s)["mode"] == "side-by-side" and s["camera"] == narrow)
+        window.wait("two viewports again", lambda s: comparison(s)["mode"] == "side-by-side" and s["camera"] == narrow)
         check(True, "redo compares again, with its camera")
 
         x, y, width, height = view
-        # In the right pane, where there is nothing.
+        # In the right viewport, where there is nothing.
         start = (x + round(0.55 * width), y + round(0.85 * height))
         drag(window, [start, (start[0] + 30, start[1]), (start[0] + 60, start[1] - 20)])
         status = window.wait("the turn", lambda s: s["camera"]["position"][0] != narrow["position"][0])
         leave_picture(window, view)
         turned = halves(window, view)
-        check(min(differing(a, b) for a, b in zip(turned, (smooth, cones))) > 0.02, "a drag in one pane turns both")
+        check(min(differing(a, b) for a, b in zip(turned, (smooth, cones))) > 0.02, "a drag in one viewport turns both")
         check(differing(*turned) < 0.2, "by as much")
 
         choose(window, SECOND, "Isosurface")
         window.wait("the isosurface", lambda s: comparison(s)["surfaces"] == ["cs", "iso"])
         leave_picture(window, view)
         after = halves(window, view)
-        check(after[0] == turned[0] and after[1] != turned[1], "the panel puts another surface into the second pane alone")
+        check(after[0] == turned[0] and after[1] != turned[1], "the panel puts another surface into the second viewport alone")
 
         choose(window, MODE, "Blend")
         window.wait("the blend", lambda s: comparison(s)["mode"] == "blend")

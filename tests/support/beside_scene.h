@@ -91,7 +91,8 @@ inline double decoded(double byte) {
     return c < 0.72 ? c : 0.72 - 0.28 * std::log(1.0 - (std::min(c, 0.999) - 0.72) / 0.28);
 }
 
-// A pane of context as shaders/context.glsl has it, without depth cue, the eye being infinitely far: premultiplied.
+// The glass of a context mesh as shaders/look/glass.glsl computes it, without depth cue, the eye being infinitely far:
+// premultiplied.
 inline glm::dvec4 veil_of(const glm::vec3& colour, double opacity, const glm::dvec3& normal) {
     const glm::dvec3 key(-0.429, 0.572, 0.699), fill(0.772, -0.051, 0.634), eye(0, 0, 1);
     const double veil = 1.0 - std::pow(1.0 - opacity, 1.0 / (0.14 + 0.86 * std::max(0.0, normal.z)));
