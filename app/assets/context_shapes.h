@@ -15,8 +15,8 @@ namespace ramus::app {
 struct ContextSource {
     std::string file;
     int label = 0;
-    bool exact = false; // of a mask: with the steps of its voxels
-    auto operator<=>(const ContextSource&) const = default;
+    bool exact = false;                                     // of a mask: with the steps of its voxels
+    auto operator<=>(const ContextSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
 [[nodiscard]] inline ContextSource source_of(const ContextItem& item) {
     return {item.file, item.label, item.exact || item.wireframe}; // who looks at triangles wants the true ones

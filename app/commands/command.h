@@ -1,6 +1,6 @@
 // What a file of app/commands that is named in subcommands.h does: it registers one subcommand and, when that was asked
-// for, chooses what main shall do once the whole command line has been understood. An action returns the exit status, or
-// an Error that main prints.
+// for, chooses what main shall do once the whole command line has been understood. An action returns the exit status,
+// or an Error that main prints.
 //
 // Exit status: 0 done, 1 failed, 2 wrong usage, 3 a comparison exceeded its tolerance.
 #pragma once

@@ -14,7 +14,8 @@ namespace {
 // "1600x1200", within what can be drawn; else a message for the user.
 std::string read_size(const std::string& text, glm::ivec2& size) {
     std::int64_t width = 0, height = 0;
-    const char *const end = text.data() + text.size(), *const kWanted = " is not a size such as 1600x1200";
+    constexpr const char* kWanted = " is not a size such as 1600x1200";
+    const char* const end = text.data() + text.size();
     const auto x = std::from_chars(text.data(), end, width);
     if (x.ec != std::errc{} || x.ptr == end || *x.ptr != 'x') return text + kWanted;
     const auto y = std::from_chars(x.ptr + 1, end, height);

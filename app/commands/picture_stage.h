@@ -18,7 +18,7 @@ namespace ramus::app {
 class PictureStage final : public PictureHost {
 public:
     PictureStage(Document& document, const SurfaceFlags& flags, Viewing viewing)
-        : document_(document), flags_(flags), viewing_(viewing) {}
+        : document_(document), flags_(flags), viewing_(std::move(viewing)) {}
 
     // Computes the surface of the session's options, without its hidden branches, unless it is there already.
     Result<void> make_surface();

@@ -205,6 +205,16 @@ void set_camera(Document& document, const Inputs& inputs, bool session_has_one, 
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 }
 
+// What the command line adds, then what a session or a script does.
+Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
+                          const std::function<Result<void>(ActionContext&)>& run) {
+    for (const std::string& file : flags.context) {
+        const std::array<std::string, 2> words{"context", file};
+        if (auto added = run_command(here, words); !added) return added;
+    }
+    return flags.interface ? Result<void>() : run(here);
+}
+
 Result<int> run_render(const RenderFlags& flags) {
     // What can be wrong is found before the long work.
     const auto inputs = read_inputs(flags);
@@ -228,12 +238,7 @@ Result<int> run_render(const RenderFlags& flags) {
                        .picture = stage,
                        .assets = stage.assets,
                        .tell = [&](const std::string& line) { say(flags.common, line); }};
-    for (const std::string& file : flags.context) {
-        const std::array<std::string, 2> words{"context", file};
-        if (auto added = run_command(here, words); !added) return tl::unexpected(added.error());
-    }
-    if (!flags.interface)
-        if (auto ran = run(here); !ran) return tl::unexpected(ran.error());
+    if (auto ran = run_commands(here, flags, run); !ran) return tl::unexpected(ran.error());
 
     auto sheet = stage.sheet();
     if (!sheet) return tl::unexpected(sheet.error());
@@ -257,7 +262,7 @@ Result<int> run_render(const RenderFlags& flags) {
         {"size", {image->width, image->height}}, {"triangles", done->triangles},
         {"mesh_s", stage.surface().seconds},     {"draw_s", draw_seconds},
         {"gl", description_of(flags.backend)},   {"camera", render::to_json(document.session().camera)}};
-    const auto status = finish_picture(*image, flags, report);
+    auto status = finish_picture(*image, flags, report);
     if (!status) return status;
     if (flags.benchmark > 0) {
         const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;

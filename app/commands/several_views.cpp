@@ -151,7 +151,7 @@ Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const Com
         render::Sheet one = *composed;
         look_from(one, cameras[i]);
         label(one, i, table);
-        const auto image = draw_figure(renderer, std::move(one), flags);
+        auto image = draw_figure(renderer, std::move(one), flags);
         if (!image) return image;
         put(picture, *image, grid.at(static_cast<int>(i)));
     }
@@ -171,7 +171,7 @@ Result<std::vector<std::filesystem::path>> write_turntable(render::SheetRenderer
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         render::Sheet one = sheet;
         look_from(one, cameras[i]);
-        const auto image = draw_figure(renderer, std::move(one), flags);
+        auto image = draw_figure(renderer, std::move(one), flags);
         if (!image) return tl::unexpected(image.error());
         std::string number = std::to_string(i + 1);
         number.insert(0, digits - number.size(), '0');

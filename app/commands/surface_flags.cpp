@@ -73,7 +73,7 @@ mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
     return session;
 }
 
-void add_method_flag(CLI::App& command, bool with_masks, std::function<void(mesh::Method)> take) {
+void add_method_flag(CLI::App& command, bool with_masks, const std::function<void(mesh::Method)>& take) {
     std::vector<std::string> keys;
     for (const mesh::MethodRow& row : mesh::kMethods)
         if (row.of_tree || with_masks) keys.emplace_back(row.key);

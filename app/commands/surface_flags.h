@@ -24,7 +24,7 @@ struct SurfaceFlags {
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags);
 
 // --method, of those that make surfaces of trees, `with_masks` of all; `take` is called with what is given.
-void add_method_flag(CLI::App& command, bool with_masks, std::function<void(mesh::Method)> take);
+void add_method_flag(CLI::App& command, bool with_masks, const std::function<void(mesh::Method)>& take);
 
 // Only those about reading a tree: --repair and --verbose.
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags);

@@ -221,7 +221,7 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
     if (!wanted || dialog.name[0] == '\0') return {};
-    const fs::path target = dialog.named();
+    fs::path target = dialog.named();
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) {
         dialog.enter(target);

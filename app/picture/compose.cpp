@@ -50,13 +50,8 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.hovered = viewing.hovered;
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
-    const auto strength = [&](DepthCue cue) { return session.marks.depth_cues.has(cue) ? 1.0F : 0.0F; };
-    frame.appearance.occlusion = strength(DepthCue::kOcclusion);
-    frame.appearance.depth_cue = strength(DepthCue::kFog);
-    frame.appearance.halos = strength(DepthCue::kHalos);
-    frame.appearance.contours = strength(DepthCue::kContours);
-    frame.appearance.shadows = strength(DepthCue::kShadows);
-    frame.appearance.chromadepth = strength(DepthCue::kChromadepth);
+    for (const DepthCue& cue : depth_cues())
+        frame.appearance.*cue.strength = session.marks.depth_cues.contains(cue.name) ? 1.0F : 0.0F;
     const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
     // A grey with a cool tint, as bright as it says.

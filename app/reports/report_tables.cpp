@@ -135,7 +135,7 @@ Table bands_table(const Document& document, const Assets& assets) {
     return table;
 }
 
-Table measurements_table(const Document& document, const Assets& assets) {
+Table measurements_table(const Document& /*document*/, const Assets& assets) {
     Table table{"Measurements",
                 {{"measurement", "No."},
                  {"kind", "Kind"},

@@ -128,7 +128,7 @@ private:
         const auto is_unit = [](std::string_view unit) {
             return unit == "mm" || unit == "mm3" || unit == "mm\xC2\xB3";
         };
-        const std::size_t letters = value.find_first_of("m");
+        const std::size_t letters = value.find('m');
         if (letters != std::string::npos && letters > 0 && is_unit(std::string_view(value).substr(letters)))
             value.resize(letters);
         else {

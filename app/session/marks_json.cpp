@@ -26,8 +26,8 @@ json options_json(const Marks& marks) {
     value["glass_grey"] = marks.glass.grey;
     if (marks.skeleton) value["skeleton"] = true;
     value["depth_cues"] = json::array();
-    for (const DepthCue cue : kDepthCues)
-        if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(name_of(cue)));
+    for (const DepthCue& cue : depth_cues())
+        if (marks.depth_cues.contains(cue.name)) value["depth_cues"].push_back(std::string(cue.name));
     return value;
 }
 
@@ -69,12 +69,11 @@ void read_options(const json& value, Marks& marks) {
     }
     if (value.contains("depth_cues")) {
         if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};
-        for (const DepthCue cue : kDepthCues) marks.depth_cues.set(cue, false);
+        marks.depth_cues.clear();
         for (const json& one : value["depth_cues"]) {
             const std::string wanted = text(one, "depth cue");
-            const auto found = std::ranges::find_if(kDepthCues, [&](DepthCue cue) { return name_of(cue) == wanted; });
-            if (found == kDepthCues.end()) throw Refusal{"unknown depth cue \"" + wanted + "\""};
-            marks.depth_cues.set(*found, true);
+            if (depth_cue_named(wanted) == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
+            marks.depth_cues.insert(wanted);
         }
     }
     if (value.contains("colour_by")) {

@@ -6,24 +6,6 @@ namespace ramus::app {
 
 using render::BranchState;
 
-std::string_view name_of(DepthCue cue) {
-    switch (cue) {
-    case DepthCue::kOcclusion:
-        return "occlusion";
-    case DepthCue::kFog:
-        return "fog";
-    case DepthCue::kHalos:
-        return "halos";
-    case DepthCue::kContours:
-        return "contours";
-    case DepthCue::kShadows:
-        return "shadows";
-    case DepthCue::kChromadepth:
-        return "chromadepth";
-    }
-    return "";
-}
-
 std::string_view name_of(BranchState state) {
     switch (state) {
     case BranchState::kNormal:

@@ -10,6 +10,7 @@
 #include "app/session/colour_by.h"
 #include "app/session/colour_maps.h"
 #include "app/session/comparison.h"
+#include "app/session/depth_cues.h"
 #include "core/mesh/surface.h"
 #include "render/scene/frame.h"
 
@@ -64,26 +65,6 @@ struct ContextItem {
     bool operator==(const ContextItem&) const = default;
 };
 
-// What tells near from far, each by itself.
-enum class DepthCue : std::uint8_t { kOcclusion, kFog, kHalos, kContours, kShadows, kChromadepth };
-inline constexpr std::array kDepthCues{DepthCue::kOcclusion, DepthCue::kFog,     DepthCue::kHalos,
-                                       DepthCue::kContours,  DepthCue::kShadows, DepthCue::kChromadepth};
-[[nodiscard]] std::string_view name_of(DepthCue cue); // "occlusion", "fog", ...
-
-// A set of cues.
-class DepthCues {
-public:
-    [[nodiscard]] bool has(DepthCue cue) const { return (bits_ >> static_cast<unsigned>(cue) & 1U) != 0; }
-    void set(DepthCue cue, bool on) {
-        const unsigned bit = 1U << static_cast<unsigned>(cue);
-        bits_ = on ? bits_ | bit : bits_ & ~bit;
-    }
-    bool operator==(const DepthCues&) const = default;
-
-private:
-    unsigned bits_ = 3; // occlusion and fog
-};
-
 // Everything that undo and redo cover.
 struct Marks {
     std::vector<int> selection;                 // branch ids, ascending
@@ -98,7 +79,7 @@ struct Marks {
     ColourMap colour_map = ColourMap::kViridis;
     Planning planning;
     GlassLook glass;
-    DepthCues depth_cues;
+    DepthCues depth_cues{"occlusion", "fog"};
     Comparison comparison;
     bool skeleton = false; // centerlines and rings of the radius are drawn over the vessels
     mesh::SurfaceOptions options;

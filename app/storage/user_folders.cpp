@@ -24,7 +24,7 @@ fs::path absolute_from(const char* variable) {
 }
 
 fs::path base(const char* variable, const char* below_home) {
-    if (const fs::path set = absolute_from(variable); !set.empty()) return set;
+    if (fs::path set = absolute_from(variable); !set.empty()) return set;
     const fs::path own = home();
     return own.empty() ? own : own / below_home;
 }
@@ -52,7 +52,7 @@ fs::path own_folder(const std::string& variable, const char* usual) {
 } // namespace
 
 fs::path home() {
-    if (const fs::path set = absolute_from("HOME"); !set.empty()) return set;
+    if (fs::path set = absolute_from("HOME"); !set.empty()) return set;
     std::array<char, 4096> buffer{};
     passwd entry{};
     passwd* found = nullptr;

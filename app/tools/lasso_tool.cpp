@@ -37,7 +37,8 @@ void LassoBase::begin(const Pointing& pointing) {
     modifiers_ = pointing.modifiers;
 }
 
-void LassoBase::finish(const Pointing& pointing, std::vector<glm::dvec2> outline) {
+void LassoBase::finish(const Pointing& pointing, std::vector<glm::dvec2>&& drawn) {
+    const std::vector<glm::dvec2> outline = std::move(drawn); // may be points_
     points_.clear();
     glm::dvec2 least(1e300), most(-1e300);
     for (const glm::dvec2& point : outline) {

@@ -14,7 +14,7 @@ public:
 
 protected:
     void begin(const Pointing& pointing);
-    void finish(const Pointing& pointing, std::vector<glm::dvec2> outline); // nothing when it encloses nothing
+    void finish(const Pointing& pointing, std::vector<glm::dvec2>&& drawn); // nothing when it encloses nothing
     [[nodiscard]] glm::vec4 colour() const;
 
     std::vector<glm::dvec2> points_; // so far

@@ -141,7 +141,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         if (viewer.draw(glfwGetTime(), 0)) window.swap();
         if (script && workspace.surface_ready() && viewer.resting()) {
             viewer.set_script_runs(true);
-            const auto done = run_script(viewer.actions(), *std::exchange(script, std::nullopt), options.commands);
+            auto done = run_script(viewer.actions(), *std::exchange(script, std::nullopt), options.commands);
             viewer.set_script_runs(false);
             if (!done) return done;
             viewer.redraw();

@@ -4,7 +4,7 @@
 
 namespace ramus::app {
 
-Workspace::Workspace(std::function<void()> wake)
+Workspace::Workspace(const std::function<void()>& wake)
     : context(wake), loader_(wake), surface_(wake), comparison_(wake), lesions_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {

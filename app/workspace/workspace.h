@@ -27,7 +27,7 @@ namespace ramus::app {
 class Workspace {
 public:
     // `wake` is called from other threads when update() has something to do.
-    explicit Workspace(std::function<void()> wake);
+    explicit Workspace(const std::function<void()>& wake);
 
     void open(const std::filesystem::path& path);
     void recover(const autosave::Snapshot& snapshot);

@@ -11,22 +11,36 @@
 
 namespace ramus::test {
 
-class TestPicture final : public app::PictureHost {
+using Ids = std::vector<int>; // of branches
+
+class TestPicture : public app::PictureHost {
 public:
-    [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
-    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
-    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override {
-        cameras.push_back(camera);
-        return render::Image(size.x / 10, size.y / 10);
+    [[nodiscard]] glm::ivec2 picture_size() const override { return size; }
+    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh; }
+    Result<void> write_picture(const std::filesystem::path& path) override {
+        pictures.push_back(path);
+        return {};
     }
+    Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 drawn) override {
+        cameras.push_back(camera);
+        return render::Image(drawn.x / 10, drawn.y / 10);
+    }
+    void camera_leapt() override { ++leaps; }
+
+    glm::ivec2 size{400, 300};
+    std::shared_ptr<const render::PagedMesh> mesh;
+    // What was asked of it.
+    std::vector<std::filesystem::path> pictures;
     std::vector<render::Camera> cameras;
+    int leaps = 0;
 };
 
 struct CommandStage {
-    explicit CommandStage(tree::VesselTree tree, app::Session session = {}) {
-        document.open(std::make_shared<const tree::VesselTree>(std::move(tree)), std::move(session));
+    explicit CommandStage(std::shared_ptr<const tree::VesselTree> tree, app::Session session = {}) {
+        document.open(std::move(tree), std::move(session));
     }
+    explicit CommandStage(tree::VesselTree tree, app::Session session = {})
+        : CommandStage(std::make_shared<const tree::VesselTree>(std::move(tree)), std::move(session)) {}
     app::Document document;
     TestPicture host;
     app::Assets assets;
@@ -36,23 +50,26 @@ struct CommandStage {
                                .assets = assets,
                                .tell = [this](const std::string& sentence) { said = sentence; }};
 
-    Result<void> run(const std::string& text) {
+    Result<void> run(std::string_view text) {
         const auto lines = app::parse_script(text, "c.txt");
         return lines ? app::run_script(context, *lines, "c.txt") : tl::unexpected(lines.error());
     }
-    std::string good(const std::string& text) { // what was said
+    std::string good(std::string_view text) { // what was said
         said.clear();
         const auto done = run(text);
         REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
         return said;
     }
-    std::string bad(const std::string& text) { // why not; nothing changes
+    std::string bad(std::string_view text) { // why not; a command that fails changes nothing
         const app::Marks before = document.marks();
         const auto done = run(text);
         REQUIRE_FALSE_MESSAGE(done, text);
-        CHECK(document.marks() == before);
+        if (text.find('\n') == std::string_view::npos) CHECK(document.marks() == before);
         return done.error().message();
     }
+    [[nodiscard]] const Ids& selection() const { return document.marks().selection; }
+    [[nodiscard]] Ids in(render::BranchState state) const { return branches_in_state(document.marks(), state); }
+    [[nodiscard]] std::string last_step() const { return document.step_name(document.position() - 1); }
     [[nodiscard]] const app::Marks& marks() const { return document.marks(); }
     // What belongs to the document as it is now.
     const app::Assets& current_assets() {

@@ -117,7 +117,7 @@ TEST_CASE("what fails in its work, in its continuation or by an exception leaves
     Gate gate;
     gate.open = true;
     CommandRunner runner({});
-    const auto failing = [](std::function<Result<Continuation>(Job&)> work) {
+    const auto failing = [](const std::function<Result<Continuation>(Job&)>& work) {
         const auto action = [work](ActionContext&, Arguments) -> Result<Outcome> { return Pending{"Trying", work}; };
         return Command("try", "", "", action);
     };

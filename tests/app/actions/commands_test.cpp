@@ -1,7 +1,6 @@
 #include "app/actions/keys.h"
-#include "app/actions/script.h"
-#include "app/assets/assets.h"
 #include "app/picture/compose.h"
+#include "tests/support/command_stage.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -11,6 +10,7 @@
 using namespace ramus;
 using namespace ramus::app;
 using render::BranchState;
+using test::Ids;
 
 namespace {
 
@@ -32,44 +32,9 @@ std::shared_ptr<const tree::VesselTree> small_tree() {
     return tree;
 }
 
-class TestHost final : public PictureHost {
-public:
-    [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh; }
-    std::shared_ptr<const render::PagedMesh> mesh;
-    Result<void> write_picture(const std::filesystem::path& path) override {
-        pictures.push_back(path);
-        return {};
-    }
-    void camera_leapt() override { ++moves; }
-    std::vector<std::filesystem::path> pictures;
-    int moves = 0;
+struct CommandStage : test::CommandStage {
+    CommandStage() : test::CommandStage(small_tree()) {}
 };
-
-struct CommandStage {
-    Document document;
-    TestHost host;
-    Assets assets;
-    ActionContext context{document, host, assets};
-    CommandStage() { document.open(small_tree(), {}); }
-    Result<void> run(std::string_view text) {
-        const auto lines = parse_script(text, "c.txt");
-        return lines ? run_script(context, *lines, "c.txt") : tl::unexpected(lines.error());
-    }
-    void good(std::string_view text) {
-        const auto done = run(text);
-        REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
-    }
-    std::string bad(std::string_view text) {
-        const auto done = run(text);
-        REQUIRE_FALSE(done);
-        return done.error().message();
-    }
-    [[nodiscard]] const std::vector<int>& selection() const { return document.marks().selection; }
-    [[nodiscard]] std::vector<int> in(BranchState state) const { return branches_in_state(document.marks(), state); }
-};
-
-using Ids = std::vector<int>;
 
 } // namespace
 
@@ -136,7 +101,7 @@ TEST_CASE("states act on the selection and can be taken back") {
 TEST_CASE("views, projection and pictures go through the host") {
     CommandStage stage;
     stage.good("view left\northographic on\nshot \"my picture.png\"");
-    CHECK(stage.host.moves == 2);
+    CHECK(stage.host.leaps == 2);
     CHECK(stage.document.session().camera.orthographic);
     CHECK(render::axes_of(stage.document.session().camera).forward.x ==
           doctest::Approx(1.0)); // RAS: left is -x, the viewer looks to the right

@@ -1,7 +1,6 @@
-#include "app/actions/script.h"
-#include "app/assets/assets.h"
 #include "app/session/document.h"
 #include "core/base/memory.h"
+#include "tests/support/command_stage.h"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -9,6 +8,7 @@
 using namespace ramus;
 using namespace ramus::app;
 using render::BranchState;
+using test::Ids;
 
 namespace {
 
@@ -31,88 +31,78 @@ std::shared_ptr<const tree::VesselTree> tree_of(std::size_t branches) {
     return tree;
 }
 
-// One random edit of any kind that Marks knows.
-Marks edited(Marks marks, int branches, std::mt19937& random) {
-    const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
-    const int branch = below(branches);
-    const double length = below(1000) / 8.0;
-    switch (below(13)) {
+int below(std::mt19937& random, int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); }
+
+template <class List> void add_of_at_most(List& list, typename List::value_type one, std::size_t most, int erased) {
+    list.push_back(std::move(one));
+    if (list.size() > most) list.erase(list.begin() + erased);
+}
+
+void change_states(Marks& marks, int branches, std::mt19937& random) {
+    switch (below(random, 6)) {
     case 0:
-        marks.selection = {branch};
+        marks.selection = {below(random, branches)};
         break;
-    case 1: { // half of them
-        std::vector<int> some;
+    case 1: // half of them
+        marks.selection.clear();
         for (int i = 0; i < branches; ++i)
-            if (below(2) == 0) some.push_back(i);
-        marks.selection = std::move(some);
+            if (below(random, 2) == 0) marks.selection.push_back(i);
         break;
-    }
     case 2:
         marks.selection.clear();
         break;
     case 3:
-        set_state(marks, marks.selection, static_cast<BranchState>(below(4)));
+        set_state(marks, marks.selection, static_cast<BranchState>(below(random, 4)));
         break;
     case 4:
-        for (int i = 0; i < branches; ++i) set_state(marks, std::vector<int>{i}, static_cast<BranchState>(below(4)));
+        for (int i = 0; i < branches; ++i) set_state(marks, Ids{i}, static_cast<BranchState>(below(random, 4)));
         break;
-    case 5:
+    default:
         marks.states.clear();
+    }
+}
+
+void change_plans(Marks& marks, int branches, std::mt19937& random) {
+    const int branch = below(random, branches);
+    const double length = below(random, 1000) / 8.0;
+    switch (below(random, 7)) {
+    case 0:
+        add_of_at_most(marks.lesions, {length, 2.0, 3.0, 4.0}, 3, below(random, 3));
         break;
-    case 6:
-        marks.lesions.push_back({length, 2.0, 3.0, 4.0});
-        if (marks.lesions.size() > 3) marks.lesions.erase(marks.lesions.begin() + below(3));
+    case 1:
+        add_of_at_most(marks.cuts, {branch, 0.5}, 4, 1);
         break;
-    case 7:
-        marks.cuts.emplace_back(branch, 0.5);
-        if (marks.cuts.size() > 4) marks.cuts.erase(marks.cuts.begin() + 1, marks.cuts.begin() + 3);
-        break;
-    case 8:
-        marks.names[branch] = "vessel " + std::to_string(below(100));
+    case 2:
+        marks.names[branch] = "vessel " + std::to_string(below(random, 100));
         if (marks.names.size() > 5) marks.names.erase(marks.names.begin());
         break;
-    case 9:
-        marks.measurements.push_back({Measurement::Kind::kPath, {}, {branch, below(branches)}, 0.5});
-        if (marks.measurements.size() > 2) marks.measurements.erase(marks.measurements.begin());
+    case 3:
+        add_of_at_most(marks.measurements, {Measurement::Kind::kPath, {}, {branch, below(random, branches)}, 0.5}, 2,
+                       0);
         break;
-    case 10:
-        marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(5)) + ".stl");
+    case 4:
+        marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(random, 5)) + ".stl");
         marks.planning.bands_mm = {1.0, 2.0 + length};
         break;
-    case 11: {
-        ContextItem item;
-        item.file = std::to_string(below(5));
-        item.label = below(3);
-        marks.context.push_back(std::move(item));
-        if (marks.context.size() > 3) marks.context.erase(marks.context.begin() + below(3));
+    case 5:
+        add_of_at_most(marks.context, {.file = std::to_string(below(random, 5)), .label = below(random, 3)}, 3,
+                       below(random, 3));
         break;
-    }
     default:
         marks.glass.opacity = length / 125.0;
-        marks.colour_by = colourings()[static_cast<std::size_t>(below(5))].by;
-        marks.options.detail = 8 + below(20);
+        marks.colour_by = colourings()[static_cast<std::size_t>(below(random, 5))].by;
+        marks.options.detail = 8 + below(random, 20);
     }
+}
+
+// One random edit of any kind that Marks knows.
+Marks edited(Marks marks, int branches, std::mt19937& random) {
+    below(random, 13) < 6 ? change_states(marks, branches, random) : change_plans(marks, branches, random);
     return marks;
 }
 
-class NoHost final : public PictureHost {
-public:
-    [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
-    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
-};
-
-struct HistoryStage {
-    Document document;
-    NoHost host;
-    Assets assets;
-    ActionContext context{document, host, assets};
-    explicit HistoryStage(std::size_t branches) { document.open(tree_of(branches), {}); }
-    Result<void> run(std::string_view text) {
-        const auto lines = parse_script(text, "c");
-        return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
-    }
-    [[nodiscard]] std::string last() const { return document.step_name(document.position() - 1); }
+struct HistoryStage : test::CommandStage {
+    explicit HistoryStage(std::size_t branches) : test::CommandStage(tree_of(branches)) {}
 };
 
 } // namespace
@@ -202,7 +192,7 @@ TEST_CASE("every step is called after the command that made it") {
     const auto called = [&](std::string_view line) {
         const auto done = stage.run(line);
         REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
-        return stage.last();
+        return stage.last_step();
     };
     CHECK(called("select 3 4 5") == "select 3 branches");
     CHECK(called("hide") == "hide 3 branches");

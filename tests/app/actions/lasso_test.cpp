@@ -1,8 +1,7 @@
-#include "app/actions/script.h"
-#include "app/assets/assets.h"
 #include "app/tools/lasso.h"
 #include "app/tools/pixel_polygon.h"
 #include "app/tools/tool.h"
+#include "tests/support/command_stage.h"
 #include "tests/support/grown_tree.h"
 
 #include <cmath>
@@ -12,6 +11,7 @@
 
 using namespace ramus;
 using namespace ramus::app;
+using test::Ids;
 
 namespace {
 
@@ -181,7 +181,6 @@ TEST_CASE("half of a branch's length decides, or any part of it") {
         const PixelPolygon polygon({{x_of(from), 40}, {x_of(to), 40}, {x_of(to), 60}, {x_of(from), 60}});
         return branches_inside(tree, camera, size, polygon, {any, visible}, hidden);
     };
-    using Ids = std::vector<int>;
     // Branch 0 has weights 5 10 10 10 5 at 0, 10, 20, 30 and 40 mm; 1 and 2 have two points each.
     CHECK(lassoed(-1, 11, false) == Ids{2});      // 15 of 40, one of two
     CHECK(lassoed(-1, 21, false) == Ids{0, 2});   // 25
@@ -238,11 +237,7 @@ TEST_CASE("lassoing 30,000 branches takes exactly those that a plain count of ce
 
 namespace {
 
-class TestPicture final : public PictureHost {
-public:
-    [[nodiscard]] glm::ivec2 picture_size() const override { return {100, 100}; }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return {}; }
-    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
+struct LassoPicture final : test::TestPicture {
     Result<render::BranchPicture> branch_picture() override {
         return render::BranchPicture{100, 100, std::vector<int>(10000, 2)}; // branch 2 is before everything
     }
@@ -260,7 +255,8 @@ public:
 
 TEST_CASE("the lasso command selects, adds and removes, and refuses what it cannot read") {
     Document document;
-    TestPicture host;
+    LassoPicture host;
+    host.size = {100, 100};
     TestTools tools;
     Session session;
     session.camera.position = {20.0, 500.0, 0.0};
@@ -276,7 +272,6 @@ TEST_CASE("the lasso command selects, adds and removes, and refuses what it cann
         const auto done = run_script(context, *lines, "c.txt");
         return done ? "" : done.error().message();
     };
-    using Ids = std::vector<int>;
     const auto around = [&](double from, double to) {
         const auto at = [&](double x) {
             return std::to_string(render::project(session.camera, {100, 100}, {x, 0.0, 0.0})->x);

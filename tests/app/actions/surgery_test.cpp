@@ -11,7 +11,7 @@
 using namespace ramus;
 using namespace ramus::app;
 using render::BranchState;
-using Ids = std::vector<int>;
+using test::Ids;
 
 namespace {
 

@@ -1,11 +1,10 @@
 // What colours say: maps, quantities, legends, and the frame that a session with plans becomes.
-#include "app/actions/script.h"
-#include "app/assets/assets.h"
 #include "app/assets/centerlines.h"
 #include "app/assets/measured.h"
 #include "app/picture/colouring.h"
 #include "app/picture/compose.h"
 #include "app/session/session_file.h"
+#include "tests/support/command_stage.h"
 #include "tests/support/grown_tree.h"
 
 #include <algorithm>
@@ -23,23 +22,8 @@ std::shared_ptr<const tree::VesselTree> tree_of(int branches) {
     return std::make_shared<const tree::VesselTree>(test::grown_tree(branches).value());
 }
 
-class NoHost final : public PictureHost {
-public:
-    [[nodiscard]] glm::ivec2 picture_size() const override { return {400, 300}; }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return nullptr; }
-    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
-};
-
-struct ColouringStage {
-    Document document;
-    NoHost host;
-    Assets assets;
-    ActionContext context{document, host, assets};
-    explicit ColouringStage(int branches) { document.open(tree_of(branches), {}); }
-    Result<void> run(std::string_view text) {
-        const auto lines = parse_script(text, "c");
-        return lines ? run_script(context, *lines, "c") : tl::unexpected(lines.error());
-    }
+struct ColouringStage : test::CommandStage {
+    explicit ColouringStage(int branches) : test::CommandStage(tree_of(branches)) {}
     render::Frame frame() {
         refresh(assets, document);
         return compose(document.session(), assets, std::make_shared<const render::PagedMesh>(), {.size = {400, 300}});

@@ -1,9 +1,8 @@
 // Viewports are narrower than the picture: what comparing does to the camera, and how undo takes that back.
-#include "app/actions/script.h"
-#include "app/assets/assets.h"
 #include "app/picture/compose_sheet.h"
 #include "app/workspace/surface_maker.h"
 #include "core/tree/build_tree.h"
+#include "tests/support/command_stage.h"
 
 #include <doctest/doctest.h>
 
@@ -13,21 +12,12 @@ using namespace ramus::app;
 namespace {
 
 // A picture of 800 x 400 with viewports, as windows and files have them.
-class PaneHost final : public PictureHost {
-public:
-    PaneHost(const Document& document, std::shared_ptr<const render::PagedMesh> mesh)
-        : document_(document), mesh_(std::move(mesh)) {}
+struct ViewportPicture final : test::TestPicture {
+    explicit ViewportPicture(const Document& of) : document(of) {}
     [[nodiscard]] glm::ivec2 picture_size() const override {
-        return viewports_of(document_.marks(), {800, 400}, 1.0F).front().size;
+        return viewports_of(document.marks(), {800, 400}, 1.0F).front().size;
     }
-    [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return mesh_; }
-    Result<void> write_picture(const std::filesystem::path&) override { return {}; }
-    void camera_leapt() override { ++leaps; }
-    int leaps = 0;
-
-private:
-    const Document& document_;
-    std::shared_ptr<const render::PagedMesh> mesh_;
+    const Document& document;
 };
 
 // A vessel of 60 mm from right to left: wide pictures show it larger than narrow ones.
@@ -43,21 +33,21 @@ struct CameraStage {
         Job job;
         const auto surface = make_ready(*document.tree(), surface_request(document.marks()), job);
         REQUIRE(surface);
-        host = std::make_unique<PaneHost>(document, surface->mesh);
+        host.mesh = surface->mesh;
         run("view anterior");
-        host->leaps = 0;
+        host.leaps = 0;
     }
     void run(std::string_view text) {
         const auto lines = parse_script(text, "c.txt");
         REQUIRE(lines);
         Assets assets;
-        ActionContext context{document, *host, assets};
+        ActionContext context{document, host, assets};
         const auto done = run_script(context, *lines, "c.txt");
         REQUIRE_MESSAGE(done, (done ? "" : done.error().message()));
     }
     [[nodiscard]] const render::Camera& camera() const { return document.session().camera; }
     Document document;
-    std::unique_ptr<PaneHost> host;
+    ViewportPicture host{document};
 };
 
 double distance(const render::Camera& camera) { return glm::distance(camera.position, camera.focal_point); }
@@ -72,13 +62,13 @@ TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it ag
     // It was as wide as the picture, and is as wide as a viewport of half of it.
     CHECK(distance(halves) > 1.8 * distance(whole));
     CHECK(stage.document.step_count() == 1);
-    CHECK(stage.host->leaps == 1);
+    CHECK(stage.host.leaps == 1);
     stage.run("undo");
     CHECK(stage.camera() == whole);
-    CHECK(stage.host->leaps == 2); // the eye is led there
+    CHECK(stage.host.leaps == 2); // the eye is led there
     stage.run("redo");
     CHECK(stage.camera() == halves);
-    CHECK(stage.host->leaps == 3);
+    CHECK(stage.host.leaps == 3);
 
     stage.run("select 1\ncompare side-by-side cs,cones,iso");
     const render::Camera thirds = stage.camera();

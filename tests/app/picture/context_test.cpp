@@ -32,7 +32,7 @@ struct ContextStage {
     fs::path tree = write("fork.swc", kFork);
     test::CommandStage commands{io::read_tree(tree).value()};
 
-    fs::path write(const std::string& name, const std::string& text) const {
+    [[nodiscard]] fs::path write(const std::string& name, const std::string& text) const {
         std::ofstream(folder.path() / name, std::ios::binary) << text;
         return folder.path() / name;
     }
@@ -148,11 +148,11 @@ TEST_CASE("what cannot be context is refused, and changes nothing") {
         {"context-style 1 dotted", "dotted"},
         {"context-hide 0", "from 1 to 1"},
     };
-    for (const auto& [line, says] : cases) {
-        CAPTURE(line);
-        const std::string message = stage.commands.bad(line);
+    for (const auto& one : cases) {
+        CAPTURE(one.first);
+        const std::string message = stage.commands.bad(one.first);
         CAPTURE(message);
-        CHECK(message.find(says) != std::string::npos);
+        CHECK(message.find(one.second) != std::string::npos);
     }
 }
 

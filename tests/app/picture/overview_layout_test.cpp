@@ -13,8 +13,8 @@ using namespace ramus::app;
 
 namespace {
 
-tree::VesselTree built(std::vector<glm::dvec3> positions, std::vector<std::pair<std::uint32_t, std::uint32_t>> edges,
-                       std::vector<std::uint32_t> roots) {
+tree::VesselTree built(const std::vector<glm::dvec3>& positions,
+                       std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, std::vector<std::uint32_t> roots) {
     tree::Graph graph;
     for (const glm::dvec3& position : positions) graph.points.push_back({position, 1.0});
     graph.edges = std::move(edges);

@@ -25,7 +25,9 @@ struct Stage : test::CommandStage {
         s.tree.checksum = "abc123";
         return s;
     }
-    std::string file(const std::string& name) const { return "\"" + (folder.path() / name).string() + "\""; }
+    [[nodiscard]] std::string file(const std::string& name) const {
+        return "\"" + (folder.path() / name).string() + "\"";
+    }
 };
 
 // RFC 4180, read strictly.

@@ -28,7 +28,7 @@ struct Folder {
     fs::path path = fs::temp_directory_path() / ("ramus_workspace_test_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
-    fs::path write(const std::string& name, const std::string& text) const {
+    fs::path write(const std::string& name, const std::string& text) const { // NOLINT(modernize-use-nodiscard)
         std::ofstream(path / name) << text;
         return path / name;
     }
