@@ -9,7 +9,7 @@
 #include "app/window/glfw_window.h"
 #include "app/window/status_file.h"
 #include "app/window/viewer.h"
-#include "core/base/pages.h"
+#include "core/base/memory.h"
 
 // GL comes through glad, in render.
 #define GLFW_INCLUDE_NONE
@@ -113,7 +113,7 @@ public:
             idle_since_ = now;
         }
         if (!returned_ && now >= idle_since_ + kIdleSeconds) {
-            let_kept_pages_go();
+            release_unused_memory();
             returned_ = true;
         }
     }

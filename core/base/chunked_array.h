@@ -48,7 +48,7 @@ public:
 
 private:
     static constexpr std::size_t kChunk = 512;
-    static constexpr std::size_t kBlock = std::size_t{4} << 20; // bytes: two large pages (pages.h)
+    static constexpr std::size_t kBlock = std::size_t{4} << 20; // bytes
     static constexpr std::size_t kChunksPerBlock = kBlock / (kChunk * sizeof(T));
     static_assert(kChunksPerBlock > 0);
     struct Chunk {

@@ -1,9 +1,8 @@
 #include "core/base/memory.h"
 
-#include "core/base/pages.h"
-
 #include <algorithm>
 #include <fstream>
+#include <oneapi/tbb/scalable_allocator.h>
 #include <unistd.h>
 
 namespace ramus {
@@ -18,8 +17,15 @@ double process_memory() {
     double total = 0.0;
     double resident = 0.0;
     if (!(statm >> total >> resident)) return 0.0;
-    return std::max(0.0,
-                    resident * static_cast<double>(sysconf(_SC_PAGE_SIZE)) - static_cast<double>(kept_page_bytes()));
+    return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
+
+double memory_left(double asked) {
+    const double limit = memory_limit(asked);
+    if (process_memory() > 0.5 * limit) release_unused_memory(); // it would count as in use
+    return std::max(1.0, limit - process_memory());
+}
+
+void release_unused_memory() { (void)scalable_allocation_command(TBBMALLOC_CLEAN_ALL_BUFFERS, nullptr); }
 
 } // namespace ramus

@@ -4,6 +4,10 @@
 namespace ramus {
 
 [[nodiscard]] double memory_limit(double asked); // what is asked for, or half of the machine's when that is 0
-[[nodiscard]] double process_memory(); // in use now, without kept pages (pages.h); 0 where the system does not tell
+[[nodiscard]] double process_memory();           // resident now; 0 where the system does not tell
+[[nodiscard]] double memory_left(double asked);  // what the process may still take of memory_limit(); 1 at the least
+
+// Gives back to the system what is kept for arrays to come (large_array.h).
+void release_unused_memory();
 
 } // namespace ramus

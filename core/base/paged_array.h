@@ -2,7 +2,7 @@
 // Growing moves no value, giving values up frees their pages, and what has not been written takes no memory.
 #pragma once
 
-#include "core/base/pages.h"
+#include "core/base/mapped_pages.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +20,7 @@ public:
     PagedArray(const PagedArray&) = delete;
     PagedArray& operator=(const PagedArray&) = delete;
     ~PagedArray() {
-        if (memory_ != nullptr) give_pages_back(memory_, capacity_ * sizeof(T));
+        if (memory_ != nullptr) unmap_pages(memory_, capacity_ * sizeof(T));
     }
 
     // New values are unset. Addresses change.
@@ -28,8 +28,8 @@ public:
         if (count > capacity_) {
             constexpr std::size_t kFirst = std::size_t{1} << 20;
             const std::size_t capacity = std::max({count, 2 * capacity_, kFirst});
-            void* memory = memory_ == nullptr ? take_pages(capacity * sizeof(T))
-                                              : stretch_pages(memory_, capacity_ * sizeof(T), capacity * sizeof(T));
+            void* memory = memory_ == nullptr ? map_pages(capacity * sizeof(T), PageUse::kDense)
+                                              : remap_pages(memory_, capacity_ * sizeof(T), capacity * sizeof(T));
             memory_ = static_cast<T*>(memory);
             capacity_ = capacity;
         }

@@ -2,7 +2,7 @@
 // resize() is 0 and takes no memory, by pages of 4 KB; reading there takes none either. Who fills it leaves zeros out.
 #pragma once
 
-#include "core/base/pages.h"
+#include "core/base/mapped_pages.h"
 
 #include <cstddef>
 #include <new>
@@ -18,8 +18,8 @@ public:
     SparseAllocator() = default;
     template <class U> explicit(false) SparseAllocator(const SparseAllocator<U>&) {}
 
-    T* allocate(std::size_t count) { return static_cast<T*>(take_zero_pages(count * sizeof(T))); }
-    void deallocate(T* memory, std::size_t count) { give_zero_pages_back(memory, count * sizeof(T)); }
+    T* allocate(std::size_t count) { return static_cast<T*>(map_pages(count * sizeof(T), PageUse::kSparse)); }
+    void deallocate(T* memory, std::size_t count) { unmap_pages(memory, count * sizeof(T)); }
 
     template <class U, class... Arguments> void construct(U* at, Arguments&&... arguments) {
         if constexpr (sizeof...(Arguments) > 0 || !std::is_trivially_copyable_v<U>)

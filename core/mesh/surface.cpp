@@ -50,8 +50,7 @@ PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
     PolygonizeOptions chosen;
     chosen.detail = options.detail;
     chosen.cell_mm = options.cell_mm;
-    const double limit = memory_limit(static_cast<double>(options.memory_bytes));
-    chosen.memory_bytes = std::max(1.0, limit - process_memory());
+    chosen.memory_bytes = memory_left(static_cast<double>(options.memory_bytes));
     return chosen;
 }
 

@@ -71,10 +71,10 @@ Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patien
         return fail("the surface has more vertices than a mesh can count", {}, "crop the volume");
     const double bytes = 2.0 * sizeof(glm::vec3) * static_cast<double>(mesher.vertices()) +
                          sizeof(glm::uvec3) * static_cast<double>(mesher.triangles());
-    const double left = memory_limit(options.memory_bytes) - process_memory();
+    const double left = memory_left(options.memory_bytes);
     if (bytes > left)
         return fail("the surface takes " + std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
-                        std::to_string(std::llround(std::max(0.0, left) / 1e6)) + " MB are left to it",
+                        std::to_string(std::llround(left / 1e6)) + " MB are left to it",
                     {}, "crop the volume, or raise --memory");
     return mesher.make();
 }

@@ -269,7 +269,7 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     if (!affine) return tl::unexpected(affine.error());
     const auto scaling = scaling_of(*header, name);
     if (!scaling) return tl::unexpected(scaling.error());
-    const double memory = std::max(1.0, memory_limit(options.memory_bytes) - process_memory());
+    const double memory = memory_left(options.memory_bytes);
     if (auto fits = check_claim(*size, *header, *type, source, memory); !fits) return tl::unexpected(fits.error());
 
     volume::VoxelStore store(*size, memory, name);

@@ -1,6 +1,6 @@
 #include "core/mesh/polygonize/stream/surface_stream.h"
 
-#include "core/base/pages.h"
+#include "core/base/mapped_pages.h"
 #include "core/base/stopwatch.h"
 
 #include <oneapi/tbb/parallel_for.h>
