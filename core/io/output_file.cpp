@@ -1,7 +1,5 @@
 #include "core/io/output_file.h"
 
-#include "core/io/writing.h"
-
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -64,14 +62,11 @@ struct OutputFile::State {
     fs::path target;       // where it goes
     std::string temporary; // what is written until then; empty for a device
     std::atomic<char*>* slot = nullptr;
-    int descriptor = -1;
-    int error = 0; // the first errno of a write
 
     State() = default;
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     ~State() {
-        if (descriptor >= 0) ::close(descriptor);
         if (!temporary.empty()) ::unlink(temporary.c_str());
         forget(slot);
     }
@@ -93,10 +88,9 @@ Result<void> check_output(const fs::path& target) {
     return {};
 }
 
-OutputFile::OutputFile(std::unique_ptr<State> state)
-    : state_(std::move(state)), buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
+OutputFile::OutputFile(int descriptor, std::unique_ptr<State> state)
+    : BufferedFile(descriptor), state_(std::move(state)) {}
 OutputFile::OutputFile(OutputFile&&) noexcept = default;
-OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
 OutputFile::~OutputFile() = default;
 
 Result<OutputFile> OutputFile::create(const fs::path& target) {
@@ -106,59 +100,46 @@ Result<OutputFile> OutputFile::create(const fs::path& target) {
     state->target = final_path(target);
 
     if (is_device(state->target)) {
-        state->descriptor = ::open(state->target.c_str(), O_WRONLY | O_CLOEXEC);
-        if (state->descriptor < 0) return write_error(target, errno);
-        return OutputFile(std::move(state));
+        const int descriptor = ::open(state->target.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor < 0) return write_error(target, errno);
+        return OutputFile(descriptor, std::move(state));
     }
     // A name of fixed length, so that a long target name leaves room; others in case an earlier process left its own.
     constexpr int kAttempts = 100;
     int code = EEXIST;
+    int descriptor = -1;
     for (int attempt = 0; attempt < kAttempts && code == EEXIST; ++attempt) {
         const std::string name =
             ".ramus-" + std::to_string(::getpid()) + "-" + std::to_string(serial.fetch_add(1)) + ".part";
         const std::string path = (folder_of(state->target) / name).string();
         // Remembered before it exists: a signal in between then finds it.
         state->slot = remember(path);
-        state->descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        code = state->descriptor < 0 ? errno : 0;
+        descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        code = descriptor < 0 ? errno : 0;
         if (code == 0)
             state->temporary = path;
         else
             forget(std::exchange(state->slot, nullptr)); // not ours to remove
     }
     if (code != 0) return write_error(target, code);
+    OutputFile file(descriptor, std::move(state));
     if (ending.load()) return fail("interrupted", target.string());
     // A file that is replaced keeps its permissions, as far as this user may set them.
     struct stat old {};
-    if (::stat(state->target.c_str(), &old) == 0) [[maybe_unused]]
-        const int ignored = ::fchmod(state->descriptor, old.st_mode & 07777);
-    return OutputFile(std::move(state));
-}
-
-void OutputFile::flush(const std::byte* bytes, std::size_t count) {
-    if (state_->error == 0) state_->error = write_all(state_->descriptor, bytes, count);
-}
-
-void OutputFile::write_through(const void* bytes, std::size_t count) {
-    flush(buffer_.get(), std::exchange(used_, 0));
-    if (count > kBufferSize / 2) return flush(static_cast<const std::byte*>(bytes), count);
-    std::memcpy(buffer_.get(), bytes, count);
-    used_ = count;
+    if (::stat(file.state_->target.c_str(), &old) == 0) [[maybe_unused]]
+        const int ignored = ::fchmod(descriptor, old.st_mode & 07777);
+    return file;
 }
 
 Result<void> OutputFile::commit() {
-    flush(buffer_.get(), std::exchange(used_, 0));
+    flush();
     const std::unique_ptr<State> state = std::move(state_);
     const bool device = state->temporary.empty();
-    if (state->error == 0 && !device && ::fsync(state->descriptor) != 0) state->error = errno;
-    if (::close(std::exchange(state->descriptor, -1)) != 0 && state->error == 0) state->error = errno;
-    if (state->error == 0 && !device) {
-        if (::rename(state->temporary.c_str(), state->target.c_str()) == 0)
-            state->temporary.clear();
-        else
-            state->error = errno;
-    }
-    if (state->error != 0) return write_error(state->asked, state->error);
+    if (!failed() && !device) keep_error(::fsync(descriptor_));
+    keep_error(::close(std::exchange(descriptor_, -1)));
+    if (!failed() && !device) keep_error(::rename(state->temporary.c_str(), state->target.c_str()));
+    if (failed()) return write_error(state->asked, error_);
+    state->temporary.clear();
     return {};
 }
 

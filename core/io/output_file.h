@@ -2,14 +2,11 @@
 // the disk, and only then renamed over the target. Whatever fails, an older target stays as it was and nothing else is
 // left behind. Devices and pipes (/dev/stdout) are written as they are, for there is nothing to rename.
 //
-// Failures on the way (a full disk, `ulimit -f`) are kept and told by commit(), so that writers need not ask at every
-// number. One thread at a time per file.
+// Failures on the way (a full disk, `ulimit -f`) are told by commit().
 #pragma once
 
-#include "core/base/error.h"
+#include "core/io/buffered_file.h"
 
-#include <cstddef>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -20,35 +17,21 @@ namespace ramus::io {
 // `target` is a folder itself.
 [[nodiscard]] Result<void> check_output(const std::filesystem::path& target);
 
-class OutputFile {
+class OutputFile : public BufferedFile {
 public:
     [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& target);
 
     OutputFile(OutputFile&&) noexcept;
-    OutputFile& operator=(OutputFile&&) noexcept;
     ~OutputFile(); // without commit(): as if nothing had been written
-
-    void write(const void* bytes, std::size_t count) {
-        if (count > kBufferSize - used_) return write_through(bytes, count);
-        std::memcpy(buffer_.get() + used_, bytes, count);
-        used_ += count;
-    }
-    void write(std::string_view text) { write(text.data(), text.size()); }
 
     // Puts the file in its place. The first error of any write is told here; the file is then gone.
     [[nodiscard]] Result<void> commit();
 
 private:
     struct State;
-    static constexpr std::size_t kBufferSize = std::size_t{1} << 20;
-
-    explicit OutputFile(std::unique_ptr<State> state);
-    void flush(const std::byte* bytes, std::size_t count);
-    void write_through(const void* bytes, std::size_t count);
+    OutputFile(int descriptor, std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;
-    std::unique_ptr<std::byte[]> buffer_;
-    std::size_t used_ = 0;
 };
 
 // A whole file at once.

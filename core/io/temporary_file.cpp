@@ -1,7 +1,6 @@
 #include "core/io/temporary_file.h"
 
-#include "core/io/writing.h"
-
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
@@ -46,32 +45,10 @@ Result<TemporaryFile> TemporaryFile::create(const fs::path& target) {
     return TemporaryFile(target, descriptor);
 }
 
-TemporaryFile::TemporaryFile(fs::path target, int descriptor)
-    : target_(std::move(target)), descriptor_(descriptor),
-      buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
-
-TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
-    : target_(std::move(other.target_)), descriptor_(std::exchange(other.descriptor_, -1)), error_(other.error_),
-      buffer_(std::move(other.buffer_)), used_(other.used_), flushed_(other.flushed_) {}
-
-TemporaryFile::~TemporaryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-void TemporaryFile::flush(const std::byte* bytes, std::size_t count) {
-    flushed_ += count;
-    if (error_ == 0) error_ = write_all(descriptor_, bytes, count);
-}
-
-void TemporaryFile::write_through(const void* bytes, std::size_t count) {
-    flush(buffer_.get(), std::exchange(used_, 0));
-    if (count > kBufferSize / 2) return flush(static_cast<const std::byte*>(bytes), count);
-    std::memcpy(buffer_.get(), bytes, count);
-    used_ = count;
-}
+TemporaryFile::TemporaryFile(fs::path target, int descriptor) : BufferedFile(descriptor), target_(std::move(target)) {}
 
 void TemporaryFile::read(std::uint64_t offset, void* bytes, std::size_t count) {
-    flush(buffer_.get(), std::exchange(used_, 0));
+    flush();
     auto* to = static_cast<std::byte*>(bytes);
     while (count > 0 && error_ == 0) {
         const ssize_t done = ::pread(descriptor_, to, count, static_cast<off_t>(offset));
@@ -83,6 +60,15 @@ void TemporaryFile::read(std::uint64_t offset, void* bytes, std::size_t count) {
         to += done;
         offset += static_cast<std::uint64_t>(done);
         count -= static_cast<std::size_t>(done);
+    }
+}
+
+void TemporaryFile::copy_to(BufferedFile& file) {
+    const auto bytes = std::make_unique_for_overwrite<std::byte[]>(kBufferSize);
+    for (std::uint64_t at = 0; at < size() && !failed(); at += kBufferSize) {
+        const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, size() - at));
+        read(at, bytes.get(), count);
+        file.write(bytes.get(), count);
     }
 }
 

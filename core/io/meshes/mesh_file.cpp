@@ -1,6 +1,7 @@
 #include "core/io/meshes/mesh_file.h"
 
 #include "core/io/input_file.h"
+#include "core/io/output_file.h"
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/cut_polygon.h"
 #include "core/tree/build_tree.h"
@@ -59,7 +60,12 @@ Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::p
     if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile) return too_many_for_file(path);
     auto file = OutputFile::create(path);
     if (!file) return tl::unexpected(file.error());
-    (*format)->write(mesh, *file);
+    const mesh::VertexSpan vertices = vertices_of(mesh);
+    file->write((*format)->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(),
+                                   !mesh.radii.empty(), !mesh.branches.empty()}));
+    for (const auto write : (*format)->vertices)
+        if (write != nullptr) write(vertices, *file);
+    (*format)->triangles(mesh.triangles, vertices, *file);
     return file->commit();
 }
 

@@ -1,8 +1,7 @@
 #include "core/io/meshes/mesh_format.h"
 
 #include "core/io/meshes/obj.h"
-#include "core/io/meshes/ply_reader.h"
-#include "core/io/meshes/ply_writer.h"
+#include "core/io/meshes/ply.h"
 #include "core/io/meshes/stl.h"
 
 namespace ramus::io {
@@ -13,23 +12,23 @@ const std::vector<MeshFormat>& mesh_formats() {
           .extensions = {".ply"},
           .has_signature = is_ply,
           .help = "Binary; vertices with normal, radius and branch, where the mesh has them."},
+         false,
          parse_ply,
-         write_ply,
-         keep_ply_vertices,
-         keep_ply_triangles,
-         write_ply_parts},
+         ply_header,
+         {write_ply_vertices},
+         write_ply_faces},
         {{.name = "STL", .extensions = {".stl"}, .help = "Binary; triangles with a normal each, for printing."},
+         false,
          parse_stl,
-         write_stl,
-         keep_stl_vertices,
-         keep_stl_triangles,
-         write_stl_parts},
+         stl_header,
+         {},
+         write_stl_facets},
         {{.name = "OBJ", .extensions = {".obj"}, .help = "Text; vertices with normals, and triangles."},
+         true,
          parse_obj,
-         write_obj,
-         keep_obj_vertices,
-         keep_obj_triangles,
-         write_obj_parts},
+         obj_header,
+         {write_obj_positions, write_obj_normals},
+         write_obj_faces},
     };
     return table;
 }

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/io/buffered_file.h"
 #include "core/io/file_format.h"
-#include "core/io/output_file.h"
-#include "core/io/temporary_file.h"
 #include "core/mesh/triangle_mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -28,27 +28,28 @@ struct PolygonSoup {
     std::vector<std::vector<std::uint32_t>> polygons; // every index is that of a position
 };
 
-// A mesh whose parts wait on the disk until all have come, each kept as its format finds useful. Its vertices have all
-// arrays.
-struct MeshParts {
-    TemporaryFile vertices, triangles;
-    std::uint64_t vertex_count = 0, triangle_count = 0;
+// What a mesh file has: a mesh that comes in parts has all arrays.
+struct MeshCounts {
+    std::uint64_t vertices = 0, triangles = 0;
+    bool normals = true, radii = true, branches = true;
 };
 
 struct MeshFormat : FileFormat {
+    bool is_text = false;
     // `text`: all bytes of the file called `name`; null: it is not read.
     Result<PolygonSoup> (*parse)(std::string_view text, const std::string& name) = nullptr;
-    // null: it is not written.
-    void (*write)(const mesh::TriangleMesh&, OutputFile&) = nullptr;
-    // Of a mesh that comes in parts: keeps more vertices; keeps more triangles, given all vertices so far that they
-    // name; writes the file from what was kept.
-    void (*keep_vertices)(const mesh::VertexSpan&, MeshParts&) = nullptr;
-    void (*keep_triangles)(std::span<const glm::uvec3>, const mesh::VertexSpan&, MeshParts&) = nullptr;
-    void (*write_parts)(MeshParts&, OutputFile&) = nullptr;
+    // A file is the header, what each of `vertices` (null: nothing) writes, one after the other, and the triangles. Of
+    // a mesh that comes in parts, binary formats are told of more and more and each function writes to a file of its
+    // own until all are put together. Text is longer than the arrays: it is written at the end, from some of one array
+    // at a time, the first of `vertices` from positions, the second from normals, which there always are.
+    std::string (*header)(const MeshCounts&) = nullptr; // null: it is not written
+    std::array<void (*)(const mesh::VertexSpan& more, BufferedFile&), 2> vertices{};
+    // Given all vertices so far that `more` names.
+    void (*triangles)(std::span<const glm::uvec3> more, const mesh::VertexSpan&, BufferedFile&) = nullptr;
 };
 
 [[nodiscard]] inline bool is_read(const MeshFormat& format) { return format.parse != nullptr; }
-[[nodiscard]] inline bool is_written(const MeshFormat& format) { return format.write != nullptr; }
+[[nodiscard]] inline bool is_written(const MeshFormat& format) { return format.header != nullptr; }
 
 [[nodiscard]] const std::vector<MeshFormat>& mesh_formats();
 

@@ -7,11 +7,9 @@ namespace ramus::io {
 
 [[nodiscard]] Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name);
 
-void write_obj(const mesh::TriangleMesh& mesh, OutputFile& file);
-
-// Kept are vertices as in PLY, and the indices of triangles: text is much longer, and has normals after all positions.
-void keep_obj_vertices(const mesh::VertexSpan& more, MeshParts& parts);
-void keep_obj_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices, MeshParts& parts);
-void write_obj_parts(MeshParts& parts, OutputFile& file);
+[[nodiscard]] std::string obj_header(const MeshCounts& counts);
+void write_obj_positions(const mesh::VertexSpan& vertices, BufferedFile& file);
+void write_obj_normals(const mesh::VertexSpan& vertices, BufferedFile& file);
+void write_obj_faces(std::span<const glm::uvec3> triangles, const mesh::VertexSpan& vertices, BufferedFile& file);
 
 } // namespace ramus::io

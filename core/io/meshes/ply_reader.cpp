@@ -1,4 +1,4 @@
-#include "core/io/meshes/ply_reader.h"
+#include "core/io/meshes/ply.h"
 
 #include <algorithm>
 #include <array>

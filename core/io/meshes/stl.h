@@ -7,11 +7,7 @@ namespace ramus::io {
 
 [[nodiscard]] Result<PolygonSoup> parse_stl(std::string_view text, const std::string& name);
 
-void write_stl(const mesh::TriangleMesh& mesh, OutputFile& file);
-
-// Triangles are kept as they will be in the file, vertices not at all.
-void keep_stl_vertices(const mesh::VertexSpan& more, MeshParts& parts);
-void keep_stl_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices, MeshParts& parts);
-void write_stl_parts(MeshParts& parts, OutputFile& file);
+[[nodiscard]] std::string stl_header(const MeshCounts& counts);
+void write_stl_facets(std::span<const glm::uvec3> triangles, const mesh::VertexSpan& vertices, BufferedFile& file);
 
 } // namespace ramus::io

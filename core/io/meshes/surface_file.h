@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/io/meshes/mesh_format.h"
+#include "core/io/output_file.h"
+#include "core/io/temporary_file.h"
 #include "core/mesh/surface_sink.h"
 
 #include <memory>
@@ -22,15 +24,17 @@ public:
     // Puts the file together and in its place. Nothing can be added afterwards.
     [[nodiscard]] Result<void> commit();
 
-    [[nodiscard]] std::uint64_t vertex_count() const { return parts_.vertex_count; }
-    [[nodiscard]] std::uint64_t triangle_count() const { return parts_.triangle_count; }
+    [[nodiscard]] std::uint64_t vertex_count() const { return counts_.vertices; }
+    [[nodiscard]] std::uint64_t triangle_count() const { return counts_.triangles; }
 
 private:
-    SurfaceFile(std::filesystem::path path, const MeshFormat& format, MeshParts parts);
+    void write_text(OutputFile& file);
+    SurfaceFile(std::filesystem::path path, const MeshFormat& format, std::vector<TemporaryFile> parts);
 
     std::filesystem::path path_;
     const MeshFormat& format_;
-    MeshParts parts_;
+    std::vector<TemporaryFile> parts_; // one for each of the format's `vertices`, and that of the triangles
+    MeshCounts counts_;
 };
 
 } // namespace ramus::io

@@ -3,7 +3,6 @@
 #include "core/io/output_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 
 namespace ramus::io {
@@ -50,11 +49,6 @@ std::vector<std::uint32_t> order_of(const tree::VesselTree& tree, const std::vec
     return order;
 }
 
-template <class T> void append(std::string& text, T value) {
-    char digits[32];
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
-
 } // namespace
 
 Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path& file,
@@ -76,24 +70,18 @@ Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path
         output->write("# " + comment + "\n");
     }
     output->write("# id type x y z radius parent (mm, RAS)\n");
-    std::string line;
     for (const std::uint32_t point : order) {
         const tree::Point& at = tree.points[point];
-        line.clear();
-        append(line, id[point]);
-        line += ' ';
-        append(line, tree.labels.empty() ? 0 : tree.labels[point]);
+        output->write_number(id[point]);
+        output->write(" ");
+        output->write_number(tree.labels.empty() ? 0 : tree.labels[point]);
         for (const double value : {at.position.x, at.position.y, at.position.z, at.radius}) {
-            line += ' ';
-            append(line, value);
+            output->write(" ");
+            output->write_number(value);
         }
-        line += ' ';
-        if (parents[point] == kRoot)
-            line += "-1";
-        else
-            append(line, id[parents[point]]);
-        line += '\n';
-        output->write(line);
+        output->write(" ");
+        output->write_number(parents[point] == kRoot ? std::int64_t{-1} : std::int64_t{id[parents[point]]});
+        output->write("\n");
     }
     return output->commit();
 }
