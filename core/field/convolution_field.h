@@ -34,8 +34,8 @@ public:
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
     [[nodiscard]] double support_radii() const { return kernel_.support_radii; }
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const ConvolutionField& before) const;
-    ChildBounds bound_children(std::span<const std::uint32_t> list, const ChildCubes& cubes,
-                               std::span<std::uint8_t> reaching) const {
+    [[nodiscard]] ChildBounds bound_children(std::span<const std::uint32_t> list, const ChildCubes& cubes,
+                                             std::span<std::uint8_t> reaching) const {
         return kernel_.functions->bound_children(kernel_, culling_->data(), list, cubes, reaching);
     }
     [[nodiscard]] SumInBrick in_brick() const;

@@ -66,49 +66,33 @@ concept FieldModel = std::copy_constructible<M> && requires(const M& model, cons
 // A model's in_brick(), whatever the model.
 class BrickField {
 public:
-    template <class B>
-    requires(!std::same_as<B, BrickField> && FieldInBrick<B>) explicit BrickField(B brick)
-        : brick_(std::make_unique<Of<B>>(std::move(brick))) {}
+    virtual ~BrickField() = default;
+    virtual void enter(SegmentIndices list, const GridAxes& axes) = 0;
+    virtual std::uint64_t sample_groups(unsigned groups, GridGroups& samples) = 0;
+    virtual std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                         std::span<float> values) = 0;
+    virtual std::uint64_t project(Projection& guesses, const SurfacePoints& to) = 0;
+    virtual void find_depths(const GridValues& grid, GridValues& depths) = 0;
+    virtual float crossing(float from, float to) = 0;
+};
 
-    void enter(SegmentIndices list, const GridAxes& axes) { brick_->enter(list, axes); }
-    std::uint64_t sample_groups(unsigned groups, GridGroups& samples) { return brick_->sample_groups(groups, samples); }
-    std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
-                                 std::span<float> values) {
-        return brick_->sample_lattice(lattice, points, values);
+template <FieldInBrick B> class BrickFieldOf final : public BrickField {
+public:
+    explicit BrickFieldOf(B brick) : brick_(std::move(brick)) {}
+    void enter(SegmentIndices list, const GridAxes& axes) override { brick_.enter(list, axes); }
+    std::uint64_t sample_groups(unsigned groups, GridGroups& samples) override {
+        return brick_.sample_groups(groups, samples);
     }
-    std::uint64_t project(Projection& guesses, const SurfacePoints& to) { return brick_->project(guesses, to); }
-    void find_depths(const GridValues& grid, GridValues& depths) { brick_->find_depths(grid, depths); }
-    [[nodiscard]] float crossing(float from, float to) { return brick_->crossing(from, to); }
+    std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                 std::span<float> values) override {
+        return brick_.sample_lattice(lattice, points, values);
+    }
+    std::uint64_t project(Projection& guesses, const SurfacePoints& to) override { return brick_.project(guesses, to); }
+    void find_depths(const GridValues& grid, GridValues& depths) override { brick_.find_depths(grid, depths); }
+    float crossing(float from, float to) override { return brick_.crossing(from, to); }
 
 private:
-    struct Any {
-        virtual ~Any() = default;
-        virtual void enter(SegmentIndices list, const GridAxes& axes) = 0;
-        virtual std::uint64_t sample_groups(unsigned groups, GridGroups& samples) = 0;
-        virtual std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
-                                             std::span<float> values) = 0;
-        virtual std::uint64_t project(Projection& guesses, const SurfacePoints& to) = 0;
-        virtual void find_depths(const GridValues& grid, GridValues& depths) = 0;
-        virtual float crossing(float from, float to) = 0;
-    };
-    template <class B> struct Of final : Any {
-        explicit Of(B b) : brick(std::move(b)) {}
-        void enter(SegmentIndices list, const GridAxes& axes) override { brick.enter(list, axes); }
-        std::uint64_t sample_groups(unsigned groups, GridGroups& samples) override {
-            return brick.sample_groups(groups, samples);
-        }
-        std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
-                                     std::span<float> values) override {
-            return brick.sample_lattice(lattice, points, values);
-        }
-        std::uint64_t project(Projection& guesses, const SurfacePoints& to) override {
-            return brick.project(guesses, to);
-        }
-        void find_depths(const GridValues& grid, GridValues& depths) override { brick.find_depths(grid, depths); }
-        float crossing(float from, float to) override { return brick.crossing(from, to); }
-        B brick;
-    };
-    std::unique_ptr<Any> brick_;
+    B brick_;
 };
 
 // A model, whatever it is. A value: copies share it.
@@ -122,7 +106,8 @@ public:
     [[nodiscard]] const Frame& frame() const { return skeleton().frame(); }
     [[nodiscard]] float isovalue() const { return model_->isovalue(); }
     [[nodiscard]] double support_radii() const { return model_->support_radii(); }
-    ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes, std::span<std::uint8_t> reaching) const {
+    [[nodiscard]] ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
+                                             std::span<std::uint8_t> reaching) const {
         return model_->bound_children(list, cubes, reaching);
     }
     // Nothing for a state of another model, too.
@@ -130,7 +115,7 @@ public:
         return model_->changes_since(*before.model_);
     }
     // Must not outlive the field.
-    [[nodiscard]] BrickField in_brick() const { return model_->in_brick(); }
+    [[nodiscard]] std::unique_ptr<BrickField> in_brick() const { return model_->in_brick(); }
 
 private:
     struct Any {
@@ -138,25 +123,27 @@ private:
         [[nodiscard]] virtual const Skeleton& skeleton() const = 0;
         [[nodiscard]] virtual float isovalue() const = 0;
         [[nodiscard]] virtual double support_radii() const = 0;
-        virtual ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
-                                           std::span<std::uint8_t> reaching) const = 0;
+        [[nodiscard]] virtual ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
+                                                         std::span<std::uint8_t> reaching) const = 0;
         [[nodiscard]] virtual std::optional<SegmentChanges> changes_since(const Any& before) const = 0;
-        [[nodiscard]] virtual BrickField in_brick() const = 0;
+        [[nodiscard]] virtual std::unique_ptr<BrickField> in_brick() const = 0;
     };
     template <class M> struct Of final : Any {
         explicit Of(M m) : model(std::move(m)) {}
-        const Skeleton& skeleton() const override { return model.skeleton(); }
-        float isovalue() const override { return model.isovalue(); }
-        double support_radii() const override { return model.support_radii(); }
-        ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
-                                   std::span<std::uint8_t> reaching) const override {
+        [[nodiscard]] const Skeleton& skeleton() const override { return model.skeleton(); }
+        [[nodiscard]] float isovalue() const override { return model.isovalue(); }
+        [[nodiscard]] double support_radii() const override { return model.support_radii(); }
+        [[nodiscard]] ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
+                                                 std::span<std::uint8_t> reaching) const override {
             return model.bound_children(list, cubes, reaching);
         }
-        std::optional<SegmentChanges> changes_since(const Any& before) const override {
+        [[nodiscard]] std::optional<SegmentChanges> changes_since(const Any& before) const override {
             const auto* same = dynamic_cast<const Of*>(&before);
             return same != nullptr ? model.changes_since(same->model) : std::nullopt;
         }
-        BrickField in_brick() const override { return BrickField(model.in_brick()); }
+        [[nodiscard]] std::unique_ptr<BrickField> in_brick() const override {
+            return std::make_unique<BrickFieldOf<decltype(model.in_brick())>>(model.in_brick());
+        }
         M model;
     };
     std::shared_ptr<const Any> model_;

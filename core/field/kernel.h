@@ -1,7 +1,7 @@
 // Kernel: what one segment adds to a field around it, as a value: constants, and the functions that are compiled for
 // it.
 //
-// A kernel is written as a struct of vector operations, its profile (see kernels/gaussian-inl.h). plain_sum_functions()
+// A kernel is written as a struct of vector operations, its profile (see kernels/gaussian-inl.h). kPlainSumFunctions
 // (sum/plain_sum-inl.h) makes of a profile all that summing it over segments takes, once for each instruction set. So a
 // kernel is one pair of files under kernels/, and nothing else knows about it.
 #pragma once

@@ -1,7 +1,6 @@
 #include "core/field/skeleton.h"
 
 #include <algorithm>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -67,9 +66,7 @@ Skeleton Skeleton::without(std::span<const std::uint8_t> hidden) const {
 std::optional<SegmentChanges> Skeleton::changes_since(const Skeleton& before) const {
     if (frame_ != before.frame_ || segments_->size() != before.segments_->size()) return std::nullopt;
     const bool shared = segments_ == before.segments_;
-    const auto same = [&](std::uint32_t index) {
-        return shared || std::memcmp(&(*before.segments_)[index], &(*segments_)[index], sizeof(FieldSegment)) == 0;
-    };
+    const auto same = [&](std::uint32_t index) { return shared || (*before.segments_)[index] == (*segments_)[index]; };
     SegmentChanges changes;
     auto a = before.present_.begin();
     auto b = present_.begin();

@@ -22,6 +22,7 @@ struct alignas(64) FieldSegment {
     std::int32_t branch;         // id in the source tree
 
     [[nodiscard]] float end_radius() const { return radius + slope * length; }
+    bool operator==(const FieldSegment&) const = default;
 };
 
 // The space that a field is in, and its finest feature. What lattices are laid out by; a field and parts of it share

@@ -1,5 +1,5 @@
-// From the loose triangles of a file to a surface with an inside: vertices at one position become one, all triangles are
-// turned the same way round, and every edge must then have exactly two triangles.
+// From the loose triangles of a file to a surface with an inside: vertices at one position become one, all triangles
+// are turned the same way round, and every edge must then have exactly two triangles.
 #pragma once
 
 #include "core/base/error.h"

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-const KernelFunctions* gaussian_functions() { return &plain_sum_functions<Gaussian>; }
+const KernelFunctions* gaussian_functions() { return &kPlainSumFunctions<Gaussian>; }
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

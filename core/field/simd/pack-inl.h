@@ -38,64 +38,62 @@ template <std::size_t N, class T> HWY_INLINE Pack<N, T> set(PackTag<N, T>, float
     return each<N, T>([&](std::size_t) { return hn::Set(T(), x); });
 }
 
-template <class Vec> HWY_INLINE Vec mul(Vec a, Vec b) { return hn::Mul(a, b); }
-template <class Vec> HWY_INLINE Vec add(Vec a, Vec b) { return hn::Add(a, b); }
-template <class Vec> HWY_INLINE Vec sub(Vec a, Vec b) { return hn::Sub(a, b); }
-template <class Vec> HWY_INLINE Vec min(Vec a, Vec b) { return hn::Min(a, b); }
-template <class Vec> HWY_INLINE Vec max(Vec a, Vec b) { return hn::Max(a, b); }
-template <class Vec> HWY_INLINE Vec mul_add(Vec a, Vec b, Vec c) { return hn::MulAdd(a, b, c); }        // a b + c
-template <class Vec> HWY_INLINE Vec mul_sub(Vec a, Vec b, Vec c) { return hn::MulSub(a, b, c); }        // a b - c
-template <class Vec> HWY_INLINE Vec neg_mul_add(Vec a, Vec b, Vec c) { return hn::NegMulAdd(a, b, c); } // c - a b
-template <class Vec> HWY_INLINE Vec rough_reciprocal(Vec a) { return hn::ApproximateReciprocal(a); }
-// a taken into -most .. most.
-template <class Vec> HWY_INLINE Vec limited(Vec a, Vec most) {
-#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3 // the lesser size, with the sign of a
-    if constexpr (sizeof(Vec) == 64) return Vec{_mm512_range_ps(a.raw, most.raw, 2)};
-#endif
-    return hn::Max(hn::Min(a, most), hn::Neg(most));
+// What `call` makes of vectors, or of those of packs side by side.
+template <class Call, class... Vecs> HWY_INLINE auto on_each(const Call& call, Vecs... vectors) {
+    return call(vectors...);
 }
-// p times 2 to the whole number that `shifted` holds in its lowest bits.
-template <class Vec> HWY_INLINE Vec times_power(Vec p, Vec shifted) {
-    const hn::DFromV<Vec> d;
-    const hn::RebindToSigned<decltype(d)> di;
-    return hn::BitCast(d, hn::Add(hn::BitCast(di, p), hn::ShiftLeft<23>(hn::BitCast(di, shifted))));
+template <class Call, std::size_t N, class T, class... More>
+HWY_INLINE Pack<N, T> on_each(const Call& call, const Pack<N, T>& a, const More&... more) {
+    return each<N, T>([&](std::size_t s) { return call(a.v[s], more.v[s]...); });
 }
 
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> mul(const Pack<N, T>& a, const Pack<N, T>& b) {
-    return each<N, T>([&](std::size_t s) { return hn::Mul(a.v[s], b.v[s]); });
+template <class X> HWY_INLINE X mul(X a, X b) {
+    return on_each([](auto... x) { return hn::Mul(x...); }, a, b);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> add(const Pack<N, T>& a, const Pack<N, T>& b) {
-    return each<N, T>([&](std::size_t s) { return hn::Add(a.v[s], b.v[s]); });
+template <class X> HWY_INLINE X add(X a, X b) {
+    return on_each([](auto... x) { return hn::Add(x...); }, a, b);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> sub(const Pack<N, T>& a, const Pack<N, T>& b) {
-    return each<N, T>([&](std::size_t s) { return hn::Sub(a.v[s], b.v[s]); });
+template <class X> HWY_INLINE X sub(X a, X b) {
+    return on_each([](auto... x) { return hn::Sub(x...); }, a, b);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> min(const Pack<N, T>& a, const Pack<N, T>& b) {
-    return each<N, T>([&](std::size_t s) { return hn::Min(a.v[s], b.v[s]); });
+template <class X> HWY_INLINE X min(X a, X b) {
+    return on_each([](auto... x) { return hn::Min(x...); }, a, b);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> max(const Pack<N, T>& a, const Pack<N, T>& b) {
-    return each<N, T>([&](std::size_t s) { return hn::Max(a.v[s], b.v[s]); });
+template <class X> HWY_INLINE X max(X a, X b) {
+    return on_each([](auto... x) { return hn::Max(x...); }, a, b);
 }
-template <std::size_t N, class T>
-HWY_INLINE Pack<N, T> mul_add(const Pack<N, T>& a, const Pack<N, T>& b, const Pack<N, T>& c) {
-    return each<N, T>([&](std::size_t s) { return hn::MulAdd(a.v[s], b.v[s], c.v[s]); });
+template <class X> HWY_INLINE X mul_add(X a, X b, X c) { // a b + c
+    return on_each([](auto... x) { return hn::MulAdd(x...); }, a, b, c);
 }
-template <std::size_t N, class T>
-HWY_INLINE Pack<N, T> mul_sub(const Pack<N, T>& a, const Pack<N, T>& b, const Pack<N, T>& c) {
-    return each<N, T>([&](std::size_t s) { return hn::MulSub(a.v[s], b.v[s], c.v[s]); });
+template <class X> HWY_INLINE X mul_sub(X a, X b, X c) { // a b - c
+    return on_each([](auto... x) { return hn::MulSub(x...); }, a, b, c);
 }
-template <std::size_t N, class T>
-HWY_INLINE Pack<N, T> neg_mul_add(const Pack<N, T>& a, const Pack<N, T>& b, const Pack<N, T>& c) {
-    return each<N, T>([&](std::size_t s) { return hn::NegMulAdd(a.v[s], b.v[s], c.v[s]); });
+template <class X> HWY_INLINE X neg_mul_add(X a, X b, X c) { // c - a b
+    return on_each([](auto... x) { return hn::NegMulAdd(x...); }, a, b, c);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> rough_reciprocal(const Pack<N, T>& a) {
-    return each<N, T>([&](std::size_t s) { return rough_reciprocal(a.v[s]); });
+template <class X> HWY_INLINE X rough_reciprocal(X a) {
+    return on_each([](auto x) { return hn::ApproximateReciprocal(x); }, a);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> limited(const Pack<N, T>& a, const Pack<N, T>& most) {
-    return each<N, T>([&](std::size_t s) { return limited(a.v[s], most.v[s]); });
+// a taken into -most .. most.
+template <class X> HWY_INLINE X limited(X a, X most) {
+    return on_each(
+        []<class Vec>(Vec x, Vec bound) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3 // the lesser size, with the sign of x
+            if constexpr (sizeof(Vec) == 64) return Vec{_mm512_range_ps(x.raw, bound.raw, 2)};
+#endif
+            return hn::Max(hn::Min(x, bound), hn::Neg(bound));
+        },
+        a, most);
 }
-template <std::size_t N, class T> HWY_INLINE Pack<N, T> times_power(const Pack<N, T>& p, const Pack<N, T>& shifted) {
-    return each<N, T>([&](std::size_t s) { return times_power(p.v[s], shifted.v[s]); });
+// p times 2 to the whole number that `shifted` holds in its lowest bits.
+template <class X> HWY_INLINE X times_power(X p, X shifted) {
+    return on_each(
+        []<class Vec>(Vec x, Vec power) {
+            const hn::DFromV<Vec> d;
+            const hn::RebindToSigned<decltype(d)> di;
+            return hn::BitCast(d, hn::Add(hn::BitCast(di, x), hn::ShiftLeft<23>(hn::BitCast(di, power))));
+        },
+        p, shifted);
 }
 // a where low < x < high, 0 elsewhere.
 template <std::size_t N, class T>

@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
 template <class Profile>
-inline constexpr KernelFunctions plain_sum_functions{&sample_groups<Profile>, &sample_lattice<Profile>,
+inline constexpr KernelFunctions kPlainSumFunctions{&sample_groups<Profile>, &sample_lattice<Profile>,
                                                      &project<Profile>,       &find_depths<Profile>,
                                                      &crossing<Profile>,      &bound_children<Profile>};
 

@@ -59,7 +59,7 @@ struct Soft {
     static float along_edge(float value) { return value; }
 };
 
-const KernelFunctions* soft_functions() { return &plain_sum_functions<Soft>; }
+const KernelFunctions* soft_functions() { return &kPlainSumFunctions<Soft>; }
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

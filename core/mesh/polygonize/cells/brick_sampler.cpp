@@ -39,8 +39,8 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     neighbours_ = &(*all_neighbours_)[index];
     cell_mm_ = static_cast<float>(octree_->lattice.cell_mm(brick_->level));
     lattice_ready_ = false;
-    field_.enter(octree_->segments_of(*brick_), grid_axes(octree_->lattice, *brick_));
-    grid_.sample(index, *neighbours_, field_, subtree.counts);
+    field_->enter(octree_->segments_of(*brick_), grid_axes(octree_->lattice, *brick_));
+    grid_.sample(index, *neighbours_, *field_, subtree.counts);
     half_crossed_ = 0;
     if (neighbours_->finer != 0) sample_hanging(subtree);
 
@@ -62,7 +62,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(guesses_.size());
         add_recorded_vertices(traced, subtree, subtree.records.emplace_back());
     }
-    subtree.counts.evaluations += append_projected(field_, guesses_, *vertices_);
+    subtree.counts.evaluations += append_projected(*field_, guesses_, *vertices_);
     subtree.counts.samples += guesses_.size();
 }
 
@@ -81,7 +81,7 @@ void BrickSampler::sample_points(SubtreeCells& subtree) {
     if (points_.empty()) return;
     prepare_lattice();
     point_values_.resize(points_.size());
-    subtree.counts.evaluations += field_.sample_lattice(lattice_axes_, points_, point_values_);
+    subtree.counts.evaluations += field_->sample_lattice(lattice_axes_, points_, point_values_);
     subtree.counts.samples += points_.size();
 }
 
@@ -135,7 +135,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
         }
     }
     cells.recorded = 0;
-    field_.find_depths(grid_.values(), depths_);
+    field_->find_depths(grid_.values(), depths_);
     add_vertex_guesses(depths_, std::span(plain_corners_).first(plain_count), cell_mm_, guesses_);
 }
 
@@ -213,7 +213,7 @@ glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int edge_midpoint) {
     glm::ivec3 b = middle;
     a[axis] -= step;
     b[axis] += step;
-    const float crossed = field_.crossing(value_at(2 * cell + a / 2), value_at(2 * cell + b / 2));
+    const float crossed = field_->crossing(value_at(2 * cell + a / 2), value_at(2 * cell + b / 2));
     const float along = std::clamp(crossed, kCrossingMargin, 1.0F - kCrossingMargin);
     return glm::vec3(cell) + 0.25F * (glm::vec3(a) + along * glm::vec3(b - a));
 }

@@ -7,6 +7,7 @@
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 
+#include <memory>
 #include <span>
 
 namespace ramus::mesh::bricks {
@@ -48,7 +49,7 @@ private:
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
     void add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices);
 
-    field::BrickField field_;
+    std::unique_ptr<field::BrickField> field_;
     float isovalue_;
     BrickGrid grid_;
 

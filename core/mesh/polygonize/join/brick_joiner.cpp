@@ -175,7 +175,7 @@ private:
 };
 
 void join_bricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
-                JoinedSubtree& out) {
+                 JoinedSubtree& out) {
     BrickJoiner joiner(surface, general);
     for (std::uint32_t b = first; b < end; ++b) joiner.join(b, out);
 }

@@ -191,8 +191,8 @@ void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, Jo
     const Brick& brick = octree_.bricks[index];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
     const field::GridAxes axes = grid_axes(octree_.lattice, brick);
-    field::BrickField field = field_.in_brick();
-    field.enter(octree_.segments_of(brick), axes);
+    const auto field = field_.in_brick();
+    field->enter(octree_.segments_of(brick), axes);
     field::Projection guesses;
     glm::vec3 sum(0.0F);
     for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - axes.corner());
@@ -200,7 +200,7 @@ void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, Jo
     middle[axis] += 0.5F * cell;
     guesses.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
     const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.count);
-    (void)append_projected(field, guesses, out.added);
+    (void)append_projected(*field, guesses, out.added);
     for (std::size_t n = 0; n < polygon.size(); ++n)
         out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
 }

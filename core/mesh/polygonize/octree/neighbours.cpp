@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    std::uint32_t owner_of_child(std::uint32_t owner, std::size_t child) const {
+    [[nodiscard]] std::uint32_t owner_of_child(std::uint32_t owner, std::size_t child) const {
         if (owner == kChangedNothing || !UpperNode::is_node(owner)) return owner;
         const std::uint32_t parent = UpperNode::node_of(owner);
         const std::uint32_t code = octree_.upper[parent].children[child];

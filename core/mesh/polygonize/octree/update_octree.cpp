@@ -75,7 +75,7 @@ private:
         Seed seed;
     };
 
-    std::vector<Node> split(const Node& node) const {
+    [[nodiscard]] std::vector<Node> split(const Node& node) const {
         thread_local Children children;
         splitter_.split_upper(node.cube, children);
         std::array<Changed, field::kChildren> parts = deal(node.cube, node.changed);
@@ -165,7 +165,7 @@ private:
         for (const std::uint32_t child : octree_.upper[UpperNode::node_of(code)].children) remove_below(child);
     }
 
-    std::array<Changed, field::kChildren> deal(const Cube& cube, const Changed& changed) const {
+    [[nodiscard]] std::array<Changed, field::kChildren> deal(const Cube& cube, const Changed& changed) const {
         std::array<Changed, field::kChildren> parts;
         const field::ChildCubes cubes = splitter_.children_of(cube);
         thread_local std::vector<std::uint8_t> bits;
@@ -174,7 +174,7 @@ private:
             const TreeState& state = list % 2 == 0 ? before_ : after_;
             bits.assign(changed[list].size(), 0);
             if (list < 2)
-                state.field.bound_children(changed[list], cubes, bits);
+                static_cast<void>(state.field.bound_children(changed[list], cubes, bits));
             else
                 active_children(state.sizing.pieces, changed[list], cubes, bits);
             for (std::size_t m = 0; m < bits.size(); ++m)

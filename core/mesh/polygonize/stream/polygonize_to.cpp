@@ -88,8 +88,8 @@ private:
 Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const PolygonizeOptions& options, Job& job,
                            PolygonizeStatistics* statistics) {
     StreamStore store(sink);
-    const auto made = make_surface_in(store, field, options, PolygonizeMode::kStream, job, statistics);
-    if (!made) return made;
+    if (auto made = make_surface_in(store, field, options, PolygonizeMode::kStream, job, statistics); !made)
+        return made;
     if (!store.finish()) return fail("the surface cannot be taken further");
     job.report(1.0F);
     return {};
