@@ -2,6 +2,7 @@
 
 #include "app/commands/interrupt.h"
 #include "app/commands/progress_bar.h"
+#include "core/base/disjoint_sets.h"
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
@@ -19,18 +20,18 @@ public:
     explicit CountingSink(io::SurfaceFile& file) : file_(file) {}
 
     [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
-        components_.add_vertices(more.size());
+        components_.add(more.size());
         return file_.add_vertices(more);
     }
     [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
         for (const glm::uvec3& t : more) components_.join(t.x, t.y), components_.join(t.x, t.z);
         return file_.add_triangles(more, vertices);
     }
-    [[nodiscard]] int components() const { return components_.count(); }
+    [[nodiscard]] int components() const { return static_cast<int>(components_.count()); }
 
 private:
     io::SurfaceFile& file_;
-    measure::ComponentCounter components_;
+    DisjointSets components_;
 };
 
 Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,

@@ -1,3 +1,4 @@
+#include "core/base/grouped.h"
 #include "core/tree/build_tree.h"
 
 #include <algorithm>
@@ -6,37 +7,22 @@ namespace ramus::tree {
 
 namespace {
 
-using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-// Edges at each point, as one array.
-struct Incidence {
-    std::vector<std::uint32_t> first; // per point, and one past the last
-    std::vector<std::uint32_t> edge;
-
-    Incidence(std::size_t points, const Edges& edges) : first(points + 1, 0), edge(2 * edges.size()) {
-        for (const auto& [a, b] : edges) ++first[a + 1], ++first[b + 1];
-        for (std::size_t p = 0; p < points; ++p) first[p + 1] += first[p];
-        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        for (std::uint32_t e = 0; e < edges.size(); ++e) {
-            edge[next[edges[e].first]++] = e;
-            edge[next[edges[e].second]++] = e;
-        }
-    }
-    [[nodiscard]] std::uint32_t degree(std::uint32_t p) const { return first[p + 1] - first[p]; }
-};
+using Edges = std::vector<Edge>;
 
 class Assembler {
 public:
     Assembler(VesselTree& tree, const Edges& edges)
-        : tree_(tree), edges_(edges), incidence_(tree.points.size(), edges), used_(edges.size(), false),
-          reached_(tree.points.size(), false) {}
+        : tree_(tree), edges_(edges), at_(tree.points.size(),
+                                          [&](const auto& put) {
+                                              for (std::uint32_t e = 0; e < edges.size(); ++e)
+                                                  put(edges[e].first, e), put(edges[e].second, e);
+                                          }),
+          used_(edges.size(), false), reached_(tree.points.size(), false) {}
 
     // Walks one component from its root, breadth first over branches, so that a branch's parent has a lower id.
     void grow_from(std::uint32_t root) {
-        if (reached_[root] || incidence_.degree(root) == 0) return;
-        // Nor is it one where a branch of another root runs through it.
-        const auto first = incidence_.edge.begin() + incidence_.first[root];
-        if (std::all_of(first, first + incidence_.degree(root), [&](std::uint32_t edge) { return bool(used_[edge]); }))
+        // Nor is it one where nothing is, or where a branch of another root runs through it.
+        if (reached_[root] || std::ranges::all_of(at_.of(root), [&](std::uint32_t edge) { return bool(used_[edge]); }))
             return;
         tree_.roots.push_back(root);
         reached_[root] = true;
@@ -47,10 +33,10 @@ public:
         std::vector<Node> open{{root, kNoBranch}};
         for (std::size_t n = 0; n < open.size(); ++n) {
             const Node node = open[n];
-            for (std::uint32_t i = incidence_.first[node.point]; i < incidence_.first[node.point + 1]; ++i) {
-                if (used_[incidence_.edge[i]]) continue;
+            for (const std::uint32_t edge : at_.of(node.point)) {
+                if (used_[edge]) continue;
                 const int id = static_cast<int>(tree_.branches.size());
-                const std::uint32_t end = walk(node.point, incidence_.edge[i], node.parent);
+                const std::uint32_t end = walk(node.point, edge, node.parent);
                 if (reached_[end]) continue; // closes a loop: nothing depends on it
                 reached_[end] = true;
                 open.push_back({end, id});
@@ -71,8 +57,8 @@ private:
             used_[edge] = true;
             at = edges_[edge].first == at ? edges_[edge].second : edges_[edge].first;
             branch.points.push_back(at);
-            if (incidence_.degree(at) != 2 || at == from || reached_[at]) break;
-            const std::uint32_t* around = incidence_.edge.data() + incidence_.first[at];
+            const auto around = at_.of(at);
+            if (around.size() != 2 || at == from || reached_[at]) break;
             const std::uint32_t next = around[0] == edge ? around[1] : around[0];
             if (used_[next]) break;
             edge = next;
@@ -85,7 +71,7 @@ private:
 
     VesselTree& tree_;
     const Edges& edges_;
-    Incidence incidence_;
+    Grouped<std::uint32_t> at_; // edges at each point
     std::vector<bool> used_;
     std::vector<bool> reached_;
 };

@@ -1,5 +1,7 @@
 #include "core/tree/build_tree.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -70,22 +72,13 @@ std::optional<Error> find_bad_point(const Graph& graph, const SourceOf& source) 
 
 // Joins the ends of edges of no length. Returns for every point the point that stands for it.
 std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, const SourceOf& source) {
+    DisjointSets places(graph.points.size());
+    for (const auto& [a, b] : graph.edges)
+        if (graph.points[a].position == graph.points[b].position && places.join(a, b))
+            repairs.add(Repair::kRepeatedPoints,
+                        source(b) + ": merged with the point before it, which lies at the same place");
     std::vector<std::uint32_t> stands(graph.points.size());
-    std::iota(stands.begin(), stands.end(), 0U);
-    const auto find = [&](std::uint32_t p) {
-        while (stands[p] != p) p = stands[p] = stands[stands[p]];
-        return p;
-    };
-    for (const auto& [a, b] : graph.edges) {
-        if (a == b || graph.points[a].position != graph.points[b].position) continue;
-        const std::uint32_t ra = find(a);
-        const std::uint32_t rb = find(b);
-        if (ra == rb) continue;
-        stands[std::max(ra, rb)] = std::min(ra, rb);
-        repairs.add(Repair::kRepeatedPoints,
-                    source(b) + ": merged with the point before it, which lies at the same place");
-    }
-    for (std::uint32_t p = 0; p < stands.size(); ++p) stands[p] = find(p);
+    for (std::uint32_t p = 0; p < stands.size(); ++p) stands[p] = places.find(p);
     return stands;
 }
 
@@ -135,26 +128,16 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
 // The thickest end (or point, where there is none) of every component that has no root yet.
 std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges,
                                           std::vector<std::uint32_t> roots) {
-    std::vector<std::uint32_t> component(points.size());
-    std::iota(component.begin(), component.end(), 0U);
-    const auto find = [&](std::uint32_t p) {
-        while (component[p] != p) p = component[p] = component[component[p]];
-        return p;
-    };
+    DisjointSets components(points.size());
     std::vector<int> degree(points.size(), 0);
-    for (const auto& [a, b] : edges) {
-        ++degree[a], ++degree[b];
-        const std::uint32_t ra = find(a);
-        const std::uint32_t rb = find(b);
-        if (ra != rb) component[std::max(ra, rb)] = std::min(ra, rb);
-    }
+    for (const auto& [a, b] : edges) ++degree[a], ++degree[b], components.join(a, b);
     std::vector<bool> rooted(points.size(), false);
-    for (const std::uint32_t root : roots) rooted[find(root)] = true;
+    for (const std::uint32_t root : roots) rooted[components.find(root)] = true;
     constexpr auto kUnset = static_cast<std::uint32_t>(-1);
     std::vector<std::uint32_t> best(points.size(), kUnset);
     for (std::uint32_t p = 0; p < points.size(); ++p) {
-        if (degree[p] == 0 || rooted[find(p)]) continue;
-        std::uint32_t& choice = best[find(p)];
+        if (degree[p] == 0 || rooted[components.find(p)]) continue;
+        std::uint32_t& choice = best[components.find(p)];
         const auto rank = [&](std::uint32_t q) { return std::pair(degree[q] == 1, points[q].radius); };
         if (choice == kUnset || rank(p) > rank(choice)) choice = p;
     }

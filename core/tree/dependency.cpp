@@ -1,5 +1,7 @@
 #include "core/tree/dependency.h"
 
+#include "core/base/grouped.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,22 +12,18 @@ namespace {
 // Parents before their children; children in ascending order.
 std::vector<int> from_the_roots(const VesselTree& tree) {
     const std::size_t count = tree.branches.size();
-    std::vector<int> first(count + 1, 0), children(count), order;
+    std::vector<int> order;
     order.reserve(count);
-    for (const Branch& branch : tree.branches)
-        if (branch.parent != kNoBranch) ++first[static_cast<std::size_t>(branch.parent) + 1];
-    for (std::size_t b = 0; b < count; ++b) first[b + 1] += first[b];
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (std::size_t b = 0; b < count; ++b) {
-        const int parent = tree.branches[b].parent;
-        if (parent == kNoBranch)
-            order.push_back(static_cast<int>(b));
-        else
-            children[static_cast<std::size_t>(next[static_cast<std::size_t>(parent)]++)] = static_cast<int>(b);
-    }
+    for (std::size_t b = 0; b < count; ++b)
+        if (tree.branches[b].parent == kNoBranch) order.push_back(static_cast<int>(b));
+    const Grouped<int> children(count, [&](const auto& put) {
+        for (std::size_t b = 0; b < count; ++b)
+            if (const int parent = tree.branches[b].parent; parent != kNoBranch)
+                put(static_cast<std::size_t>(parent), static_cast<int>(b));
+    });
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto b = static_cast<std::size_t>(order[i]);
-        order.insert(order.end(), children.begin() + first[b], children.begin() + first[b + 1]);
+        const auto next = children.of(static_cast<std::size_t>(order[i]));
+        order.insert(order.end(), next.begin(), next.end());
     }
     return order;
 }

@@ -1,5 +1,7 @@
 #include "core/volume/relax_surface.h"
 
+#include "core/base/grouped.h"
+
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,21 +14,6 @@
 namespace ramus::volume {
 
 namespace {
-
-// Of each vertex the next one around each of its triangles: of a closed surface, all of its neighbours, once each.
-struct Neighbours {
-    std::vector<std::uint32_t> first, others;
-
-    explicit Neighbours(const mesh::TriangleMesh& mesh) : first(mesh.positions.size() + 1, 0) {
-        for (const glm::uvec3& t : mesh.triangles)
-            for (int k = 0; k < 3; ++k) ++first[t[k] + 1];
-        for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-        others.resize(first.back());
-        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        for (const glm::uvec3& t : mesh.triangles)
-            for (int k = 0; k < 3; ++k) others[next[t[k]]++] = t[(k + 1) % 3];
-    }
-};
 
 // Tuned by eye on an organ and its vessels, 4 mm slices: how much each pass is drawn back to where the surface was, and
 // how much of what is taken back is a vertex's own part rather than its neighbours'.
@@ -44,14 +31,18 @@ void relax_surface(mesh::TriangleMesh& surface, const glm::dmat4& to_patient, in
     const std::size_t count = surface.positions.size();
     const glm::mat3 to_mm{glm::dmat3(to_patient)};
     const glm::mat3 to_voxels{glm::inverse(glm::dmat3(to_patient))};
-    const Neighbours neighbours(surface);
+    // Of each vertex the next one around each of its triangles: of a closed surface, all of its neighbours, once each.
+    const Grouped<std::uint32_t> neighbours(count, [&](const auto& put) {
+        for (const glm::uvec3& t : surface.triangles)
+            for (int k = 0; k < 3; ++k) put(t[k], t[(k + 1) % 3]);
+    });
     const std::vector<glm::vec3> before(surface.positions.begin(), surface.positions.end());
     std::vector<glm::vec3> from = before, to(count), back(count);
     const auto mean = [&](const std::vector<glm::vec3>& of, std::size_t v) {
-        const std::uint32_t begin = neighbours.first[v], end = neighbours.first[v + 1];
+        const auto around = neighbours.of(v);
         glm::vec3 sum(0.0F);
-        for (std::uint32_t i = begin; i < end; ++i) sum += of[neighbours.others[i]];
-        return begin < end ? sum / float(end - begin) : of[v];
+        for (const std::uint32_t other : around) sum += of[other];
+        return around.empty() ? of[v] : sum / float(around.size());
     };
     for (int pass = 0; pass < passes && !job.cancelled(); ++pass) {
         for_vertices(count, [&](std::size_t v) {

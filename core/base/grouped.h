@@ -1,0 +1,35 @@
+// Grouped: things by the number of their group, those of a group side by side, all in one array.
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace ramus {
+
+template <class T> class Grouped {
+public:
+    Grouped() = default;
+    // `for_each(put)` calls put(group, thing) for every one of them. It is called twice and must do the same again;
+    // within a group things keep that order.
+    template <class ForEach> Grouped(std::size_t groups, const ForEach& for_each) : first_(groups + 1, 0) {
+        for_each([&](std::size_t group, const T&) { ++first_[group + 1]; });
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        things_.resize(first_.back());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for_each([&](std::size_t group, const T& thing) { things_[next[group]++] = thing; });
+    }
+    [[nodiscard]] std::span<T> of(std::size_t group) {
+        return std::span(things_).subspan(first_[group], first_[group + 1] - first_[group]);
+    }
+    [[nodiscard]] std::span<const T> of(std::size_t group) const {
+        return std::span(things_).subspan(first_[group], first_[group + 1] - first_[group]);
+    }
+
+private:
+    std::vector<std::uint32_t> first_; // of each group, and one past the last
+    std::vector<T> things_;
+};
+
+} // namespace ramus
