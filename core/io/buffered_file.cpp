@@ -30,28 +30,28 @@ tl::unexpected<Error> write_error(const std::filesystem::path& target, int code)
 }
 
 BufferedFile::BufferedFile(int descriptor)
-    : descriptor_(descriptor), buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
+    : file_descriptor(descriptor), buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
 
 BufferedFile::BufferedFile(BufferedFile&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), error_(other.error_), buffer_(std::move(other.buffer_)),
-      used_(other.used_), flushed_(other.flushed_) {}
+    : file_descriptor(std::exchange(other.file_descriptor, -1)), first_error(other.first_error),
+      buffer_(std::move(other.buffer_)), used_(other.used_), flushed_(other.flushed_) {}
 
 BufferedFile::~BufferedFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+    if (file_descriptor >= 0) ::close(file_descriptor);
 }
 
 void BufferedFile::keep_error(int result) {
-    if (result != 0 && error_ == 0) error_ = errno;
+    if (result != 0 && first_error == 0) first_error = errno;
 }
 
 // All of it, however many calls that takes.
 void BufferedFile::put(const std::byte* bytes, std::size_t count) {
     flushed_ += count;
-    while (count > 0 && error_ == 0) {
-        const ssize_t done = ::write(descriptor_, bytes, count);
+    while (count > 0 && first_error == 0) {
+        const ssize_t done = ::write(file_descriptor, bytes, count);
         if (done < 0 && errno == EINTR) continue;
         if (done <= 0) {
-            error_ = done < 0 ? errno : ENOSPC;
+            first_error = done < 0 ? errno : ENOSPC;
             return;
         }
         bytes += done;

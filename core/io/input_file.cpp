@@ -1,5 +1,6 @@
 #include "core/io/input_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -46,6 +47,15 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
     }
     if (file.bad()) return fail("reading stopped with an error", name, "check the medium");
     return text;
+}
+
+void split_words(std::string_view text, std::string_view blanks, std::vector<std::string_view>& words) {
+    words.clear();
+    for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+        words.push_back(text.substr(at, end - at));
+        at = text.find_first_not_of(blanks, end);
+    }
 }
 
 } // namespace ramus::io

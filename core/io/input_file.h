@@ -1,4 +1,4 @@
-// Reading whole files, and saying why one cannot be read.
+// Reading whole files, words of their lines, and saying why one cannot be read.
 #pragma once
 
 #include "core/base/error.h"
@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace ramus::io {
 
@@ -15,5 +17,8 @@ namespace ramus::io {
 
 // Whether there is a file to be read at `path`, or an error that says why not. Does not open it.
 [[nodiscard]] Result<void> check_input(const std::filesystem::path& path);
+
+// What stands between blanks, in the order of the text.
+void split_words(std::string_view text, std::string_view blanks, std::vector<std::string_view>& words);
 
 } // namespace ramus::io

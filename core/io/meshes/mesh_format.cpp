@@ -1,5 +1,6 @@
 #include "core/io/meshes/mesh_format.h"
 
+#include "core/io/meshes/assimp_reader.h"
 #include "core/io/meshes/obj.h"
 #include "core/io/meshes/ply.h"
 #include "core/io/meshes/stl.h"
@@ -19,13 +20,13 @@ const std::vector<MeshFormat>& mesh_formats() {
          write_ply_faces},
         {{.name = "STL", .extensions = {".stl"}, .help = "Binary; triangles with a normal each, for printing."},
          false,
-         parse_stl,
+         [](auto text, const auto& name) { return parse_with_assimp(text, "stl", name); },
          stl_header,
          {},
          write_stl_facets},
         {{.name = "OBJ", .extensions = {".obj"}, .help = "Text; vertices with normals, and triangles."},
          true,
-         parse_obj,
+         [](auto text, const auto& name) { return parse_with_assimp(text, "obj", name); },
          obj_header,
          {write_obj_positions, write_obj_normals},
          write_obj_faces},

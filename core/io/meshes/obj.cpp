@@ -1,7 +1,5 @@
 #include "core/io/meshes/obj.h"
 
-#include "core/io/meshes/assimp_reader.h"
-
 namespace ramus::io {
 
 namespace {
@@ -18,10 +16,6 @@ void write_vectors(std::string_view name, std::span<const glm::vec3> vectors, Bu
 }
 
 } // namespace
-
-Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name) {
-    return parse_with_assimp(text, "obj", name);
-}
 
 std::string obj_header(const MeshCounts& /*counts*/) { return "# ramus " RAMUS_VERSION ", mm, RAS\n"; }
 

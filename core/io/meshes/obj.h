@@ -5,8 +5,6 @@
 
 namespace ramus::io {
 
-[[nodiscard]] Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name);
-
 [[nodiscard]] std::string obj_header(const MeshCounts& counts);
 void write_obj_positions(const mesh::VertexSpan& vertices, BufferedFile& file);
 void write_obj_normals(const mesh::VertexSpan& vertices, BufferedFile& file);

@@ -1,3 +1,4 @@
+#include "core/io/input_file.h"
 #include "core/io/meshes/ply.h"
 
 #include <algorithm>
@@ -12,33 +13,64 @@ namespace ramus::io {
 
 namespace {
 
-enum class Type { kI8, kU8, kI16, kU16, kI32, kU32, kF32, kF64 };
+enum class Format { kText, kLittle, kBig };
 
-std::optional<Type> type_named(std::string_view word) {
-    constexpr std::array<std::pair<std::string_view, Type>, 16> kNames{{{"char", Type::kI8},
-                                                                        {"int8", Type::kI8},
-                                                                        {"uchar", Type::kU8},
-                                                                        {"uint8", Type::kU8},
-                                                                        {"short", Type::kI16},
-                                                                        {"int16", Type::kI16},
-                                                                        {"ushort", Type::kU16},
-                                                                        {"uint16", Type::kU16},
-                                                                        {"int", Type::kI32},
-                                                                        {"int32", Type::kI32},
-                                                                        {"uint", Type::kU32},
-                                                                        {"uint32", Type::kU32},
-                                                                        {"float", Type::kF32},
-                                                                        {"float32", Type::kF32},
-                                                                        {"double", Type::kF64},
-                                                                        {"float64", Type::kF64}}};
-    const auto* found = std::ranges::find(kNames, word, &std::pair<std::string_view, Type>::first);
-    return found == kNames.end() ? std::nullopt : std::optional(found->second);
+// Numbers one after the other.
+class Numbers {
+public:
+    Numbers(std::string_view text, Format format) : text_(text), format_(format) {}
+
+    // A T, or of a text file whatever number stands there.
+    template <class T> std::optional<double> next() {
+        if (format_ == Format::kText) return from_text();
+        if (text_.size() < sizeof(T)) return {};
+        std::array<char, sizeof(T)> bytes{};
+        std::memcpy(bytes.data(), text_.data(), sizeof(T));
+        text_.remove_prefix(sizeof(T));
+        if ((format_ == Format::kBig) != (std::endian::native == std::endian::big)) std::ranges::reverse(bytes);
+        return static_cast<double>(std::bit_cast<T>(bytes));
+    }
+    [[nodiscard]] std::size_t bytes_left() const { return text_.size(); }
+
+private:
+    std::optional<double> from_text() {
+        const std::size_t start = text_.find_first_not_of(" \t\r\n");
+        if (start == std::string_view::npos) return {};
+        text_.remove_prefix(start);
+        double number = 0.0;
+        const auto [stop, error] = std::from_chars(text_.data(), text_.data() + text_.size(), number);
+        if (error != std::errc{}) return {};
+        text_.remove_prefix(static_cast<std::size_t>(stop - text_.data()));
+        return number;
+    }
+
+    std::string_view text_;
+    Format format_;
+};
+
+struct Type {
+    std::string_view name, other_name;
+    std::optional<double> (Numbers::*next)();
+};
+constexpr std::array<Type, 8> kTypes{{{"char", "int8", &Numbers::next<std::int8_t>},
+                                      {"uchar", "uint8", &Numbers::next<std::uint8_t>},
+                                      {"short", "int16", &Numbers::next<std::int16_t>},
+                                      {"ushort", "uint16", &Numbers::next<std::uint16_t>},
+                                      {"int", "int32", &Numbers::next<std::int32_t>},
+                                      {"uint", "uint32", &Numbers::next<std::uint32_t>},
+                                      {"float", "float32", &Numbers::next<float>},
+                                      {"double", "float64", &Numbers::next<double>}}};
+
+const Type* type_named(std::string_view word) {
+    const auto* found =
+        std::ranges::find_if(kTypes, [&](const Type& t) { return t.name == word || t.other_name == word; });
+    return found == kTypes.end() ? nullptr : found;
 }
 
 struct Property {
     std::string_view name;
-    Type type = Type::kF32;
-    std::optional<Type> count; // of a list
+    const Type* type = nullptr;
+    const Type* count = nullptr; // of a list
 };
 
 struct Element {
@@ -47,32 +79,20 @@ struct Element {
     std::vector<Property> properties;
 };
 
-enum class Format { kText, kLittle, kBig };
-
 struct Header {
     Format format = Format::kText;
     std::vector<Element> elements;
 };
 
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    while (true) {
-        const std::size_t start = line.find_first_not_of(" \t\r");
-        if (start == std::string_view::npos) return words;
-        const std::size_t end = std::min(line.find_first_of(" \t\r", start), line.size());
-        words.push_back(line.substr(start, end - start));
-        line.remove_prefix(end);
-    }
-}
-
 // Takes the header off `text`; nothing when it is none.
 std::optional<Header> take_header(std::string_view& text) {
     Header header;
     bool format = false;
+    std::vector<std::string_view> words;
     for (int line_number = 0; !text.empty(); ++line_number) {
         const std::size_t end = text.find('\n');
         if (end == std::string_view::npos) return {};
-        const auto words = words_of(text.substr(0, end));
+        split_words(text.substr(0, end), " \t\r", words);
         text.remove_prefix(end + 1);
         if (line_number == 0) {
             if (words.size() != 1 || words[0] != "ply") return {};
@@ -97,69 +117,16 @@ std::optional<Header> take_header(std::string_view& text) {
         } else if (words[0] == "property" && !header.elements.empty() && (words.size() == 3 || words.size() == 5)) {
             const bool list = words.size() == 5;
             if (list != (words[1] == "list")) return {};
-            const auto type = type_named(words[list ? 3 : 1]);
-            const auto count = list ? type_named(words[2]) : std::nullopt;
-            if (!type || (list && !count)) return {};
-            header.elements.back().properties.push_back({words.back(), *type, count});
+            const Type* type = type_named(words[list ? 3 : 1]);
+            const Type* count = list ? type_named(words[2]) : nullptr;
+            if (type == nullptr || (list && count == nullptr)) return {};
+            header.elements.back().properties.push_back({words.back(), type, count});
         } else {
             return {};
         }
     }
     return {};
 }
-
-// Numbers one after the other.
-class Numbers {
-public:
-    Numbers(std::string_view text, Format format) : text_(text), format_(format) {}
-
-    std::optional<double> next(Type type) {
-        if (format_ == Format::kText) return from_text();
-        switch (type) {
-        case Type::kI8:
-            return from_bytes<std::int8_t>();
-        case Type::kU8:
-            return from_bytes<std::uint8_t>();
-        case Type::kI16:
-            return from_bytes<std::int16_t>();
-        case Type::kU16:
-            return from_bytes<std::uint16_t>();
-        case Type::kI32:
-            return from_bytes<std::int32_t>();
-        case Type::kU32:
-            return from_bytes<std::uint32_t>();
-        case Type::kF32:
-            return from_bytes<float>();
-        case Type::kF64:
-            return from_bytes<double>();
-        }
-        return {};
-    }
-    [[nodiscard]] std::size_t bytes_left() const { return text_.size(); }
-
-private:
-    template <class T> std::optional<double> from_bytes() {
-        if (text_.size() < sizeof(T)) return {};
-        std::array<char, sizeof(T)> bytes{};
-        std::memcpy(bytes.data(), text_.data(), sizeof(T));
-        text_.remove_prefix(sizeof(T));
-        if ((format_ == Format::kBig) != (std::endian::native == std::endian::big)) std::ranges::reverse(bytes);
-        return static_cast<double>(std::bit_cast<T>(bytes));
-    }
-    std::optional<double> from_text() {
-        const std::size_t start = text_.find_first_not_of(" \t\r\n");
-        if (start == std::string_view::npos) return {};
-        text_.remove_prefix(start);
-        double number = 0.0;
-        const auto [stop, error] = std::from_chars(text_.data(), text_.data() + text_.size(), number);
-        if (error != std::errc{}) return {};
-        text_.remove_prefix(static_cast<std::size_t>(stop - text_.data()));
-        return number;
-    }
-
-    std::string_view text_;
-    Format format_;
-};
 
 } // namespace
 
@@ -179,9 +146,10 @@ Result<PolygonSoup> parse_ply(std::string_view text, const std::string& name) {
             glm::dvec3 place(0.0);
             std::vector<std::uint32_t> polygon;
             for (const Property& property : element.properties) {
-                const auto first = numbers.next(property.count ? *property.count : property.type);
+                const bool is_list = property.count != nullptr;
+                const auto first = (numbers.*(is_list ? property.count : property.type)->next)();
                 if (!first) return damaged();
-                if (!property.count) {
+                if (!is_list) {
                     if (vertices && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
                         place[property.name[0] - 'x'] = *first;
                     continue;
@@ -191,7 +159,7 @@ Result<PolygonSoup> parse_ply(std::string_view text, const std::string& name) {
                     return damaged();
                 const bool wanted = faces && (property.name == "vertex_indices" || property.name == "vertex_index");
                 for (auto left = static_cast<std::uint64_t>(*first); left > 0; --left) {
-                    const auto number = numbers.next(property.type);
+                    const auto number = (numbers.*property.type->next)();
                     if (!number) return damaged();
                     if (!wanted) continue;
                     if (!(*number >= 0.0 && *number < 4294967295.0)) return damaged();

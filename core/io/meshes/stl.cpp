@@ -1,14 +1,8 @@
 #include "core/io/meshes/stl.h"
 
-#include "core/io/meshes/assimp_reader.h"
-
 #include <glm/geometric.hpp>
 
 namespace ramus::io {
-
-Result<PolygonSoup> parse_stl(std::string_view text, const std::string& name) {
-    return parse_with_assimp(text, "stl", name);
-}
 
 std::string stl_header(const MeshCounts& counts) {
     // A binary file must not begin with "solid", or programs take it for text.

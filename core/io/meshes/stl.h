@@ -5,8 +5,6 @@
 
 namespace ramus::io {
 
-[[nodiscard]] Result<PolygonSoup> parse_stl(std::string_view text, const std::string& name);
-
 [[nodiscard]] std::string stl_header(const MeshCounts& counts);
 void write_stl_facets(std::span<const glm::uvec3> triangles, const mesh::VertexSpan& vertices, BufferedFile& file);
 

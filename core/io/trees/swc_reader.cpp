@@ -1,8 +1,11 @@
 #include "core/io/trees/swc_reader.h"
 
+#include "core/io/input_file.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -19,22 +22,6 @@ struct Row {
 };
 
 constexpr const char* kLayout = "a line is: id type x y z radius parent";
-
-// The columns of one line, without its comment.
-struct Fields {
-    std::vector<std::string_view> fields;
-
-    void split(std::string_view text) {
-        fields.clear();
-        if (const auto comment = text.find('#'); comment != std::string_view::npos) text = text.substr(0, comment);
-        constexpr std::string_view kBlank = " \t\r\f\v,;";
-        for (std::size_t at = text.find_first_not_of(kBlank); at != std::string_view::npos;) {
-            const std::size_t end = std::min(text.find_first_of(kBlank, at), text.size());
-            fields.push_back(text.substr(at, end - at));
-            at = text.find_first_not_of(kBlank, end);
-        }
-    }
-};
 
 // Numbers as every locale writes them in files: with a point. A leading plus is fine, anything left over is not.
 std::optional<double> to_real(std::string_view text) {
@@ -95,7 +82,7 @@ Result<Row> row_of(const std::vector<std::string_view>& fields, std::string_view
 // All points of the file, in its order.
 Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name) {
     std::vector<Row> rows;
-    Fields line;
+    std::vector<std::string_view> fields;
     std::size_t number = 0;
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = text.find_first_of("\r\n", at); // a lone CR ends a line too: old Macintosh files
@@ -103,9 +90,9 @@ Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name)
         const std::string_view content = text.substr(at, end - at);
         at = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
         ++number;
-        line.split(content);
-        if (line.fields.empty()) continue;
-        auto row = row_of(line.fields, content, name + ":" + std::to_string(number));
+        split_words(content.substr(0, content.find('#')), " \t\r\f\v,;", fields);
+        if (fields.empty()) continue;
+        auto row = row_of(fields, content, name + ":" + std::to_string(number));
         if (!row) return tl::unexpected(row.error());
         row->line = number;
         rows.push_back(*row);
@@ -113,30 +100,6 @@ Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name)
     if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
     return rows;
 }
-
-// Parents by id, and the check that following them ends at a root.
-class ParentFinder {
-public:
-    explicit ParentFinder(const std::vector<Row>& rows) : rows_(rows), by_id_(rows.size()) {
-        for (std::uint32_t i = 0; i < by_id_.size(); ++i) by_id_[i] = i;
-        std::ranges::stable_sort(by_id_, {}, [&](std::uint32_t i) { return rows_[i].id; });
-    }
-    // The second of two rows with the same id.
-    [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> duplicate() const {
-        for (std::size_t n = 1; n < by_id_.size(); ++n)
-            if (rows_[by_id_[n]].id == rows_[by_id_[n - 1]].id) return std::pair(by_id_[n - 1], by_id_[n]);
-        return std::nullopt;
-    }
-    [[nodiscard]] std::optional<std::uint32_t> find(long long id) const {
-        const auto at = std::ranges::lower_bound(by_id_, id, {}, [&](std::uint32_t i) { return rows_[i].id; });
-        if (at == by_id_.end() || rows_[*at].id != id) return std::nullopt;
-        return *at;
-    }
-
-private:
-    const std::vector<Row>& rows_;
-    std::vector<std::uint32_t> by_id_;
-};
 
 // A row on a cycle of parents, if there is one.
 std::optional<std::uint32_t> find_cycle(const std::vector<std::uint32_t>& parent, std::uint32_t none) {
@@ -164,11 +127,15 @@ template <class LineOf> Result<tree::Graph> graph_of(const std::vector<Row>& row
         graph.points.push_back(row.point);
         graph.labels.push_back(row.type);
     }
-    const ParentFinder finder(rows);
-    if (const auto twins = finder.duplicate())
-        return fail("id " + std::to_string(rows[twins->second].id) + " was given before, in line " +
-                        std::to_string(rows[twins->first].line),
-                    line_of(twins->second), "give every point its own id");
+    using Entry = std::pair<long long, std::uint32_t>; // id, row
+    std::vector<Entry> by_id;
+    for (std::uint32_t i = 0; i < rows.size(); ++i) by_id.emplace_back(rows[i].id, i);
+    std::ranges::sort(by_id);
+    const auto twin = std::ranges::adjacent_find(by_id, {}, &Entry::first);
+    if (twin != by_id.end())
+        return fail("id " + std::to_string(twin->first) + " was given before, in line " +
+                        std::to_string(rows[twin->second].line),
+                    line_of(std::next(twin)->second), "give every point its own id");
     constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     std::vector<std::uint32_t> parents(rows.size(), kNone);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
@@ -176,12 +143,12 @@ template <class LineOf> Result<tree::Graph> graph_of(const std::vector<Row>& row
             graph.roots.push_back(i);
             continue;
         }
-        const auto parent = finder.find(rows[i].parent);
-        if (!parent)
+        const auto parent = std::ranges::lower_bound(by_id, rows[i].parent, {}, &Entry::first);
+        if (parent == by_id.end() || parent->first != rows[i].parent)
             return fail("parent " + std::to_string(rows[i].parent) + " does not exist", line_of(i),
                         "name an existing id, or -1 for a root");
-        parents[i] = *parent;
-        graph.edges.emplace_back(*parent, i);
+        parents[i] = parent->second;
+        graph.edges.emplace_back(parent->second, i);
     }
     if (const auto on_cycle = find_cycle(parents, kNone))
         return fail("following the parents of point " + std::to_string(rows[*on_cycle].id) + " leads back to it",

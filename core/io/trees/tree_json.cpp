@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -161,18 +160,23 @@ Result<json> parse(std::string_view text, const std::string& name) {
     }
 }
 
-void append(std::string& text, double value) {
-    char digits[32];
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+template <class List> void write_list(const List& values, BufferedFile& file) {
+    file.write("[");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0) file.write(", ");
+        file.write_number(values[i]);
+    }
+    file.write("]");
 }
 
-template <class T> void append_list(std::string& text, const std::vector<T>& values) {
-    text += '[';
+// A list with a line for each of `values`, which `write_one` writes.
+template <class T, class Write>
+void write_lines(const std::vector<T>& values, BufferedFile& file, const Write& write_one) {
+    file.write("[");
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i > 0) text += ", ";
-        text += std::to_string(values[i]);
+        file.write(i > 0 ? ",\n" : "\n");
+        write_one(values[i]);
     }
-    text += ']';
 }
 
 // Quoted; names of files may hold bytes that are not UTF-8.
@@ -210,52 +214,32 @@ Result<tree::VesselTree> parse_tree_json(std::string_view text, const std::strin
     }
 }
 
-std::string tree_json(const tree::VesselTree& tree) {
-    std::string text = "{\n\"format\": \"" + std::string(kFormat) + "\",\n\"version\": " + std::to_string(kVersion) +
-                       ",\n\"units\": \"mm\",\n\"orientation\": \"RAS\",\n";
-    if (!tree.source.empty()) text += "\"source\": " + quoted(tree.source) + ",\n";
-    text += "\"points\": [";
-    const char* separator = "\n";
-    for (const tree::Point& point : tree.points) {
-        text += separator;
-        separator = ",\n";
-        text += '[';
-        for (int axis = 0; axis < 3; ++axis) {
-            append(text, point.position[axis]);
-            text += ", ";
-        }
-        append(text, point.radius);
-        text += ']';
-    }
-    text += "\n],\n";
-    if (!tree.labels.empty()) {
-        text += "\"labels\": ";
-        append_list(text, tree.labels);
-        text += ",\n";
-    }
-    text += "\"branches\": [";
-    separator = "\n";
-    for (const tree::Branch& branch : tree.branches) {
-        text += separator;
-        separator = ",\n";
-        append_list(text, branch.points);
-    }
-    text += "\n],\n\"roots\": ";
-    append_list(text, tree.roots);
-    text += ",\n\"repairs\": [";
-    separator = "\n";
-    for (const std::string& sentence : tree.repairs) {
-        text += separator;
-        separator = ",\n";
-        text += quoted(sentence);
-    }
-    text += "]\n}\n";
-    return text;
-}
-
-Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem::path& file,
+Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem::path& path,
                              const std::vector<std::string>& /*comments*/) {
-    return write_file(file, tree_json(tree));
+    auto file = OutputFile::create(path);
+    if (!file) return tl::unexpected(file.error());
+    file->write("{\n\"format\": \"" + std::string(kFormat) + "\",\n\"version\": " + std::to_string(kVersion) +
+                ",\n\"units\": \"mm\",\n\"orientation\": \"RAS\",\n");
+    if (!tree.source.empty()) file->write("\"source\": " + quoted(tree.source) + ",\n");
+    file->write("\"points\": ");
+    write_lines(tree.points, *file, [&](const tree::Point& point) {
+        const glm::dvec3& p = point.position;
+        write_list(std::array{p.x, p.y, p.z, point.radius}, *file);
+    });
+    file->write("\n],\n");
+    if (!tree.labels.empty()) {
+        file->write("\"labels\": ");
+        write_list(tree.labels, *file);
+        file->write(",\n");
+    }
+    file->write("\"branches\": ");
+    write_lines(tree.branches, *file, [&](const tree::Branch& branch) { write_list(branch.points, *file); });
+    file->write("\n],\n\"roots\": ");
+    write_list(tree.roots, *file);
+    file->write(",\n\"repairs\": ");
+    write_lines(tree.repairs, *file, [&](const std::string& sentence) { file->write(quoted(sentence)); });
+    file->write("]\n}\n");
+    return file->commit();
 }
 
 } // namespace ramus::io

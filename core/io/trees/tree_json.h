@@ -21,7 +21,6 @@ namespace ramus::io {
 [[nodiscard]] Result<tree::VesselTree> parse_tree_json(std::string_view text, const std::string& name,
                                                        const ReadOptions& options = {});
 
-[[nodiscard]] std::string tree_json(const tree::VesselTree& tree);
 // The format has no comments: what they say stands in the tree itself.
 [[nodiscard]] Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem::path& file,
                                            const std::vector<std::string>& comments = {});

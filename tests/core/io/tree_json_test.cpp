@@ -31,6 +31,13 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text.replace(at, what.size(), with);
 }
 
+// Written in ramus's own format and read again.
+Result<tree::VesselTree> written_and_read(const tree::VesselTree& tree) {
+    const TemporaryFolder folder;
+    REQUIRE(io::write_tree_json(tree, folder.path() / "t.json"));
+    return io::parse_tree_json(folder.text("t.json"), "t.json");
+}
+
 } // namespace
 
 TEST_CASE("a tree survives ramus's own format to the last bit") {
@@ -38,7 +45,7 @@ TEST_CASE("a tree survives ramus's own format to the last bit") {
     REQUIRE(tree);
     tree->source = "weird \"name\"\n.swc";
     tree->repairs = {"t.swc:3: something was mended"};
-    const auto again = io::parse_tree_json(io::tree_json(*tree), "t.json");
+    const auto again = written_and_read(*tree);
     REQUIRE(again);
     CHECK(*again == *tree);
 }
@@ -48,7 +55,7 @@ TEST_CASE("loops and their branches survive ramus's own format, and SWC refuses 
     REQUIRE(ring);
     CHECK(ring->loop_count == 1);
     CHECK(ring->branches.size() == 4);
-    const auto again = io::parse_tree_json(io::tree_json(*ring), "ring.json");
+    const auto again = written_and_read(*ring);
     REQUIRE(again);
     CHECK(*again == *ring);
 
