@@ -39,8 +39,6 @@ glm::dvec3 nearest_on(const glm::dvec3& p, const Triangle& t) {
     return best;
 }
 
-double to_triangle(const glm::dvec3& p, const Triangle& t) { return square(p - nearest_on(p, t)); } // squared
-
 double to_box(const glm::dvec3& p, const Box& box) {
     return square(glm::max(glm::max(box.least - p, p - box.most), glm::dvec3(0.0)));
 }
@@ -145,49 +143,43 @@ void MeshDistance::build(std::vector<Triangle> triangles) {
     for (const std::uint32_t i : order) corners_.push_back(triangles[i]);
 }
 
-double MeshDistance::surface_distance(const glm::dvec3& point) const {
-    double best = kInfinity; // squared
-    std::vector<std::pair<std::uint32_t, double>> open{{0, to_box(point, nodes_[0].box)}};
+// The least of `best` and of what of_triangle(triangle, best so far) says of any triangle, or the first that is not
+// above `enough`. of_box(box, best so far): not more than for any triangle in the box.
+template <class ToBox, class ToTriangle>
+double MeshDistance::least(double best, double enough, const ToBox& of_box, const ToTriangle& of_triangle) const {
+    const auto look = [&](std::uint32_t at) { return std::pair(at, of_box(nodes_[at].box, best)); };
+    std::vector<std::pair<std::uint32_t, double>> open{look(0)};
     while (!open.empty()) {
-        const auto [at, least] = open.back();
+        const auto [at, bound] = open.back();
         open.pop_back();
-        if (least >= best) continue;
-        const Node& node = nodes_[at];
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            best = std::min(best, to_triangle(point, corners_[i]));
-        if (node.count > 0) continue;
-        const std::pair near{at + 1, to_box(point, nodes_[at + 1].box)};
-        const std::pair far{node.first, to_box(point, nodes_[node.first].box)};
-        open.push_back(near.second < far.second ? far : near);
-        open.push_back(near.second < far.second ? near : far);
-    }
-    return std::sqrt(best);
-}
-
-double MeshDistance::wall_distance(const tree::Point& a, const tree::Point& b, double best) const {
-    const double thickest = std::max(a.radius, b.radius);
-    const auto to_node = [&](std::uint32_t at) {
-        const Box& box = nodes_[at].box;
-        return std::pair{
-            at, least_gap(a, b, best, [&](const glm::dvec3& p) { return glm::clamp(p, box.least, box.most); })};
-    };
-    std::vector<std::pair<std::uint32_t, double>> open{to_node(0)};
-    while (!open.empty()) {
-        const auto [at, least] = open.back();
-        open.pop_back();
-        if (least >= best) continue;
+        if (bound >= best) continue;
         const Node& node = nodes_[at];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            best =
-                std::min(best, least_gap(a, b, best, [&](const glm::dvec3& p) { return nearest_on(p, corners_[i]); }));
-            if (best <= -thickest) return best; // nothing can be less
+            best = std::min(best, of_triangle(corners_[i], best));
+            if (best <= enough) return best;
         }
         if (node.count > 0) continue;
-        const auto near = to_node(at + 1), far = to_node(node.first);
+        const auto near = look(at + 1), far = look(node.first);
         open.push_back(near.second < far.second ? far : near);
         open.push_back(near.second < far.second ? near : far);
     }
     return best;
+}
+
+double MeshDistance::surface_distance(const glm::dvec3& point) const {
+    return std::sqrt(least(
+        kInfinity, 0.0, [&](const Box& box, double) { return to_box(point, box); },
+        [&](const Triangle& triangle, double) { return square(point - nearest_on(point, triangle)); }));
+}
+
+double MeshDistance::wall_distance(const tree::Point& a, const tree::Point& b, double best) const {
+    const auto gap_to_box = [&](const Box& box, double so_far) {
+        return least_gap(a, b, so_far, [&](const glm::dvec3& p) { return glm::clamp(p, box.least, box.most); });
+    };
+    const auto gap_to_triangle = [&](const Triangle& triangle, double so_far) {
+        return least_gap(a, b, so_far, [&](const glm::dvec3& p) { return nearest_on(p, triangle); });
+    };
+    return least(best, -std::max(a.radius, b.radius), gap_to_box, gap_to_triangle); // nothing can be less
 }
 
 int MeshDistance::winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const {

@@ -43,6 +43,8 @@ private:
     };
     using Triangle = std::array<glm::dvec3, 3>;
     void build(std::vector<Triangle> triangles);
+    template <class ToBox, class ToTriangle>
+    [[nodiscard]] double least(double best, double enough, const ToBox& to_box, const ToTriangle& to_triangle) const;
     [[nodiscard]] int winding(const glm::dvec3& point, const glm::dvec3& direction, bool& grazed) const;
 
     std::vector<Node> nodes_;

@@ -95,23 +95,10 @@ Result<void> VoxelStore::make_room_for(const Range& range, bool exact) {
         return fail("the volume takes " + std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
                         std::to_string(std::llround(memory_bytes_ / 1e6)) + " MB are left to it",
                     name_, "crop it, or allow more with --memory");
-    switch (kind) {
-    case Kind::kUint8:
-        move_to<std::uint8_t>();
-        break;
-    case Kind::kUint16:
-        move_to<std::uint16_t>();
-        break;
-    case Kind::kInt16:
-        move_to<std::int16_t>();
-        break;
-    case Kind::kInt32:
-        move_to<std::int32_t>();
-        break;
-    case Kind::kFloat:
-        move_to<float>();
-        break;
-    }
+    constexpr std::array kMoves = {&VoxelStore::move_to<std::uint8_t>, &VoxelStore::move_to<std::uint16_t>,
+                                   &VoxelStore::move_to<std::int16_t>, &VoxelStore::move_to<std::int32_t>,
+                                   &VoxelStore::move_to<float>};
+    (this->*kMoves[static_cast<std::size_t>(kind)])();
     return {};
 }
 
