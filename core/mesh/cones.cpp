@@ -1,7 +1,5 @@
 #include "core/mesh/cones.h"
 
-#include "core/mesh/resize_vertices.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -121,7 +119,7 @@ Result<TriangleMesh> cones(const PreparedTree& prepared, int detail, Job& job) {
     if (pieces.size() * layout.vertices() > 0xFFFFFFF0U)
         return fail("the cones would need more vertices than a mesh can number", {}, "lower --detail");
     TriangleMesh mesh;
-    resize_vertices(mesh, pieces.size() * layout.vertices());
+    mesh.resize_vertices(pieces.size() * layout.vertices());
     mesh.triangles.resize(pieces.size() * layout.triangles());
     const PieceWriter writer(layout, mesh);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), 256), [&](const auto& range) {

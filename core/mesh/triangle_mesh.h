@@ -11,13 +11,24 @@
 
 namespace ramus::mesh {
 
-struct TriangleMesh {
+struct VertexArrays {
     LargeArray<glm::vec3> positions;        // mm
     LargeArray<glm::vec3> normals;          // unit length, outward
     LargeArray<float> radii;                // local vessel radius in mm
     LargeArray<std::int32_t> branches;      // id of the dominating branch
     LargeArray<field::Dominance> dominance; // how clearly it does; between vertices they say where branches end
-    LargeArray<glm::uvec3> triangles;       // counter-clockwise seen from outside
+
+    template <class Call> void for_each_array(const Call& call) {
+        call(positions), call(normals), call(radii), call(branches), call(dominance);
+    }
+    void resize_vertices(std::size_t count) {
+        for_each_array([&](auto& array) { array.resize(count); });
+    }
+    bool operator==(const VertexArrays&) const = default;
+};
+
+struct TriangleMesh : VertexArrays {
+    LargeArray<glm::uvec3> triangles; // counter-clockwise seen from outside
     bool operator==(const TriangleMesh&) const = default;
 };
 

@@ -25,8 +25,8 @@ namespace ramus::field::HWY_NAMESPACE {
 
 template <class Profile>
 inline constexpr KernelFunctions kPlainSumFunctions{&sample_groups<Profile>, &sample_lattice<Profile>,
-                                                     &project<Profile>,       &find_depths<Profile>,
-                                                     &crossing<Profile>,      &bound_children<Profile>};
+                                                    &project<Profile>,       &find_depths<Profile>,
+                                                    &crossing<Profile>,      &bound_children<Profile>};
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

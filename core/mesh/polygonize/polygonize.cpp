@@ -1,7 +1,6 @@
 #include "core/mesh/polygonize/polygonize.h"
 
 #include "core/mesh/polygonize/stream/make_surface_in.h"
-#include "core/mesh/resize_vertices.h"
 
 namespace ramus::mesh {
 
@@ -14,15 +13,11 @@ public:
         // Measured: 12.5 to 15 vertices a brick, and twice as many triangles. Capacity that stays unused takes no
         // memory.
         constexpr std::size_t kVertices = 16;
-        mesh_.positions.reserve(kVertices * bricks);
-        mesh_.normals.reserve(kVertices * bricks);
-        mesh_.radii.reserve(kVertices * bricks);
-        mesh_.branches.reserve(kVertices * bricks);
-        mesh_.dominance.reserve(kVertices * bricks);
+        mesh_.for_each_array([&](auto& array) { array.reserve(kVertices * bricks); });
         mesh_.triangles.reserve(2 * kVertices * bricks);
     }
     [[nodiscard]] bool resize_vertices(std::size_t count) override {
-        mesh::resize_vertices(mesh_, count);
+        mesh_.resize_vertices(count);
         return true;
     }
     void put_vertices(std::size_t at, const bricks::SurfaceVertices& from, std::size_t begin,

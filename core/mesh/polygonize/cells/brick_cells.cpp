@@ -35,13 +35,7 @@ void SurfaceCells::reuse_vertices() {
 
 void SurfaceVertices::reserve(std::size_t more) {
     const std::size_t needed = count + more + field::kProjectionPadding;
-    if (needed <= positions.size()) return;
-    const std::size_t grown = 2 * needed;
-    positions.resize(grown);
-    normals.resize(grown);
-    radii.resize(grown);
-    branches.resize(grown);
-    dominance.resize(grown);
+    if (needed > positions.size()) resize_vertices(2 * needed);
 }
 
 std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices) {
@@ -100,11 +94,7 @@ private:
             return block;
         }
         auto block = std::make_unique<SurfaceVertices>();
-        block->positions.resize(kBlock);
-        block->normals.resize(kBlock);
-        block->radii.resize(kBlock);
-        block->branches.resize(kBlock);
-        block->dominance.resize(kBlock);
+        block->resize_vertices(kBlock);
         return block;
     }
 

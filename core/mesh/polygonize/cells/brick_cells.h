@@ -71,11 +71,7 @@ struct BrickCells {
 };
 
 // Vertices side by side; the arrays go on for at least as long as projection writes beyond them.
-struct SurfaceVertices {
-    LargeArray<glm::vec3> positions, normals;
-    LargeArray<float> radii;
-    LargeArray<std::int32_t> branches;
-    LargeArray<field::Dominance> dominance;
+struct SurfaceVertices : VertexArrays {
     std::size_t count = 0;
 
     void reserve(std::size_t more);

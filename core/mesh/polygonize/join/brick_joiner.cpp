@@ -3,7 +3,7 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/mesh/polygonize/join/brick_joiner.h"
+#include "core/mesh/polygonize/join/join_triangles.h"
 
 #include <array>
 #include <bit>

@@ -1,7 +1,5 @@
 #include "core/mesh/polygonize/join/edge_polygons.h"
 
-#include "core/mesh/polygonize/join/quad_diagonals.h"
-
 #include <algorithm>
 #include <cassert>
 

@@ -26,6 +26,10 @@ struct JoinedSubtree {
     void clear();
 };
 
+// Cuts quads (of `vertices`, counter-clockwise) along the better of their two diagonals: writes two triangles for each
+// to `triangles`.
+void cut_quads(const VertexSpan& vertices, std::span<const glm::uvec4> quads, std::span<glm::uvec3> triangles);
+
 class EdgePolygons {
 public:
     EdgePolygons(const field::Field& field, const Octree& octree, const SurfaceCells& surface,

@@ -1,7 +1,5 @@
 #include "core/mesh/polygonize/join/join_triangles.h"
 
-#include "core/mesh/polygonize/join/brick_joiner.h"
-
 #include <atomic>
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,7 +1,5 @@
 #include "core/mesh/polygonize/join/mesh_slots.h"
 
-#include "core/mesh/resize_vertices.h"
-
 #include <algorithm>
 #include <oneapi/tbb/parallel_for.h>
 #include <utility>
@@ -47,12 +45,7 @@ void MeshSlots::Space::give_back(SlotRange range) {
 }
 
 void MeshSlots::grow_vertices(double reserve) {
-    const std::uint64_t count = vertex_space_.end();
-    grow(mesh_.positions, count, reserve);
-    grow(mesh_.normals, count, reserve);
-    grow(mesh_.radii, count, reserve);
-    grow(mesh_.branches, count, reserve);
-    grow(mesh_.dominance, count, reserve);
+    mesh_.for_each_array([&](auto& array) { grow(array, vertex_space_.end(), reserve); });
 }
 
 void MeshSlots::place_vertices(const Octree& octree, std::span<const std::uint32_t> subtrees, SurfaceCells& surface,
@@ -125,7 +118,7 @@ TriangleMesh MeshSlots::compact(std::span<const SubtreeBatch> order) const {
             count(slots_[subtree].added), triangles += slots_[subtree].triangles.count;
     }
     TriangleMesh mesh;
-    resize_vertices(mesh, vertices);
+    mesh.resize_vertices(vertices);
     mesh.triangles.resize(triangles);
     const auto copy = [&](const SlotRange& range) {
         for (std::uint64_t n = range.first; n < range.first + range.count; ++n) {

@@ -3,7 +3,7 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "core/mesh/polygonize/octree/brick_neighbours.h"
+#include "core/mesh/polygonize/octree/neighbours.h"
 
 #include <bit>
 #include <cstring>

@@ -1,7 +1,5 @@
 #include "core/mesh/polygonize/octree/neighbours.h"
 
-#include "core/mesh/polygonize/octree/brick_neighbours.h"
-
 #include <algorithm>
 #include <oneapi/tbb/parallel_for.h>
 #include <vector>

@@ -35,6 +35,9 @@ struct Neighbourhood {
 // children of the entries around its parent.
 void find_neighbours(const Octree& octree, std::span<const std::uint32_t> subtrees, ChunkedArray<Neighbourhood>& found);
 
+// One step of it: the bricks at and below the entry in the middle of `around`. There is memory for them in `found`.
+void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found);
+
 // Pairs of subtrees that touch each other, in no order; a pair may come twice.
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_subtrees(const Octree& octree);
 
