@@ -1,12 +1,13 @@
 // What a triangle mesh is, topologically, counted from its index triples alone.
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <vector>
+#include <span>
 
 namespace ramus::test {
 
@@ -26,69 +27,74 @@ struct Topology {
     }
 };
 
+struct HalfEdge {
+    std::uint32_t to, triangle;
+};
+
+// Directed edges of a mesh by their start, those of a vertex by their end.
+class HalfEdges {
+public:
+    explicit HalfEdges(const mesh::TriangleMesh& mesh)
+        : edges_(mesh.positions.size(), [&](const auto& put) {
+              for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n)
+                  for (int i = 0; i < 3; ++i) put(mesh.triangles[n][i], HalfEdge{mesh.triangles[n][(i + 1) % 3], n});
+          }) {
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) std::ranges::sort(edges_.of(v), {}, &HalfEdge::to);
+    }
+    [[nodiscard]] std::span<const HalfEdge> of(std::uint32_t vertex) const { return edges_.of(vertex); }
+    // Null: there is none.
+    [[nodiscard]] const HalfEdge* find(std::uint32_t from, std::uint32_t to) const {
+        const auto all = of(from);
+        const auto at = std::ranges::lower_bound(all, to, {}, &HalfEdge::to);
+        return at != all.end() && at->to == to ? &*at : nullptr;
+    }
+
+private:
+    Grouped<HalfEdge> edges_;
+};
+
+// Turns about a vertex: each triangle leads from one of its edges there to the next. Whether that meets all of them.
+inline bool is_one_ring(const mesh::TriangleMesh& mesh, const HalfEdges& edges, std::uint32_t vertex) {
+    const std::size_t degree = edges.of(vertex).size();
+    const std::uint32_t start = edges.of(vertex).front().to;
+    std::size_t steps = 0;
+    std::uint32_t at = start;
+    do {
+        const HalfEdge* edge = edges.find(vertex, at);
+        if (edge == nullptr) break;
+        const glm::uvec3& triangle = mesh.triangles[edge->triangle];
+        const int corner = triangle.x == vertex ? 0 : triangle.y == vertex ? 1 : 2;
+        at = triangle[(corner + 2) % 3];
+        ++steps;
+    } while (at != start && steps <= degree);
+    return steps == degree;
+}
+
 inline Topology topology(const mesh::TriangleMesh& mesh) {
     Topology t;
-    struct Half {
-        std::uint32_t to, triangle;
-    };
     const std::size_t count = mesh.positions.size();
-    // Directed edges by their start.
-    std::vector<std::size_t> first(count + 1, 0);
-    for (const auto& triangle : mesh.triangles)
-        for (int i = 0; i < 3; ++i) ++first[triangle[i] + 1];
-    for (std::size_t v = 0; v < count; ++v) first[v + 1] += first[v];
-    std::vector<Half> half(first.back());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
     const glm::dvec3 origin = count == 0 ? glm::dvec3(0.0) : glm::dvec3(mesh.positions[0]);
-    for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
-        const auto& triangle = mesh.triangles[n];
+    for (const glm::uvec3& triangle : mesh.triangles) {
         if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) ++t.degenerate;
-        for (int i = 0; i < 3; ++i) half[next[triangle[i]]++] = {triangle[(i + 1) % 3], n};
         const glm::dvec3 a = glm::dvec3(mesh.positions[triangle.x]) - origin;
         const glm::dvec3 b = glm::dvec3(mesh.positions[triangle.y]) - origin;
         const glm::dvec3 c = glm::dvec3(mesh.positions[triangle.z]) - origin;
         t.zero_area += glm::length(glm::cross(b - a, c - a)) == 0.0 ? 1 : 0;
         t.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
     }
-    for (std::size_t v = 0; v < count; ++v)
-        std::sort(half.begin() + static_cast<std::ptrdiff_t>(first[v]),
-                  half.begin() + static_cast<std::ptrdiff_t>(first[v + 1]),
-                  [](const Half& a, const Half& b) { return a.to < b.to; });
-    const auto has = [&](std::uint32_t from, std::uint32_t to) {
-        const auto begin = half.begin() + static_cast<std::ptrdiff_t>(first[from]);
-        const auto end = half.begin() + static_cast<std::ptrdiff_t>(first[from + 1]);
-        const auto at =
-            std::lower_bound(begin, end, to, [](const Half& h, std::uint32_t value) { return h.to < value; });
-        return at != end && at->to == to;
-    };
-    std::size_t directed = 0;
+    const HalfEdges edges(mesh);
     for (std::uint32_t v = 0; v < count; ++v) {
-        const std::size_t degree = first[v + 1] - first[v];
-        if (degree == 0) ++t.unused_vertices;
-        for (std::size_t n = first[v]; n < first[v + 1]; ++n) {
-            ++directed;
-            if (n > first[v] && half[n].to == half[n - 1].to) ++t.repeated_edges;
-            if (!has(half[n].to, v)) ++t.open_edges;
+        const auto around = edges.of(v);
+        for (std::size_t n = 0; n < around.size(); ++n) {
+            if (n > 0 && around[n].to == around[n - 1].to) ++t.repeated_edges;
+            if (edges.find(around[n].to, v) == nullptr) ++t.open_edges;
         }
-        // Turn about the vertex: each triangle leads from one of its edges here to the next.
-        if (degree == 0) continue;
-        std::size_t steps = 0;
-        const std::uint32_t start = half[first[v]].to;
-        std::uint32_t at = start;
-        do {
-            const auto begin = half.begin() + static_cast<std::ptrdiff_t>(first[v]);
-            const auto end = half.begin() + static_cast<std::ptrdiff_t>(first[v + 1]);
-            const auto found =
-                std::lower_bound(begin, end, at, [](const Half& h, std::uint32_t value) { return h.to < value; });
-            if (found == end || found->to != at) break;
-            const auto& triangle = mesh.triangles[found->triangle];
-            const int corner = triangle.x == v ? 0 : triangle.y == v ? 1 : 2;
-            at = triangle[(corner + 2) % 3];
-            ++steps;
-        } while (at != start && steps <= degree);
-        if (steps != degree) ++t.split_vertices;
+        if (around.empty())
+            ++t.unused_vertices;
+        else if (!is_one_ring(mesh, edges, v))
+            ++t.split_vertices;
     }
-    t.edges = directed / 2;
+    t.edges = 3 * mesh.triangles.size() / 2;
     t.euler = static_cast<long>(count - t.unused_vertices) - static_cast<long>(t.edges) +
               static_cast<long>(mesh.triangles.size());
     return t;

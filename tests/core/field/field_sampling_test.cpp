@@ -2,6 +2,7 @@
 #include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
 #include "core/mesh/polygonize/polygonize.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
 
 #include <cmath>
@@ -22,16 +23,14 @@ tree::PreparedTree crooked_tree() {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     tree::PreparedTree prepared;
     for (int vessel = 0; vessel < 2; ++vessel) {
-        tree::Branch branch;
+        std::vector<tree::Point> points;
         glm::dvec3 at(vessel == 0 ? 100.0 : 104.0, vessel == 0 ? -50.0 : -45.0, 30.0);
         for (int i = 0; i < 40; ++i) {
-            branch.points.push_back(static_cast<std::uint32_t>(prepared.tree.points.size()));
-            prepared.tree.points.push_back({at, 0.5 + 1.5 * unit(random)});
+            points.push_back({at, 0.5 + 1.5 * unit(random)});
             const double length = i % 3 == 0 ? 4.0 * unit(random) + 1.0 : 0.3 * unit(random) + 0.05;
             at += length * glm::normalize(glm::dvec3(unit(random), unit(random) - 0.4, unit(random) - 0.5));
         }
-        for (int i = 0; i < 39; ++i) prepared.segment_source.push_back(vessel);
-        prepared.tree.branches.push_back(branch);
+        test::add_branch(prepared, points);
     }
     return prepared;
 }

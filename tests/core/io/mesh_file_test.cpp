@@ -15,14 +15,7 @@ using namespace ramus;
 
 namespace {
 
-double volume(const mesh::TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const glm::uvec3& t : mesh.triangles)
-        sum += glm::dot(glm::dvec3(mesh.positions[t.x]),
-                        glm::cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z]))) /
-               6.0;
-    return sum;
-}
+double volume(const mesh::TriangleMesh& mesh) { return test::topology(mesh).volume; }
 
 std::string text_stl(const mesh::TriangleMesh& mesh) {
     std::string text = "solid lesion\n";

@@ -216,18 +216,14 @@ TEST_CASE("one volume in four dimensions is read, more are refused") {
     CHECK(files.good(file).size == glm::ivec3(6, 4, 1));
 }
 
-TEST_CASE("what cannot be read is refused with a word") {
+TEST_CASE("headers that make no sense are refused with a word") {
     const VolumeFiles files;
-    const NiftiFile good = two_by_three_by_four();
     const auto with = [&](auto change) {
-        NiftiFile file = good;
+        NiftiFile file = two_by_three_by_four();
         change(file);
         return files.refusal(file.bytes());
     };
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    CHECK(holds(files.refusal(""), "empty"));
-    CHECK(holds(files.refusal("neither"), "no NIfTI"));
-    CHECK(holds(files.refusal(std::string(100000, 'x')), "no NIfTI"));
     CHECK(holds(with([](auto& f) { f.type = 128; }), "colours"));
     CHECK(holds(with([](auto& f) { f.type = 32; }), "complex"));
     CHECK(holds(with([](auto& f) { f.type = 1536; }), "128 bits"));
@@ -241,11 +237,7 @@ TEST_CASE("what cannot be read is refused with a word") {
     CHECK(holds(with([](auto& f) { f.dim[0] = 8; }), "8 dimensions"));
     CHECK(holds(with([](auto& f) { f.dim[1] = 3; }), "more than the file can hold"));
     CHECK(holds(with([](auto& f) { f.offset = 1e15; }), "more than the file can hold"));
-    CHECK(holds(with([](auto& f) {
-                    f.offset = kNaN;
-                    f.offset = 1e30;
-                }),
-                "begin nowhere"));
+    CHECK(holds(with([](auto& f) { f.offset = 1e30; }), "begin nowhere"));
     CHECK(holds(with([](auto& f) { f.rows = {}; }), "one plane"));
     CHECK(holds(with([](auto& f) { f.rows = {1, 0, 2, 0, 0, 1, 0, 0, 0, 0, 0, 0}; }), "one plane"));
     CHECK(holds(with([](auto& f) { f.rows[5] = kNaN; }), "no number"));
@@ -255,15 +247,22 @@ TEST_CASE("what cannot be read is refused with a word") {
     CHECK(holds(with([](auto& f) { f.sform = 0, f.qform = 1, f.quaternion = {kNaN, 0, 0}; }), "no rotation"));
     CHECK(holds(with([](auto& f) { f.sform = 0, f.pixdim[2] = 0; }), "axis 2 is not a length"));
     CHECK(holds(with([](auto& f) { f.sform = 0, f.qform = 1, f.pixdim[1] = -1; }), "axis 1 is not a length"));
+}
 
-    NiftiFile labels = good;
+TEST_CASE("what cannot be read is refused with a word") {
+    const VolumeFiles files;
+    CHECK(holds(files.refusal(""), "empty"));
+    CHECK(holds(files.refusal("neither"), "no NIfTI"));
+    CHECK(holds(files.refusal(std::string(100000, 'x')), "no NIfTI"));
+
+    NiftiFile labels = two_by_three_by_four();
     labels.type = static_cast<int>(NiftiType::kUint32);
     labels.dim = {1, 2, 1, 1, 1, 1, 1, 1};
     labels.put(std::vector<std::uint32_t>{1, 3'000'000'000U});
     CHECK(holds(files.refusal(labels.bytes()), "3000000000"));
     NiftiFile field = labels;
     field.type = static_cast<int>(NiftiType::kFloat32);
-    field.put(std::vector<float>{1.0F, static_cast<float>(kNaN)});
+    field.put(std::vector<float>{1.0F, std::numeric_limits<float>::quiet_NaN()});
     CHECK(holds(files.refusal(field.bytes()), "voxel (1, 0, 0) is not finite"));
     field.put(std::vector<float>{-std::numeric_limits<float>::infinity(), 1.0F});
     CHECK(holds(files.refusal(field.bytes()), "voxel (0, 0, 0) is not finite"));

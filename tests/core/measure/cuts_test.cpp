@@ -1,8 +1,8 @@
 #include "core/measure/branch_point.h"
 #include "core/measure/cuts.h"
 #include "core/measure/tree_measure.h"
-#include "core/tree/build_tree.h"
 #include "core/tree/network.h"
+#include "tests/support/built_tree.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -13,26 +13,17 @@
 using namespace ramus;
 using measure::Amount;
 using measure::Cut;
+using test::built_tree;
 using tree::VesselTree;
 
 namespace {
 
-VesselTree built(std::vector<tree::Point> points, std::vector<std::pair<std::uint32_t, std::uint32_t>> edges,
-                 std::vector<std::uint32_t> roots = {0}) {
-    tree::Graph graph;
-    graph.points = std::move(points);
-    graph.edges = std::move(edges);
-    graph.roots = std::move(roots);
-    auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
-    REQUIRE_MESSAGE(tree, (tree ? "" : tree.error().message()));
-    return std::move(*tree);
-}
-
 // A stem of 10 mm, r 3, along z; at its end two branches: 8 mm along x, r 2, and 6 mm along y, r 1; at the end of the
 // first two more of 5 mm, r 1.
 VesselTree small_tree() {
-    return built({{{0, 0, 0}, 3}, {{0, 0, 10}, 3}, {{8, 0, 10}, 3}, {{0, 6, 10}, 3}, {{8, 0, 15}, 3}, {{8, 5, 10}, 3}},
-                 {{0, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}});
+    return built_tree(
+        {{{0, 0, 0}, 3}, {{0, 0, 10}, 3}, {{8, 0, 10}, 3}, {{0, 6, 10}, 3}, {{8, 0, 15}, 3}, {{8, 5, 10}, 3}},
+        {{0, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}});
 }
 
 struct Known {
@@ -53,7 +44,7 @@ double cylinder(double r, double length) { return std::numbers::pi * r * r * len
 } // namespace
 
 TEST_CASE("places along a branch go by length, radii are linear between points") {
-    const VesselTree tree = built({{{0, 0, 0}, 4}, {{0, 0, 6}, 1}, {{0, 2, 6}, 2}}, {{0, 1}, {1, 2}});
+    const VesselTree tree = built_tree({{{0, 0, 0}, 4}, {{0, 0, 6}, 1}, {{0, 2, 6}, 2}}, {{0, 1}, {1, 2}});
     REQUIRE(tree.branches.size() == 1);
     const auto middle = measure::point_on(tree, 0, 0.5); // 4 of 8 mm
     CHECK(middle.position.z == doctest::Approx(4.0));
@@ -111,9 +102,9 @@ TEST_CASE("cuts that nest count nothing twice") {
 
 TEST_CASE("on a loop one cut loses nothing, two lose what lies between them") {
     // A stem, a square of four corners with a twig at the far one: 0-1, 1-2-4 and 1-3-4, 4-5.
-    const Known known(
-        built({{{0, 0, -5}, 1}, {{0, 0, 0}, 1}, {{10, 0, 0}, 1}, {{0, 10, 0}, 1}, {{10, 10, 0}, 1}, {{15, 15, 0}, 1}},
-              {{0, 1}, {1, 2}, {2, 4}, {1, 3}, {3, 4}, {4, 5}}));
+    const Known known(built_tree(
+        {{{0, 0, -5}, 1}, {{0, 0, 0}, 1}, {{10, 0, 0}, 1}, {{0, 10, 0}, 1}, {{10, 10, 0}, 1}, {{15, 15, 0}, 1}},
+        {{0, 1}, {1, 2}, {2, 4}, {1, 3}, {3, 4}, {4, 5}}));
     REQUIRE(known.tree.branches.size() == 4);
     const auto one = known.report({{1, 0.5}});
     CHECK(one.cuts[0].lost == Amount{});
@@ -147,7 +138,7 @@ TEST_CASE("losses agree with sampling the network, for networks and cuts at rand
             const std::uint32_t a = random() % count, b = random() % count;
             if (a != b) edges.emplace_back(a, b);
         }
-        const Known known(built(std::move(points), std::move(edges)));
+        const Known known(built_tree(std::move(points), std::move(edges)));
         std::vector<Cut> cuts;
         for (std::uint32_t i = 0; i < 1 + random() % 4; ++i)
             cuts.emplace_back(random() % known.tree.branches.size(), share(random));
@@ -206,8 +197,8 @@ TEST_CASE("ways go along centerlines, from middle to middle, and take the shorte
 
     // Two ways of 4 and 16 mm between the same nodes, with a stem and a tail of 2 mm.
     const VesselTree ring =
-        built({{{-2, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 6, 0}, 1}, {{4, 6, 0}, 1}, {{4, 0, 0}, 1}, {{6, 0, 0}, 1}},
-              {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {1, 4}, {4, 5}});
+        built_tree({{{-2, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 6, 0}, 1}, {{4, 6, 0}, 1}, {{4, 0, 0}, 1}, {{6, 0, 0}, 1}},
+                   {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {1, 4}, {4, 5}});
     REQUIRE(ring.branches.size() == 4);
     const int tail = ring.branches[3].points.size() == 2 ? 3 : 2;
     CHECK(measure::path_between(ring, 0, tail)->length_mm == doctest::Approx(1.0 + 4.0 + 1.0));
@@ -216,18 +207,18 @@ TEST_CASE("ways go along centerlines, from middle to middle, and take the shorte
     CHECK(back->length_mm == doctest::Approx(there->length_mm));
 
     const VesselTree apart =
-        built({{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{9, 0, 0}, 1}, {{9, 1, 0}, 1}}, {{0, 1}, {2, 3}}, {0, 2});
+        built_tree({{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{9, 0, 0}, 1}, {{9, 1, 0}, 1}}, {{0, 1}, {2, 3}}, {0, 2});
     CHECK_FALSE(measure::path_between(apart, 0, 1));
 }
 
 TEST_CASE("angles at a branching are those of its directions") {
     // A stem along z; one branch turns aside by 30 degrees, the other, opposite, by 60.
     const double a = std::numbers::pi / 6.0, b = std::numbers::pi / 3.0;
-    const VesselTree tree = built({{{0, 0, 0}, 1},
-                                   {{0, 0, 10}, 1},
-                                   {{20 * std::sin(a), 0, 10 + 20 * std::cos(a)}, 1},
-                                   {{-20 * std::sin(b), 0, 10 + 20 * std::cos(b)}, 1}},
-                                  {{0, 1}, {1, 2}, {1, 3}});
+    const VesselTree tree = built_tree({{{0, 0, 0}, 1},
+                                        {{0, 0, 10}, 1},
+                                        {{20 * std::sin(a), 0, 10 + 20 * std::cos(a)}, 1},
+                                        {{-20 * std::sin(b), 0, 10 + 20 * std::cos(b)}, 1}},
+                                       {{0, 1}, {1, 2}, {1, 3}});
     const auto first = measure::branching_of(tree, 1);
     REQUIRE(first.to_parent_deg);
     CHECK(*first.to_parent_deg == doctest::Approx(30.0));

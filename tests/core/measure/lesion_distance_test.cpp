@@ -1,6 +1,6 @@
 #include "core/measure/lesion_distance.h"
 #include "core/mesh/close_mesh.h"
-#include "core/tree/build_tree.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/icosphere.h"
 
 #include <algorithm>
@@ -19,13 +19,9 @@ using tree::VesselTree;
 namespace {
 
 VesselTree chain(std::vector<tree::Point> points) {
-    tree::Graph graph;
-    for (std::uint32_t i = 1; i < points.size(); ++i) graph.edges.emplace_back(i - 1, i);
-    graph.points = std::move(points);
-    graph.roots = {0};
-    auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
-    REQUIRE(tree);
-    return std::move(*tree);
+    std::vector<tree::Edge> edges;
+    for (std::uint32_t i = 1; i < points.size(); ++i) edges.emplace_back(i - 1, i);
+    return test::built_tree(std::move(points), std::move(edges));
 }
 
 // The nearest point of a triangle by the bare definition, in fine steps and then finer around the best.

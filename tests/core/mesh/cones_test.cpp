@@ -1,6 +1,6 @@
 // Truncated cones: closed, outward, and with the volume that geometry gives them.
 #include "core/mesh/cones.h"
-#include "core/tree/build_tree.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
 
 #include <cmath>
@@ -13,29 +13,16 @@ using namespace ramus;
 namespace {
 
 mesh::TriangleMesh cone(double radius_a, double radius_b, double length, int detail) {
-    tree::Graph graph;
     // Askew, so that no axis is special.
     const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, -2.0, 3.0));
-    graph.points = {{{5.0, 6.0, 7.0}, radius_a}, {glm::dvec3(5.0, 6.0, 7.0) + length * direction, radius_b}};
-    graph.edges = {{0, 1}};
-    graph.roots = {0};
-    const auto tree = tree::build_tree(graph, tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
-    REQUIRE(tree.has_value());
+    const glm::dvec3 start(5.0, 6.0, 7.0);
+    const auto tree = test::built_tree({{start, radius_a}, {start + length * direction, radius_b}}, {{0, 1}});
     mesh::SurfaceOptions options;
     options.smooth_passes = 0;
     Job job;
-    auto mesh = mesh::cones(mesh::prepare_tree(*tree, options), detail, job);
+    auto mesh = mesh::cones(mesh::prepare_tree(tree, options), detail, job);
     REQUIRE(mesh.has_value());
     return *mesh;
-}
-
-double volume_inside(const mesh::TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const auto& t : mesh.triangles) {
-        const glm::dvec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
-        sum += glm::dot(a, glm::cross(b, c)) / 6.0;
-    }
-    return sum;
 }
 
 // Convex hull of two balls, neither of which holds the other: with sin(t) = (ra - rb) / length, the touching circles
@@ -69,14 +56,14 @@ TEST_CASE("a cone is closed, outward and has the volume of the hull of its balls
         // Below, by what chords cut off: 32 steps along a meridian of at most pi/2 + asin(2/3) make d = 0.072 rad, and
         // a ball of such rings lacks about d^2 / 4 = 1.3e-3 of its volume; 256 sides around lack 1e-4.
         const double exact = hull_of_balls(c.ra, c.rb, c.length);
-        CHECK(volume_inside(mesh) < exact);
-        CHECK(volume_inside(mesh) > (1.0 - 1.4e-3) * exact);
+        CHECK(test::topology(mesh).volume < exact);
+        CHECK(test::topology(mesh).volume > (1.0 - 1.4e-3) * exact);
     }
 }
 
 TEST_CASE("a ball inside the other leaves the larger one") {
     const auto mesh = cone(3.0, 1.0, 1.0, 256);
-    CHECK(volume_inside(mesh) == doctest::Approx(4.0 / 3.0 * std::numbers::pi * 27.0).epsilon(5e-3));
+    CHECK(test::topology(mesh).volume == doctest::Approx(4.0 / 3.0 * std::numbers::pi * 27.0).epsilon(5e-3));
 }
 
 TEST_CASE("vertices of cones lie on their balls or between them, and normals point away from the axis") {

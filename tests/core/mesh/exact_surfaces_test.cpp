@@ -2,7 +2,9 @@
 // width 1.
 #include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
+#include "core/measure/mesh_components.h"
 #include "core/mesh/polygonize/polygonize.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
 
 #include <algorithm>
@@ -21,15 +23,7 @@ struct Vessel {
 
 tree::PreparedTree tree_of(const std::vector<Vessel>& vessels) {
     tree::PreparedTree prepared;
-    for (const Vessel& v : vessels) {
-        const auto first = static_cast<std::uint32_t>(prepared.tree.points.size());
-        prepared.tree.points.push_back({v.from, v.radius});
-        prepared.tree.points.push_back({v.to, v.radius});
-        tree::Branch branch;
-        branch.points = {first, first + 1};
-        prepared.segment_source.push_back(static_cast<int>(prepared.tree.branches.size()));
-        prepared.tree.branches.push_back(branch);
-    }
+    for (const Vessel& v : vessels) test::add_branch(prepared, {{v.from, v.radius}, {v.to, v.radius}});
     return prepared;
 }
 
@@ -61,20 +55,6 @@ std::vector<Vessel> star(int count, double length, double radius, glm::dvec3& no
         vessels.push_back({glm::dvec3(0.0), length * (std::cos(angle) * u + std::sin(angle) * v), radius});
     }
     return vessels;
-}
-
-std::size_t components(const mesh::TriangleMesh& mesh) {
-    std::vector<std::uint32_t> parent(mesh.positions.size());
-    for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = v;
-    const auto find = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (const auto& t : mesh.triangles)
-        for (int i = 0; i < 3; ++i) parent[find(t[i])] = find(t[(i + 1) % 3]);
-    std::size_t count = 0;
-    for (std::uint32_t v = 0; v < parent.size(); ++v) count += find(v) == v ? 1 : 0;
-    return count;
 }
 
 } // namespace
@@ -112,8 +92,8 @@ TEST_CASE("a long straight vessel has its radius") {
 
 TEST_CASE("a free end reaches as far as the formula says") {
     // 1/2 erfc(sqrt(w) z / r) = exp(-w): 0.70752 r for width 5, 0 for width 1.
-    for (const auto& [width, reach] : {std::pair(5.0, 0.70752), std::pair(1.0, 0.0)}) {
-        const double r = 1.7;
+    for (const auto& known : {std::pair(5.0, 0.70752), std::pair(1.0, 0.0)}) {
+        const double width = known.first, reach = known.second, r = 1.7;
         const auto mesh = surface({{glm::dvec3(0.0), 12.0 * r * kAxis, r}}, width, 96);
         double highest = -1e9;
         double lowest = 1e9;
@@ -130,11 +110,11 @@ TEST_CASE("a free end reaches as far as the formula says") {
 TEST_CASE("two parallel vessels 3 mm apart merge at the radius the paper found") {
     // At the middle plane 2 exp(-w 1.5^2 / r^2) = exp(-w): r = 1.5 sqrt(w / (w + ln 2)).
     const glm::dvec3 side = glm::normalize(glm::cross(kAxis, glm::dvec3(0.2, 0.9, 0.1)));
-    for (const auto& [width, merging] : {std::pair(5.0, 1.36931), std::pair(1.0, 1.06066)}) {
-        const auto pieces_at = [&, w = width](double r) {
-            const double length = 14.0;
-            return components(
-                surface({{glm::dvec3(0.0), length * kAxis, r}, {3.0 * side, 3.0 * side + length * kAxis, r}}, w, 110));
+    for (const auto& known : {std::pair(5.0, 1.36931), std::pair(1.0, 1.06066)}) {
+        const double width = known.first, merging = known.second, length = 14.0;
+        const auto pieces_at = [&](double r) {
+            return measure::component_count(surface(
+                {{glm::dvec3(0.0), length * kAxis, r}, {3.0 * side, 3.0 * side + length * kAxis, r}}, width, 110));
         };
         CAPTURE(width);
         CHECK(pieces_at(0.99 * merging) == 2);

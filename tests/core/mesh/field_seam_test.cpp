@@ -2,6 +2,7 @@
 // that is no sum at all.
 #include "core/field/convolution_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/soft_kernel.h"
 
@@ -17,24 +18,12 @@ using namespace ramus;
 
 namespace {
 
-// One branch along these points.
-void add_branch(tree::PreparedTree& prepared, const std::vector<tree::Point>& points) {
-    tree::Branch branch;
-    for (const tree::Point& point : points) {
-        branch.points.push_back(static_cast<std::uint32_t>(prepared.tree.points.size()));
-        prepared.tree.points.push_back(point);
-    }
-    for (std::size_t i = 1; i < points.size(); ++i)
-        prepared.segment_source.push_back(static_cast<int>(prepared.tree.branches.size()));
-    prepared.tree.branches.push_back(branch);
-}
-
 tree::PreparedTree forked_vessel() {
     tree::PreparedTree prepared;
     const glm::dvec3 joint(0.3, 0.1, 0.2);
-    add_branch(prepared, {{{-12.0, 1.0, 0.5}, 2.0}, {joint, 1.5}});
-    add_branch(prepared, {{joint, 1.3}, {{8.0, 6.0, 1.0}, 0.8}, {{13.0, 7.0, 3.0}, 0.7}});
-    add_branch(prepared, {{joint, 1.2}, {{9.0, -5.0, -2.0}, 0.9}});
+    test::add_branch(prepared, {{{-12.0, 1.0, 0.5}, 2.0}, {joint, 1.5}});
+    test::add_branch(prepared, {{joint, 1.3}, {{8.0, 6.0, 1.0}, 0.8}, {{13.0, 7.0, 3.0}, 0.7}});
+    test::add_branch(prepared, {{joint, 1.2}, {{9.0, -5.0, -2.0}, 0.9}});
     return prepared;
 }
 
@@ -121,8 +110,9 @@ public:
             }
             return 0;
         }
-        std::uint64_t sample_lattice(const field::LatticeAxes& axes, std::span<const field::LatticePoint> points,
-                                     std::span<float> values) const {
+        [[nodiscard]] std::uint64_t sample_lattice(const field::LatticeAxes& axes,
+                                                   std::span<const field::LatticePoint> points,
+                                                   std::span<float> values) const {
             for (std::size_t n = 0; n < points.size(); ++n)
                 values[n] = static_cast<float>(value({axes.x[points[n].i], axes.y[points[n].j], axes.z[points[n].k]}));
             return points.size();
@@ -160,7 +150,7 @@ private:
             points.push_back({{kRing * std::cos(angle), kRing * std::sin(angle), 0.0}, kRadius});
         }
         tree::PreparedTree prepared;
-        add_branch(prepared, points);
+        test::add_branch(prepared, points);
         return prepared;
     }
 

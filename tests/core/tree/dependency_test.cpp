@@ -1,6 +1,6 @@
-#include "core/tree/build_tree.h"
 #include "core/tree/dependency.h"
 #include "core/tree/network.h"
+#include "tests/support/built_tree.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -14,18 +14,12 @@ using Ids = std::vector<int>;
 
 namespace {
 
-VesselTree built(std::size_t points, std::vector<std::pair<std::uint32_t, std::uint32_t>> edges,
-                 std::vector<std::uint32_t> roots = {0}) {
-    tree::Graph graph;
+VesselTree built(std::size_t count, std::vector<tree::Edge> edges, std::vector<std::uint32_t> roots = {0}) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(0.0, 100.0);
-    for (std::size_t i = 0; i < points; ++i)
-        graph.points.push_back({{place(random), place(random), place(random)}, 1.0});
-    graph.edges = std::move(edges);
-    graph.roots = std::move(roots);
-    auto tree = tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string(); });
-    REQUIRE_MESSAGE(tree, (tree ? "" : tree.error().message()));
-    return std::move(*tree);
+    std::vector<tree::Point> points;
+    for (std::size_t i = 0; i < count; ++i) points.push_back({{place(random), place(random), place(random)}, 1.0});
+    return test::built_tree(std::move(points), std::move(edges), std::move(roots));
 }
 
 // A tree of `points`, with `extra` more ways and chains of points in between; sometimes in several components.
