@@ -73,7 +73,7 @@ void TemporaryFile::copy_to(BufferedFile& file) {
 }
 
 Result<void> TemporaryFile::check() const {
-    if (first_error != 0) return write_error(target_, error);
+    if (first_error != 0) return write_error(target_, first_error);
     return {};
 }
 
