@@ -47,10 +47,11 @@ constexpr const char* kCubeOfQuads =
 
 struct Files {
     TemporaryFolder folder;
-    std::filesystem::path put(const std::string& name, const std::string& text) const {
+    [[nodiscard]] std::filesystem::path put(const std::string& name, const std::string& text) const {
         std::ofstream(folder.path() / name, std::ios::binary) << text;
         return folder.path() / name;
     }
+    // NOLINTNEXTLINE(modernize-use-nodiscard): it checks, too
     std::string refusal(const std::string& name, const std::string& text) const {
         const auto mesh = io::read_mesh(put(name, text));
         REQUIRE_FALSE(mesh);
@@ -82,10 +83,11 @@ TEST_CASE("what ramus writes it reads, closed and welded, in every format") {
 TEST_CASE("text formats, quads and meshes turned inside out are read as well") {
     const Files files;
     mesh::TriangleMesh cube = test::cube(2.0);
-    for (const auto& [name, text] : {std::pair{"cube.stl", text_stl(cube)}, std::pair{"cube.ply", text_ply(cube)},
-                                     std::pair{"cube.obj", std::string(kCubeOfQuads)}}) {
+    for (const auto& file : {std::pair{"cube.stl", text_stl(cube)}, std::pair{"cube.ply", text_ply(cube)},
+                             std::pair{"cube.obj", std::string(kCubeOfQuads)}}) {
+        const auto& name = file.first;
         CAPTURE(name);
-        const auto mesh = io::read_mesh(files.put(name, text));
+        const auto mesh = io::read_mesh(files.put(name, file.second));
         REQUIRE_MESSAGE(mesh, (mesh ? "" : mesh.error().message()));
         CHECK(mesh->positions.size() == 8);
         CHECK(mesh->triangles.size() == 12);

@@ -23,12 +23,13 @@ struct VolumeFiles {
         Job job;
         return io::read_volume(test::write_plain(folder.path() / name, bytes), {memory}, job);
     }
-    volume::Volume good(const NiftiFile& file) const {
+    [[nodiscard]] volume::Volume good(const NiftiFile& file) const {
         auto volume = read(file.bytes());
         REQUIRE_MESSAGE(volume, (volume ? "" : volume.error().message()));
         return std::move(*volume);
     }
     // The message, which names the file and says what to do.
+    // NOLINTNEXTLINE(modernize-use-nodiscard): it checks, too
     std::string refusal(const std::string& bytes, double memory = 0.0) const {
         const auto volume = read(bytes, memory);
         REQUIRE_FALSE(volume);

@@ -152,11 +152,13 @@ TEST_CASE("what is wrong with a file is named with its place") {
         {replaced(kRing, "[[0,1], [1,2,4], [1,3,4], [4,5]]", "[]"), "bad.json: points[0]: the tree has no segment"},
         {std::string(200'000, '[') + std::string(200'000, ']'), "bad.json: is not a ramus tree"},
     };
-    for (const auto& [text, message] : cases) {
+    for (const auto& one : cases) {
+        const std::string& text = one.text;
+        const std::string message = one.message;
         CAPTURE(text.substr(0, 300));
         const auto tree = io::parse_tree_json(text, "bad.json");
         REQUIRE_FALSE(tree);
-        CHECK(tree.error().message().substr(0, std::string(message).size()) == message);
+        CHECK(tree.error().message().substr(0, message.size()) == message);
         CHECK_FALSE(tree.error().hint.empty());
     }
 }
