@@ -74,8 +74,8 @@ TEST_CASE("distances to spheres agree with fine sampling along vessels at random
     std::mt19937 random(4);
     std::uniform_real_distribution<double> place(-20.0, 20.0), size(0.2, 4.0);
     for (int round = 0; round < 100; ++round) {
-        std::vector<tree::Point> points;
-        for (int i = 0; i < 5; ++i) points.push_back({{place(random), place(random), place(random)}, size(random)});
+        std::vector<tree::Point> points(5);
+        for (tree::Point& p : points) p = {{place(random), place(random), place(random)}, size(random)};
         const VesselTree tree = chain(points);
         const std::array<double, 4> sphere{place(random), place(random), place(random), size(random)};
         double expected = 1e300;
@@ -139,9 +139,10 @@ TEST_CASE("a fine icosphere is a sphere") {
 TEST_CASE("inside is told right along rays that meet corners and edges of a cube") {
     const mesh::TriangleMesh cube = test::cube(2.0);
     const MeshDistance distance(cube);
-    for (double x = -1.5; x <= 1.5; x += 0.25)
-        for (double y = -1.5; y <= 1.5; y += 0.25)
-            for (double z = -1.5; z <= 1.5; z += 0.25) {
+    for (int i = -6; i <= 6; ++i)
+        for (int j = -6; j <= 6; ++j)
+            for (int k = -6; k <= 6; ++k) {
+                const double x = 0.25 * i, y = 0.25 * j, z = 0.25 * k;
                 const double most = std::max({std::abs(x), std::abs(y), std::abs(z)});
                 if (most == 1.0) continue;
                 CHECK(distance.inside({x, y, z}) == (most < 1.0));
