@@ -63,7 +63,8 @@ TEST_CASE("the labels of a ring of arteries are all there, each with a closed su
     REQUIRE(volume);
     const auto labels = volume::label_counts(*volume);
     CHECK(labels.size() == 12); // of the 13 that the data set knows, this ring lacks one
-    for (const auto& [label, voxels] : labels) {
+    for (const volume::LabelCount& counted : labels) {
+        const std::int32_t label = counted.label;
         CAPTURE(label);
         const auto mesh = volume::isosurface(*volume, {{label}, {}}, {}, job);
         REQUIRE(mesh);
