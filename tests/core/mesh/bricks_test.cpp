@@ -43,7 +43,7 @@ using BrickKey = std::tuple<int, int, int, int>; // corner and level
 
 // Corners in a fixed order that keeps their sense of rotation.
 template <std::size_t N> std::array<std::uint32_t, N> turned(std::array<std::uint32_t, N> polygon) {
-    std::ranges::rotate(polygon, std::ranges::min_element(polygon));
+    std::rotate(polygon.begin(), std::ranges::min_element(polygon), polygon.end());
     return polygon;
 }
 std::vector<std::array<std::uint32_t, 4>> quads_of(const std::vector<JoinedSubtree>& joined) {
