@@ -1,6 +1,6 @@
-// Triangles where branches meet: says how far behind the leading branch of each corner the three corners' branches are,
-// in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs to the branch that
-// is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
+// Triangles where branches meet: says how far behind the branch that dominates each corner the three corners' branches
+// are, in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs to the branch
+// that is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
 // triangle to triangle.
 #version 450 core
 // Variant: TRANSPARENT for glass.
@@ -8,7 +8,7 @@ layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 
 in vec3 corner_normal[];
-flat in uvec4 corner_lead[]; // over two rivals, and the lowest bytes of their ids
+flat in uvec4 corner_dominance[]; // over two rivals, and the lowest bytes of their ids
 flat in int corner_branch[];
 
 out vec3 normal_eye;
@@ -22,8 +22,9 @@ noperspective centroid out float depth_value;
 float share(int a, int b) {
     if (corner_branch[a] == corner_branch[b]) return 0.0;
     uint mark = uint(corner_branch[b]) & 255u;
-    uvec4 lead = corner_lead[a];
-    return -float(max(lead.z == mark ? lead.x : lead.y, 1u)); // never a tie: the corner itself is its own branch's
+    uvec4 dominance = corner_dominance[a];
+    // Never a tie: the corner itself is its own branch's.
+    return -float(max(dominance.z == mark ? dominance.x : dominance.y, 1u));
 }
 
 void main() {

@@ -8,7 +8,7 @@ layout(location = kAttributePosition) in vec3 position;
 layout(location = kAttributeNormal) in vec3 normal;
 layout(location = kAttributeBranch) in int branch;
 #ifdef BORDER
-layout(location = kAttributeLead) in uvec4 lead; // as field::Dominance: over two rivals, and their marks
+layout(location = kAttributeDominance) in uvec4 dominance; // as field::Dominance: over two rivals, and their marks
 #endif
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
@@ -16,7 +16,7 @@ layout(location = kUniformToEye) uniform mat3 to_eye; // rotation only
 
 #ifdef BORDER
 out vec3 corner_normal;
-flat out uvec4 corner_lead;
+flat out uvec4 corner_dominance;
 flat out int corner_branch;
 #else
 out vec3 normal_eye;
@@ -30,7 +30,7 @@ void main() {
     gl_Position = to_clip * vec4(position, 1.0);
 #ifdef BORDER
     corner_normal = to_eye * normal;
-    corner_lead = lead;
+    corner_dominance = dominance;
     corner_branch = branch;
 #else
     normal_eye = to_eye * normal;

@@ -84,8 +84,8 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
     glVertexArrayAttribFormat(vertex_array, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
     glVertexArrayAttribFormat(vertex_array, kAttributeNormal, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
     glVertexArrayAttribIFormat(vertex_array, kAttributeBranch, 1, GL_INT, offsetof(GpuVertex, branch));
-    glVertexArrayAttribIFormat(vertex_array, kAttributeLead, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, lead));
-    for (const GLuint i : {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeLead}) {
+    glVertexArrayAttribIFormat(vertex_array, kAttributeDominance, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, dominance));
+    for (const GLuint i : {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeDominance}) {
         glVertexArrayAttribBinding(vertex_array, i, 0);
         glEnableVertexArrayAttrib(vertex_array, i);
     }

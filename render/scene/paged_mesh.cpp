@@ -37,7 +37,7 @@ struct Source {
     [[nodiscard]] std::int32_t branch(std::size_t vertex) const {
         return mesh.branches.empty() ? 0 : std::max(mesh.branches[vertex], 0);
     }
-    [[nodiscard]] field::Dominance lead(std::size_t vertex) const {
+    [[nodiscard]] field::Dominance dominance(std::size_t vertex) const {
         return mesh.dominance.empty() ? field::Dominance{{255, 255}, {0, 0}} : mesh.dominance[vertex];
     }
     [[nodiscard]] glm::vec3 position(std::size_t vertex) const { return {glm::dvec3(mesh.positions[vertex]) - origin}; }
@@ -51,7 +51,7 @@ std::shared_ptr<const VertexPage> make_vertex_page(const Source& source, std::si
         const glm::vec3& n = source.normals[first + i];
         made->vertices[i] = {source.position(first + i),
                              source.branch(first + i),
-                             source.lead(first + i),
+                             source.dominance(first + i),
                              {normalised(n.x), normalised(n.y), normalised(n.z), 0}};
     }
     std::fill(made->vertices.begin() + static_cast<std::ptrdiff_t>(count), made->vertices.end(), GpuVertex{});

@@ -22,7 +22,7 @@ namespace ramus::render {
 struct GpuVertex {
     glm::vec3 position;
     std::int32_t branch;
-    field::Dominance lead;              // of the branch over others
+    field::Dominance dominance;         // of the branch over others
     std::array<std::int16_t, 4> normal; // signed normalised; the last is nothing
 };
 static_assert(sizeof(GpuVertex) == 28);
