@@ -28,11 +28,9 @@ const int kUnitFirstDepths = 19;    // multisampled: its depth
 const int kUnitContextDepths = 20;  // multisampled: depth of the nearest that is clear and no vessel
 const int kUnitImage = 21;          // that a full-screen pass reads
 const int kUnitOtherImage = 22;     // that it mixes with
-const int kUnitSkeletonPoints = 23; // position, radius
-const int kUnitSkeletonOwners = 24; // of the same points: the branch
-const int kUnitRings = 25;          // of the skeleton: centre, radius, axis
-const int kUnitSeenRings = 26;      // which of them
-const int kUnits = 27;
+const int kUnitRings = 23;          // of the skeleton: centre, radius, axis
+const int kUnitSeenRings = 24;      // which of them
+const int kUnits = 25;
 
 // Uniform blocks.
 const int kBlockView = 0;

@@ -8,8 +8,8 @@ layout(binding = kUnitRings) uniform samplerBuffer rings;  // centre and radius;
 layout(binding = kUnitSeenRings) uniform usamplerBuffer seen; // which of them
 layout(location = kUniformRingSteps) uniform vec2 ring_steps;     // corners of a ring; pixels below which it fades
 #else
-layout(binding = kUnitSkeletonPoints) uniform samplerBuffer points;    // position, radius
-layout(binding = kUnitSkeletonOwners) uniform usamplerBuffer branches; // of the same points
+layout(binding = kUnitLinePoints) uniform samplerBuffer points;
+layout(binding = kUnitLineDetails) uniform usamplerBuffer details; // bits of the diameter, branch
 #endif
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
@@ -63,28 +63,28 @@ void main() {
     there = before.w > before.z && own.w > own.z && after.w > after.z;
 #else
     int segment = gl_VertexID / 6;
-    int last = textureSize(branches) - 1;
-    uint branch = texelFetch(branches, segment).x;
-    vec4 from = texelFetch(points, segment), to = texelFetch(points, segment + 1);
-    vec4 a = to_clip * vec4(from.xyz, 1.0), b = to_clip * vec4(to.xyz, 1.0);
+    int last = textureSize(details) - 1;
+    uint branch = texelFetch(details, segment).y;
+    vec3 from = texelFetch(points, segment).xyz, to = texelFetch(points, segment + 1).xyz;
+    vec4 a = to_clip * vec4(from, 1.0), b = to_clip * vec4(to, 1.0);
     // The near plane cuts what reaches behind it.
     float before_a = a.w - a.z, before_b = b.w - b.z;
-    there = branch == texelFetch(branches, segment + 1).x && (before_a > 0.0 || before_b > 0.0);
-    vec3 position = second ? to.xyz : from.xyz;
+    there = branch == texelFetch(details, segment + 1).y && (before_a > 0.0 || before_b > 0.0);
+    vec3 position = second ? to : from;
     if (before_a < 0.0) {
         a = mix(a, b, before_a / (before_a - before_b));
-        if (!second) position = mix(from.xyz, to.xyz, before_a / (before_a - before_b));
+        if (!second) position = mix(from, to, before_a / (before_a - before_b));
     } else if (before_b < 0.0) {
         b = mix(b, a, before_b / (before_b - before_a));
-        if (second) position = mix(to.xyz, from.xyz, before_b / (before_b - before_a));
+        if (second) position = mix(to, from, before_b / (before_b - before_a));
     }
     own = second ? b : a;
     int neighbour = clamp(second ? segment + 2 : segment - 1, 0, last);
     vec4 next = to_clip * vec4(texelFetch(points, neighbour).xyz, 1.0);
-    bool joins = texelFetch(branches, neighbour).x == branch && next.w > next.z && before_a > 0.0 && before_b > 0.0;
+    bool joins = texelFetch(details, neighbour).y == branch && next.w > next.z && before_a > 0.0 && before_b > 0.0;
     before = second ? a : joins ? next : a;
     after = second ? (joins ? next : b) : b;
-    behind = vec2(0.0, 1.4 * (second ? to.w : from.w));
+    behind = vec2(0.0, 0.7 * uintBitsToFloat(texelFetch(details, second ? segment + 1 : segment).x));
     ink = 1.0;
 #endif
     at = vec2(side * (half_picture.z + 2.0), dot(to_depth, vec4(position, 1.0)));

@@ -151,12 +151,12 @@ Texture make_deep_texture(GLenum target, GLenum format, int width, int height, i
     return texture;
 }
 
-void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes) {
-    buffer = make_buffer(bytes, data, GL_DYNAMIC_STORAGE_BIT);
+BufferTexture make_buffer_texture(GLenum format, const void* data, std::size_t bytes) {
+    Buffer buffer = make_buffer(bytes, data, GL_DYNAMIC_STORAGE_BIT);
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
-    texture = Texture(id);
     glTextureBuffer(id, format, buffer);
+    return {std::move(buffer), Texture(id)};
 }
 
 Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth) {

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ramus::render {
 
@@ -80,6 +81,11 @@ private:
     GLsync sync_ = nullptr;
 };
 
+// An offset into the buffer that is bound, in the pointer that OpenGL takes it in.
+[[nodiscard]] inline void* offset_pointer(std::size_t bytes) {
+    return reinterpret_cast<void*>(bytes); // NOLINT(performance-no-int-to-ptr): nothing lies there
+}
+
 [[nodiscard]] Buffer make_buffer(); // of no size
 // `flags` as of glBufferStorage; `data` may be null.
 [[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);
@@ -88,8 +94,40 @@ private:
 [[nodiscard]] Texture make_texture(GLenum format, int width, int height, int samples = 0);
 // The same with layers, of GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.
 [[nodiscard]] Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth);
-// A buffer of `bytes` bytes that shaders read texel by texel.
-void make_buffer_texture(Buffer& buffer, Texture& texture, GLenum format, const void* data, std::size_t bytes);
+// A buffer that shaders read texel by texel.
+struct BufferTexture {
+    Buffer buffer;
+    Texture texture;
+};
+[[nodiscard]] BufferTexture make_buffer_texture(GLenum format, const void* data, std::size_t bytes);
+[[nodiscard]] BufferTexture make_buffer_texture(GLenum format, const auto& texels) {
+    return make_buffer_texture(format, texels.data(), texels.size() * sizeof texels[0]);
+}
+// Few values of one format that change from picture to picture, read by shaders texel by texel.
+class TexelTable {
+public:
+    explicit TexelTable(GLenum format) : format_(format) {}
+    // Grows as it is needed; of no texels nothing is sent. Throws OutOfGraphicsMemory.
+    template <class Texel> void send(const std::vector<Texel>& texels) {
+        send(texels.data(), texels.size() * sizeof(Texel));
+    }
+    operator GLuint() const { return table_.texture; } // NOLINT: it stands for its texture
+
+private:
+    void send(const void* texels, std::size_t bytes) {
+        if (bytes == 0) return;
+        if (bytes > capacity_) {
+            table_ = make_buffer_texture(format_, nullptr, 2 * bytes);
+            capacity_ = 2 * bytes;
+        }
+        glNamedBufferSubData(table_.buffer, 0, static_cast<GLsizeiptr>(bytes), texels);
+    }
+
+    GLenum format_;
+    BufferTexture table_;
+    std::size_t capacity_ = 0; // bytes
+};
+
 // A framebuffer that draws into `colours` (attachments 0, 1, ...) and tests against `depth` when it is not 0.
 [[nodiscard]] Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 

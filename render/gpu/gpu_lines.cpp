@@ -12,16 +12,6 @@ constexpr double kThinnedShare = 3e-4; // of the tree's extent: less than a pixe
 
 } // namespace
 
-void GpuLines::Copy::send(const Centerlines& lines) {
-    const auto send = [](Buffer& buffer, Texture& texture, GLenum format, const auto& values) {
-        make_buffer_texture(buffer, texture, format, values.data(), values.size() * sizeof values[0]);
-    };
-    runs = lines.runs;
-    send(point_buffer, point_texture, GL_RGBA32F, lines.points);
-    send(detail_buffer, detail_texture, GL_RG32UI, lines.details);
-    send(run_buffer, run_texture, GL_RG32UI, lines.runs);
-}
-
 void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     if (lines == shown_) return;
     shown_ = lines && !lines->points.empty() ? lines : nullptr;
@@ -31,33 +21,37 @@ void GpuLines::follow(const std::shared_ptr<const Centerlines>& lines) {
     thinned_there_ = false;
 }
 
-void GpuLines::thin() {
-    if (!shown_ || thinned_there_) return;
-    thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
-    thinned_there_ = true;
+const GpuLines::Copy& GpuLines::thinned() {
+    if (shown_ && !thinned_there_) {
+        thinned_.send(shown_->thinned(kThinnedShare * shown_->extent_mm()));
+        thinned_there_ = true;
+    }
+    return thinned_;
 }
 
-std::uint64_t GpuLines::draw(const std::vector<Layer>& layers, Layer layer) const {
-    return shown_ ? whole_.draw(layers, layer) : 0;
+void GpuLines::Copy::send(const Centerlines& lines) {
+    runs_ = lines.runs;
+    points_ = make_buffer_texture(GL_RGBA32F, lines.points);
+    details_ = make_buffer_texture(GL_RG32UI, lines.details);
+    run_table_ = make_buffer_texture(GL_RG32UI, lines.runs);
 }
 
-std::uint64_t GpuLines::draw_thinned(const std::vector<Layer>& layers, Layer layer) const {
-    return shown_ ? thinned_.draw(layers, layer) : 0;
+void GpuLines::Copy::bind() const {
+    glBindTextureUnit(kUnitLinePoints, points_.texture);
+    glBindTextureUnit(kUnitLineDetails, details_.texture);
+    glBindTextureUnit(kUnitLineRuns, run_table_.texture);
 }
 
-std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, Layer layer) const {
-    return draw_runs(runs, [&](std::size_t branch) { return layer_of(layers, branch) == layer; });
-}
-
-std::uint64_t draw_runs(const std::vector<Centerlines::Run>& runs, const std::function<bool(std::size_t)>& drawn) {
+std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, std::initializer_list<Layer> drawn) const {
+    bind();
     // Neighbouring runs are drawn as one: the step from a branch to the next is no segment, which the shader sees.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
     std::uint32_t end = 0;
     std::uint64_t segments = 0;
-    for (std::size_t branch = 0; branch < runs.size(); ++branch) {
-        const Centerlines::Run run = runs[branch];
-        if (run.count < 2 || !drawn(branch)) continue;
+    for (std::size_t branch = 0; branch < runs_.size(); ++branch) {
+        const Centerlines::Run run = runs_[branch];
+        if (run.count < 2 || std::ranges::find(drawn, layer_of(layers, branch)) == drawn.end()) continue;
         if (!counts.empty() && end == run.first)
             counts.back() += static_cast<GLsizei>(6 * run.count);
         else

@@ -64,7 +64,7 @@ void GpuMesh::Ranges::add(std::size_t first, std::size_t count) {
             counts_.back() += static_cast<GLsizei>(3 * now);
         } else {
             counts_.push_back(static_cast<GLsizei>(3 * now));
-            offsets_.push_back(reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first * sizeof(glm::uvec3))));
+            offsets_.push_back(offset_pointer(first * sizeof(glm::uvec3)));
         }
         first += now;
         count -= now;

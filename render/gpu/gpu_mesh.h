@@ -50,7 +50,7 @@ public:
     // pages where a branch of this layer meets another.
     [[nodiscard]] Ranges choose_borders(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const;
     void draw_part(const Ranges& ranges, std::size_t part) const;
-    std::uint64_t draw(const Ranges& ranges) const; // all of them; returns how many triangles
+    [[nodiscard]] std::uint64_t draw(const Ranges& ranges) const; // all of them; returns how many triangles
     // Of the pages that would be looked at, with branches of any layer.
     [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 

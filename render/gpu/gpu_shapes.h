@@ -25,7 +25,7 @@ public:
     [[nodiscard]] bool lines() const { return as_ == As::kLines; }
     [[nodiscard]] bool closed() const { return made_of_.closed; }
     // Positions are attribute 0, normals 1; returns the number of triangles.
-    std::uint64_t draw() const;
+    [[nodiscard]] std::uint64_t draw() const;
 
 private:
     ShapeTriangles made_of_;

@@ -1,18 +1,10 @@
 #include "render/gpu/gpu_skeleton.h"
 
-#include "render/gpu/gpu_lines.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ramus::render {
-
-namespace {
-
-constexpr double kThinnedSkeleton = 3e-4; // of the tree's extent: less than a pixel where it fills the window
-
-} // namespace
 
 std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
     std::vector<SkeletonRing> rings;
@@ -53,49 +45,30 @@ std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
     return rings;
 }
 
-void GpuSkeleton::Lines::send(const Centerlines& lines) {
-    std::vector<glm::vec4> positions;
-    std::vector<std::uint32_t> owners;
-    for (std::size_t i = 0; i < lines.points.size(); ++i) {
-        positions.emplace_back(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
-        owners.push_back(static_cast<std::uint32_t>(lines.details[i].branch));
-    }
-    runs = lines.runs;
-    make_buffer_texture(point_buffer, points, GL_RGBA32F, positions.data(), positions.size() * sizeof positions[0]);
-    make_buffer_texture(branch_buffer, branches, GL_R32UI, owners.data(), owners.size() * sizeof owners[0]);
-}
-
 void GpuSkeleton::follow(const std::shared_ptr<const Centerlines>& lines) {
-    if (lines == shown_) return;
-    shown_ = lines && !lines->points.empty() ? lines : nullptr;
+    if (lines.get() == shown()) return;
+    lines_.follow(lines);
     all_.clear();
-    if (!shown_) return;
-    whole_.send(*shown_);
-    thinned_.send(shown_->thinned(kThinnedSkeleton * shown_->extent_mm()));
-    all_ = skeleton_rings(*shown_);
+    if (shown() == nullptr) return;
+    all_ = skeleton_rings(*shown());
     std::vector<glm::vec4> rings;
     for (const SkeletonRing& ring : all_) {
         rings.emplace_back(ring.centre, ring.radius_mm);
         rings.emplace_back(ring.axis, 0.0F);
     }
-    if (!rings.empty())
-        make_buffer_texture(ring_buffer_, ring_texture_, GL_RGBA32F, rings.data(), rings.size() * sizeof rings[0]);
-}
-
-void GpuSkeleton::Lines::draw(const std::vector<Layer>& layers) const {
-    draw_runs(runs, [&](std::size_t branch) { return layer_of(layers, branch) != Layer::kNone; });
+    if (!rings.empty()) rings_ = make_buffer_texture(GL_RGBA32F, rings);
 }
 
 GpuSkeleton::Seen GpuSkeleton::seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const {
     Seen seen;
-    if (!shown_) return seen;
+    if (shown() == nullptr) return seen;
     const Projector project(camera, size);
     const double in_focus = mm_per_pixel(camera, size);
     const double focus_mm = glm::distance(camera.position, camera.focal_point);
     for (std::size_t i = 0; i < all_.size(); ++i) {
         const SkeletonRing& ring = all_[i];
         if (layer_of(layers, static_cast<std::size_t>(ring.branch)) == Layer::kNone) continue;
-        const auto at = project(shown_->origin + glm::dvec3(ring.centre));
+        const auto at = project(shown()->origin + glm::dvec3(ring.centre));
         if (!at) continue;
         const double mm_per_px = camera.orthographic ? in_focus : in_focus * at->z / focus_mm;
         const double pixels = ring.radius_mm / mm_per_px, reach = 1.5 * pixels + 4.0;

@@ -3,10 +3,8 @@
 // a picture to be seen is found anew for each.
 #pragma once
 
-#include "render/gl/gl_objects.h"
+#include "render/gpu/gpu_lines.h"
 #include "render/scene/camera.h"
-#include "render/scene/centerlines.h"
-#include "render/scene/layer.h"
 
 #include <memory>
 #include <vector>
@@ -29,20 +27,11 @@ inline constexpr double kRingSpacing = 2.0;
 class GpuSkeleton {
 public:
     void follow(const std::shared_ptr<const Centerlines>& lines);
-    [[nodiscard]] const Centerlines* shown() const { return shown_.get(); } // null: nothing
+    [[nodiscard]] const Centerlines* shown() const { return lines_.shown(); } // null: nothing
 
-    // The lines as buffer textures; with fewer points while the view moves.
-    struct Lines {
-        std::vector<Centerlines::Run> runs; // by branch
-        Buffer point_buffer, branch_buffer;
-        Texture points;   // RGBA32F: position, radius in mm
-        Texture branches; // R32UI, of the same points
-        void send(const Centerlines& lines);
-        // Draws six corners a segment, without attributes, of branches that are not in Layer::kNone.
-        void draw(const std::vector<Layer>& layers) const;
-    };
-    [[nodiscard]] const Lines& lines(bool moving) const { return moving ? thinned_ : whole_; }
-    [[nodiscard]] GLuint rings() const { return ring_texture_; } // RGBA32F: centre, radius; axis
+    // With fewer points while the view moves.
+    [[nodiscard]] const GpuLines::Copy& lines(bool moving) { return moving ? lines_.thinned() : lines_.whole(); }
+    [[nodiscard]] GLuint rings() const { return rings_.texture; } // RGBA32F: centre, radius; axis
 
     // The rings that can be seen, by how many corners they need: indices into rings().
     struct Seen {
@@ -51,11 +40,9 @@ public:
     [[nodiscard]] Seen seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const;
 
 private:
-    std::shared_ptr<const Centerlines> shown_;
+    GpuLines lines_;
     std::vector<SkeletonRing> all_;
-    Lines whole_, thinned_;
-    Buffer ring_buffer_;
-    Texture ring_texture_;
+    BufferTexture rings_;
 };
 
 // Of a ring in a picture: below the least its radius in pixels is too small to be told from the line.

@@ -1,7 +1,6 @@
 // SceneOnCard: what pictures are made of, as far as the graphics card holds it, and what a view of it shows.
 #pragma once
 
-#include "render/gl/texel_table.h"
 #include "render/gpu/gpu_lines.h"
 #include "render/gpu/gpu_mesh.h"
 #include "render/gpu/gpu_shapes.h"

@@ -39,12 +39,6 @@ void SceneTables::let_go() {
     block_ = std::move(block);
 }
 
-void SceneTables::send_lines(const GpuLines::Textures& lines) {
-    glBindTextureUnit(kUnitLinePoints, lines.points);
-    glBindTextureUnit(kUnitLineDetails, lines.details);
-    glBindTextureUnit(kUnitLineRuns, lines.runs);
-}
-
 SceneTables::Needs SceneTables::send(const Subject& subject) {
     const Frame& frame = subject.frame;
     const GpuLines& lines = subject.scene.lines();
@@ -61,7 +55,7 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
         shown_ = distances;
         glBindTextureUnit(kUnitDistances, distances_);
     }
-    if (lines.shown() != nullptr) send_lines(lines.textures());
+    if (lines.shown() != nullptr) lines.whole().bind();
     if (needs.scale) {
         ramp_ = ramp_texture(frame.scale.ramp);
         glBindTextureUnit(kUnitRamp, ramp_);

@@ -18,8 +18,6 @@ public:
     Needs send(const Subject& subject);
 
 private:
-    static void send_lines(const GpuLines::Textures& lines);
-
     Buffer block_;
     TexelTable lesions_{GL_RGBA32F}, cuts_{GL_RGBA32F}, context_{GL_RGBA32F};
     Texture ramp_;                              // RGB16F, 8 bytes a colour

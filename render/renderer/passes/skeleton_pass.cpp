@@ -51,10 +51,8 @@ void SkeletonPass::draw_rings(const Subject& subject) const {
     for (const auto& [rings, steps] : {std::pair{&seen.small, subject.quick() ? kMovingRingSteps : kSmallRingSteps},
                                        std::pair{&seen.large, kLargeRingSteps}}) {
         if (rings->empty() || (subject.quick() && rings->size() > kMostMovingRings)) continue;
-        Buffer buffer;
-        Texture texture;
-        make_buffer_texture(buffer, texture, GL_R32UI, rings->data(), rings->size() * sizeof(std::uint32_t));
-        glBindTextureUnit(kUnitSeenRings, texture);
+        const BufferTexture seen_rings = make_buffer_texture(GL_R32UI, *rings);
+        glBindTextureUnit(kUnitSeenRings, seen_rings.texture);
         glUniform2f(kUniformRingSteps, float(steps), float(kLeastRingPixels));
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * rings->size() * static_cast<std::size_t>(steps)));
     }
@@ -71,10 +69,7 @@ void SkeletonPass::draw(const Subject& subject, const ViewSetup& view, GLuint op
     draw_rings(subject);
     use(lines_, subject, view);
     set_stripe(subject.frame, view, kCenterlineWidth, glm::vec4(kLineColour, kHiddenLine));
-    const GpuSkeleton::Lines& lines = skeleton.lines(subject.quick());
-    glBindTextureUnit(kUnitSkeletonPoints, lines.points);
-    glBindTextureUnit(kUnitSkeletonOwners, lines.branches);
-    lines.draw(subject.layers);
+    (void)skeleton.lines(subject.quick()).draw(subject.layers, {Layer::kOpaque, Layer::kGlass});
 }
 
 } // namespace ramus::render

@@ -100,18 +100,15 @@ Result<void> CenterlinePass::make() {
 
 std::uint64_t CenterlinePass::draw_cones(const Subject& subject) const {
     GpuLines& lines = subject.scene.lines();
-    lines.thin();
     const Camera& camera = subject.frame.camera;
     const glm::dmat4 to_eye = glm::translate(eye_matrix(camera), lines.shown()->origin);
     const glm::dmat4 projection = projection_matrix(camera, subject.frame.size, 1.0, 2.0);
     glUseProgram(cones_);
     glBindVertexArray(no_vertices_);
-    glBindTextureUnit(kUnitLinePoints, lines.thinned().points);
-    glBindTextureUnit(kUnitLineDetails, lines.thinned().details);
     glUniformMatrix4fv(kUniformLinesToEye, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_eye)));
     glUniform2f(kUniformZoom, static_cast<float>(projection[0][0]), static_cast<float>(projection[1][1]));
     glDisable(GL_CULL_FACE);
-    const std::uint64_t segments = lines.draw_thinned(subject.layers, Layer::kOpaque);
+    const std::uint64_t segments = lines.thinned().draw(subject.layers, {Layer::kOpaque});
     glEnable(GL_CULL_FACE);
     return 2 * segments;
 }
@@ -120,14 +117,12 @@ void CenterlinePass::draw_lines(const Subject& subject, const ViewSetup& view) c
     const GpuLines& lines = subject.scene.lines();
     glUseProgram(lines_);
     glBindVertexArray(no_vertices_);
-    glBindTextureUnit(kUnitLinePoints, lines.textures().points);
-    glBindTextureUnit(kUnitLineDetails, lines.textures().details);
     const glm::mat4 to_clip(view.clip_from(lines.shown()->origin));
     glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(to_clip));
     const float pixels = kCenterlineWidth * view.pixels_a_point(subject.frame);
     glUniform3f(kUniformHalfPicture, 0.5F * float(view.size.x), 0.5F * float(view.size.y),
                 0.5F * std::max(pixels, 1.0F));
-    lines.draw(subject.layers, Layer::kGlass);
+    (void)lines.whole().draw(subject.layers, {Layer::kGlass});
 }
 
 } // namespace ramus::render

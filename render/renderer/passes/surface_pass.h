@@ -29,7 +29,7 @@ public:
     [[nodiscard]] Result<void> make();
     // What moves fast enough that nobody sees the difference: a rectangle a segment takes a software rasteriser a tenth
     // of the time that its triangles do. Returns the number of triangles.
-    std::uint64_t draw_cones(const Subject& subject) const;
+    [[nodiscard]] std::uint64_t draw_cones(const Subject& subject) const;
     // Of branches of glass: seen through it, and hidden by what is opaque.
     void draw_lines(const Subject& subject, const ViewSetup& view) const;
 
