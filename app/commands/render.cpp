@@ -17,7 +17,6 @@
 #include "core/base/stopwatch.h"
 #include "core/io/input_file.h"
 #include "core/io/output_file.h"
-#include "render/gl/egl_context.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
 #include "render/image/perceived.h"

@@ -21,6 +21,7 @@ using GlLoader = GlFunction (*)(const char* name);
 // A version of OpenGL. Everything is drawn from kOldestGl on; makers of contexts ask for these, best first.
 struct GlVersion {
     int major = 0, minor = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): there is no pointer
     auto operator<=>(const GlVersion&) const = default;
     [[nodiscard]] std::string text() const { return std::to_string(major) + "." + std::to_string(minor); }
 };
@@ -48,6 +49,10 @@ void limit_gl_version(GlVersion newest);
 
 // Whether the processor draws, triangle by triangle, instead of a graphics card.
 [[nodiscard]] bool is_software_rasteriser();
+
+// What the current context has to draw with, in bytes: a graphics card's own memory where its driver tells
+// (GL_NVX_gpu_memory_info, GL_ATI_meminfo), half of the machine's where the processor draws, infinite elsewhere.
+[[nodiscard]] double graphics_memory_bytes();
 
 // GL errors and messages of high severity since the process began, but for memory that ran out. A correct program keeps
 // it at 0; tests check it. The last one is `gl_last_error`.

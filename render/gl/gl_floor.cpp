@@ -1,7 +1,8 @@
 #include "render/gl/gl_floor.h"
 
+#include "render/gl/gl_objects.h"
+
 #include <array>
-#include <cstdint>
 #include <map>
 #include <unordered_map>
 
@@ -40,59 +41,74 @@ GLuint bound(GLenum what) {
     return static_cast<GLuint>(id);
 }
 
+// `Bind` binds an object where a function of 3.3, which takes a target in place of a name, finds it.
+
+struct BufferBound {
+    explicit BufferBound(GLuint id) { glBindBuffer(target, id); }
+    static constexpr GLenum target = kBuffer;
+};
+
+struct TextureBound {
+    explicit TextureBound(GLuint id) : target(names->targets[id]) {
+        glActiveTexture(kUnit);
+        glBindTexture(target, id);
+    }
+    GLenum target;
+};
+
+class DrawnInto {
+public:
+    explicit DrawnInto(GLuint framebuffer) : before_(bound(GL_DRAW_FRAMEBUFFER_BINDING)) {
+        glBindFramebuffer(target, framebuffer);
+    }
+    ~DrawnInto() { glBindFramebuffer(target, before_); }
+    DrawnInto(const DrawnInto&) = delete;
+    DrawnInto& operator=(const DrawnInto&) = delete;
+    static constexpr GLenum target = GL_DRAW_FRAMEBUFFER;
+
+private:
+    GLuint before_;
+};
+
+class ArrayBound {
+public:
+    explicit ArrayBound(GLuint array) : before_(bound(GL_VERTEX_ARRAY_BINDING)) { glBindVertexArray(array); }
+    ~ArrayBound() { glBindVertexArray(before_); }
+    ArrayBound(const ArrayBound&) = delete;
+    ArrayBound& operator=(const ArrayBound&) = delete;
+
+private:
+    GLuint before_;
+};
+
+// Makes `function`, which names its object, call `older`, whose other parameters are the same.
+template <class Bind, auto& older> void put_in_terms_of(auto& function) {
+    function = [](GLuint id, auto... values) {
+        const Bind here(id);
+        return older(here.target, values...);
+    };
+}
+
 // Buffers.
 
 void GLAD_API_PTR create_buffers(GLsizei count, GLuint* ids) {
     glGenBuffers(count, ids);
-    for (GLsizei i = 0; i < count; ++i) glBindBuffer(kBuffer, ids[i]);
+    for (GLsizei i = 0; i < count; ++i) const BufferBound created(ids[i]);
 }
 
 void GLAD_API_PTR buffer_storage(GLuint id, GLsizeiptr bytes, const void* data, GLbitfield flags) {
-    glBindBuffer(kBuffer, id);
+    const BufferBound here(id);
     const bool read = (flags & GL_MAP_READ_BIT) != 0, changes = (flags & GL_DYNAMIC_STORAGE_BIT) != 0;
     glBufferData(kBuffer, bytes, data, read ? GL_STREAM_READ : changes ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
 }
 
-void GLAD_API_PTR buffer_sub_data(GLuint id, GLintptr offset, GLsizeiptr bytes, const void* data) {
-    glBindBuffer(kBuffer, id);
-    glBufferSubData(kBuffer, offset, bytes, data);
-}
-
-void GLAD_API_PTR get_buffer_sub_data(GLuint id, GLintptr offset, GLsizeiptr bytes, void* data) {
-    glBindBuffer(kBuffer, id);
-    glGetBufferSubData(kBuffer, offset, bytes, data);
-}
-
-void* GLAD_API_PTR map_buffer_range(GLuint id, GLintptr offset, GLsizeiptr bytes, GLbitfield access) {
-    glBindBuffer(kBuffer, id);
-    return glMapBufferRange(kBuffer, offset, bytes, access);
-}
-
-GLboolean GLAD_API_PTR unmap_buffer(GLuint id) {
-    glBindBuffer(kBuffer, id);
-    return glUnmapBuffer(kBuffer);
-}
-
-void GLAD_API_PTR clear_buffer_sub_data(GLuint id, GLenum inner, GLintptr offset, GLsizeiptr bytes, GLenum format,
-                                        GLenum type, const void* data) {
-    glBindBuffer(kBuffer, id);
-    glClearBufferSubData(kBuffer, inner, offset, bytes, format, type, data); // 4.3, as what calls it
-}
-
 // Textures.
-
-GLenum edit(GLuint id) {
-    const GLenum target = names->targets[id];
-    glActiveTexture(kUnit);
-    glBindTexture(target, id);
-    return target;
-}
 
 void GLAD_API_PTR create_textures(GLenum target, GLsizei count, GLuint* ids) {
     glGenTextures(count, ids);
     for (GLsizei i = 0; i < count; ++i) {
         names->targets[ids[i]] = target;
-        (void)edit(ids[i]);
+        const TextureBound created(ids[i]);
     }
 }
 
@@ -129,119 +145,58 @@ PixelFormat pixels_of(GLenum inner) {
 }
 
 void GLAD_API_PTR texture_storage_1d(GLuint id, GLsizei, GLenum inner, GLsizei width) {
-    const GLenum target = edit(id);
+    const GLenum target = TextureBound(id).target;
     const PixelFormat p = pixels_of(inner);
     glTexImage1D(target, 0, static_cast<GLint>(inner), width, 0, p.format, p.type, nullptr);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 void GLAD_API_PTR texture_storage_2d(GLuint id, GLsizei, GLenum inner, GLsizei width, GLsizei height) {
-    const GLenum target = edit(id);
+    const GLenum target = TextureBound(id).target;
     const PixelFormat p = pixels_of(inner);
     glTexImage2D(target, 0, static_cast<GLint>(inner), width, height, 0, p.format, p.type, nullptr);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 void GLAD_API_PTR texture_storage_3d(GLuint id, GLsizei, GLenum inner, GLsizei width, GLsizei height, GLsizei depth) {
-    const GLenum target = edit(id);
+    const GLenum target = TextureBound(id).target;
     const PixelFormat p = pixels_of(inner);
     glTexImage3D(target, 0, static_cast<GLint>(inner), width, height, depth, 0, p.format, p.type, nullptr);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void GLAD_API_PTR texture_storage_multisample(GLuint id, GLsizei samples, GLenum inner, GLsizei width, GLsizei height,
-                                              GLboolean fixed) {
-    glTexImage2DMultisample(edit(id), samples, inner, width, height, fixed);
-}
-
-void GLAD_API_PTR texture_buffer(GLuint id, GLenum inner, GLuint buffer) { glTexBuffer(edit(id), inner, buffer); }
-
-void GLAD_API_PTR texture_parameter(GLuint id, GLenum name, GLint value) { glTexParameteri(edit(id), name, value); }
-
-void GLAD_API_PTR texture_parameters(GLuint id, GLenum name, const GLint* values) {
-    glTexParameteriv(edit(id), name, values);
-}
-
-void GLAD_API_PTR texture_sub_image_1d(GLuint id, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
-                                       const void* data) {
-    glTexSubImage1D(edit(id), level, x, width, format, type, data);
-}
-
-void GLAD_API_PTR texture_sub_image_2d(GLuint id, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
-                                       GLenum format, GLenum type, const void* data) {
-    glTexSubImage2D(edit(id), level, x, y, width, height, format, type, data);
-}
-
-void GLAD_API_PTR texture_sub_image_3d(GLuint id, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
-                                       GLsizei depth, GLenum format, GLenum type, const void* data) {
-    glTexSubImage3D(edit(id), level, x, y, z, width, height, depth, format, type, data);
-}
-
 void GLAD_API_PTR get_texture_image(GLuint id, GLint level, GLenum format, GLenum type, GLsizei, void* data) {
-    glGetTexImage(edit(id), level, format, type, data);
+    glGetTexImage(TextureBound(id).target, level, format, type, data);
 }
 
 // Framebuffers.
 
-class DrawInto {
-public:
-    explicit DrawInto(GLuint framebuffer) : before_(bound(GL_DRAW_FRAMEBUFFER_BINDING)) {
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    }
-    ~DrawInto() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, before_); }
-    DrawInto(const DrawInto&) = delete;
-    DrawInto& operator=(const DrawInto&) = delete;
-
-private:
-    GLuint before_;
-};
-
 void GLAD_API_PTR create_framebuffers(GLsizei count, GLuint* ids) {
     glGenFramebuffers(count, ids);
-    for (GLsizei i = 0; i < count; ++i) const DrawInto created(ids[i]);
-}
-
-void GLAD_API_PTR framebuffer_texture(GLuint id, GLenum attachment, GLuint texture, GLint level) {
-    const DrawInto here(id);
-    glFramebufferTexture(GL_DRAW_FRAMEBUFFER, attachment, texture, level);
-}
-
-void GLAD_API_PTR framebuffer_texture_layer(GLuint id, GLenum attachment, GLuint texture, GLint level, GLint layer) {
-    const DrawInto here(id);
-    glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, attachment, texture, level, layer);
+    for (GLsizei i = 0; i < count; ++i) const DrawnInto created(ids[i]);
 }
 
 void GLAD_API_PTR framebuffer_draw_buffers(GLuint id, GLsizei count, const GLenum* buffers) {
-    const DrawInto here(id);
+    const DrawnInto here(id);
     glDrawBuffers(count, buffers);
 }
 
 GLenum GLAD_API_PTR framebuffer_status(GLuint id, GLenum) {
-    const DrawInto here(id);
+    const DrawnInto here(id);
     return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
 }
 
+// NOLINTNEXTLINE(readability-function-size): OpenGL's own parameters
 void GLAD_API_PTR blit_framebuffer(GLuint from, GLuint to, GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0,
                                    GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, GLenum filter) {
     const GLuint read_before = bound(GL_READ_FRAMEBUFFER_BINDING);
-    const DrawInto here(to);
+    const DrawnInto here(to);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
     glBlitFramebuffer(x0, y0, x1, y1, to_x0, to_y0, to_x1, to_y1, mask, filter);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, read_before);
 }
 
 // Vertex arrays.
-
-class ArrayBound {
-public:
-    explicit ArrayBound(GLuint array) : before_(bound(GL_VERTEX_ARRAY_BINDING)) { glBindVertexArray(array); }
-    ~ArrayBound() { glBindVertexArray(before_); }
-    ArrayBound(const ArrayBound&) = delete;
-    ArrayBound& operator=(const ArrayBound&) = delete;
-
-private:
-    GLuint before_;
-};
 
 void GLAD_API_PTR create_vertex_arrays(GLsizei count, GLuint* ids) {
     glGenVertexArrays(count, ids);
@@ -254,7 +209,7 @@ void GLAD_API_PTR create_vertex_arrays(GLsizei count, GLuint* ids) {
 void point(const VertexSource& source, GLuint index) {
     const Attribute& a = source.attributes[index];
     if (source.buffer == 0 || a.size == 0) return;
-    const auto* offset = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(source.offset) + a.offset);
+    const auto* offset = offset_pointer(static_cast<std::size_t>(source.offset) + a.offset);
     glBindBuffer(GL_ARRAY_BUFFER, source.buffer);
     if (a.whole)
         glVertexAttribIPointer(index, a.size, a.type, source.stride, offset);
@@ -313,27 +268,27 @@ void install_gl_floor(int version, const void* context) {
     if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_floor(version, context);
     glad_glCreateBuffers = create_buffers;
     glad_glNamedBufferStorage = buffer_storage;
-    glad_glNamedBufferSubData = buffer_sub_data;
-    glad_glGetNamedBufferSubData = get_buffer_sub_data;
-    glad_glMapNamedBufferRange = map_buffer_range;
-    glad_glUnmapNamedBuffer = unmap_buffer;
-    glad_glClearNamedBufferSubData = clear_buffer_sub_data;
+    put_in_terms_of<BufferBound, glad_glBufferSubData>(glad_glNamedBufferSubData);
+    put_in_terms_of<BufferBound, glad_glGetBufferSubData>(glad_glGetNamedBufferSubData);
+    put_in_terms_of<BufferBound, glad_glMapBufferRange>(glad_glMapNamedBufferRange);
+    put_in_terms_of<BufferBound, glad_glUnmapBuffer>(glad_glUnmapNamedBuffer);
+    put_in_terms_of<BufferBound, glad_glClearBufferSubData>(glad_glClearNamedBufferSubData);
     glad_glCreateTextures = create_textures;
     glad_glBindTextureUnit = bind_texture_unit;
     glad_glTextureStorage1D = texture_storage_1d;
     glad_glTextureStorage2D = texture_storage_2d;
     glad_glTextureStorage3D = texture_storage_3d;
-    glad_glTextureStorage2DMultisample = texture_storage_multisample;
-    glad_glTextureBuffer = texture_buffer;
-    glad_glTextureParameteri = texture_parameter;
-    glad_glTextureParameteriv = texture_parameters;
-    glad_glTextureSubImage1D = texture_sub_image_1d;
-    glad_glTextureSubImage2D = texture_sub_image_2d;
-    glad_glTextureSubImage3D = texture_sub_image_3d;
+    put_in_terms_of<TextureBound, glad_glTexImage2DMultisample>(glad_glTextureStorage2DMultisample);
+    put_in_terms_of<TextureBound, glad_glTexBuffer>(glad_glTextureBuffer);
+    put_in_terms_of<TextureBound, glad_glTexParameteri>(glad_glTextureParameteri);
+    put_in_terms_of<TextureBound, glad_glTexParameteriv>(glad_glTextureParameteriv);
+    put_in_terms_of<TextureBound, glad_glTexSubImage1D>(glad_glTextureSubImage1D);
+    put_in_terms_of<TextureBound, glad_glTexSubImage2D>(glad_glTextureSubImage2D);
+    put_in_terms_of<TextureBound, glad_glTexSubImage3D>(glad_glTextureSubImage3D);
     glad_glGetTextureImage = get_texture_image;
     glad_glCreateFramebuffers = create_framebuffers;
-    glad_glNamedFramebufferTexture = framebuffer_texture;
-    glad_glNamedFramebufferTextureLayer = framebuffer_texture_layer;
+    put_in_terms_of<DrawnInto, glad_glFramebufferTexture>(glad_glNamedFramebufferTexture);
+    put_in_terms_of<DrawnInto, glad_glFramebufferTextureLayer>(glad_glNamedFramebufferTextureLayer);
     glad_glNamedFramebufferDrawBuffers = framebuffer_draw_buffers;
     glad_glCheckNamedFramebufferStatus = framebuffer_status;
     glad_glBlitNamedFramebuffer = blit_framebuffer;

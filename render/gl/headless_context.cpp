@@ -1,8 +1,5 @@
 #include "render/gl/headless_context.h"
 
-#include "render/gl/egl_context.h"
-#include "render/gl/osmesa_context.h"
-
 namespace ramus::render {
 
 std::string_view name_of(Backend backend) { return backend == Backend::kEgl ? "egl" : "osmesa"; }

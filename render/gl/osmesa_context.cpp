@@ -1,4 +1,4 @@
-#include "render/gl/osmesa_context.h"
+#include "render/gl/headless_context.h"
 
 #include <GL/osmesa.h>
 #include <array>

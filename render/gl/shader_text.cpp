@@ -72,22 +72,22 @@ private:
     }
 
     std::string without_number(const std::string& line) {
-        static const std::regex kUniform(R"(^layout\(location = (\d+)\) uniform (\w+ (\w+).*)$)");
-        static const std::regex kSampler(R"(^layout\(binding = (\d+)\) uniform (\w+ (\w+).*)$)");
-        static const std::regex kBlock(R"(^layout\(std140, binding = (\d+)\) uniform ((\w+).*)$)");
+        static const std::regex uniform(R"(^layout\(location = (\d+)\) uniform (\w+ (\w+).*)$)");
+        static const std::regex sampler(R"(^layout\(binding = (\d+)\) uniform (\w+ (\w+).*)$)");
+        static const std::regex block(R"(^layout\(std140, binding = (\d+)\) uniform ((\w+).*)$)");
         std::smatch match;
         const auto note = [&](std::vector<ShaderText::Numbered>& named) {
             named.push_back({match[3], std::stoi(match[1])});
         };
-        if (std::regex_match(line, match, kUniform)) {
+        if (std::regex_match(line, match, uniform)) {
             note(text_.uniforms);
             return "uniform " + match[2].str();
         }
-        if (std::regex_match(line, match, kSampler)) {
+        if (std::regex_match(line, match, sampler)) {
             note(text_.samplers);
             return "uniform " + match[2].str();
         }
-        if (std::regex_match(line, match, kBlock)) {
+        if (std::regex_match(line, match, block)) {
             note(text_.blocks);
             return "layout(std140) uniform " + match[2].str();
         }
@@ -123,12 +123,12 @@ ShaderText shader_text(std::string_view name, std::string_view defines, int vers
 
 std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
     // Mesa "2:13(5): error: ...", NVIDIA "2(13) : error C1008: ...", AMD, Intel and Apple "ERROR: 2:13: ...".
-    static const std::regex kPosition(R"(^((?:ERROR: |WARNING: )?)(\d+)(?::(\d+)(?:\((\d+)\))?|\((\d+)\)) ?:)");
+    static const std::regex position(R"(^((?:ERROR: |WARNING: )?)(\d+)(?::(\d+)(?:\((\d+)\))?|\((\d+)\)) ?:)");
     std::istringstream lines(log);
     std::string result;
     for (std::string line; std::getline(lines, line);) {
         std::smatch match;
-        if (std::regex_search(line, match, kPosition)) {
+        if (std::regex_search(line, match, position)) {
             const std::size_t file = match[2].length() < 6 ? std::stoul(match[2]) : files.size();
             const std::string number = match[3].matched ? match[3] : match[5];
             if (file < files.size()) line = match[1].str() + files[file] + ":" + number + ":" + match.suffix().str();

@@ -100,7 +100,7 @@ void PickRequest::ask(const PickWindow& window, const Camera& camera, const Reso
         }
         glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
         read_ids(window, from, nullptr);
-        read_depths(window, from, reinterpret_cast<void*>(static_cast<std::uintptr_t>(bytes)));
+        read_depths(window, from, offset_pointer(bytes));
         glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     }
     fence_.emplace().put();

@@ -1,7 +1,7 @@
 #include "render/renderer/scene_on_card.h"
 
 #include "render/caster/caster.h"
-#include "render/gl/graphics_memory.h"
+#include "render/gl/gl_context.h"
 #include "render/scene/record_flags.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "render/gl/gl_context.h"
 #include "render/gl/gl_objects.h"
-#include "render/gl/osmesa_context.h"
+#include "render/gl/headless_context.h"
 #include "render/image/image.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // Where contexts come from makes no difference to the picture.
-#include "render/gl/egl_context.h"
 #include "render/gl/headless_context.h"
 #include "render/renderer/renderer.h"
 #include "tests/support/gl_test.h"
