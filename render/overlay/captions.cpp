@@ -44,7 +44,8 @@ Image paint_caption(const std::string& text, double pixel_ratio, int width, cons
     std::istringstream words(text);
     std::string line;
     for (std::string word; words >> word;) {
-        const std::string longer = line.empty() ? word : line + ' ' + word;
+        std::string longer = line;
+        longer.append(line.empty() ? 0 : 1, ' ').append(word);
         if (!line.empty() && font.draw(longer, capital).width > width) {
             lines.push_back(font.draw(line, capital));
             line = word;

@@ -74,10 +74,11 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, co
         const int middle = top + row / 2;
         if (i < shown) {
             const Legend::Swatch& swatch = legend.swatches[i];
+            const int patch_top = middle - patch / 2;
             if (swatch.hatched)
-                hatch(plate, margin, middle - patch / 2, patch, patch, 4.5 * pixel_ratio, swatch.colour);
+                hatch(plate, margin, patch_top, patch, patch, 4.5 * pixel_ratio, swatch.colour);
             else
-                plate.fill(margin, middle - patch / 2, patch, patch, swatch.colour);
+                plate.fill(margin, patch_top, patch, patch, swatch.colour);
         }
         plate.write(labels[i], margin + patch + gap, middle - labels[i].height / 2, i < shown ? kPlateInk : kQuietInk);
     }

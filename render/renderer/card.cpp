@@ -18,7 +18,7 @@ Result<void> Passes::make() {
         (void)((made = passes.make()) && ...);
         return made;
     };
-    const auto made = make_all(surface, centerlines, context, resolve, occlusion, shade, mean, copy, marks, sprites);
+    auto made = make_all(surface, centerlines, context, resolve, occlusion, shade, mean, copy, marks, sprites);
     if (!made) return made;
     return gl_has_lists() ? lists.make() : layers.make();
 }

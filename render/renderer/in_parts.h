@@ -11,7 +11,7 @@ namespace ramus::render {
 
 template <class T> class [[nodiscard]] InParts {
 public:
-    struct promise_type {
+    struct promise_type { // NOLINT(readability-identifier-naming): what C++ calls it
         std::optional<T> result;
         std::exception_ptr thrown;
 

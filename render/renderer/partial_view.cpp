@@ -16,7 +16,7 @@ bool PartialView::draw_on(double seconds) {
         whole_ = !drawing_.resume();
         worked = true;
         if (at_once) continue;
-        std::ranges::rotate(fences_, fences_.begin() + 1);
+        std::rotate(fences_.begin(), fences_.begin() + 1, fences_.end());
         fences_.back().put();
     }
     if (at_once) return true;

@@ -31,7 +31,7 @@ Result<bool> Refinement::add_views(double seconds) {
     const Stopwatch watch;
     bool any = false;
     do {
-        const auto added = add_view(seconds - watch.seconds());
+        auto added = add_view(seconds - watch.seconds());
         if (!added) return added;
         any |= *added;
     } while (!whole() && watch.seconds() < seconds);

@@ -297,7 +297,7 @@ void Renderer::Impl::give_up() {
 }
 
 tl::unexpected<Error> Renderer::Impl::failed(const Error& error) {
-    const tl::unexpected<Error> result(error);
+    tl::unexpected<Error> result(error);
     give_up();
     last_.reset();
     state_.lose();

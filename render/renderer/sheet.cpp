@@ -35,7 +35,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     }
     DrawStatistics sum;
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
-        const auto done = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
+        auto done = renderer(i).draw(sheet.viewports[i].frame, upload_budget, seconds);
         if (!done) return done;
         upload_budget -= upload_budget == kUploadAll ? 0 : std::min<std::size_t>(upload_budget, done->uploaded);
         sum.triangles += done->triangles;

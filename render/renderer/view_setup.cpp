@@ -1,5 +1,7 @@
 #include "render/renderer/view_setup.h"
 
+#include "render/scene/colour.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +17,8 @@ namespace {
 constexpr std::array<glm::vec2, kFineViews> kShifts{{{0.0F, 0.0F}, {-3.0F, -1.0F}, {1.0F, 3.0F}, {2.0F, -2.0F}}};
 constexpr double kOcclusionShare =
     0.055; // of the picture's height: the reach of the occlusion (tuned by eye on brain and airway trees)
+
+constexpr float kLesionOpacity = 0.6F; // where they face the eye (tuned by eye: solid, and vessels inside show)
 
 } // namespace
 
@@ -58,6 +62,23 @@ void ViewSetup::look(const Frame& frame, const Box& box, const std::vector<Ball>
     block.pixel_to_eye = {0.5F * pixels.x + off.x, 0.5F * pixels.y + off.y, mm_at_unit_depth, 0.0F};
     block.depth_range = {middle - depth, middle + depth, reach, reach * mm_at_unit_depth};
     block.picture = {pixels.x, pixels.y, samples, flat ? 1.0F : 0.0F};
+}
+
+LookBlock look_of(const Frame& frame, const ViewSetup& view, bool has_glass, bool outlined) {
+    const Appearance& a = frame.appearance;
+    const Background& b = frame.background;
+    const float point = view.pixels_a_point(frame);
+    return {glm::vec4(b.top, b.transparent ? 1.0F : 0.0F),
+            glm::vec4(b.bottom, a.depth_cue),
+            linear(a.glass, has_glass ? 1.0F : 0.0F),
+            linear(a.selection, outlined ? std::max(1.0F, 1.6F * point) : 0.0F),
+            {a.key, a.fill, a.rim, a.specular},
+            {a.occlusion, std::clamp(a.glass_opacity, 0.0F, 2.0F), std::max(1.0F, point), a.shadows},
+            linear(a.centerline, 1.0F),
+            linear(a.lesion, kLesionOpacity),
+            linear(a.lost, 1.0F),
+            linear(0.5F * (b.top + b.bottom), 1.0F),
+            {a.halos, a.contours, a.chromadepth, std::max(1.0F, 2.6F * point)}};
 }
 
 } // namespace ramus::render

@@ -48,4 +48,8 @@ struct ViewSetup {
 // From mm to eye space with depth as +z, as the full-screen passes reckon.
 [[nodiscard]] glm::dmat4 eye_matrix(const Camera& camera);
 
+// The uniform block of look.glsl: colours and lights, for shaders and for the caster. `outlined`: something is
+// selected.
+[[nodiscard]] LookBlock look_of(const Frame& frame, const ViewSetup& view, bool has_glass, bool outlined);
+
 } // namespace ramus::render

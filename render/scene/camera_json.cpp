@@ -46,7 +46,9 @@ nlohmann::json to_json(const Camera& camera) {
 Result<Camera> camera_from_json(const nlohmann::json& json, const std::string& where) {
     if (!json.is_object()) return refuse("not an object", where);
     Camera camera;
-    for (const auto& [name, value] : json.items()) {
+    for (const auto& item : json.items()) {
+        const std::string& name = item.key();
+        const nlohmann::json& value = item.value();
         Result<void> done{};
         const auto take = [&](auto& field, auto read) {
             if (auto v = read(value, name, where))

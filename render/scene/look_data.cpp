@@ -83,7 +83,8 @@ LookData look_data_of(const Frame& frame, const Centerlines* lines, const glm::d
         data.cuts = cut_ends(frame.lost, *lines, eye);
     }
     data.block.counts.x = static_cast<float>(data.lesions.size());
-    data.block.counts.y = static_cast<float>(data.cuts.size() / 5);
+    const std::size_t cuts = data.cuts.size() / 5;
+    data.block.counts.y = static_cast<float>(cuts);
     data.context = context_colours(frame);
     return data;
 }

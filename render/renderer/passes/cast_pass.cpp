@@ -1,4 +1,3 @@
-#include "render/renderer/look.h"
 #include "render/renderer/passes/picture_passes.h"
 #include "render/scene/look_data.h"
 #include "render/scene/record_flags.h"

@@ -14,16 +14,19 @@ class ContextPass {
 public:
     [[nodiscard]] Result<void> make();
     // Into what is bound.
-    std::uint64_t draw_opaque(const Subject& subject, const ViewSetup& view) const;
+    [[nodiscard]] std::uint64_t draw_opaque(const Subject& subject, const ViewSetup& view) const;
 
     enum class Clear { kAll, kLesions };
     // Gives a program that is in use what it needs beside the mesh.
     using Prepare = std::function<void(const Program&)>;
-    std::uint64_t draw_clear(const Subject& subject, const ViewSetup& view, Clear what, const Prepare& prepare) const;
+    [[nodiscard]] std::uint64_t draw_clear(const Subject& subject, const ViewSetup& view, Clear what,
+                                           const Prepare& prepare) const;
 
 private:
-    std::uint64_t draw_context(const Subject& subject, const ViewSetup& view, const Prepare& prepare) const;
-    std::uint64_t draw_lesions(const Subject& subject, const ViewSetup& view, const Prepare& prepare) const;
+    [[nodiscard]] std::uint64_t draw_context(const Subject& subject, const ViewSetup& view,
+                                             const Prepare& prepare) const;
+    [[nodiscard]] std::uint64_t draw_lesions(const Subject& subject, const ViewSetup& view,
+                                             const Prepare& prepare) const;
 
     Program opaque_, clear_, lines_;
 };

@@ -49,7 +49,7 @@ public:
 
     // The vessels' nearest layer alone, for what is picked and outlined, where context and lesions are, and the
     // lesions' nearest layer alone, which is picked through no glass; resolves. Returns the number of triangles.
-    std::uint64_t draw_first(const Subject& subject, ViewTargets& targets) const;
+    [[nodiscard]] std::uint64_t draw_first(const Subject& subject, ViewTargets& targets) const;
     // All layers into the fronts of `targets`, front to back. `light` is a variant of shade.frag, whose blocks and
     // tables are bound.
     void draw_all(const Subject& subject, ViewTargets& targets, const Fullscreen& light) const;
@@ -58,10 +58,10 @@ private:
     enum class Of { kVessels, kEverything };
     bool draw_layer(const Subject& subject, const ViewTargets& targets, int layer, Of what,
                     std::uint64_t& triangles) const;
-    std::uint64_t draw_clear(const Subject& subject, const ViewTargets& targets, ContextPass::Clear what,
-                             int layer) const;
-    std::uint64_t draw_first_clear(const Subject& subject, const ViewTargets& targets, ContextPass::Clear what,
-                                   std::size_t target) const;
+    [[nodiscard]] std::uint64_t draw_clear(const Subject& subject, const ViewTargets& targets, ContextPass::Clear what,
+                                           int layer) const;
+    [[nodiscard]] std::uint64_t draw_first_clear(const Subject& subject, const ViewTargets& targets,
+                                                 ContextPass::Clear what, std::size_t target) const;
 
     const ContextPass& context_;
     const ResolvePass& resolve_;

@@ -1,7 +1,6 @@
 #include "render/renderer/passes/shade_pass.h"
 
 #include "render/gl/gl_context.h"
-#include "render/renderer/look.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

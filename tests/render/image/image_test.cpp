@@ -10,7 +10,7 @@ using namespace ramus::render;
 namespace {
 
 std::filesystem::path fresh_folder(const std::string& name) {
-    const auto folder = std::filesystem::path(RAMUS_TEST_OUTPUT) / name;
+    auto folder = std::filesystem::path(RAMUS_TEST_OUTPUT) / name;
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
@@ -42,7 +42,7 @@ TEST_CASE("a PNG gives back the very pixels, alpha included, and leaves nothing 
 TEST_CASE("pictures that cannot be read or written are errors with the file's name") {
     const auto folder = fresh_folder("png_errors");
     std::ofstream(folder / "junk.png") << "this is no picture";
-    std::ofstream(folder / "empty.png");
+    std::ofstream(folder / "empty.png") << "";
     CHECK(read_png(folder / "junk.png").error().where == (folder / "junk.png").string());
     CHECK_FALSE(read_png(folder / "empty.png").has_value());
     CHECK_FALSE(read_png(folder / "missing.png").has_value());

@@ -122,7 +122,7 @@ TEST_CASE("the order of triangles and of meshes makes no difference to clear con
                 std::ranges::shuffle(mesh.triangles, random);
                 one.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
             }
-            std::ranges::rotate(scene.frame.context, scene.frame.context.begin() + 1);
+            std::rotate(scene.frame.context.begin(), scene.frame.context.begin() + 1, scene.frame.context.end());
             CHECK(largest_difference(before, scene.picture()) <= 1);
         }
     }

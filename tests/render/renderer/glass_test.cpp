@@ -17,6 +17,8 @@
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;
 using ramus::test::add_capsule;
+using ramus::test::decoded;
+using ramus::test::encoded;
 using ramus::test::largest_difference;
 
 namespace {
@@ -143,24 +145,10 @@ private:
     std::vector<Vessel> vessels_;
 };
 
-// As shaders/look.glsl encodes, and back.
-glm::dvec3 encoded(const glm::dvec3& radiance) {
-    glm::dvec3 bytes;
-    for (int k = 0; k < 3; ++k) {
-        double c = radiance[k];
-        if (c >= 0.72) c = 0.72 + 0.28 * (1.0 - std::exp(-(c - 0.72) / 0.28));
-        bytes[k] = 255.0 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
-    }
-    return bytes;
-}
-
-glm::dvec3 decoded(const std::uint8_t* bytes, double added) {
-    glm::dvec3 radiance;
-    for (int k = 0; k < 3; ++k) {
-        const double c = linear(float((double(bytes[k]) - added) / 255.0));
-        radiance[k] = c < 0.72 ? c : 0.72 - 0.28 * std::log(1.0 - (std::min(c, 0.999) - 0.72) / 0.28);
-    }
-    return radiance;
+// As shaders encode light, and back.
+glm::dvec3 bytes_of(const glm::dvec3& light) { return {encoded(light.x), encoded(light.y), encoded(light.z)}; }
+glm::dvec3 light_of(const std::uint8_t* bytes, double added) {
+    return {decoded(bytes[0] - added), decoded(bytes[1] - added), decoded(bytes[2] - added)};
 }
 
 // The veil of one fragment as shaders/shade.frag has it, without depth cue: premultiplied.
@@ -205,7 +193,7 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
                      {glm::dvec2(0.375, 0.125), {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}) {
                     const glm::dvec2 at = glm::dvec2(x, y) + sample;
                     const glm::dvec3 towards_eye = -(to_eye * rays.direction(at));
-                    glm::dvec3 colour = decoded(without.pixel(x, y), added);
+                    glm::dvec3 colour = light_of(without.pixel(x, y), added);
                     const Seen there = rays.cast(at);
                     for (auto fragment = there.fragments.rbegin(); fragment != there.fragments.rend(); ++fragment) {
                         const glm::dvec4 veil =
@@ -214,7 +202,7 @@ TEST_CASE("glass is composited as a ray through the same triangles says, perspec
                     }
                     mean += 0.25 * colour;
                 }
-                const glm::dvec3 expected = encoded(mean) + added;
+                const glm::dvec3 expected = bytes_of(mean) + added;
                 for (int k = 0; k < 3; ++k)
                     largest = std::max(largest, std::abs(expected[k] - double(glass.pixel(x, y)[k])));
                 ++compared;

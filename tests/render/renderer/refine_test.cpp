@@ -22,15 +22,15 @@ struct RefinedScene : ramus::test::CrossingVessels {
     explicit RefinedScene(GlVersion newest = {99, 0}) : CrossingVessels(newest, 24) {
         frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
     }
-    Refined refine_a_part() const {
+    [[nodiscard]] Refined refine_a_part() const {
         SheetRenderer::finish(); // so that every call does one
         return renderer->refine(0.0);
     }
-    Image drawn(const Frame& of) const {
+    [[nodiscard]] Image drawn(const Frame& of) const {
         (void)draw(of);
         return renderer->read_image();
     }
-    Image refined(const Frame& of) const {
+    [[nodiscard]] Image refined(const Frame& of) const {
         (void)draw(of);
         CHECK(renderer->refine().changed);
         return renderer->read_image();
@@ -38,7 +38,11 @@ struct RefinedScene : ramus::test::CrossingVessels {
 };
 
 // With glass or without, on which OpenGL: all that is drawn in ways of its own.
-constexpr std::array<std::pair<bool, GlVersion>, 3> kKinds{{{false, {99, 0}}, {true, {99, 0}}, {true, {3, 3}}}};
+struct Kind {
+    bool glass;
+    GlVersion version;
+};
+constexpr std::array<Kind, 3> kKinds{{{false, {99, 0}}, {true, {99, 0}}, {true, {3, 3}}}};
 
 // How much of each pixel vessels cover, of 255.
 std::vector<double> covered(const Image& picture, int times) {
@@ -85,11 +89,11 @@ TEST_CASE("a refined picture has four times the samples at its edges") {
 }
 
 TEST_CASE("refining takes as many calls as it likes, and ends") {
-    for (const auto& [glass, version] : kKinds) {
-        CAPTURE(glass);
-        CAPTURE(version.major);
-        const RefinedScene scene(version);
-        const Frame frame = glass ? with_glass(scene.frame) : scene.frame;
+    for (const Kind& kind : kKinds) {
+        CAPTURE(kind.glass);
+        CAPTURE(kind.version.major);
+        const RefinedScene scene(kind.version);
+        const Frame frame = kind.glass ? with_glass(scene.frame) : scene.frame;
         const Image coarse = scene.drawn(frame), at_once = scene.refined(frame);
         CHECK(largest_difference(coarse, at_once) > 8);
         Frame other = frame;
@@ -161,11 +165,11 @@ TEST_CASE("refining stops for whatever is wanted next, and leaves nothing behind
 }
 
 TEST_CASE("where memory runs out a picture stays as it is, and the next one is drawn") {
-    for (const auto& [glass, version] : kKinds) {
-        CAPTURE(glass);
-        CAPTURE(version.major);
-        const RefinedScene scene(version);
-        const Frame frame = glass ? with_glass(scene.frame) : scene.frame;
+    for (const Kind& kind : kKinds) {
+        CAPTURE(kind.glass);
+        CAPTURE(kind.version.major);
+        const RefinedScene scene(kind.version);
+        const Frame frame = kind.glass ? with_glass(scene.frame) : scene.frame;
         Frame away = frame;
         away.camera = turned(frame.camera, 20.0, 0.0);
         const Image coarse = scene.drawn(frame), elsewhere = scene.drawn(away);

@@ -256,7 +256,7 @@ TEST_CASE("pointing elsewhere gives the very picture that drawing it all gives")
     const auto same = [&](int hovered, std::vector<int> dependents) {
         scene.frame.hovered = hovered;
         scene.frame.hovered_dependents = std::move(dependents);
-        const Image onto_the_last = scene.draw();
+        Image onto_the_last = scene.draw();
         fresh.frame = scene.frame;
         fresh.frame.appearance.specular = 0.5F; // a picture that shares nothing with the next
         (void)fresh.draw();

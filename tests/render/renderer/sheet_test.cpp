@@ -38,7 +38,7 @@ double farthest_from_mean(const Image& mixed, const Image& first, const Image& s
 }
 
 // A thick tube and a thin one beside each other; the thick one's surface has no branches.
-struct TwoPanes {
+struct TwoViewports {
     WatchedContext context;
     std::unique_ptr<Renderer> renderer = Renderer::create().value();
     Frame thick = tube(5.0F), thin = tube(2.0F);
@@ -46,7 +46,7 @@ struct TwoPanes {
     SheetRenderer sheets{*renderer};
     Sheet sheet;
 
-    TwoPanes() {
+    TwoViewports() {
         sheet.size = {603, 200};
         sheet.divider = {1.0F, 0.5F, 0.0F};
         sheet.viewports = {{{0, 0}, thick, false}, {{303, 0}, thin, true}};
@@ -55,7 +55,7 @@ struct TwoPanes {
 
 } // namespace
 
-TEST_CASE_FIXTURE(TwoPanes, "a sheet of one viewport is that frame's picture, of several each in its place") {
+TEST_CASE_FIXTURE(TwoViewports, "a sheet of one viewport is that frame's picture, of several each in its place") {
     Sheet one;
     one.size = thick.size;
     one.viewports = {{{0, 0}, thick, true}};
@@ -81,7 +81,7 @@ TEST_CASE_FIXTURE(TwoPanes, "a sheet of one viewport is that frame's picture, of
     CHECK(target.read_image() == both);
 }
 
-TEST_CASE_FIXTURE(TwoPanes, "a sheet asks each viewport for what it shows") {
+TEST_CASE_FIXTURE(TwoViewports, "a sheet asks each viewport for what it shows") {
     REQUIRE(sheets.draw(sheet));
     CHECK(sheets.pick({150.0, 100.0}).branch == kNoBranch); // it has no branches
     CHECK(sheets.pick({303.0 + 150.0, 100.0}).branch == 0);
@@ -97,7 +97,7 @@ TEST_CASE_FIXTURE(TwoPanes, "a sheet asks each viewport for what it shows") {
     CHECK(SheetRenderer::viewport_at(sheet, {304.0, 10.0}) == 1);
 }
 
-TEST_CASE_FIXTURE(TwoPanes, "a sheet tells which pixels show a surface") {
+TEST_CASE_FIXTURE(TwoViewports, "a sheet tells which pixels show a surface") {
     REQUIRE(sheets.draw(sheet));
     const std::vector<bool> covered = sheets.read_covered();
     REQUIRE(covered.size() == 603U * 200U);
@@ -115,7 +115,7 @@ TEST_CASE_FIXTURE(TwoPanes, "a sheet tells which pixels show a surface") {
     CHECK(sheets.read_covered()[300 * (100 + 70) + 150]); // in either picture
 }
 
-TEST_CASE_FIXTURE(TwoPanes, "of a sheet what did not change is not drawn") {
+TEST_CASE_FIXTURE(TwoViewports, "of a sheet what did not change is not drawn") {
     REQUIRE(sheets.draw(sheet));
     const auto again = sheets.draw(sheet);
     REQUIRE(again);
@@ -129,7 +129,7 @@ TEST_CASE_FIXTURE(TwoPanes, "of a sheet what did not change is not drawn") {
     CHECK(std::equal(first.pixel(0, 100), first.pixel(0, 100) + 1200, now.pixel(0, 100)));
 }
 
-TEST_CASE_FIXTURE(TwoPanes, "nothing lies between a sheet's viewports on nothing") {
+TEST_CASE_FIXTURE(TwoViewports, "nothing lies between a sheet's viewports on nothing") {
     REQUIRE(sheets.draw(sheet));
     for (auto& viewport : sheet.viewports) viewport.frame.background.transparent = true;
     REQUIRE(sheets.draw(sheet));

@@ -1,13 +1,10 @@
 // What pictures show beside plain vessels, against what geometry says: centerlines in glass, margins around lesions,
 // lost parts, lesions, lines, values along branches, the legend. A tube along x of 5 mm radius, seen from the front
 // without perspective, 0.1 mm a pixel.
-#include "render/gl/gl_context.h"
 #include "render/image/text.h"
 #include "render/overlay/legend.h"
 #include "render/overlay/overlay.h"
-#include "render/renderer/renderer.h"
-#include "tests/support/gl_test.h"
-#include "tests/support/tube_mesh.h"
+#include "tests/support/beside_scene.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -16,29 +13,18 @@
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;
 using ramus::test::add_capsule;
+using ramus::test::kPixelMm;
 
 namespace {
 
-constexpr double kPixelMm = 0.1;
-
-struct Scene {
-    ramus::test::WatchedContext context;
-    std::unique_ptr<Renderer> renderer = Renderer::create().value();
-    Frame frame;
-
+struct Scene : ramus::test::BesideScene {
     // `first` and `last`: radii of the tube at x = -20 and x = 20.
     explicit Scene(float first = 5.0F, float last = 5.0F, bool crossed = false, float crossing_y = 12.0F) {
         TriangleMesh mesh;
         add_capsule(mesh, {-20, 0, 0}, {20, 0, 0}, first, last, 0, 96);
         if (crossed) add_capsule(mesh, {8, crossing_y, -15}, {8, crossing_y, 15}, 3.0F, 3.0F, 1, 96);
         frame.mesh = std::make_shared<const PagedMesh>(mesh);
-        frame.size = {600, 300};
-        frame.camera = looking(Camera{}, View::kAnterior);
-        frame.camera.focal_point = {0, 0, 0};
-        frame.camera.position = {0, 200, 0};
-        frame.camera.orthographic = true;
-        frame.camera.scale = 0.5 * kPixelMm * frame.size.y;
-        frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+        frame.appearance = {};
         frame.states.assign(2, BranchState::kNormal);
         auto lines = std::make_shared<Centerlines>();
         lines->runs = {{0, 9}, {9, 2}};
@@ -51,21 +37,7 @@ struct Scene {
             lines->points.emplace_back(8.0F, crossing_y, z, z), lines->details.push_back({6.0F, 1});
         frame.centerlines = lines;
     }
-    ~Scene() { renderer.reset(); }
-    Image draw() {
-        const auto done = renderer->draw(frame);
-        REQUIRE_MESSAGE(done.has_value(), (done ? "" : done.error().message()));
-        return renderer->read_image();
-    }
-    // The pixel of a point; the patient's right is at the left.
-    [[nodiscard]] glm::ivec2 at(double x, double z) const {
-        const glm::dvec3 seen = *project(frame.camera, frame.size, {x, 0.0, z});
-        return {int(std::floor(seen.x)), int(std::floor(seen.y))};
-    }
-    [[nodiscard]] const std::uint8_t* colour(const Image& image, double x, double z) const {
-        const glm::ivec2 p = at(x, z);
-        return image.pixel(p.x, p.y);
-    }
+    Image draw() { return picture(); }
 };
 
 int brightness(const std::uint8_t* p) { return p[0] + p[1] + p[2]; }
