@@ -45,7 +45,7 @@ GLuint bound(GLenum what) {
 
 struct BufferBound {
     explicit BufferBound(GLuint id) { glBindBuffer(target, id); }
-    static constexpr GLenum target = kBuffer;
+    GLenum target = kBuffer;
 };
 
 struct TextureBound {
@@ -64,7 +64,7 @@ public:
     ~DrawnInto() { glBindFramebuffer(target, before_); }
     DrawnInto(const DrawnInto&) = delete;
     DrawnInto& operator=(const DrawnInto&) = delete;
-    static constexpr GLenum target = GL_DRAW_FRAMEBUFFER;
+    GLenum target = GL_DRAW_FRAMEBUFFER;
 
 private:
     GLuint before_;

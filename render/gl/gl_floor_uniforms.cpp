@@ -17,10 +17,10 @@ using Locations = std::array<GLint, kUniforms>; // by those of the shader files
 
 std::unordered_map<GLuint, Locations>* programs = nullptr; // of the current context; null: it needs none of this
 
-GLuint current = 0; // program in use
+GLuint program_in_use = 0;
 
 GLint chosen(GLint location) {
-    const auto found = programs->find(current);
+    const auto found = programs->find(program_in_use);
     if (found == programs->end() || location < 0) return location;
     return found->second.at(static_cast<std::size_t>(location)); // -1, which is ignored: the shader has no use for it
 }
@@ -38,13 +38,13 @@ template <auto&... uniforms> void turn_uniforms() {
 }
 
 void GLAD_API_PTR use_program(GLuint program) {
-    current = program;
+    program_in_use = program;
     loaded<glad_glUseProgram>(program);
 }
 
 class Using {
 public:
-    explicit Using(GLuint program) : before_(current) { use_program(program); }
+    explicit Using(GLuint program) : before_(program_in_use) { use_program(program); }
     ~Using() { use_program(before_); }
     Using(const Using&) = delete;
     Using& operator=(const Using&) = delete;
@@ -70,7 +70,7 @@ void install_uniform_floor(int version, const void* context) {
     if (programs == nullptr) return;
     GLint in_use = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &in_use);
-    current = static_cast<GLuint>(in_use);
+    program_in_use = static_cast<GLuint>(in_use);
     turn<glad_glUseProgram>(use_program);
     turn_uniforms<glad_glUniform1i, glad_glUniform1ui, glad_glUniform1f, glad_glUniform2i, glad_glUniform2f,
                   glad_glUniform3f, glad_glUniform4f, glad_glUniform2fv, glad_glUniformMatrix3fv,

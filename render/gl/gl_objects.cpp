@@ -121,6 +121,12 @@ VertexArray make_vertex_array() {
     return VertexArray(id);
 }
 
+void set_filter(GLuint texture, GLint filter) {
+    for (const GLenum when : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTextureParameteri(texture, when, filter);
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTextureParameteri(texture, side, GL_CLAMP_TO_EDGE);
+}
+
 Texture make_texture(GLenum format, int width, int height, int samples) {
     GLuint id = 0;
     glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id);
@@ -130,10 +136,7 @@ Texture make_texture(GLenum format, int width, int height, int samples) {
                  [&] { glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE); });
     } else {
         allocate(area(width, height) * texel_bytes(format), [&] { glTextureStorage2D(id, 1, format, width, height); });
-        glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        set_filter(id, GL_NEAREST);
     }
     return texture;
 }
@@ -144,10 +147,7 @@ Texture make_deep_texture(GLenum target, GLenum format, int width, int height, i
     Texture texture(id);
     allocate(area(width, height) * static_cast<std::size_t>(depth) * texel_bytes(format),
              [&] { glTextureStorage3D(id, 1, format, width, height, depth); });
-    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTextureParameteri(id, side, GL_CLAMP_TO_EDGE);
+    set_filter(id, GL_NEAREST);
     return texture;
 }
 

@@ -94,6 +94,7 @@ private:
 [[nodiscard]] Texture make_texture(GLenum format, int width, int height, int samples = 0);
 // The same with layers, of GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.
 [[nodiscard]] Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth);
+void set_filter(GLuint texture, GLint filter); // its edges are clamped
 // A buffer that shaders read texel by texel.
 struct BufferTexture {
     Buffer buffer;

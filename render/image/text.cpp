@@ -60,10 +60,8 @@ Coverage draw_strokes(std::string_view text, double capital_height) {
     const double margin = pen + 1.0;
     double width = 0.0;
     for (const char c : text) width += (kStrokes.contains(c) ? kStrokes.at(c).first * unit : 2.0 * unit) + gap;
-    Coverage result;
-    result.width = static_cast<int>(std::ceil(width - gap + 2.0 * margin));
-    result.height = static_cast<int>(std::ceil(capital_height + unit + 2.0 * margin));
-    result.values.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+    Coverage result(static_cast<int>(std::ceil(width - gap + 2.0 * margin)),
+                    static_cast<int>(std::ceil(capital_height + unit + 2.0 * margin)));
     double left = margin;
     for (const char c : text) {
         if (!kStrokes.contains(c)) {
@@ -87,8 +85,7 @@ Coverage draw_strokes(std::string_view text, double capital_height) {
                 for (int y = 0; y < result.height; ++y)
                     for (int x = 0; x < result.width; ++x) {
                         const double d = distance_to_stroke(x + 0.5, y + 0.5, ax, ay, bx, by);
-                        auto& value = result.values[static_cast<std::size_t>(y * result.width + x)];
-                        value = std::max(value, static_cast<std::uint8_t>(255.0 * std::clamp(pen + 0.5 - d, 0.0, 1.0)));
+                        result.put(x, y, static_cast<std::uint8_t>(255.0 * std::clamp(pen + 0.5 - d, 0.0, 1.0)));
                     }
             }
             down = true;
@@ -125,10 +122,7 @@ Coverage Font::draw(std::string_view latin1, double capital_height) const {
         stbtt_GetCodepointHMetrics(&info, static_cast<unsigned char>(c), &advance, &bearing);
         width += scale * static_cast<float>(advance);
     }
-    Coverage result;
-    result.width = static_cast<int>(std::ceil(width)) + 2 * margin;
-    result.height = ascent + descent;
-    result.values.assign(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 0);
+    Coverage result(static_cast<int>(std::ceil(width)) + 2 * margin, ascent + descent);
     float pen = static_cast<float>(margin);
     for (const char c : latin1) {
         const int code = static_cast<unsigned char>(c);
@@ -142,8 +136,7 @@ Coverage Font::draw(std::string_view latin1, double capital_height) const {
             for (int x = 0; x < gw; ++x) {
                 const int px = static_cast<int>(std::floor(pen)) + gx + x, py = ascent + gy + y;
                 if (px < 0 || py < 0 || px >= result.width || py >= result.height) continue;
-                auto& value = result.values[static_cast<std::size_t>(py * result.width + px)];
-                value = std::max(value, glyph[y * gw + x]);
+                result.put(px, py, glyph[y * gw + x]);
             }
         stbtt_FreeBitmap(glyph, nullptr);
         pen += scale * static_cast<float>(advance);

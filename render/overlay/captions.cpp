@@ -54,19 +54,15 @@ Image paint_caption(const std::string& text, double pixel_ratio, int width, cons
         }
     }
     if (!line.empty()) lines.push_back(font.draw(line, capital));
-    Coverage sheet;
+    int width_of_all = 0, height_of_all = 2 * halo;
     for (const Coverage& one : lines) {
-        sheet.width = std::max(sheet.width, one.width + 2 * halo);
-        sheet.height += one.height;
+        width_of_all = std::max(width_of_all, one.width + 2 * halo);
+        height_of_all += one.height;
     }
-    sheet.height += 2 * halo;
-    sheet.values.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height), 0);
+    Coverage sheet(width_of_all, height_of_all);
     int top = halo;
     for (const Coverage& one : lines) {
-        for (int y = 0; y < one.height; ++y)
-            for (int x = 0; x < one.width; ++x)
-                sheet.values[static_cast<std::size_t>(top + y) * static_cast<std::size_t>(sheet.width) +
-                             static_cast<std::size_t>(halo + x)] = one.at(x, y);
+        sheet.put(halo, top, one);
         top += one.height;
     }
     return haloed(sheet, halo);

@@ -35,13 +35,10 @@ Coverage letter_tile(char letter, const Font& font) {
             if (drawn.at(x, y) > 8)
                 left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
                 bottom = std::max(bottom, y);
-    Coverage tile;
-    tile.width = tile.height = kLetterSide;
-    tile.values.resize(kLetterSide * kLetterSide);
+    Coverage tile(kLetterSide, kLetterSide);
     const int dx = (left + right + 1 - kLetterSide) / 2, dy = (top + bottom + 1 - kLetterSide) / 2;
     for (int y = 0; y < kLetterSide; ++y)
-        for (int x = 0; x < kLetterSide; ++x)
-            tile.values[static_cast<std::size_t>(y * kLetterSide + x)] = drawn.at(x + dx, y + dy);
+        for (int x = 0; x < kLetterSide; ++x) tile.put(x, y, drawn.at(x + dx, y + dy));
     return tile;
 }
 

@@ -39,24 +39,15 @@ Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio
     const int gap = static_cast<int>(std::lround(2.0 * pixel_ratio));
     const int width = std::max(length, label.width) + 2 * halo, height = label.height + gap + tick + line + 2 * halo;
 
-    Coverage ink;
-    ink.width = width;
-    ink.height = height;
-    ink.values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-    const auto put = [&](int x, int y, std::uint8_t value) {
-        auto& old =
-            ink.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-        old = std::max(old, value);
-    };
+    Coverage ink(width, height);
     const int label_left = (width - label.width) / 2, bar_left = (width - length) / 2, bar_top = height - halo - line;
-    for (int y = 0; y < label.height; ++y)
-        for (int x = 0; x < label.width; ++x) put(label_left + x, halo + y, label.at(x, y));
+    ink.put(label_left, halo, label);
     for (int x = 0; x < length; ++x)
-        for (int y = 0; y < line; ++y) put(bar_left + x, bar_top + y, 255);
+        for (int y = 0; y < line; ++y) ink.put(bar_left + x, bar_top + y, 255);
     for (int y = 0; y < tick; ++y)
         for (int x = 0; x < line; ++x) {
-            put(bar_left + x, bar_top - y, 255);
-            put(bar_left + length - 1 - x, bar_top - y, 255);
+            ink.put(bar_left + x, bar_top - y, 255);
+            ink.put(bar_left + length - 1 - x, bar_top - y, 255);
         }
 
     return haloed(ink, halo);

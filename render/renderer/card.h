@@ -1,18 +1,19 @@
 // Card: all that a Renderer has on the graphics card, by owner. What is of one picture's size names its bytes a pixel
 // in its own header; `s` is the number of samples, 4 at rest.
 //
-// | owner                     | what                                                   | bytes | | Passes | programs,
-// some twenty; shade_pass.h one a variant      | the driver's                   | | SceneOnCard (surfaces)    | pages
-// of vertices and triangles, of mesh and preview   | GpuMesh::bytes(), surface_bytes| | SceneOnCard (the rest)    |
-// centerlines, skeleton, context and lesions             | 24 a point; 24 a vertex,       | | | | 12 a triangle | |
-// ShadePass                 | records of branches, cuts, lesions, ramp, distances    | 8 a branch; 4 a grid's sample  |
-// | ViewTargets               | samples, resolved, occlusion, lit: targets.h           | 12 s + 27 a pixel | |
-// ViewTargets.lists         | glass from OpenGL 4.3 on                               | 4 a pixel + 16 a fragment,     |
-// |                           |                                                        | kGlassBytes at most | |
-// ViewTargets.layers        | glass before that                                      | 16 s + 64 a pixel              |
-// | PictureTarget             | the picture                                            | 4 a pixel | | Refinement |
-// ViewTargets once more, and MeanTarget                  | 8 a pixel beside               | | PickRequest | what a pick
-// reads back                                 | some KB                        |
+// clang-format off
+// | owner                  | what                                         | bytes
+// | Passes                 | programs: some twenty, and shade_pass.h      | the driver's
+// | SceneOnCard (surfaces) | pages of mesh and preview                    | GpuMesh::bytes(), surface_bytes
+// | SceneOnCard (the rest) | centerlines, skeleton, context and lesions   | 24 a point and vertex, 12 a triangle
+// | ShadePass              | branches, cuts, lesions, ramp, distances     | 8 a branch; 4 a grid's sample
+// | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 27 a pixel
+// | ViewTargets.lists      | glass from OpenGL 4.3 on                     | 4 a pixel, 16 a fragment: kGlassBytes
+// | ViewTargets.layers     | glass before that                            | 16 s + 64 a pixel
+// | PictureTarget          | the picture                                  | 4 a pixel
+// | Refinement             | ViewTargets once more, and MeanTarget        | 8 a pixel beside
+// | PickRequest            | what a pick reads back                       | some KB
+// clang-format on
 //
 // Memory may run out in any allocation: let_go() then leaves nothing of the picture and of what was sent for it.
 #pragma once

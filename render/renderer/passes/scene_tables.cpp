@@ -13,8 +13,7 @@ Texture distance_texture(const DistanceGrid& grid) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTextureSubImage3D(texture, 0, 0, 0, 0, grid.size.x, grid.size.y, grid.size.z, GL_RED, GL_FLOAT,
                         grid.values.data());
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    set_filter(texture, GL_LINEAR);
     return texture;
 }
 
@@ -23,9 +22,7 @@ Texture ramp_texture(const std::vector<glm::vec3>& ramp) {
     glCreateTextures(GL_TEXTURE_1D, 1, &id);
     glTextureStorage1D(id, 1, GL_RGB16F, static_cast<GLsizei>(ramp.size()));
     glTextureSubImage1D(id, 0, 0, static_cast<GLsizei>(ramp.size()), GL_RGB, GL_FLOAT, ramp.data());
-    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    set_filter(id, GL_LINEAR);
     return Texture(id);
 }
 
