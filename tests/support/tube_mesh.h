@@ -23,7 +23,7 @@ inline void add_capsule(mesh::TriangleMesh& mesh, glm::vec3 a, glm::vec3 b, floa
         mesh.radii.push_back(radius);
         mesh.branches.push_back(branch);
     };
-    const float kHalfPi = 1.57079633F;
+    constexpr float kHalfPi = 1.57079633F;
     std::uint32_t rings = 0;
     for (int end = 0; end < 2; ++end) {
         for (int i = 0; i <= quarter; ++i, ++rings) {
