@@ -1,9 +1,11 @@
 #include "core/io/meshes/assimp_reader.h"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 #include <exception>
+#include <memory>
 
 namespace ramus::io {
 
@@ -15,10 +17,12 @@ bool keep_only(Assimp::Importer& importer, const std::string& extension) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         const aiImporterDesc* about = importer.GetImporterInfo(i);
         const std::string_view known = about != nullptr ? about->mFileExtensions : "";
-        if (known == extension)
+        if (known == extension) {
             found = true;
-        else
-            importer.UnregisterLoader(importer.GetImporter(i));
+        } else { // which leaves it to the caller
+            const std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(i));
+            importer.UnregisterLoader(other.get());
+        }
     }
     return found;
 }
