@@ -15,9 +15,8 @@ namespace ramus::app {
 void RecoveryDialog::offer(std::vector<autosave::Slot> slots) {
     for (autosave::Slot& slot : slots) {
         auto snapshot = slot.read();
-        Entry entry{std::move(slot), snapshot ? std::move(*snapshot) : autosave::Snapshot{},
-                    snapshot ? std::string{} : snapshot.error().what};
-        entries.push_back(std::move(entry));
+        const std::string trouble = snapshot ? std::string{} : snapshot.error().what;
+        entries.push_back({std::move(slot), std::move(snapshot).value_or(autosave::Snapshot{}), trouble});
     }
     open = !entries.empty();
 }

@@ -32,7 +32,7 @@ struct ContextStage {
     fs::path tree = write("fork.swc", kFork);
     test::CommandStage commands{io::read_tree(tree).value()};
 
-    [[nodiscard]] fs::path write(const std::string& name, const std::string& text) const {
+    fs::path write(const std::string& name, const std::string& text) const { // NOLINT(modernize-use-nodiscard)
         std::ofstream(folder.path() / name, std::ios::binary) << text;
         return folder.path() / name;
     }
