@@ -22,6 +22,7 @@ template <auto Member> double of_tree(const tree::VesselTree& tree, const Facts&
     return branch_at(tree, branch).*Member;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<QuantityRow> quantity_table() {
     return {
         {.quantity = Quantity::kDiameter,

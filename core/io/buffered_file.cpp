@@ -30,28 +30,28 @@ tl::unexpected<Error> write_error(const std::filesystem::path& target, int code)
 }
 
 BufferedFile::BufferedFile(int descriptor)
-    : file_descriptor(descriptor), buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
+    : file_descriptor_(descriptor), buffer_(std::make_unique_for_overwrite<std::byte[]>(kBufferSize)) {}
 
 BufferedFile::BufferedFile(BufferedFile&& other) noexcept
-    : file_descriptor(std::exchange(other.file_descriptor, -1)), first_error(other.first_error),
+    : file_descriptor_(std::exchange(other.file_descriptor_, -1)), first_error_(other.first_error_),
       buffer_(std::move(other.buffer_)), used_(other.used_), flushed_(other.flushed_) {}
 
 BufferedFile::~BufferedFile() {
-    if (file_descriptor >= 0) ::close(file_descriptor);
+    if (file_descriptor_ >= 0) ::close(file_descriptor_);
 }
 
 void BufferedFile::keep_error(int result) {
-    if (result != 0 && first_error == 0) first_error = errno;
+    if (result != 0 && first_error_ == 0) first_error_ = errno;
 }
 
 // All of it, however many calls that takes.
 void BufferedFile::put(const std::byte* bytes, std::size_t count) {
     flushed_ += count;
-    while (count > 0 && first_error == 0) {
-        const ssize_t done = ::write(file_descriptor, bytes, count);
+    while (count > 0 && first_error_ == 0) {
+        const ssize_t done = ::write(file_descriptor_, bytes, count);
         if (done < 0 && errno == EINTR) continue;
         if (done <= 0) {
-            first_error = done < 0 ? errno : ENOSPC;
+            first_error_ = done < 0 ? errno : ENOSPC;
             return;
         }
         bytes += done;

@@ -30,7 +30,7 @@ public:
         write({digits, std::to_chars(digits, digits + sizeof digits, value).ptr});
     }
     [[nodiscard]] std::uint64_t size() const { return flushed_ + used_; } // written so far
-    [[nodiscard]] bool failed() const { return first_error != 0; }
+    [[nodiscard]] bool failed() const { return first_error_ != 0; }
 
 protected:
     static constexpr std::size_t kBufferSize = std::size_t{1} << 20;
@@ -42,8 +42,8 @@ protected:
     void flush();
     void keep_error(int result); // of a system call: errno unless it is 0 or there is an error already
 
-    int file_descriptor;
-    int first_error = 0; // errno
+    int file_descriptor_;
+    int first_error_ = 0; // errno
 
 private:
     void write_through(const void* bytes, std::size_t count);

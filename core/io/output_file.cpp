@@ -135,10 +135,10 @@ Result<void> OutputFile::commit() {
     flush();
     const std::unique_ptr<State> state = std::move(state_);
     const bool device = state->temporary.empty();
-    if (!failed() && !device) keep_error(::fsync(file_descriptor));
-    keep_error(::close(std::exchange(file_descriptor, -1)));
+    if (!failed() && !device) keep_error(::fsync(file_descriptor_));
+    keep_error(::close(std::exchange(file_descriptor_, -1)));
     if (!failed() && !device) keep_error(::rename(state->temporary.c_str(), state->target.c_str()));
-    if (failed()) return write_error(state->asked, first_error);
+    if (failed()) return write_error(state->asked, first_error_);
     state->temporary.clear();
     return {};
 }

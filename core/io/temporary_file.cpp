@@ -50,11 +50,11 @@ TemporaryFile::TemporaryFile(fs::path target, int descriptor) : BufferedFile(des
 void TemporaryFile::read(std::uint64_t offset, void* bytes, std::size_t count) {
     flush();
     auto* to = static_cast<std::byte*>(bytes);
-    while (count > 0 && first_error == 0) {
-        const ssize_t done = ::pread(file_descriptor, to, count, static_cast<off_t>(offset));
+    while (count > 0 && first_error_ == 0) {
+        const ssize_t done = ::pread(file_descriptor_, to, count, static_cast<off_t>(offset));
         if (done < 0 && errno == EINTR) continue;
         if (done <= 0) {
-            first_error = done < 0 ? errno : EIO;
+            first_error_ = done < 0 ? errno : EIO;
             return;
         }
         to += done;
@@ -73,7 +73,7 @@ void TemporaryFile::copy_to(BufferedFile& file) {
 }
 
 Result<void> TemporaryFile::check() const {
-    if (first_error != 0) return write_error(target_, first_error);
+    if (first_error_ != 0) return write_error(target_, first_error_);
     return {};
 }
 

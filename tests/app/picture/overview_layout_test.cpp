@@ -45,7 +45,7 @@ tree::VesselTree ladder(int rungs) {
     edges.emplace_back(other, other + 1);
     edges.emplace_back(other + 1, other + 2);
     edges.emplace_back(other + 1, other + 3);
-    return built(std::move(positions), std::move(edges), {0, other});
+    return built(positions, std::move(edges), {0, other});
 }
 
 void check_layout(const tree::VesselTree& tree, OverviewDepth depth) {
