@@ -41,8 +41,8 @@ std::vector<Command> make_table() {
 } // namespace
 
 const std::vector<Command>& command_table() {
-    static const std::vector<Command> kTable = make_table();
-    return kTable;
+    static const std::vector<Command> table = make_table();
+    return table;
 }
 
 const Command* find_command(std::string_view name) {

@@ -22,8 +22,8 @@ std::vector<ColouringRow> colouring_table() {
 } // namespace
 
 const std::vector<ColouringRow>& colourings() {
-    static const std::vector<ColouringRow> kColourings = colouring_table();
-    return kColourings;
+    static const std::vector<ColouringRow> rows = colouring_table();
+    return rows;
 }
 
 std::string_view name_of(ColourBy by) {

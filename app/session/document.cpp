@@ -19,8 +19,8 @@ void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session sessio
 }
 
 const tree::Dependency& Document::dependency() const {
-    static const tree::Dependency kNone;
-    return facts_ ? facts_->dependency : kNone;
+    static const tree::Dependency none;
+    return facts_ ? facts_->dependency : none;
 }
 
 void Document::change(Marks next) {

@@ -126,8 +126,8 @@ std::vector<QuantityRow> quantity_table() {
 } // namespace
 
 std::span<const QuantityRow> quantities() {
-    static const std::vector<QuantityRow> kQuantities = quantity_table();
-    return kQuantities;
+    static const std::vector<QuantityRow> rows = quantity_table();
+    return rows;
 }
 
 const QuantityRow& row_of(Quantity quantity) { return quantities()[static_cast<std::size_t>(quantity)]; }

@@ -30,7 +30,7 @@ std::vector<glm::vec2> ring(glm::vec2 centre, float radius) {
 
 // NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<ToolKind>& tool_kinds() {
-    static const std::vector<ToolKind> kKinds{
+    static const std::vector<ToolKind> kinds{
         {std::string(kNavigate),
          "Navigate",
          "The mouse turns the view and selects branches.",
@@ -108,7 +108,7 @@ const std::vector<ToolKind>& tool_kinds() {
          {{{0.90F, 0.84F}, {0.12F, 0.84F}, {0.70F, 0.14F}}, {{0.56F, 0.84F}, {0.52F, 0.64F}, {0.40F, 0.50F}}},
          measuring<Measurement::Kind::kAngle>},
     };
-    return kKinds;
+    return kinds;
 }
 
 const ToolKind* find_tool(std::string_view name) {
