@@ -18,11 +18,7 @@ Result<void> depth_cue(ActionContext& context, Arguments arguments) {
     const DepthCue* cue = plain || says ? depth_cue_named(arguments[0]) : nullptr;
     if (cue == nullptr) return fail("depth-cue takes a name, and on or off", {}, "the names are " + cue_names());
     Marks next = context.document.marks();
-    const bool on = plain ? !next.depth_cues.contains(cue->name) : arguments[1] == "on";
-    if (on)
-        next.depth_cues.emplace(cue->name);
-    else
-        next.depth_cues.erase(std::string(cue->name));
+    next.depth_cues.set(*cue, plain ? !next.depth_cues.has(*cue) : arguments[1] == "on");
     context.document.change(std::move(next));
     return {};
 }
@@ -33,13 +29,12 @@ std::vector<Command> depth_commands() {
     std::vector<Command> commands{
         Command("depth-cue", "NAME [on|off]", "Switches what tells near from far: " + cue_names() + ".", depth_cue)};
     for (const DepthCue& cue : depth_cues())
-        commands.push_back(Command("depth-cue", "NAME [on|off]", std::string(cue.help), depth_cue)
-                               .in_menu("View", std::string(cue.label))
-                               .giving({std::string(cue.name)})
-                               .when(has_tree)
-                               .checked_when([name = cue.name](const Document& document) {
-                                   return document.marks().depth_cues.contains(name);
-                               }));
+        commands.push_back(
+            Command("depth-cue", "NAME [on|off]", std::string(cue.help), depth_cue)
+                .in_menu("View", std::string(cue.label))
+                .giving({std::string(cue.name)})
+                .when(has_tree)
+                .checked_when([&cue](const Document& document) { return document.marks().depth_cues.has(cue); }));
     return commands;
 }
 

@@ -130,11 +130,8 @@ void draw_compare(InterfaceContext& context) {
             if (blend.held) context.interface.tried_blend = blend.value;
             if (changed) context.perform("compare-blend", {digits(blend.value, 4)});
         }
-        if (const std::string& problem = context.workspace.comparison_problem(); !problem.empty()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
-            ImGui::TextWrapped("%s", problem.c_str());
-            ImGui::PopStyleColor();
-        }
+        if (const std::string& problem = context.workspace.comparison_problem(); !problem.empty())
+            widgets::trouble(problem.c_str());
     }
     bool skeleton = context.workspace.document.marks().skeleton;
     if (ImGui::Checkbox("Skeleton with radii", &skeleton)) context.perform("skeleton", {skeleton ? "on" : "off"});

@@ -170,9 +170,9 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
 
 void draw_context(InterfaceContext& context) {
     Trial& trial = context.interface.editing.context;
-    const std::array<std::array<const char*, 2>, 1> add{
-        {{"Add\xE2\x80\xA6", "Show a mask (NIfTI) or a mesh (STL, PLY, OBJ) beside the tree: an organ, a bone"}}};
-    if (widgets::title_row<1>("Context", add) == 0) context.perform("context", {});
+    draw_title(context, "Context",
+               {{"Add\xE2\x80\xA6", "Show a mask (NIfTI) or a mesh (STL, PLY, OBJ) beside the tree: an organ, a bone",
+                 "context"}});
     // A copy: what a row does changes the list.
     const std::vector<ContextItem> items = context.workspace.document.marks().context;
     if (trial.of > static_cast<int>(items.size())) trial.of = -1;

@@ -52,9 +52,7 @@ public:
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::Dummy({0.0F, 4.0F * theme::scale()});
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
-            ImGui::TextUnformatted(title_);
-            ImGui::PopStyleColor();
+            ImGui::TextColored(theme::kAccent, "%s", title_);
             title_ = nullptr;
         }
         ImGui::TableNextRow();

@@ -102,6 +102,10 @@ void InterfaceContext::perform(std::string_view name, const std::vector<std::str
     if (const auto done = commands.run(actions, words); !done) interface.tell(done.error().message(), now, true);
 }
 
+void draw_title(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons) {
+    if (const auto pressed = widgets::title_row(title, buttons)) context.perform(pressed->command, pressed->words);
+}
+
 void draw_interface(InterfaceContext& context) {
     context.interface.listed = tree::kNoBranch;
     draw_empty_view(context);

@@ -8,6 +8,7 @@
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
 #include "app/panels/slider_row.h"
+#include "app/panels/widgets.h"
 #include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace/workspace.h"
@@ -139,6 +140,9 @@ struct InterfaceContext {
 
 // Between ImGui::NewFrame() and ImGui::Render().
 void draw_interface(InterfaceContext& context);
+
+// A title of the panel with buttons that run commands.
+void draw_title(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons);
 
 // The parts, one file each.
 void draw_menu_bar(InterfaceContext& context);

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstring>
 #include <imgui.h>
 #include <span>
 #include <string_view>
@@ -22,6 +21,12 @@
 namespace ramus::app {
 
 namespace fs = std::filesystem;
+
+// Into a field that people type into, as much as it takes.
+template <std::size_t N> static void put(const std::string& text, std::array<char, N>& field) {
+    field.fill('\0');
+    std::copy_n(text.begin(), std::min(text.size(), N - 1), field.begin());
+}
 
 bool can_be_opened(const fs::path& path) { return io::names_tree(path) || path.extension() == ".json"; } // sessions
 bool can_be_mask(const fs::path& path) { return io::names_volume(path); }
@@ -41,9 +46,7 @@ void OpenDialog::show_to_save(const fs::path& suggestion) {
     show(suggestion.parent_path(), FilePurpose::kSave);
     name_focused = false;
     replace_asked = false;
-    const std::string text = suggestion.filename().string();
-    name.fill('\0');
-    std::memcpy(name.data(), text.data(), std::min(text.size(), name.size() - 1));
+    put(suggestion.filename().string(), name);
 }
 
 fs::path OpenDialog::named() const {
@@ -60,9 +63,7 @@ void OpenDialog::enter(const fs::path& where) {
     marked = -1;
     replace_asked = false;
     filter.fill('\0');
-    const std::string text = folder.string();
-    typed.fill('\0');
-    std::memcpy(typed.data(), text.data(), std::min(text.size(), typed.size() - 1));
+    put(folder.string(), typed);
     fs::directory_iterator each(folder, fs::directory_options::skip_permission_denied, error);
     if (error) {
         problem = error.message();
@@ -168,9 +169,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
                 dialog.marked = static_cast<int>(i);
                 if (!entry.folder && dialog.purpose == FilePurpose::kSave) {
-                    dialog.name.fill('\0');
-                    std::memcpy(dialog.name.data(), entry.name.data(),
-                                std::min(entry.name.size(), dialog.name.size() - 1));
+                    put(entry.name, dialog.name);
                     dialog.replace_asked = false;
                 } else if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                     chosen = dialog.folder / entry.name;
@@ -179,9 +178,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             ImGui::PopID();
             ImGui::TableNextColumn();
             if (entry.folder) continue;
-            const std::string size = size_text(entry.bytes);
-            widgets::align_right(ImGui::CalcTextSize(size.c_str()).x);
-            widgets::quiet(size.c_str());
+            widgets::quiet_right(size_text(entry.bytes));
         }
         ImGui::EndTable();
     }
@@ -198,13 +195,7 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
 fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     ImGui::AlignTextToFramePadding();
-    if (dialog.replace_asked) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
-        ImGui::TextUnformatted("It exists:");
-        ImGui::PopStyleColor();
-    } else {
-        widgets::quiet("Name");
-    }
+    dialog.replace_asked ? ImGui::TextColored(theme::kTrouble, "It exists:") : widgets::quiet("Name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0F * (button_width + gap));
     if (!std::exchange(dialog.name_focused, true)) ImGui::SetKeyboardFocusHere();

@@ -48,13 +48,18 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
     return result;
 }
 
-// A number or several, typed and entered. Returns what was entered, else nothing.
-std::vector<std::string> entry(Editing::Numbers& numbers, const char* id, const std::string& current, float width) {
-    auto& [owner, typed] = numbers;
+// A label, and a number or several, typed and entered. Returns what was entered, else nothing.
+std::vector<std::string> entry(InterfaceContext& context, const char* label, const char* id, const std::string& current,
+                               float width) {
+    auto& [owner, typed] = context.interface.editing.numbers;
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet(label);
+    ImGui::SameLine();
+    widgets::align_right(width * theme::scale());
     std::array<char, 64> shown{};
     std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());
     const bool mine = owner == id;
-    ImGui::SetNextItemWidth(width);
+    ImGui::SetNextItemWidth(width * theme::scale());
     const bool entered = ImGui::InputText(id, mine ? typed.data() : shown.data(), typed.size(),
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActivated()) owner = id, typed = shown;
@@ -85,18 +90,9 @@ void go_to(InterfaceContext& context, int branch) {
 
 void draw_lesions(InterfaceContext& context) {
     const Marks& marks = context.workspace.document.marks();
-    switch (
-        widgets::title_row<2>("Lesions", {{{"Place", "Place a lesion in the picture and size it by dragging"},
-                                           {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ"}}})) {
-    case 0:
-        context.perform("tool", {"lesion"});
-        break;
-    case 1:
-        context.perform("lesion-mesh", {});
-        break;
-    default:
-        break;
-    }
+    draw_title(context, "Lesions",
+               {{"Place", "Place a lesion in the picture and size it by dragging", "tool", {"lesion"}},
+                {"Mesh\xE2\x80\xA6", "Read a closed mesh from a file: STL, PLY or OBJ", "lesion-mesh"}});
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) {
         widgets::quiet_wrapped(
             "What lies near a lesion, and how near, is listed here. A closed mesh (STL, PLY, OBJ) dropped into the "
@@ -122,11 +118,7 @@ void draw_lesions(InterfaceContext& context) {
     }
     const auto plan = context.workspace.current_assets().plan;
     if (plan->measuring) widgets::quiet("Distances to meshes are being measured");
-    for (const std::string& trouble : plan->troubles) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
-        ImGui::TextWrapped("%s", trouble.c_str());
-        ImGui::PopStyleColor();
-    }
+    for (const std::string& trouble : plan->troubles) widgets::trouble(trouble.c_str());
 }
 
 void draw_band(InterfaceContext& context, const measure::Band& band) {
@@ -136,8 +128,7 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
     ImGui::PushID(static_cast<int>(std::lround(1000.0 * band.to_mm)));
     const bool open = ImGui::TreeNodeEx("band", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
     ImGui::SameLine();
-    widgets::align_right(ImGui::CalcTextSize(count.c_str()).x);
-    widgets::quiet(count.c_str());
+    widgets::quiet_right(count);
     if (open) {
         constexpr ImGuiTableFlags kFlags =
             ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
@@ -184,13 +175,7 @@ void draw_margins(InterfaceContext& context) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});
-    ImGui::AlignTextToFramePadding();
-    widgets::quiet("Margins mm");
-    ImGui::SameLine();
-    const float width = 110.0F * theme::scale();
-    widgets::align_right(width);
-    if (const auto words =
-            entry(context.interface.editing.numbers, "##bands", spelled_list(marks.planning.bands_mm), width);
+    if (const auto words = entry(context, "Margins mm", "##bands", spelled_list(marks.planning.bands_mm), 110.0F);
         !words.empty())
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
@@ -204,14 +189,9 @@ void draw_margins(InterfaceContext& context) {
 void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     const Marks& marks = document.marks();
-    if (widgets::title_row<1>("Cuts", {{{"Cut", "Cut vessels in the picture"}}}) == 0) context.perform("tool", {"cut"});
-    ImGui::AlignTextToFramePadding();
-    widgets::quiet("Reconstruct above mm");
-    ImGui::SameLine();
-    const float width = 56.0F * theme::scale();
-    widgets::align_right(width);
+    draw_title(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}});
     if (const auto words =
-            entry(context.interface.editing.numbers, "##reconstruct", rounded(marks.planning.reconstruct_mm), width);
+            entry(context, "Reconstruct above mm", "##reconstruct", rounded(marks.planning.reconstruct_mm), 56.0F);
         words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
@@ -226,11 +206,7 @@ void draw_cuts(InterfaceContext& context) {
             figures.reconstruct ? theme::kTrouble : theme::kText, "Click to select the branch and look at it");
         if (ImGui::IsItemHovered()) context.interface.listed = branch;
         if (done > 0) go_to(context, branch);
-        if (figures.reconstruct) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
-            ImGui::TextUnformatted("must be reconstructed");
-            ImGui::PopStyleColor();
-        }
+        if (figures.reconstruct) ImGui::TextColored(theme::kTrouble, "must be reconstructed");
         widgets::quiet_wrapped(("Lost: " + amount(figures.lost)).c_str());
         ImGui::PopID();
         if (done < 0) context.perform("cut-remove", {std::to_string(i + 1)});
@@ -242,25 +218,11 @@ void draw_cuts(InterfaceContext& context) {
 }
 
 void draw_measurements(InterfaceContext& context) {
-    switch (widgets::title_row<4>("Measure", {{{"Line", "Distance between two places"},
-                                               {"Way", "Way along the vessels between two branches"},
-                                               {"\xC3\x98", "Diameter at a place"},
-                                               {"Angle", "Angles at a branching"}}})) {
-    case 0:
-        context.perform("tool", {"measure-distance"});
-        break;
-    case 1:
-        context.perform("tool", {"measure-path"});
-        break;
-    case 2:
-        context.perform("tool", {"measure-diameter"});
-        break;
-    case 3:
-        context.perform("tool", {"measure-angle"});
-        break;
-    default:
-        break;
-    }
+    draw_title(context, "Measure",
+               {{"Line", "Distance between two places", "tool", {"measure-distance"}},
+                {"Way", "Way along the vessels between two branches", "tool", {"measure-path"}},
+                {"\xC3\x98", "Diameter at a place", "tool", {"measure-diameter"}},
+                {"Angle", "Angles at a branching", "tool", {"measure-angle"}}});
     const auto measurements = context.workspace.current_assets().measurements; // kept here, as above
     for (std::size_t i = 0; i < measurements->found.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

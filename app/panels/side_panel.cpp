@@ -95,10 +95,7 @@ void draw_surface(InterfaceContext& context) {
     draw_options(context);
     const std::string& problem = context.workspace.surface_problem();
     if (problem.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTrouble);
-    ImGui::TextWrapped("%s", problem == "cancelled" ? "Cancelled. Shown are the cones or an older surface."
-                                                    : problem.c_str());
-    ImGui::PopStyleColor();
+    widgets::trouble(problem == "cancelled" ? "Cancelled. Shown are the cones or an older surface." : problem.c_str());
     if (ImGui::Button("Compute again")) context.workspace.retry_surface();
 }
 

@@ -52,9 +52,7 @@ void draw_path(InterfaceContext& context, float right_edge) {
         const auto name = context.workspace.document.marks().names.find(id);
         const std::string text =
             name == context.workspace.document.marks().names.end() ? std::to_string(id) : name->second;
-        ImGui::PushStyleColor(ImGuiCol_Text, last ? theme::kText : theme::kQuiet);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopStyleColor();
+        ImGui::TextColored(last ? theme::kText : theme::kQuiet, "%s", text.c_str());
         if (ImGui::IsItemHovered()) context.interface.listed = id;
         if (ImGui::IsItemClicked()) context.perform("select", {std::to_string(id)});
         ImGui::PopID();
@@ -68,9 +66,7 @@ void draw_path(InterfaceContext& context, float right_edge) {
     }
     for (std::size_t i = std::max<std::size_t>(shown_from, 1); i < path.size(); ++i) {
         ImGui::SameLine(0.0F, 0.0F);
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-        ImGui::TextUnformatted(kStep);
-        ImGui::PopStyleColor();
+        ImGui::TextDisabled("%s", kStep);
         ImGui::SameLine(0.0F, 0.0F);
         link(path[i], i + 1 == path.size());
     }

@@ -21,9 +21,8 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
     ImGui::BeginTooltip();
     const std::string label = label_of(document.dependency(), document.marks().names, id);
     const std::string number = "Branch " + std::to_string(id);
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kAccent);
-    ImGui::TextUnformatted(label.empty() ? number.c_str() : widgets::fitted(label, 220.0F * scale).c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextColored(theme::kAccent, "%s",
+                       label.empty() ? number.c_str() : widgets::fitted(label, 220.0F * scale).c_str());
     if (!label.empty()) {
         ImGui::SameLine();
         widgets::quiet(number.c_str());

@@ -83,22 +83,19 @@ bool small_button(const char* text, const char* help) {
     return pressed;
 }
 
-int title_row(const char* title, const std::array<const char*, 2>* buttons, std::size_t count) {
+std::optional<TitleButton> title_row(const char* title, std::initializer_list<TitleButton> buttons) {
     rule();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(title);
     float width = 0.0F;
-    const float padding = 14.0F * theme::scale();
-    const float gap = 4.0F * theme::scale();
-    for (std::size_t i = 0; i < count; ++i) width += ImGui::CalcTextSize(buttons[i][0]).x + padding + gap;
+    const float padding = 14.0F * theme::scale(), gap = 4.0F * theme::scale();
+    for (const TitleButton& button : buttons) width += ImGui::CalcTextSize(button.text).x + padding + gap;
     ImGui::SameLine();
     align_right(width - gap);
-    int pressed = -1;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i > 0) ImGui::SameLine(0.0F, gap);
-        ImGui::PushID(static_cast<int>(i));
-        if (small_button(buttons[i][0], buttons[i][1])) pressed = static_cast<int>(i);
-        ImGui::PopID();
+    std::optional<TitleButton> pressed;
+    for (const TitleButton& button : buttons) {
+        if (&button != buttons.begin()) ImGui::SameLine(0.0F, gap);
+        if (small_button(button.text, button.help)) pressed = button;
     }
     return pressed;
 }
@@ -116,16 +113,19 @@ void fact(const char* label, const std::string& value) {
     if (shown != value) tooltip(value.c_str());
 }
 
-void quiet(const char* text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-    ImGui::TextUnformatted(text);
+static void wrapped(const char* text, const ImVec4& colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextWrapped("%s", text);
     ImGui::PopStyleColor();
 }
 
-void quiet_wrapped(const char* text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-    ImGui::TextWrapped("%s", text);
-    ImGui::PopStyleColor();
+void quiet(const char* text) { ImGui::TextColored(theme::kQuiet, "%s", text); }
+void quiet_wrapped(const char* text) { wrapped(text, theme::kQuiet); }
+void trouble(const char* text) { wrapped(text, theme::kTrouble); }
+
+void quiet_right(const std::string& text) {
+    align_right(ImGui::CalcTextSize(text.c_str()).x);
+    quiet(text.c_str());
 }
 
 void tooltip(const char* text, const char* key) {

@@ -4,8 +4,11 @@
 #include <array>
 #include <glm/vec4.hpp>
 #include <imgui.h>
+#include <initializer_list>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace ramus::app::widgets {
 
@@ -19,16 +22,18 @@ void heading(const char* text);
 void rule();                     // a line across a panel, between its parts
 void section(const char* title); // the same, and the title of what follows
 bool small_button(const char* text, const char* help);
-// The same as section(), with buttons at its right end: pairs of text and help. Returns the one that was pressed, or
-// -1.
-int title_row(const char* title, const std::array<const char*, 2>* buttons, std::size_t count);
-template <std::size_t N> int title_row(const char* title, const std::array<std::array<const char*, 2>, N>& buttons) {
-    return title_row(title, buttons.data(), N);
-}
+struct TitleButton {
+    const char *text, *help, *command;
+    std::vector<std::string> words{}; // of the command
+};
+// The same as section(), with buttons at its right end. Returns the one that was pressed.
+std::optional<TitleButton> title_row(const char* title, std::initializer_list<TitleButton> buttons);
 // A label and its value, values aligned at the right edge.
 void fact(const char* label, const std::string& value);
-void quiet(const char* text);         // one line in the colour of labels
-void quiet_wrapped(const char* text); // several
+void quiet(const char* text);              // one line in the colour of labels
+void quiet_right(const std::string& text); // the same, at the right edge
+void quiet_wrapped(const char* text);      // several lines
+void trouble(const char* text);            // several lines in the colour of what went wrong
 // Puts the cursor so that `width` ends at the right edge.
 void align_right(float width);
 void tooltip(const char* text, const char* key = nullptr);

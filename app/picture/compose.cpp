@@ -51,7 +51,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.background.transparent = viewing.transparent;
     frame.quality = viewing.quality;
     for (const DepthCue& cue : depth_cues())
-        frame.appearance.*cue.strength = session.marks.depth_cues.contains(cue.name) ? 1.0F : 0.0F;
+        frame.appearance.*cue.strength = session.marks.depth_cues.has(cue) ? 1.0F : 0.0F;
     const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
     frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
     // A grey with a cool tint, as bright as it says.

@@ -4,9 +4,7 @@
 
 #include "render/scene/frame.h"
 
-#include <set>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace ramus::app {
@@ -17,9 +15,22 @@ struct DepthCue {
     float render::Appearance::*strength;
 };
 
-[[nodiscard]] std::span<const DepthCue> depth_cues();
+[[nodiscard]] std::span<const DepthCue> depth_cues();                 // the first two are on in a new session
 [[nodiscard]] const DepthCue* depth_cue_named(std::string_view name); // null: there is none
 
-using DepthCues = std::set<std::string, std::less<>>; // names of those that are on
+// Those that are on.
+class DepthCues {
+public:
+    [[nodiscard]] bool has(const DepthCue& cue) const { return (bits_ >> place_of(cue) & 1U) != 0; }
+    void set(const DepthCue& cue, bool on) {
+        bits_ = on ? bits_ | 1U << place_of(cue) : bits_ & ~(1U << place_of(cue));
+    }
+    void clear() { bits_ = 0; }
+    bool operator==(const DepthCues&) const = default;
+
+private:
+    static unsigned place_of(const DepthCue& cue) { return static_cast<unsigned>(&cue - depth_cues().data()); }
+    unsigned bits_ = 3; // the table's first two
+};
 
 } // namespace ramus::app

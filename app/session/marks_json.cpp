@@ -27,7 +27,7 @@ json options_json(const Marks& marks) {
     if (marks.skeleton) value["skeleton"] = true;
     value["depth_cues"] = json::array();
     for (const DepthCue& cue : depth_cues())
-        if (marks.depth_cues.contains(cue.name)) value["depth_cues"].push_back(std::string(cue.name));
+        if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(cue.name));
     return value;
 }
 
@@ -72,8 +72,9 @@ void read_options(const json& value, Marks& marks) {
         marks.depth_cues.clear();
         for (const json& one : value["depth_cues"]) {
             const std::string wanted = text(one, "depth cue");
-            if (depth_cue_named(wanted) == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
-            marks.depth_cues.insert(wanted);
+            const DepthCue* cue = depth_cue_named(wanted);
+            if (cue == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
+            marks.depth_cues.set(*cue, true);
         }
     }
     if (value.contains("colour_by")) {

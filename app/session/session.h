@@ -79,7 +79,7 @@ struct Marks {
     ColourMap colour_map = ColourMap::kViridis;
     Planning planning;
     GlassLook glass;
-    DepthCues depth_cues{"occlusion", "fog"};
+    DepthCues depth_cues;
     Comparison comparison;
     bool skeleton = false; // centerlines and rings of the radius are drawn over the vessels
     mesh::SurfaceOptions options;

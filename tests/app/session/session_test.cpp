@@ -234,12 +234,12 @@ TEST_CASE("depth cues are part of a session") {
     const TemporaryFolder folder;
     Session session;
     session.tree.path = folder.path() / "tree.swc";
-    session.marks.depth_cues.insert("halos");
-    session.marks.depth_cues.erase("fog");
+    session.marks.depth_cues.set(*depth_cue_named("halos"), true);
+    session.marks.depth_cues.set(*depth_cue_named("fog"), false);
     REQUIRE(write_session(session, folder.path() / "s.ramus.json"));
     const auto read = read_session(folder.path() / "s.ramus.json");
     REQUIRE(read);
     CHECK(read->session.marks.depth_cues == session.marks.depth_cues);
-    CHECK(session.marks.depth_cues.contains("occlusion"));
+    CHECK(session.marks.depth_cues.has(*depth_cue_named("occlusion")));
     CHECK(session.marks.depth_cues != Marks{}.depth_cues);
 }
