@@ -26,4 +26,11 @@ inline CLI::App* add_command(CLI::App& app, const std::string& name, const std::
     return command;
 }
 
+// An option with a value; `type` stands for it in the help.
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const std::string& name, const std::string& type, Value& value,
+                        const std::string& help) {
+    return command.add_option(name, value, help)->type_name(type);
+}
+
 } // namespace ramus::app

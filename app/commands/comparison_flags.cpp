@@ -29,11 +29,9 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
             },
             "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask")
         ->type_name("LIST");
-    CLI::Option* mask = command
-                            .add_option("--mask", flags.mask,
-                                        "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
-                                            "; default: the tree's own voxels)")
-                            ->type_name("MASK");
+    CLI::Option* mask = add_option(command, "--mask", "MASK", flags.mask,
+                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
+                                       "; default: the tree's own voxels)");
     command
         .add_option_function<std::string>(
             "--label",

@@ -34,9 +34,9 @@ void register_convert(CLI::App& app, Action& chosen) {
     CLI::App* command =
         add_command(app, "convert", "Write a vessel tree in another format: " + io::writable_tree_extensions());
     const auto flags = std::make_shared<ConvertFlags>();
-    command->add_option("FILE", flags->file, "Vessel tree to read")->type_name("")->required();
-    command->add_option("-o,--output", flags->output, "Vessel tree to write: " + io::writable_tree_extensions())
-        ->type_name("FILE")
+    add_option(*command, "FILE", "", flags->file, "Vessel tree to read")->required();
+    add_option(*command, "-o,--output", "FILE", flags->output,
+               "Vessel tree to write: " + io::writable_tree_extensions())
         ->required();
     add_reading_flags(*command, flags->surface);
     command->callback([flags, &chosen] { chosen = [flags] { return run_convert(*flags); }; });

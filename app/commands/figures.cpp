@@ -9,34 +9,25 @@
 namespace ramus::app {
 
 void add_figure_flags(CLI::App& command, FigureFlags& flags) {
-    command
-        .add_option("--supersample", flags.supersample,
-                    "Draw N times as large and take the mean: smoother edges (default 1)")
-        ->type_name("N")
+    add_option(command, "--supersample", "N", flags.supersample,
+               "Draw N times as large and take the mean: smoother edges (default 1)")
         ->check(CLI::Range(1, 8).description(""));
-    command
-        .add_option("--samples", flags.samples,
-                    "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
-        ->type_name("N")
+    add_option(command, "--samples", "N", flags.samples,
+               "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
         ->check(CLI::IsMember({4, 16}).description(""));
-    command.add_option("--caption", flags.caption, "Words at the top left")->type_name("TEXT");
-    CLI::Option* overlays =
-        command
-            .add_option("--overlays", flags.overlays,
-                        "What lies over the tree: none, or some of cube,scale,legend,letters (default "
-                        "cube,scale,legend)")
-            ->type_name("LIST")
-            ->delimiter(',')
-            ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
+    add_option(command, "--caption", "TEXT", flags.caption, "Words at the top left");
+    CLI::Option* overlays = add_option(command, "--overlays", "LIST", flags.overlays,
+                                       "What lies over the tree: none, or some of cube,scale,legend,letters (default "
+                                       "cube,scale,legend)")
+                                ->delimiter(',')
+                                ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
     overlays->each([&flags](const std::string&) { flags.overlays_given = true; });
     CLI::Option* sheet =
         command.add_flag("--sheet", flags.sheet,
                          "Four views on one sheet: anterior, left, posterior, superior; with --compare "
                          "side-by-side a table of views and surfaces");
-    command
-        .add_option("--turntable", flags.turntable,
-                    "Once around the tree in N pictures: o.png becomes o_001.png and so on")
-        ->type_name("N")
+    add_option(command, "--turntable", "N", flags.turntable,
+               "Once around the tree in N pictures: o.png becomes o_001.png and so on")
         ->check(CLI::Range(2, 9999).description(""))
         ->excludes(sheet);
 }

@@ -78,23 +78,18 @@ void register_grow(CLI::App& app, Action& chosen) {
                     "fork is threefold.\nThe same options give the same tree on every machine.");
     auto flags = std::make_shared<Flags>();
     tree::GrowOptions& options = flags->grow;
-    command->add_option("-o,--output", flags->output, "Tree file to write: " + io::writable_tree_extensions())
-        ->type_name("TREE")
+    add_option(*command, "-o,--output", "TREE", flags->output, "Tree file to write: " + io::writable_tree_extensions())
         ->required();
-    command
-        ->add_option("--branches", options.branches, "Branches of the tree, exactly: 1, or 3 and more (default 1504)")
-        ->type_name("N");
-    command->add_option("--seed", options.seed, "Another number, another organ and tree (default 1)")->type_name("S");
-    command
-        ->add_option("--organ-size", options.organ_width_mm, "Width of the organ, left to right (default 214: 1.5 l)")
-        ->type_name("MM");
-    command
-        ->add_option("--root-radius", options.root_radius_mm,
-                     "Radius of the stem; the others follow from it (default 6)")
-        ->type_name("MM");
-    command->add_option("--spacing", options.spacing_mm, "Distance of centerline points (default 1)")->type_name("MM");
-    command->add_option("--tortuosity", options.tortuosity, "0: straight between forks, 1: gently winding (default 1)")
-        ->type_name("X");
+    add_option(*command, "--branches", "N", options.branches,
+               "Branches of the tree, exactly: 1, or 3 and more (default 1504)");
+    add_option(*command, "--seed", "S", options.seed, "Another number, another organ and tree (default 1)");
+    add_option(*command, "--organ-size", "MM", options.organ_width_mm,
+               "Width of the organ, left to right (default 214: 1.5 l)");
+    add_option(*command, "--root-radius", "MM", options.root_radius_mm,
+               "Radius of the stem; the others follow from it (default 6)");
+    add_option(*command, "--spacing", "MM", options.spacing_mm, "Distance of centerline points (default 1)");
+    add_option(*command, "--tortuosity", "X", options.tortuosity,
+               "0: straight between forks, 1: gently winding (default 1)");
     command->add_flag("--verbose", flags->verbose, "Say on standard error what has grown");
     command->callback([flags, &chosen] {
         if (const auto wrong = tree::wrong_with(flags->grow)) throw CLI::ValidationError(wrong->message());

@@ -140,8 +140,7 @@ Result<int> run_info(const InfoFlags& flags) {
 void register_info(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(app, "info", "Say what a vessel tree or a segmentation mask consists of");
     const auto flags = std::make_shared<InfoFlags>();
-    command->add_option("FILE", flags->file, "Vessel tree, or mask (" + io::readable_volume_extensions() + ")")
-        ->type_name("")
+    add_option(*command, "FILE", "", flags->file, "Vessel tree, or mask (" + io::readable_volume_extensions() + ")")
         ->required();
     command->add_flag("--json", flags->json, "Print one JSON object");
     command->add_flag("--branches", flags->branches, "List every branch too");

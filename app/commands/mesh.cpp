@@ -77,22 +77,17 @@ void register_mesh(CLI::App& app, Action& chosen) {
                                     "Write the surface of a vessel tree, or of a segmentation mask, as " +
                                         io::writable_mesh_extensions());
     const auto flags = std::make_shared<MeshFlags>();
-    command
-        ->add_option("FILE", flags->file,
-                     "Vessel tree, may be left out with --session; with --method iso a mask (" +
-                         io::readable_volume_extensions() + ")")
-        ->type_name("");
-    command->add_option("-o,--output", flags->output, "Mesh to write: " + io::writable_mesh_extensions())
-        ->type_name("MESH")
+    add_option(*command, "FILE", "", flags->file,
+               "Vessel tree, may be left out with --session; with --method iso a mask (" +
+                   io::readable_volume_extensions() + ")");
+    add_option(*command, "-o,--output", "MESH", flags->output, "Mesh to write: " + io::writable_mesh_extensions())
         ->required();
     add_method_flag(*command, true, [flags](mesh::Method method) {
         flags->mask.iso = !mesh::row_of(method).of_tree;
         if (!flags->mask.iso) flags->surface.surface.method = method;
     });
-    command
-        ->add_option("--session", flags->session,
-                     "Of this session: its tree and surface options, without its hidden branches")
-        ->type_name("FILE");
+    add_option(*command, "--session", "FILE", flags->session,
+               "Of this session: its tree and surface options, without its hidden branches");
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     add_surface_flags(*command, flags->surface);
     add_mask_flags(*command, flags->mask);

@@ -41,18 +41,16 @@ void add_size_flag(CLI::App& command, glm::ivec2& size) {
 }
 
 CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes) {
-    return command
-        .add_option("--graphics-memory", bytes,
-                    "Most graphics memory for surfaces, as 800M or 4G (default 0: three quarters of what there is)")
-        ->type_name("SIZE")
+    return add_option(command, "--graphics-memory", "SIZE", bytes,
+                      "Most graphics memory for surfaces, as 800M or 4G (default 0: three quarters of what there is)")
         ->transform(CLI::AsSizeValue(false));
 }
 
 CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
     std::map<std::string, render::View> views;
     for (const render::View one : render::kViews) views.emplace(render::name_of(one), one);
-    return command.add_option("--view", view, "anterior (default), posterior, left, right, superior or inferior")
-        ->type_name("NAME")
+    return add_option(command, "--view", "NAME", view,
+                      "anterior (default), posterior, left, right, superior or inferior")
         ->transform(CLI::CheckedTransformer(views).description(""));
 }
 

@@ -275,25 +275,18 @@ Result<int> run_render(const RenderFlags& flags) {
 
 // What the picture is compared with, and how fast it is drawn.
 void add_checking_flags(CLI::App& command, RenderFlags& flags) {
-    CLI::Option* reference =
-        command.add_option("--reference", flags.reference, "Compare with this PNG; exit status 3 when they differ")
-            ->type_name("PNG");
-    command
-        .add_option("--tolerance", flags.tolerance,
-                    "Share of the pixels that may differ from the reference by more than 8/255 (default 0.001)")
-        ->type_name("T")
+    CLI::Option* reference = add_option(command, "--reference", "PNG", flags.reference,
+                                        "Compare with this PNG; exit status 3 when they differ");
+    add_option(command, "--tolerance", "T", flags.tolerance,
+               "Share of the pixels that may differ from the reference by more than 8/255 (default 0.001)")
         ->check(CLI::Range(0.0, 1.0).description(""))
         ->needs(reference);
-    command
-        .add_option("--noticeable", flags.noticeable,
-                    "Instead: share of the pixels that may differ so that an eye before a screen sees it")
-        ->type_name("T")
+    add_option(command, "--noticeable", "T", flags.noticeable,
+               "Instead: share of the pixels that may differ so that an eye before a screen sees it")
         ->check(CLI::Range(0.0, 1.0).description(""))
         ->needs(reference);
-    command
-        .add_option("--benchmark", flags.benchmark,
-                    "Turn once around the tree in N frames, as the window does, and tell how fast that was")
-        ->type_name("N")
+    add_option(command, "--benchmark", "N", flags.benchmark,
+               "Turn once around the tree in N frames, as the window does, and tell how fast that was")
         ->check(CLI::Range(1, 1000000).description(""));
     command.add_flag("--benchmark-full", flags.benchmark_full,
                      "With --benchmark: draw every frame as if the view rested");
@@ -303,15 +296,11 @@ void add_checking_flags(CLI::App& command, RenderFlags& flags) {
 void add_backend_flags(CLI::App& command, RenderFlags& flags) {
     const std::map<std::string, render::Backend> backends{{"osmesa", render::Backend::kOsMesa},
                                                           {"egl", render::Backend::kEgl}};
-    command
-        .add_option("--backend", flags.backend,
-                    "What draws: osmesa, on the processor (default), or egl, on a graphics card where there is one")
-        ->type_name("NAME")
+    add_option(command, "--backend", "NAME", flags.backend,
+               "What draws: osmesa, on the processor (default), or egl, on a graphics card where there is one")
         ->transform(CLI::CheckedTransformer(backends).description(""));
-    command
-        .add_option("--device", flags.device,
-                    "With --backend egl: this one of its devices, from 0; --verbose lists them")
-        ->type_name("N")
+    add_option(command, "--device", "N", flags.device,
+               "With --backend egl: this one of its devices, from 0; --verbose lists them")
         ->check(CLI::Range(0, 63).description(""));
 }
 
@@ -335,25 +324,21 @@ void check_flags(const CLI::App& command, const RenderFlags& flags) {
 void register_render(CLI::App& app, Action& chosen) {
     auto flags = std::make_shared<RenderFlags>();
     CLI::App* command = add_command(app, "render", "Make the window's picture without a window");
-    command->add_option("FILE", flags->file, "Vessel tree; may be left out with --session")->type_name("");
-    command->add_option("-o,--output", flags->output, "PNG to write")->type_name("PNG");
+    add_option(*command, "FILE", "", flags->file, "Vessel tree; may be left out with --session");
+    add_option(*command, "-o,--output", "PNG", flags->output, "PNG to write");
     add_size_flag(*command, flags->size);
     CLI::Option* view = add_view_flag(*command, flags->view);
     add_graphics_memory_flag(*command, flags->graphics_bytes);
-    command->add_option("--session", flags->session, "Draw this session: its tree, states, camera and surface options")
-        ->type_name("FILE");
-    command
-        ->add_option("--commands", flags->commands, "Run these commands first, one a line (`select 12`, `hide`, ...)")
-        ->type_name("FILE");
-    command
-        ->add_option("--context", flags->context,
-                     "Show the surface of this mask or mesh beside the tree (" + context_extensions() +
-                         "); may be repeated")
-        ->type_name("FILE")
+    add_option(*command, "--session", "FILE", flags->session,
+               "Draw this session: its tree, states, camera and surface options");
+    add_option(*command, "--commands", "FILE", flags->commands,
+               "Run these commands first, one a line (`select 12`, `hide`, ...)");
+    add_option(*command, "--context", "FILE", flags->context,
+               "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
     command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
-    command->add_option("--camera", flags->camera, "Camera as JSON, or a file with it, named as in a session file")
-        ->type_name("JSON|FILE")
+    add_option(*command, "--camera", "JSON|FILE", flags->camera,
+               "Camera as JSON, or a file with it, named as in a session file")
         ->excludes(view);
     command->add_flag("--orthographic", flags->orthographic,
                       "Parallel projection: equal lengths look equal near and far");

@@ -216,19 +216,13 @@ void register_study(CLI::App& app, Action& chosen) {
     CLI::App* command = add_command(
         app, "study",
         "Ten pictures to compare surfaces by: the tree, and three places as isosurface, cones, convolution");
-    command->add_option("FILE", flags->file, "Vessel tree")->type_name("")->required();
-    command->add_option("-o,--output", flags->folder, "Folder for the pictures; it is made if need be")
-        ->type_name("FOLDER")
+    add_option(*command, "FILE", "", flags->file, "Vessel tree")->required();
+    add_option(*command, "-o,--output", "FOLDER", flags->folder, "Folder for the pictures; it is made if need be")
         ->required();
-    CLI::Option* mask =
-        command
-            ->add_option("--mask", flags->mask,
-                         "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")")
-            ->type_name("MASK");
-    command
-        ->add_option("--voxel", flags->voxel_mm,
-                     "Without a mask one is made of the tree, with voxels of this size (default: as is sensible)")
-        ->type_name("MM")
+    CLI::Option* mask = add_option(*command, "--mask", "MASK", flags->mask,
+                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")");
+    add_option(*command, "--voxel", "MM", flags->voxel_mm,
+               "Without a mask one is made of the tree, with voxels of this size (default: as is sensible)")
         ->check(CLI::PositiveNumber.description(""))
         ->excludes(mask);
     add_size_flag(*command, flags->size);

@@ -98,11 +98,9 @@ void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
                 ->check(domain_of(option));
         if (!option.instead.empty()) flag->excludes(command.get_option(flag_of(option.instead)));
     }
-    command
-        .add_option("--memory", surface.memory_bytes,
-                    "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
-                    "surfaces to the disk")
-        ->type_name("SIZE")
+    add_option(command, "--memory", "SIZE", surface.memory_bytes,
+               "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
+               "surfaces to the disk")
         ->transform(CLI::AsSizeValue(false));
     add_reading_flags(command, flags);
 }
