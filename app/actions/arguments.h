@@ -27,6 +27,23 @@ namespace ramus::app::actions {
 [[nodiscard]] Result<void> toggle_part(ActionContext& context, const std::string& part);
 [[nodiscard]] tl::unexpected<Error> no_window(const std::string& part); // "there is no help without a window"
 
+// A step of the document: its marks, changed by change(marks). Succeeds.
+template <class Change> Result<void> edit(ActionContext& context, const Change& change) {
+    Marks next = context.document.marks();
+    change(next);
+    context.document.change(std::move(next));
+    return {};
+}
+// Takes the one that is named out of a list of the marks; `what` as for list_index().
+template <class List>
+Result<void> remove_from(ActionContext& context, Arguments arguments, List Marks::*list, const std::string& what) {
+    const auto index = list_index(arguments, (context.document.marks().*list).size(), what);
+    if (!index) return tl::unexpected(index.error());
+    return edit(context, [&](Marks& marks) {
+        (marks.*list).erase((marks.*list).begin() + static_cast<std::ptrdiff_t>(*index));
+    });
+}
+
 inline constexpr double kFarthestMm = 1e6; // of positions, distances and diameters that people give
 
 // Makes these branches, in any order, the selection.

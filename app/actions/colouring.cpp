@@ -22,23 +22,15 @@ Result<void> colour_by(ActionContext& context, Arguments arguments) {
         for (const ColouringRow& row : colourings()) names.append(names.empty() ? "" : ", ").append(row.key);
         return fail("colour-by takes a quantity", {}, "one of " + names);
     }
-    Marks next = context.document.marks();
-    next.colour_by = *found;
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.colour_by = *found; });
 }
 
 Result<void> colour_map(ActionContext& context, Arguments arguments) {
     const auto found = std::ranges::find_if(
         kColourMaps, [&](ColourMap map) { return arguments.size() == 1 && name_of(map) == arguments[0]; });
     if (found == kColourMaps.end()) return fail("colour-map takes a name", {}, "one of " + all_names(kColourMaps));
-    Marks next = context.document.marks();
-    next.colour_map = *found;
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.colour_map = *found; });
 }
-
-template <ColourMap map> bool colours_with(const Document& document) { return document.marks().colour_map == map; }
 
 Command colouring_entry(const ColouringRow& row) {
     return Command("colour-by", "QUANTITY", std::string(row.help), colour_by)
@@ -48,12 +40,12 @@ Command colouring_entry(const ColouringRow& row) {
         .checked_when([by = row.by](const Document& document) { return document.marks().colour_by == by; });
 }
 
-template <ColourMap map> Command map_entry(const char* label) {
+Command map_entry(ColourMap map, const char* label) {
     return Command("colour-map", "NAME", "Shows quantities in this colour map.", colour_map)
         .in_menu("Colour", label)
         .giving({std::string(name_of(map))})
         .when(has_tree)
-        .checked_when(colours_with<map>);
+        .checked_when([map](const Document& document) { return document.marks().colour_map == map; });
 }
 
 } // namespace
@@ -64,13 +56,10 @@ std::vector<Command> colour_commands() {
     std::vector<Command> commands = {
         Command("colour-by", "QUANTITY", "Colours by " + io::listed(keys) + ".", colour_by)};
     for (const ColouringRow& row : colourings()) commands.push_back(colouring_entry(row));
-    const std::vector<Command> maps = {
-        Command("colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", colour_map),
-        map_entry<ColourMap::kViridis>("Viridis"),
-        map_entry<ColourMap::kCividis>("Cividis"),
-        map_entry<ColourMap::kMagma>("Magma"),
-    };
-    commands.insert(commands.end(), maps.begin(), maps.end());
+    commands.emplace_back("colour-map", "NAME", "Shows quantities in viridis, cividis or magma.", colour_map);
+    commands.push_back(map_entry(ColourMap::kViridis, "Viridis"));
+    commands.push_back(map_entry(ColourMap::kCividis, "Cividis"));
+    commands.push_back(map_entry(ColourMap::kMagma, "Magma"));
     return commands;
 }
 

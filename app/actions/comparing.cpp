@@ -51,10 +51,7 @@ Result<void> compare(ActionContext& context, Arguments arguments) {
 Result<void> compare_blend(ActionContext& context, Arguments arguments) {
     const auto share = arguments.size() == 1 ? number_in(arguments[0], 0.0, 1.0) : std::nullopt;
     if (!share) return fail("compare-blend takes a number from 0, the first surface, to 1, the second");
-    Marks next = context.document.marks();
-    next.comparison.blend = *share;
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.comparison.blend = *share; });
 }
 
 Result<void> compare_mask(ActionContext& context, Arguments arguments) {
@@ -89,21 +86,18 @@ Result<void> compare_mask(ActionContext& context, Arguments arguments) {
 Result<void> skeleton(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
         return fail("skeleton is on or off");
-    Marks next = context.document.marks();
-    next.skeleton = arguments.empty() ? !next.skeleton : arguments[0] == "on";
-    context.document.change(std::move(next));
-    return {};
+    return edit(context,
+                [&](Marks& marks) { marks.skeleton = arguments.empty() ? !marks.skeleton : arguments[0] == "on"; });
 }
 
-template <Mode mode> bool compares(const Document& document) { return document.marks().comparison.mode == mode; }
 bool shows_skeleton(const Document& document) { return document.marks().skeleton; }
 
-template <Mode mode> Command mode_entry(const char* label, const char* help) {
+Command mode_entry(Mode mode, const char* label, const char* help) {
     return Command("compare", "MODE [SURFACES]", help, compare)
         .in_menu("View", label)
         .giving({std::string(name_of(mode))})
         .when(has_tree)
-        .checked_when(compares<mode>);
+        .checked_when([mode](const Document& document) { return document.marks().comparison.mode == mode; });
 }
 
 } // namespace
@@ -114,12 +108,12 @@ std::vector<Command> compare_commands() {
                 "Shows surfaces of the same vessels off, side-by-side, blend or superimposed: two or three of "
                 "cs,cones,iso.",
                 compare),
-        mode_entry<Mode::kOff>("One surface", "Compares nothing: one surface fills the picture."),
-        mode_entry<Mode::kSideBySide>("Surfaces side by side",
-                                      "Compares surfaces in viewports that one camera looks into."),
-        mode_entry<Mode::kBlend>("Surfaces blended", "Compares two surfaces: one fades into the other."),
-        mode_entry<Mode::kSuperimposed>("Surfaces superimposed",
-                                        "Compares two surfaces: the second as lines over the first."),
+        mode_entry(Mode::kOff, "One surface", "Compares nothing: one surface fills the picture."),
+        mode_entry(Mode::kSideBySide, "Surfaces side by side",
+                   "Compares surfaces in viewports that one camera looks into."),
+        mode_entry(Mode::kBlend, "Surfaces blended", "Compares two surfaces: one fades into the other."),
+        mode_entry(Mode::kSuperimposed, "Surfaces superimposed",
+                   "Compares two surfaces: the second as lines over the first."),
         Command("compare-blend", "SHARE", "How much there is of the second surface where two are blended, from 0 to 1.",
                 compare_blend),
         Command(

@@ -102,10 +102,7 @@ Result<void> add_context(ActionContext& context, Arguments arguments, const mesh
     context.say(std::filesystem::path(item->file).filename().string() + ": " +
                 counted(mesh.triangles.size(), "triangle", "triangles") +
                 distance_text(mesh, *context.document.tree()));
-    Marks next = context.document.marks();
-    next.context.push_back(*item);
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.context.push_back(*item); });
 }
 
 Result<Outcome> context(ActionContext& context, Arguments arguments) {
@@ -148,10 +145,7 @@ Result<void> context_remove(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> context_clear(ActionContext& context, Arguments) {
-    Marks next = context.document.marks();
-    next.context.clear();
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.context.clear(); });
 }
 
 Result<void> context_opacity(ActionContext& context, Arguments arguments) {

@@ -17,10 +17,9 @@ Result<void> depth_cue(ActionContext& context, Arguments arguments) {
     const bool says = arguments.size() == 2 && (arguments[1] == "on" || arguments[1] == "off");
     const DepthCue* cue = plain || says ? depth_cue_named(arguments[0]) : nullptr;
     if (cue == nullptr) return fail("depth-cue takes a name, and on or off", {}, "the names are " + cue_names());
-    Marks next = context.document.marks();
-    next.depth_cues.set(*cue, plain ? !next.depth_cues.has(*cue) : arguments[1] == "on");
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) {
+        marks.depth_cues.set(*cue, plain ? !marks.depth_cues.has(*cue) : arguments[1] == "on");
+    });
 }
 
 } // namespace

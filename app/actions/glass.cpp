@@ -9,19 +9,13 @@ namespace {
 Result<void> glass_opacity(ActionContext& context, Arguments arguments) {
     const auto value = arguments.size() == 1 ? number_in(arguments[0], 0.0, 2.0) : std::nullopt;
     if (!value) return fail("glass-opacity takes a number from 0 to 2", {}, "0 leaves the centerlines, 1 is the usual");
-    Marks next = context.document.marks();
-    next.glass.opacity = *value;
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.glass.opacity = *value; });
 }
 
 Result<void> glass_grey(ActionContext& context, Arguments arguments) {
     const auto value = arguments.size() == 1 ? number_in(arguments[0], 0.0, 1.0) : std::nullopt;
     if (!value) return fail("glass-grey takes a number from 0 to 1", {}, "0 is black, 1 white, 0.7 the usual");
-    Marks next = context.document.marks();
-    next.glass.grey = *value;
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.glass.grey = *value; });
 }
 
 } // namespace

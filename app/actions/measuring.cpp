@@ -62,19 +62,11 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> measure_remove(ActionContext& context, Arguments arguments) {
-    Marks next = context.document.marks();
-    const auto index = list_index(arguments, next.measurements.size(), "measurement");
-    if (!index) return tl::unexpected(index.error());
-    next.measurements.erase(next.measurements.begin() + static_cast<std::ptrdiff_t>(*index));
-    context.document.change(std::move(next));
-    return {};
+    return remove_from(context, arguments, &Marks::measurements, "measurement");
 }
 
 Result<void> measure_clear(ActionContext& context, Arguments) {
-    Marks next = context.document.marks();
-    next.measurements.clear();
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.measurements.clear(); });
 }
 
 // The last two of the selection, for there is no order in it but that of ids.

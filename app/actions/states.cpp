@@ -8,39 +8,21 @@ namespace {
 
 using render::BranchState;
 
-Result<void> set_selected(Document& document, BranchState state) {
-    if (auto some = expect_selection(document); !some) return some;
-    Marks next = document.marks();
-    set_state(next, next.selection, state);
-    document.change(std::move(next));
-    return {};
+CommandAction setting(BranchState state) {
+    return [state](ActionContext& context, Arguments) -> Result<void> {
+        if (auto some = expect_selection(context.document); !some) return some;
+        return edit(context, [&](Marks& marks) { set_state(marks, marks.selection, state); });
+    };
 }
-
-Result<void> highlight(ActionContext& context, Arguments) {
-    return set_selected(context.document, BranchState::kHighlighted);
-}
-
-Result<void> defocus(ActionContext& context, Arguments) {
-    return set_selected(context.document, BranchState::kDefocused);
-}
-
-Result<void> hide(ActionContext& context, Arguments) { return set_selected(context.document, BranchState::kHidden); }
-
-Result<void> show(ActionContext& context, Arguments) { return set_selected(context.document, BranchState::kNormal); }
 
 Result<void> defocus_others(ActionContext& context, Arguments) {
     if (auto some = expect_selection(context.document); !some) return some;
-    Marks next = context.document.marks();
-    set_state(next, unselected(context.document), BranchState::kDefocused);
-    context.document.change(std::move(next));
-    return {};
+    return edit(context,
+                [&](Marks& marks) { set_state(marks, unselected(context.document), BranchState::kDefocused); });
 }
 
 Result<void> show_all(ActionContext& context, Arguments) {
-    Marks next = context.document.marks();
-    next.states.clear();
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.states.clear(); });
 }
 
 Result<void> name(ActionContext& context, Arguments arguments) {
@@ -63,19 +45,19 @@ bool has_states(const Document& document) { return !document.marks().states.empt
 
 std::vector<Command> state_commands() {
     return {
-        Command("highlight", "", "Highlights the selected branches.", highlight)
+        Command("highlight", "", "Highlights the selected branches.", setting(BranchState::kHighlighted))
             .in_menu("Branches", "Highlight", {"H"})
             .when(has_selection),
-        Command("defocus", "", "Makes the selected branches grey glass.", defocus)
+        Command("defocus", "", "Makes the selected branches grey glass.", setting(BranchState::kDefocused))
             .in_menu("Branches", "Defocus", {"G"})
             .when(has_selection),
         Command("defocus-others", "", "Makes everything but the selected branches grey glass.", defocus_others)
             .in_menu("Branches", "Defocus others", {"Shift+G"})
             .when(has_selection),
-        Command("hide", "", "Hides the selected branches.", hide)
+        Command("hide", "", "Hides the selected branches.", setting(BranchState::kHidden))
             .in_menu("Branches", "Hide", {"X", "Delete"})
             .when(has_selection),
-        Command("show", "", "Makes the selected branches normal again.", show)
+        Command("show", "", "Makes the selected branches normal again.", setting(BranchState::kNormal))
             .in_menu("Branches", "Show normally", {"N"})
             .when(has_selection),
         Command("show-all", "", "Makes every branch normal again.", show_all)

@@ -26,10 +26,7 @@ Result<void> lesion(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to place it in");
     const auto sphere = arguments.size() == 1 ? sphere_in(arguments[0]) : std::nullopt;
     if (!sphere) return fail(kAskedLesion);
-    Marks next = context.document.marks();
-    next.lesions.push_back(*sphere);
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.lesions.push_back(*sphere); });
 }
 
 Result<void> lesion_change(ActionContext& context, Arguments arguments) {
@@ -54,10 +51,7 @@ Result<void> add_lesion_mesh(ActionContext& context, const std::filesystem::path
     if (auto is_new = expect_new_lesion(context.document, path); !is_new) return is_new;
     context.say("Lesion of " + counted(lesion.mesh.triangles.size(), "triangle", "triangles") + ": " +
                 path.filename().string());
-    Marks next = context.document.marks();
-    next.lesion_meshes.push_back(path.string());
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.lesion_meshes.push_back(path.string()); });
 }
 
 Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
@@ -146,19 +140,11 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> cut_remove(ActionContext& context, Arguments arguments) {
-    Marks next = context.document.marks();
-    const auto index = list_index(arguments, next.cuts.size(), "cut");
-    if (!index) return tl::unexpected(index.error());
-    next.cuts.erase(next.cuts.begin() + static_cast<std::ptrdiff_t>(*index));
-    context.document.change(std::move(next));
-    return {};
+    return remove_from(context, arguments, &Marks::cuts, "cut");
 }
 
 Result<void> cut_clear(ActionContext& context, Arguments) {
-    Marks next = context.document.marks();
-    next.cuts.clear();
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.cuts.clear(); });
 }
 
 Result<void> bands(ActionContext& context, Arguments arguments) {
@@ -175,20 +161,14 @@ Result<void> bands(ActionContext& context, Arguments arguments) {
     if (found.empty() || found.size() > kMostBands)
         return fail("bands takes 1 to " + std::to_string(kMostBands) + " margins in mm that ascend", {},
                     "bands 5 10 20 is the default");
-    Marks next = context.document.marks();
-    next.planning.bands_mm = std::move(found);
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.planning.bands_mm = std::move(found); });
 }
 
 Result<void> reconstruct(ActionContext& context, Arguments arguments) {
     const auto limit = arguments.size() == 1 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
     if (!limit)
         return fail("reconstruct takes a diameter in mm", {}, "cut vessels larger than that must be reconstructed");
-    Marks next = context.document.marks();
-    next.planning.reconstruct_mm = *limit;
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [&](Marks& marks) { marks.planning.reconstruct_mm = *limit; });
 }
 
 Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
