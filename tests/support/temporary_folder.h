@@ -35,6 +35,12 @@ public:
         return found;
     }
 
+    // A file in it, with this text; where that is.
+    std::filesystem::path write(const std::string& name,
+                                const std::string& text) const { // NOLINT(modernize-use-nodiscard)
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
     // The bytes of a file in it.
     [[nodiscard]] std::string text(const std::string& name) const {
         std::ifstream file(path_ / name, std::ios::binary);

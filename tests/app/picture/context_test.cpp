@@ -29,13 +29,8 @@ constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n
 
 struct ContextStage {
     TemporaryFolder folder;
-    fs::path tree = write("fork.swc", kFork);
+    fs::path tree = folder.write("fork.swc", kFork);
     test::CommandStage commands{io::read_tree(tree).value()};
-
-    fs::path write(const std::string& name, const std::string& text) const { // NOLINT(modernize-use-nodiscard)
-        std::ofstream(folder.path() / name, std::ios::binary) << text;
-        return folder.path() / name;
-    }
     [[nodiscard]] std::string ball(const std::string& name, glm::dvec3 centre = {0, 0, 15}, int level = 3) const {
         auto mesh = test::icosphere(level, centre, 12.0);
         mesh.radii.resize(mesh.positions.size(), 1.0F);
@@ -120,8 +115,8 @@ TEST_CASE("what cannot be context is refused, and changes nothing") {
     const auto path = [&](const char* name) {
         return std::string("\"") + (stage.folder.path() / name).string() + "\"";
     };
-    stage.write("broken.stl", "solid nothing\nendsolid nothing\n");
-    stage.write("broken.nii", std::string(100, 'x'));
+    stage.folder.write("broken.stl", "solid nothing\nendsolid nothing\n");
+    stage.folder.write("broken.nii", std::string(100, 'x'));
     const std::string mask = stage.mask("mask.nii");
     const std::pair<std::string, const char*> cases[] = {
         {"context \"" + good + "\"", "already"},
@@ -177,7 +172,7 @@ TEST_CASE("a mask's surface lies in the patient's coordinates, of one label or o
 
 TEST_CASE("a mesh with holes may stand beside the tree, and who lies far from it is told") {
     ContextStage stage;
-    stage.write("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+    stage.folder.write("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
     CHECK(stage.commands.good("context \"" + (stage.folder.path() / "open.obj").string() + "\"").find("1 triangle") !=
           std::string::npos);
     const std::string said = stage.commands.good("context \"" + stage.ball("far.stl", {0, 0, 530}) + "\"");

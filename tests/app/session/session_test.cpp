@@ -46,16 +46,14 @@ Session lively_session(const fs::path& folder) {
 } // namespace
 
 TEST_CASE("a session survives its file to the last bit") {
-    const fs::path folder = fs::temp_directory_path() / "ramus_session_test";
-    fs::create_directories(folder);
-    const Session session = lively_session(folder);
-    const fs::path file = folder / "plan.ramus.json";
+    const TemporaryFolder folder;
+    const Session session = lively_session(folder.path());
+    const fs::path file = folder.path() / "plan.ramus.json";
     REQUIRE(write_session(session, file));
     const auto read = read_session(file);
     REQUIRE_MESSAGE(read, read.error().message());
     CHECK(read->has_camera);
     CHECK(read->session == session);
-    fs::remove_all(folder);
 }
 
 TEST_CASE("a session and its tree move together when they lie together") {
@@ -133,20 +131,19 @@ TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
 TEST_CASE("reading a session names what is wrong with the file") {
     CHECK(read_session("/nowhere/s.json").error().what == "the session cannot be read");
     CHECK(read_session(fs::temp_directory_path()).error().what == "the session cannot be read");
-    const fs::path junk = fs::temp_directory_path() / "ramus_junk.json";
-    std::ofstream(junk) << "\x7f"
-                        << "ELF";
-    CHECK(read_session(junk).error().what == "this is not JSON");
-    fs::remove(junk);
+    const TemporaryFolder folder;
+    CHECK(read_session(folder.write("junk.json", "\x7f"
+                                                 "ELF"))
+              .error()
+              .what == "this is not JSON");
 }
 
 TEST_CASE("a session that cannot be written leaves nothing behind") {
     CHECK_FALSE(write_session(lively_session("/data"), "/nowhere/s.json"));
-    const fs::path folder = fs::temp_directory_path() / "ramus_session_is_a_folder";
-    fs::create_directories(folder / "s.json");
-    CHECK_FALSE(write_session(lively_session(folder), folder / "s.json"));
-    CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 1);
-    fs::remove_all(folder);
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "s.json");
+    CHECK_FALSE(write_session(lively_session(folder.path()), folder.path() / "s.json"));
+    CHECK(folder.names() == std::vector<std::string>{"s.json"});
 }
 
 TEST_CASE("a session of another tree is refused") {

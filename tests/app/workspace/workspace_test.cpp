@@ -6,6 +6,7 @@
 #include "core/io/meshes/mesh_file.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/settle.h"
+#include "tests/support/temporary_folder.h"
 
 #include <atomic>
 #include <chrono>
@@ -23,16 +24,6 @@ using ramus::test::settle;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("ramus_workspace_test_" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    fs::path write(const std::string& name, const std::string& text) const { // NOLINT(modernize-use-nodiscard)
-        std::ofstream(path / name) << text;
-        return path / name;
-    }
-};
 
 constexpr const char* kFork = "1 3 0 0 0 2 -1\n2 3 0 0 20 2 1\n3 3 10 0 30 1 2\n4 3 -10 0 30 1.5 2\n";
 
@@ -63,7 +54,7 @@ TEST_CASE("a worker's results come in drain(), in order, and the newest task win
 }
 
 TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface that was") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.document.tree() != nullptr; }));
@@ -86,7 +77,7 @@ TEST_CASE("a tree opens with its cones, then its surface; undo finds the surface
 }
 
 TEST_CASE("hidden branches go from the surface, and undo finds them again") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
@@ -118,7 +109,7 @@ TEST_CASE("hidden branches go from the surface, and undo finds them again") {
 }
 
 TEST_CASE("options that are tried change the picture and not the session") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
@@ -134,7 +125,7 @@ TEST_CASE("options that are tried change the picture and not the session") {
 }
 
 TEST_CASE("a file that cannot be read leaves the old tree as it was") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
@@ -149,28 +140,28 @@ TEST_CASE("a file that cannot be read leaves the old tree as it was") {
 }
 
 TEST_CASE("a session opens with its tree; one of another tree is refused") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const fs::path tree = folder.write("fork.swc", kFork);
     Session session;
     session.tree = {tree, checksum_of(tree).value()};
     session.marks.selection = {1};
-    REQUIRE(write_session(session, folder.path / "s.json"));
-    CHECK(is_session_file(folder.path / "s.json"));
+    REQUIRE(write_session(session, folder.path() / "s.json"));
+    CHECK(is_session_file(folder.path() / "s.json"));
     CHECK_FALSE(is_session_file(tree));
     CHECK_FALSE(is_session_file(folder.write("other.json", R"({"points": []})")));
     CHECK_FALSE(is_session_file(folder.write("junk.json", "{")));
     Job job;
-    const auto loaded = load(folder.path / "s.json", {}, {}, job);
+    const auto loaded = load(folder.path() / "s.json", {}, {}, job);
     REQUIRE(loaded);
     CHECK(loaded->session == session);
     CHECK(loaded->has_camera);
 
     folder.write("fork.swc", std::string(kFork) + "5 3 0 0 60 1 3\n");
-    CHECK_FALSE(load(folder.path / "s.json", {}, {}, job));
+    CHECK_FALSE(load(folder.path() / "s.json", {}, {}, job));
 }
 
 TEST_CASE("facts of a fork are those of its geometry") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Job job;
     const auto loaded = load(folder.write("fork.swc", kFork), {}, {}, job);
     REQUIRE(loaded);
@@ -186,11 +177,11 @@ TEST_CASE("facts of a fork are those of its geometry") {
 }
 
 TEST_CASE("distances to lesions that are meshes are measured behind the window's back") {
-    const Folder folder;
+    const TemporaryFolder folder;
     auto ball = test::icosphere(4, {0, 9, 5}, 3.0);
     ball.radii.resize(ball.positions.size(), 1.0F);
     ball.branches.resize(ball.positions.size(), 0);
-    const fs::path file = folder.path / "tumour.stl";
+    const fs::path file = folder.path() / "tumour.stl";
     REQUIRE(io::write_mesh(ball, file));
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
@@ -243,8 +234,8 @@ TEST_CASE("distances to lesions that are meshes are measured behind the window's
 }
 
 TEST_CASE("a lesion's file that was written since is read again, and distances follow") {
-    const Folder folder;
-    const fs::path file = folder.path / "tumour.stl";
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "tumour.stl";
     const auto write_ball = [&](double radius, int level) {
         auto ball = test::icosphere(level, {0, 9, 5}, radius);
         ball.radii.resize(ball.positions.size(), 1.0F);
@@ -292,7 +283,7 @@ TEST_CASE("a task that throws ends, and says so") {
 }
 
 TEST_CASE("a file that arrives while unsaved work went on waits to be let in") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Workspace workspace({});
     workspace.open(folder.write("fork.swc", kFork));
     REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
