@@ -1,5 +1,6 @@
 #include "app/commands/comparison_flags.h"
 
+#include "app/commands/command.h"
 #include "core/io/volumes/volume_format.h"
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 #include "app/commands/figures.h"
 
+#include "app/commands/command.h"
 #include "app/picture/colouring.h"
 #include "render/image/text.h"
 #include "render/overlay/overlay.h"

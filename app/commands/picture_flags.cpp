@@ -1,5 +1,6 @@
 #include "app/commands/picture_flags.h"
 
+#include "app/commands/command.h"
 #include "render/renderer/renderer.h"
 
 #include <charconv>

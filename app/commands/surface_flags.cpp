@@ -1,5 +1,6 @@
 #include "app/commands/surface_flags.h"
 
+#include "app/commands/command.h"
 #include "app/session/surface_options.h"
 
 #include <algorithm>

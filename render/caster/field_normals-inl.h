@@ -47,7 +47,8 @@ HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, Vec3 at,
             here = here || Uint{cones} == field.neighbours[i];
         here = here && left;
         left = left && !here;
-        Vec3 outward = -1.0F * local_gradient(field, cone, here, at); // it grows inward, and normals have z to the eye
+        const Vec3 inward = local_gradient(field, cone, here, at);
+        Vec3 outward = {-inward.x, -inward.y, inward.z}; // depth grows away from the eye, normals have z towards it
         const Float squared = dot(outward, outward);
         outward = Float(inverse_root(max(squared, 1e-20F).v)) * outward;
         normal = select(here && squared > 1e-12F && dot(outward, before) > 0.0F, outward, normal);
