@@ -7,6 +7,10 @@
 
 namespace ramus {
 
+// What the allocator keeps of large arrays, of any size, until release_unused_memory(): a surface that is made again
+// finds its pages, which the system would have to clear anew.
+[[maybe_unused]] static const int huge_arrays_kept = scalable_allocation_mode(TBBMALLOC_SET_HUGE_SIZE_THRESHOLD, 0);
+
 double memory_limit(double asked) {
     if (asked > 0.0) return asked;
     return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
