@@ -9,7 +9,7 @@ namespace ramus {
 
 // What the allocator keeps of large arrays, of any size, until release_unused_memory(): a surface that is made again
 // finds its pages, which the system would have to clear anew.
-[[maybe_unused]] static const int huge_arrays_kept = scalable_allocation_mode(TBBMALLOC_SET_HUGE_SIZE_THRESHOLD, 0);
+[[maybe_unused]] static const int kHugeArraysKept = scalable_allocation_mode(TBBMALLOC_SET_HUGE_SIZE_THRESHOLD, 0);
 
 double memory_limit(double asked) {
     if (asked > 0.0) return asked;
