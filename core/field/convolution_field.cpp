@@ -38,17 +38,4 @@ std::optional<SegmentChanges> ConvolutionField::changes_since(const ConvolutionF
     return skeleton_.changes_since(before.skeleton_);
 }
 
-SumInBrick ConvolutionField::in_brick() const { return SumInBrick(*this); }
-
-SumInBrick::SumInBrick(const ConvolutionField& field) {
-    local_.kernel = &field.kernel();
-    local_.segments = field.segments().data();
-}
-
-std::uint64_t SumInBrick::project(Projection& guesses, const SurfacePoints& to) {
-    if (guesses.size() == 0 || local_.count == 0) return 0;
-    guesses.pad();
-    return local_.kernel->functions->project(local_, guesses, to);
-}
-
 } // namespace ramus::field

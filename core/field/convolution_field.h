@@ -4,7 +4,6 @@
 
 #include "core/field/kernel.h"
 #include "core/field/skeleton.h"
-#include "core/field/sum/local_segments.h"
 
 #include <cstdint>
 #include <memory>
@@ -13,8 +12,6 @@
 #include <vector>
 
 namespace ramus::field {
-
-class SumInBrick;
 
 class ConvolutionField {
 public:
@@ -34,41 +31,18 @@ public:
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
     [[nodiscard]] double support_radii() const { return kernel_.support_radii; }
     [[nodiscard]] std::optional<SegmentChanges> changes_since(const ConvolutionField& before) const;
-    [[nodiscard]] ChildBounds bound_children(std::span<const std::uint32_t> list, const ChildCubes& cubes,
+    [[nodiscard]] ChildBounds bound_children(SegmentIndices list, const ChildCubes& cubes,
                                              std::span<std::uint8_t> reaching) const {
-        return kernel_.functions->bound_children(kernel_, culling_->data(), list, cubes, reaching);
+        return kernel_.sum->bound_children(kernel_, culling_->data(), list, cubes, reaching);
     }
-    [[nodiscard]] SumInBrick in_brick() const;
+    [[nodiscard]] std::unique_ptr<BrickField> in_brick(Choice choice = Choice::kReaching) const {
+        return kernel_.sum->in_brick(kernel_, segments().data(), choice);
+    }
 
 private:
     Kernel kernel_;
     Skeleton skeleton_;
     std::shared_ptr<const std::vector<CullingSegment>> culling_; // of all segments, present or not
-};
-
-// The sum in one brick after another, as FieldInBrick asks.
-class SumInBrick {
-public:
-    explicit SumInBrick(const ConvolutionField& field);
-
-    void enter(std::span<const std::uint32_t> list, const GridAxes& axes) { gather_segments(list, axes, local_); }
-    std::uint64_t sample_groups(unsigned groups, GridGroups& samples, Choice choice = Choice::kReaching) {
-        return local_.kernel->functions->sample_groups(local_, groups, samples, choice);
-    }
-    std::uint64_t sample_lattice(const LatticeAxes& axes, std::span<const LatticePoint> points,
-                                 std::span<float> values) {
-        return local_.kernel->functions->sample_lattice(local_, axes, points, values);
-    }
-    std::uint64_t project(Projection& guesses, const SurfacePoints& to);
-    void find_depths(const GridValues& values, GridValues& depths) const {
-        local_.kernel->functions->find_depths(*local_.kernel, values, depths);
-    }
-    [[nodiscard]] float crossing(float from, float to) const {
-        return local_.kernel->functions->crossing(*local_.kernel, from, to);
-    }
-
-private:
-    LocalSegments local_;
 };
 
 } // namespace ramus::field

@@ -30,9 +30,14 @@ struct Scene {
         for (std::size_t n = middle; n < std::min(middle + kBricks, octree.bricks.size()); ++n) bricks.push_back(n);
     }
 
-    void gather(std::size_t index, field::SumInBrick& sum) const {
+    void gather(std::size_t index, field::BrickField& sum) const {
         const mesh::bricks::Brick& brick = octree.bricks[index];
         sum.enter(octree.segments_of(brick), mesh::bricks::grid_axes(octree.lattice, brick));
+    }
+    [[nodiscard]] std::vector<std::unique_ptr<field::BrickField>> all_gathered() const {
+        std::vector<std::unique_ptr<field::BrickField>> sums;
+        for (const std::size_t brick : bricks) gather(brick, *sums.emplace_back(field.in_brick()));
+        return sums;
     }
 };
 
@@ -47,33 +52,31 @@ void per_kernel(benchmark::State& state, std::uint64_t kernels) {
 }
 
 void gather_segments(benchmark::State& state) {
-    field::SumInBrick sum = scene().field.in_brick();
+    const auto sum = scene().field.in_brick();
     for (auto _ : state)
-        for (const std::size_t brick : scene().bricks) scene().gather(brick, sum);
+        for (const std::size_t brick : scene().bricks) scene().gather(brick, *sum);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene().bricks.size()));
 }
 BENCHMARK(gather_segments);
 
 void sample_own_points(benchmark::State& state) {
-    std::vector<field::SumInBrick> sums(scene().bricks.size(), scene().field.in_brick());
-    for (std::size_t n = 0; n < sums.size(); ++n) scene().gather(scene().bricks[n], sums[n]);
+    const auto sums = scene().all_gathered();
     field::GridGroups groups;
     std::uint64_t kernels = 0;
     for (auto _ : state)
-        for (auto& sum : sums) kernels += sum.sample_groups(field::kOwnGroups, groups);
+        for (const auto& sum : sums) kernels += sum->sample_groups(field::kOwnGroups, groups);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(sums.size()));
     per_kernel(state, kernels);
 }
 BENCHMARK(sample_own_points);
 
 void project_points(benchmark::State& state) {
-    std::vector<field::SumInBrick> sums(scene().bricks.size(), scene().field.in_brick());
+    const auto sums = scene().all_gathered();
     std::vector<field::Projection> points(sums.size());
     std::size_t most = 0;
     for (std::size_t n = 0; n < sums.size(); ++n) {
-        scene().gather(scene().bricks[n], sums[n]);
         field::GridGroups groups;
-        sums[n].sample_groups(field::kOwnGroups, groups);
+        sums[n]->sample_groups(field::kOwnGroups, groups);
         const mesh::bricks::Octree& octree = scene().octree;
         const auto cell = static_cast<float>(octree.lattice.cell_mm(octree.bricks[scene().bricks[n]].level));
         // Grid points near the surface.
@@ -93,7 +96,7 @@ void project_points(benchmark::State& state) {
     std::uint64_t kernels = 0;
     for (auto _ : state)
         for (std::size_t n = 0; n < sums.size(); ++n)
-            kernels += sums[n].project(
+            kernels += sums[n]->project(
                 points[n], {positions.data(), normals.data(), radii.data(), branches.data(), dominance.data()});
     per_kernel(state, kernels);
 }

@@ -8,6 +8,7 @@
 // itself, in bytes a triangle; and how many times the evaluations, and the time, would grow if every sample summed over
 // all segments with the same kernel (measured on a seeded subset of samples and scaled up).
 #include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
@@ -70,10 +71,10 @@ double all_segments_seconds(const field::ConvolutionField& field, const mesh::Tr
                 const double step = 0.1 * static_cast<double>(i);
                 axes.x[i] = corners[n].x + step, axes.y[i] = corners[n].y + step, axes.z[i] = corners[n].z + step;
             }
-            field::SumInBrick sum = field.in_brick();
+            const auto sum = field.in_brick(field::Choice::kAllSegments);
             thread_local field::GridGroups values;
-            sum.enter(all, axes);
-            sum.sample_groups(0xFF, values, field::Choice::kAllSegments);
+            sum->enter(all, axes);
+            sum->sample_groups(0xFF, values);
         });
     });
     return seconds * static_cast<double>(samples) / static_cast<double>(bricks * field::kGridPoints);
@@ -238,8 +239,8 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     options.compare = !quick;
 
-    std::printf("%d threads, %s, detail %d, %d runs\n", options.threads, field::instruction_set(), options.detail,
-                options.runs);
+    std::printf("%d threads, %s, detail %d, %d runs\n", options.threads, field::gaussian(5.0).sum->instruction_set,
+                options.detail, options.runs);
     std::printf("%-22s %7s %8s %7s %6s %6s %6s  %4s %4s %4s  %7s %6s  %6s %5s  %6s %6s   %7s\n", "", "", "million", "",
                 "Mtri", "best", "one", "find", "fill", "join", "million", "evals/", "peak", "B/tri", "all segm", "ents",
                 "cones");

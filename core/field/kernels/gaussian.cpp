@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-const KernelFunctions* gaussian_functions() { return &kPlainSumFunctions<Gaussian>; }
+const PlainSum* gaussian_sum() { return plain_sum<Gaussian>(); }
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -21,13 +21,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ramus::field {
 
-HWY_EXPORT(gaussian_functions);
+HWY_EXPORT(gaussian_sum);
 
 Kernel gaussian(double width) {
     const double w = width * std::numbers::ln2;
     constexpr double kErrorFunctionEnd = 3.5; // beyond, erf is constant in single precision
     return {width, std::exp(-w), 1.7 * std::sqrt(5.0 / width), kErrorFunctionEnd / std::sqrt(w),
-            HWY_DYNAMIC_DISPATCH(gaussian_functions)()};
+            HWY_DYNAMIC_DISPATCH(gaussian_sum)()};
 }
 
 double reach_beyond_end(double width) {

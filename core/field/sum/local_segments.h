@@ -17,7 +17,7 @@ struct LocalSegments {
     const FieldSegment* segments = nullptr; // of the whole field
     GridAxes axes;
     std::size_t count = 0;
-    std::span<const std::uint32_t> list; // segment indices, ascending
+    SegmentIndices list;
 
     // By segment. The arrays go on for at least a vector's width.
     std::vector<float> x, y, z; // start relative to the corner, mm
@@ -33,12 +33,9 @@ struct LocalSegments {
     [[nodiscard]] std::int32_t* reaching_part(std::size_t box) {
         return reaching.data() + box * (reaching.size() / kBoxes);
     }
+
+    // Notes where one is and makes room. The list must outlive the stay.
+    void enter(SegmentIndices segments_there, const GridAxes& axes_there);
 };
-
-// Fills in all but the kernel and the segments of the field. `list` must outlive `local`.
-void gather_segments(std::span<const std::uint32_t> list, const GridAxes& axes, LocalSegments& local);
-
-// Name of the instruction set in use, such as "AVX3".
-[[nodiscard]] const char* instruction_set();
 
 } // namespace ramus::field

@@ -1,4 +1,4 @@
-// Makes of a kernel's profile all that summing it over segments takes (KernelFunctions), for one instruction set.
+// Makes of a kernel's profile all that summing it over segments takes (PlainSum), for one instruction set.
 // Included once per instruction set, by the kernel's source file.
 //
 // A profile is a struct that is made from a Kernel and has (as Gaussian in kernels/gaussian-inl.h):
@@ -20,13 +20,59 @@
 #include "core/field/sum/projection-inl.h"
 #include "core/field/sum/sampling-inl.h"
 
+#include <memory>
+
 HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
-template <class Profile>
-inline constexpr KernelFunctions kPlainSumFunctions{&sample_groups<Profile>, &sample_lattice<Profile>,
-                                                    &project<Profile>,       &find_depths<Profile>,
-                                                    &crossing<Profile>,      &bound_children<Profile>};
+// The sum in one brick after another.
+template <class Profile> class SumInBrick final : public BrickField {
+public:
+    SumInBrick(const Kernel& kernel, const FieldSegment* segments, Choice choice) : profile_(kernel), choice_(choice) {
+        local_.kernel = &kernel;
+        local_.segments = segments;
+    }
+
+    void enter(SegmentIndices list, const GridAxes& axes) override {
+        local_.enter(list, axes);
+        gather_segments(local_);
+    }
+    std::uint64_t sample_groups(unsigned groups, GridGroups& samples) override {
+        return HWY_NAMESPACE::sample_groups(profile_, local_, groups, samples, choice_);
+    }
+    std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                 std::span<float> values) override {
+        return HWY_NAMESPACE::sample_lattice(profile_, local_, lattice, points, values);
+    }
+    std::uint64_t project(Projection& guesses, const SurfacePoints& to) override {
+        if (guesses.size() == 0 || local_.count == 0) return 0;
+        guesses.pad();
+        return project_onto_surface(profile_, local_, guesses, to);
+    }
+    void find_depths(const GridValues& values, GridValues& depths) const override {
+        HWY_NAMESPACE::find_depths<Profile>(static_cast<float>(local_.kernel->isovalue), values, depths);
+    }
+    [[nodiscard]] float crossing(float from, float to) const override {
+        const float start = Profile::along_edge(from);
+        const float surface = Profile::along_edge(static_cast<float>(local_.kernel->isovalue));
+        return (surface - start) / (Profile::along_edge(to) - start);
+    }
+
+private:
+    Profile profile_;
+    LocalSegments local_;
+    Choice choice_;
+};
+
+template <class Profile> const PlainSum* plain_sum() {
+    static const PlainSum sum{
+        hwy::TargetName(HWY_TARGET),
+        [](const Kernel& kernel, const FieldSegment* segments, Choice choice) -> std::unique_ptr<BrickField> {
+            return std::make_unique<SumInBrick<Profile>>(kernel, segments, choice);
+        },
+        &bound_children<Profile>};
+    return &sum;
+}
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

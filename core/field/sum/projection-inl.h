@@ -172,9 +172,9 @@ HWY_INLINE void write(T d, const Points<T>& p, float scale, const glm::dvec3& or
 
 // A vector of points from the n-th on, with the segments that reach them. Returns the number of kernels evaluated.
 template <class Profile, class T>
-HWY_INLINE std::uint64_t project_vector(T d, const LocalSegments& local, std::span<const std::int32_t> reaching,
-                                        const Projection& guesses, std::size_t n, const SurfacePoints& to) {
-    const Profile profile(*local.kernel);
+HWY_INLINE std::uint64_t project_vector(T d, const Profile& profile, const LocalSegments& local,
+                                        std::span<const std::int32_t> reaching, const Projection& guesses,
+                                        std::size_t n, const SurfacePoints& to) {
     Points<T> p;
     p.x = hn::LoadU(d, guesses.x.data() + n);
     p.y = hn::LoadU(d, guesses.y.data() + n);
@@ -188,8 +188,10 @@ HWY_INLINE std::uint64_t project_vector(T d, const LocalSegments& local, std::sp
     return steps * reaching.size() * hn::Lanes(d);
 }
 
+// Not of no points or no segments.
 template <class Profile>
-std::uint64_t project(LocalSegments& local, const Projection& guesses, const SurfacePoints& to) {
+std::uint64_t project_onto_surface(const Profile& profile, LocalSegments& local, const Projection& guesses,
+                                   const SurfacePoints& to) {
     const D wide;
     const Narrow narrow;
     const std::size_t lanes = hn::Lanes(wide);
@@ -200,14 +202,14 @@ std::uint64_t project(LocalSegments& local, const Projection& guesses, const Sur
     };
     // A last vector that would be half empty is a narrow one, which costs half.
     const auto last = [&](std::size_t n, std::span<const std::int32_t> reaching) {
-        kernels += size - n <= hn::Lanes(narrow) ? project_vector<Profile>(narrow, local, reaching, guesses, n, to)
-                                                 : project_vector<Profile>(wide, local, reaching, guesses, n, to);
+        kernels += size - n <= hn::Lanes(narrow) ? project_vector(narrow, profile, local, reaching, guesses, n, to)
+                                                 : project_vector(wide, profile, local, reaching, guesses, n, to);
     };
     std::size_t n = 0;
     for (; n + lanes < size; n += 2 * lanes) {
         std::size_t count[2];
         find_reaching(local, {box_of(wide, guesses, n), box_of(wide, guesses, n + lanes)}, count);
-        kernels += project_vector<Profile>(wide, local, part(0, count[0]), guesses, n, to);
+        kernels += project_vector(wide, profile, local, part(0, count[0]), guesses, n, to);
         last(n + lanes, part(1, count[1]));
     }
     if (n < size) {

@@ -22,6 +22,21 @@ HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float*
         hn::StoreU(hn::DemoteTo(df, hn::Sub(hn::LoadU(dd, axis.data() + n), hn::Set(dd, start))), df, out + n);
 }
 
+// Fills in what is kept by segment, for the list and the axes that are there.
+inline void gather_segments(LocalSegments& local) {
+    for (std::size_t m = 0; m < local.count; ++m) {
+        const FieldSegment& s = local.segments[local.list[m]];
+        float* table = local.tables.data() + m * LocalSegments::kTableStride;
+        subtract(local.axes.x, s.ax, table);
+        subtract(local.axes.y, s.ay, table + 8);
+        subtract(local.axes.z, s.az, table + 16);
+        local.x[m] = -table[0], local.y[m] = -table[8], local.z[m] = -table[16];
+        local.ux[m] = s.ux, local.uy[m] = s.uy, local.uz[m] = s.uz;
+        local.length[m] = s.length, local.radius[m] = s.radius, local.slope[m] = s.slope;
+        local.branch[m] = s.branch;
+    }
+}
+
 // A box relative to the brick's corner, mm.
 struct Box {
     glm::vec3 middle, half;

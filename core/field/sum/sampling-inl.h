@@ -127,8 +127,8 @@ HWY_INLINE std::uint64_t sample_together(const Profile& profile, LocalSegments& 
 }
 
 template <class Profile>
-std::uint64_t sample_groups(LocalSegments& local, unsigned groups, GridGroups& samples, Choice choice) {
-    const Profile profile(*local.kernel);
+std::uint64_t sample_groups(const Profile& profile, LocalSegments& local, unsigned groups, GridGroups& samples,
+                            Choice choice) {
     std::uint64_t kernels = 0;
     if ((groups & kOwnGroups) == kOwnGroups) {
         kernels += sample_together<4>(profile, local, 0, samples, choice);
@@ -141,9 +141,8 @@ std::uint64_t sample_groups(LocalSegments& local, unsigned groups, GridGroups& s
 }
 
 template <class Profile>
-std::uint64_t sample_lattice(LocalSegments& local, const LatticeAxes& axes, std::span<const LatticePoint> points,
-                             std::span<float> values) {
-    const Profile profile(*local.kernel);
+std::uint64_t sample_lattice(const Profile& profile, LocalSegments& local, const LatticeAxes& axes,
+                             std::span<const LatticePoint> points, std::span<float> values) {
     const D d;
     const hn::RebindToSigned<D> di;
     const std::size_t lanes = hn::Lanes(d);
@@ -191,12 +190,9 @@ std::uint64_t sample_lattice(LocalSegments& local, const LatticeAxes& axes, std:
     return kernels;
 }
 
-// How deep each value lies: 0 on the surface, above inside (0 or more exactly where the value is at or above the
-// isovalue) and below outside, in a measure that is nearly linear in the distance, so that an edge's crossing can be
-// interpolated.
-template <class Profile> void find_depths(const Kernel& kernel, const GridValues& values, GridValues& depths) {
+template <class Profile> void find_depths(float isovalue, const GridValues& values, GridValues& depths) {
     const D d;
-    const V iso = hn::Set(d, static_cast<float>(kernel.isovalue));
+    const V iso = hn::Set(d, isovalue);
     const V surface = Profile::rough_distance(d, iso);
     for (std::size_t n = 0; n < kGridStride; n += hn::Lanes(d)) {
         const V value = hn::Load(d, values.data() + n);
@@ -205,12 +201,6 @@ template <class Profile> void find_depths(const Kernel& kernel, const GridValues
         const V outside = hn::Min(inward, hn::Set(d, -1e-6F));
         hn::Store(hn::IfThenElse(hn::Ge(value, iso), inside, outside), d, depths.data() + n);
     }
-}
-
-// The share of the way from one value to another, on either side of the isovalue, at which the surface is met.
-template <class Profile> float crossing(const Kernel& kernel, float from, float to) {
-    const float start = Profile::along_edge(from);
-    return (Profile::along_edge(static_cast<float>(kernel.isovalue)) - start) / (Profile::along_edge(to) - start);
 }
 
 } // namespace ramus::field::HWY_NAMESPACE

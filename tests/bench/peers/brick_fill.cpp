@@ -107,7 +107,7 @@ void fill_bricks(const field::ConvolutionField& field, const BrickGrid& grid,
     tbb::parallel_for(0, grid.blocks.z, [&](int z) {
         thread_local Layer layer;
         thread_local std::vector<std::uint32_t> list;
-        field::SumInBrick sum = field.in_brick();
+        const auto sum = field.in_brick();
         thread_local field::GridGroups samples;
         collect(supports, near[static_cast<std::size_t>(z)], z, grid, layer);
         std::size_t entry = 0;
@@ -127,8 +127,8 @@ void fill_bricks(const field::ConvolutionField& field, const BrickGrid& grid,
                     axes.y[i] = grid.origin.y + grid.cell_mm * at.y;
                     axes.z[i] = grid.origin.z + grid.cell_mm * at.z;
                 }
-                sum.enter(list, axes);
-                sum.sample_groups(field::kOwnGroups, samples);
+                sum->enter(list, axes);
+                sum->sample_groups(field::kOwnGroups, samples);
                 put(brick, samples);
             }
         }

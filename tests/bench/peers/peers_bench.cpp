@@ -9,6 +9,7 @@
 // exactly once; how many times as fast as that method ramus is at one cell size, in triangles a second, first and
 // again; and how many times ramus' memory that method takes.
 #include "core/field/convolution_field.h"
+#include "core/field/kernels/gaussian.h"
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
@@ -285,7 +286,7 @@ int main(int argc, char** argv) {
         ->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
 
-    std::printf("%d threads, %s, %d runs\n", options.threads, field::instruction_set(), options.runs);
+    std::printf("%d threads, %s, %d runs\n", options.threads, field::gaussian(5.0).sum->instruction_set, options.runs);
     std::printf("  %-26s %8s %8s %8s %8s %7s %7s %8s %7s %8s %6s %8s %8s %8s\n", "", "million", "first", "of it",
                 "again", "Mtri/s", "Mtri/s", "peak", "bytes /", "volume", "", "ramus'", "speed", "memory /");
     std::printf("  %-26s %8s %8s %8s %8s %7s %7s %8s %7s %8s %6s %8s %8s %8s\n", "method", "triang.", "s", "fill, s",

@@ -78,10 +78,10 @@ struct Samples {
 };
 
 Samples sample(const field::ConvolutionField& field, std::span<const std::uint32_t> list, const field::GridAxes& axes) {
-    field::SumInBrick brick = field.in_brick();
-    brick.enter(list, axes);
+    const auto brick = field.in_brick();
+    brick->enter(list, axes);
     field::GridGroups groups;
-    brick.sample_groups(0xFF, groups);
+    brick->sample_groups(0xFF, groups);
     Samples samples;
     const auto take = [&](std::size_t group, std::size_t n, std::size_t x, std::size_t y, std::size_t z) {
         samples.value[x + 5 * y + 25 * z] = groups.value[group][n];
@@ -124,7 +124,7 @@ void on_every_instruction_set(const std::function<void()>& check) {
         const std::int64_t target = left & -left;
         hwy::SetSupportedTargetsForTest(target);
         hwy::GetChosenTarget().Update(target);
-        CAPTURE(std::string(field::instruction_set()));
+        CAPTURE(std::string(field::gaussian(5.0).sum->instruction_set));
         check();
     }
     hwy::SetSupportedTargetsForTest(0);
@@ -183,9 +183,9 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
                 if (reaches) needed.push_back(index);
             }
             std::vector<float> again(points.size());
-            field::SumInBrick brick = field.in_brick();
-            brick.enter(needed, around.grid);
-            brick.sample_lattice(around.lattice, points, again);
+            const auto brick = field.in_brick();
+            brick->enter(needed, around.grid);
+            brick->sample_lattice(around.lattice, points, again);
             CHECK(std::ranges::equal(again, samples.value));
             // From another corner, as a neighbouring brick sees them.
             field::GridAxes beside = around.grid;
@@ -271,6 +271,7 @@ TEST_CASE("projected points are on the surface, with its normal and radius") {
         // Segments this short and this uneven have creases where the radius' slope jumps.
         CHECK(static_cast<double>(off) < 0.01 * counted);
         CHECK(static_cast<double>(askew) < 0.05 * counted);
-        MESSAGE(std::string(field::instruction_set()), ": ", off, " of ", counted, " off, ", askew, " askew");
+        MESSAGE(std::string(field::gaussian(5.0).sum->instruction_set), ": ", off, " of ", counted, " off, ", askew,
+                " askew");
     });
 }

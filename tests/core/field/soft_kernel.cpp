@@ -59,7 +59,7 @@ struct Soft {
     static float along_edge(float value) { return value; }
 };
 
-const KernelFunctions* soft_functions() { return &kPlainSumFunctions<Soft>; }
+const PlainSum* soft_sum() { return plain_sum<Soft>(); }
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -68,13 +68,13 @@ HWY_AFTER_NAMESPACE();
 namespace ramus {
 
 namespace field {
-HWY_EXPORT(soft_functions);
-static const KernelFunctions* functions_in_use() { return HWY_DYNAMIC_DISPATCH(soft_functions)(); }
+HWY_EXPORT(soft_sum);
+static const PlainSum* soft_sum_in_use() { return HWY_DYNAMIC_DISPATCH(soft_sum)(); }
 } // namespace field
 
 field::Kernel test::soft_kernel() {
     const double isovalue = std::pow(1.0 - 1.0 / (kSoftSupport * kSoftSupport), 3.0);
-    return {1.0, isovalue, kSoftSupport, 0.0, field::functions_in_use()};
+    return {1.0, isovalue, kSoftSupport, 0.0, field::soft_sum_in_use()};
 }
 
 } // namespace ramus

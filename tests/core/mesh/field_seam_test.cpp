@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <numbers>
 
 using namespace ramus;
@@ -91,10 +92,10 @@ public:
         return bounds;
     }
 
-    class InBrick {
+    class InBrick final : public field::BrickField {
     public:
-        void enter(field::SegmentIndices /*list*/, const field::GridAxes& axes) { axes_ = axes; }
-        std::uint64_t sample_groups(unsigned groups, field::GridGroups& samples) const {
+        void enter(field::SegmentIndices /*list*/, const field::GridAxes& axes) override { axes_ = axes; }
+        std::uint64_t sample_groups(unsigned groups, field::GridGroups& samples) override {
             for (unsigned rest = groups; rest != 0; rest &= rest - 1) {
                 const auto group = static_cast<std::size_t>(std::countr_zero(rest));
                 samples.inside[group] = 0;
@@ -110,14 +111,13 @@ public:
             }
             return 0;
         }
-        [[nodiscard]] std::uint64_t sample_lattice(const field::LatticeAxes& axes,
-                                                   std::span<const field::LatticePoint> points,
-                                                   std::span<float> values) const {
+        std::uint64_t sample_lattice(const field::LatticeAxes& axes, std::span<const field::LatticePoint> points,
+                                     std::span<float> values) override {
             for (std::size_t n = 0; n < points.size(); ++n)
                 values[n] = static_cast<float>(value({axes.x[points[n].i], axes.y[points[n].j], axes.z[points[n].k]}));
             return points.size();
         }
-        std::uint64_t project(field::Projection& guesses, const field::SurfacePoints& to) const {
+        std::uint64_t project(field::Projection& guesses, const field::SurfacePoints& to) override {
             for (std::size_t n = 0; n < guesses.size(); ++n) {
                 const glm::dvec3 guess = axes_.corner() + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
                 const glm::dvec3 core = core_of(guess);
@@ -132,15 +132,15 @@ public:
             }
             return guesses.size();
         }
-        void find_depths(const field::GridValues& values, field::GridValues& depths) const {
+        void find_depths(const field::GridValues& values, field::GridValues& depths) const override {
             std::ranges::transform(values, depths.begin(), [](float v) { return v - 1.0F; });
         }
-        [[nodiscard]] float crossing(float from, float to) const { return (1.0F - from) / (to - from); }
+        [[nodiscard]] float crossing(float from, float to) const override { return (1.0F - from) / (to - from); }
 
     private:
         field::GridAxes axes_;
     };
-    [[nodiscard]] InBrick in_brick() const { return {}; }
+    [[nodiscard]] std::unique_ptr<field::BrickField> in_brick() const { return std::make_unique<InBrick>(); }
 
 private:
     static tree::PreparedTree ring() {
