@@ -1,7 +1,7 @@
 // Surfaces of the same vessels looked at together, and the skeleton that they are made of.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 

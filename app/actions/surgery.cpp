@@ -3,7 +3,7 @@
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
 #include "app/session/numbers.h"
-#include "core/io/meshes/mesh_format.h"
+#include "core/io/meshes/mesh_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/commands/comparison_flags.h"
 
 #include "app/commands/command.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <filesystem>
 #include <map>

@@ -5,7 +5,7 @@
 #include "app/commands/volume_info.h"
 #include "app/session/numbers.h"
 #include "app/session/quantity.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/volumes/volume_file.h"
 #include "core/measure/tree_statistics.h"
 
 #include <iomanip>

@@ -9,7 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <iostream>
 #include <memory>

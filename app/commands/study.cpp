@@ -10,7 +10,7 @@
 #include "app/session/numbers.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/volumes/volume_file.h"
 #include "render/gl/headless_context.h"
 #include "render/renderer/renderer.h"
 

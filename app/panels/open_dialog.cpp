@@ -6,9 +6,9 @@
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/storage/user_folders.h"
-#include "core/io/meshes/mesh_format.h"
-#include "core/io/trees/tree_format.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/trees/tree_file.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 #include <array>

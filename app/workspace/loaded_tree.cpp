@@ -3,7 +3,7 @@
 #include "app/session/session_file.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
-#include "core/tree/thin.h"
+#include "core/tree/prepare.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // DisjointSets: things numbered from 0, joined into sets; more may come at any time. The lowest of a set stands for it.
 #pragma once
 
-#include "core/base/paged_array.h"
+#include "core/base/mapped_pages.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // copies share the segments, and a copy without some branches costs a list of indices.
 #pragma once
 
-#include "core/tree/prepared_tree.h"
+#include "core/tree/prepare.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -5,7 +5,7 @@
 #include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
 #include "core/mesh/cones.h"
-#include "core/mesh/polygonize/stream/polygonize_to.h"
+#include "core/mesh/polygonize/polygonize.h"
 
 #include <algorithm>
 #include <new>
@@ -74,6 +74,12 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
 }
 
 } // namespace
+
+PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options) {
+    PreparedTree prepared = tree::prune(source, options.prune_ratio);
+    prepared.tree = tree::smooth(std::move(prepared.tree), options.smooth_passes);
+    return prepared;
+}
 
 field::ConvolutionField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
                                    std::span<const std::uint8_t> hidden) {

@@ -49,4 +49,14 @@ struct VertexSpan {
     return {mesh.positions, mesh.normals, mesh.radii, mesh.branches};
 }
 
+struct SlotRange {
+    std::uint64_t first = 0, count = 0;
+};
+
+// Which parts of a mesh were rewritten, so that a copy of it (on the graphics card, say) can follow.
+struct SurfaceEdit {
+    bool whole = false; // everything; the ranges do not matter
+    std::vector<SlotRange> vertices, triangles;
+};
+
 } // namespace ramus::mesh

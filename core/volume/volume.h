@@ -3,7 +3,7 @@
 // has: masks take a byte for each voxel, and nothing where there are rows of zeros.
 #pragma once
 
-#include "core/base/sparse_array.h"
+#include "core/base/mapped_pages.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>

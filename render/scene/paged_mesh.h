@@ -6,7 +6,6 @@
 // influence nothing. Positions are single precision relative to `origin`.
 #pragma once
 
-#include "core/mesh/surface_edit.h"
 #include "core/mesh/triangle_mesh.h"
 #include "render/scene/bounds.h"
 

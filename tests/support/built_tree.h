@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/tree/build_tree.h"
-#include "core/tree/prepared_tree.h"
+#include "core/tree/prepare.h"
 
 #include <doctest/doctest.h>
 #include <utility>

@@ -1,7 +1,7 @@
 // Meshes read by the assimp library, which is told the format.
 #pragma once
 
-#include "core/io/meshes/mesh_format.h"
+#include "core/io/meshes/mesh_file.h"
 
 namespace ramus::io {
 

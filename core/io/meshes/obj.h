@@ -1,7 +1,7 @@
 // OBJ: text, written with the shortest numbers that read back exactly, and with vertex normals.
 #pragma once
 
-#include "core/io/meshes/mesh_format.h"
+#include "core/io/meshes/mesh_file.h"
 
 namespace ramus::io {
 

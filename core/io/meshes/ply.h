@@ -4,7 +4,7 @@
 // as lists of uchar and int.
 #pragma once
 
-#include "core/io/meshes/mesh_format.h"
+#include "core/io/meshes/mesh_file.h"
 
 namespace ramus::io {
 

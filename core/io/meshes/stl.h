@@ -1,7 +1,7 @@
 // STL: written as binary, one unshared triangle after the other, with the normals of the triangles; text is read too.
 #pragma once
 
-#include "core/io/meshes/mesh_format.h"
+#include "core/io/meshes/mesh_file.h"
 
 namespace ramus::io {
 

@@ -3,7 +3,7 @@
 // out is, to the byte, what write_mesh() makes of the whole mesh.
 #pragma once
 
-#include "core/io/meshes/mesh_format.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/temporary_file.h"
 #include "core/mesh/surface_sink.h"

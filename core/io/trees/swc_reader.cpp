@@ -1,6 +1,5 @@
-#include "core/io/trees/swc_reader.h"
-
 #include "core/io/input_file.h"
+#include "core/io/trees/swc.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,5 @@
-#include "core/io/trees/swc_writer.h"
-
 #include "core/io/output_file.h"
+#include "core/io/trees/swc.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,9 @@
 
 #include "core/io/input_file.h"
 #include "core/io/output_file.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/trees/swc.h"
+#include "core/io/trees/tree_json.h"
+#include "core/io/volumes/volume_file.h"
 
 namespace ramus::io {
 
@@ -36,6 +38,31 @@ const TreeFormat* written_format(const std::filesystem::path& file) {
 }
 
 } // namespace
+
+const std::vector<TreeFormat>& tree_formats() {
+    static const std::vector<TreeFormat> table = {
+        {{.name = "SWC", .extensions = {".swc"}, .help = "One point a line: id, type, x, y, z, radius, parent."},
+         parse_swc,
+         write_swc},
+        {{.name = "ramus JSON",
+          .extensions = {".json"},
+          .has_signature = is_tree_json,
+          .states_unit = true,
+          .states_orientation = true,
+          .help = "Points, branches, labels and repairs of any network, without loss."},
+         parse_tree_json,
+         write_tree_json},
+    };
+    return table;
+}
+
+std::string readable_tree_extensions() { return listed(readable_extensions(tree_formats())); }
+std::string writable_tree_extensions() { return listed(writable_extensions(tree_formats())); }
+
+bool names_tree(const std::filesystem::path& path) {
+    const TreeFormat* format = format_by_name(tree_formats(), path);
+    return format != nullptr && is_read(*format);
+}
 
 Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const ReadOptions& options) {
     auto tree = read_any(path, options);

@@ -1,15 +1,43 @@
-// Reading and writing vessel trees: one function for every format (trees/tree_format.h). The content of a file says
-// which it is, and where it does not, the extension.
+// Vessel trees from and to files: the formats, one row each, and the functions that read and write them all. A new
+// format is a pair of files beside this and a row in tree_file.cpp. The content of a file says which format it has, and
+// where it does not, the extension.
 #pragma once
 
 #include "core/base/error.h"
-#include "core/io/trees/tree_format.h"
+#include "core/io/file_format.h"
+#include "core/tree/build_tree.h"
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::io {
+
+struct ReadOptions {
+    tree::Repair repair = tree::Repair::kAll;
+};
+
+struct TreeFormat : FileFormat {
+    // The tree in `text`, all bytes of the file called `name`, in mm, RAS; null: it is not read. Fails with place and
+    // remedy on whatever is wrong with the file.
+    Result<tree::VesselTree> (*parse)(std::string_view text, const std::string& name, const ReadOptions&) = nullptr;
+    // `comments` stand at the head of formats that can hold them; null: it is not written.
+    Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
+                          const std::vector<std::string>& comments) = nullptr;
+};
+
+[[nodiscard]] inline bool is_read(const TreeFormat& format) { return format.parse != nullptr; }
+[[nodiscard]] inline bool is_written(const TreeFormat& format) { return format.write != nullptr; }
+
+[[nodiscard]] const std::vector<TreeFormat>& tree_formats();
+
+// ".swc or .json": of the formats that are read, and of those that are written.
+[[nodiscard]] std::string readable_tree_extensions();
+[[nodiscard]] std::string writable_tree_extensions();
+
+// Whether the name is that of a tree that can be read.
+[[nodiscard]] bool names_tree(const std::filesystem::path& path);
 
 // The tree in `path`, in mm, RAS. Fails with file, line and remedy on whatever is wrong with the file.
 [[nodiscard]] Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const ReadOptions& options = {});

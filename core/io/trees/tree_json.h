@@ -10,7 +10,7 @@
 // Reading trusts nothing: every type, index and number is checked, and the tree is built anew from the branches.
 #pragma once
 
-#include "core/io/trees/tree_format.h"
+#include "core/io/trees/tree_file.h"
 
 namespace ramus::io {
 

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/io/volumes/byte_source.h"
-#include "core/io/volumes/volume_format.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <string_view>
 

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/field/field.h"
+#include "core/mesh/surface_sink.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstdint>
@@ -23,7 +24,7 @@ struct PolygonizeOptions {
     double memory_bytes = 0.0; // refuse what is forecast to take more; 0 = half of the machine's
 };
 
-// How a surface is made: as one mesh, in parts that a sink takes (stream/polygonize_to.h), or with all that it takes to
+// How a surface is made: as one mesh, in parts that a sink takes (polygonize_to()), or with all that it takes to
 // follow its tree (polygonizer.h).
 enum class PolygonizeMode { kWhole, kStream, kFollow };
 
@@ -40,5 +41,14 @@ struct PolygonizeStatistics {
 // Fails when the options ask for more than memory holds or finer cells than the lattice can count, or when cancelled.
 [[nodiscard]] Result<TriangleMesh> polygonize(const field::Field& field, const PolygonizeOptions& options, Job& job,
                                               PolygonizeStatistics* statistics = nullptr);
+
+// Polygonizes into a sink, for surfaces that are more than memory holds: of the surface only the subtrees at work are
+// kept (subtree_schedule.h), of the octree all of it.
+//
+// Hands the mesh that polygonize() makes to `sink`, a part for each subtree. Fails when even so it takes more memory
+// than the options allow, when it has more vertices than 31 bits count or is finer than the lattice can be, when the
+// sink takes no more, or when cancelled.
+[[nodiscard]] Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const PolygonizeOptions& options,
+                                         Job& job, PolygonizeStatistics* statistics = nullptr);
 
 } // namespace ramus::mesh

@@ -1,5 +1,5 @@
 #include "core/io/meshes/mesh_file.h"
-#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc.h"
 #include "core/io/trees/tree_json.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/icosphere.h"

@@ -4,7 +4,7 @@
 #include "app/reports/report_tables.h"
 #include "app/session/branch_filter.h"
 #include "app/session/quantity.h"
-#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc.h"
 #include "tests/support/command_stage.h"
 
 #include <doctest/doctest.h>

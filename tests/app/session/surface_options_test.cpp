@@ -1,6 +1,6 @@
 #include "app/session/session_file.h"
 #include "app/session/surface_options.h"
-#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc.h"
 #include "tests/support/command_stage.h"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 // plain one when the clock has stopped.
 #pragma once
 
-#include "core/tree/prepared_tree.h"
+#include "core/tree/prepare.h"
 
 #include <cstdint>
 #include <functional>

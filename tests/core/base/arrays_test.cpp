@@ -2,8 +2,7 @@
 #include "core/base/chunked_array.h"
 #include "core/base/large_array.h"
 #include "core/base/memory.h"
-#include "core/base/paged_array.h"
-#include "core/base/sparse_array.h"
+#include "core/base/mapped_pages.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
-#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "tests/support/icosphere.h"

@@ -1,5 +1,4 @@
-#include "core/io/trees/swc_reader.h"
-#include "core/io/trees/swc_writer.h"
+#include "core/io/trees/swc.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/trees/tree_json.h"
 #include "tests/support/shared_data.h"

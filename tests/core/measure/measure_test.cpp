@@ -1,4 +1,4 @@
-#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc.h"
 #include "core/measure/mesh_components.h"
 #include "core/measure/tree_statistics.h"
 

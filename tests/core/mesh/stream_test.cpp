@@ -4,7 +4,7 @@
 #include "core/io/meshes/surface_file.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/polygonize/octree/subtree_schedule.h"
-#include "core/mesh/polygonize/stream/polygonize_to.h"
+#include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
 #include "tests/support/temporary_folder.h"

@@ -1,8 +1,7 @@
 // Points and edges become branches with a hierarchy; what can be repaired is, and is told.
-#include "core/io/trees/swc_reader.h"
+#include "core/io/trees/swc.h"
 #include "core/tree/build_tree.h"
-#include "core/tree/prune.h"
-#include "core/tree/smooth.h"
+#include "core/tree/prepare.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -16,9 +16,4 @@ void join_subtrees(const field::Field& field, const Octree& octree, std::span<co
                    const SurfaceCells& surface, const VertexSpan& vertices, std::vector<JoinedSubtree>& joined,
                    const JobRange& job);
 
-// Those of the bricks from `first` up to `end`, which are appended. Edges whose cells are all of one size and have one
-// vertex each, which most are, are joined by tables and bits, a brick at a time; the others go the general way.
-void join_bricks(const SurfaceCells& surface, const EdgePolygons& general, std::uint32_t first, std::uint32_t end,
-                 JoinedSubtree& out);
-
 } // namespace ramus::mesh::bricks

@@ -5,7 +5,7 @@
 
 #include "core/mesh/polygonize/join/edge_polygons.h"
 #include "core/mesh/polygonize/octree/subtree_schedule.h"
-#include "core/mesh/surface_edit.h"
+#include "core/mesh/triangle_mesh.h"
 
 #include <cstdint>
 #include <span>

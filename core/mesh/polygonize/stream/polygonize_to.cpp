@@ -1,6 +1,5 @@
-#include "core/mesh/polygonize/stream/polygonize_to.h"
-
-#include "core/base/paged_array.h"
+#include "core/base/mapped_pages.h"
+#include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/polygonize/stream/make_surface_in.h"
 
 #include <array>
