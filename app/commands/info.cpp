@@ -6,7 +6,7 @@
 #include "app/session/numbers.h"
 #include "app/session/quantity.h"
 #include "core/io/volumes/volume_file.h"
-#include "core/measure/tree_statistics.h"
+#include "core/measure/tree_measure.h"
 
 #include <iomanip>
 #include <iostream>

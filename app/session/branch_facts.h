@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/measure/amount.h"
-#include "core/measure/tree_statistics.h"
+#include "core/measure/tree_measure.h"
 #include "core/tree/dependency.h"
 
 #include <vector>

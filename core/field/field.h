@@ -12,7 +12,6 @@
 #pragma once
 
 #include "core/field/brick_field.h"
-#include "core/field/child_bounds.h"
 #include "core/field/skeleton.h"
 
 #include <concepts>

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "core/field/brick_field.h"
-#include "core/field/child_bounds.h"
 #include "core/field/skeleton.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // branch (core/tree/dependency.h).
 #pragma once
 
-#include "core/measure/tree_statistics.h"
+#include "core/measure/tree_measure.h"
 #include "core/tree/dependency.h"
 
 #include <vector>

@@ -5,7 +5,11 @@
 #include "core/base/error.h"
 #include "core/mesh/triangle_mesh.h"
 
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace ramus::mesh {
 
@@ -19,5 +23,12 @@ namespace ramus::mesh {
 // The same of a surface that is only looked at: one with holes, or whose edges have more triangles than two, stays as
 // it is but for the welding and the normals. Fails when nothing is left.
 [[nodiscard]] Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where);
+
+// A flat polygon cut into triangles, dents included.
+//
+// Triples of indices into `corners`, turned as the polygon is; two fewer triangles than corners, whose edges inside the
+// polygon are shared by two each. A polygon that is not flat, or crosses itself, is cut somehow. Time grows with the
+// square of the corners, so from a thousand on it is cut as a fan.
+[[nodiscard]] std::vector<glm::uvec3> cut_polygon(std::span<const glm::dvec3> corners);
 
 } // namespace ramus::mesh

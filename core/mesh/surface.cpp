@@ -73,6 +73,17 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
     return surface;
 }
 
+// In as many threads as asked for, and with a word instead of an exception when memory ends.
+template <class Work> auto run_with(const SurfaceOptions& options, const Work& work) -> decltype(work()) {
+    try {
+        if (options.threads <= 0) return work();
+        tbb::task_arena arena(options.threads);
+        return arena.execute(work);
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
+    }
+}
+
 } // namespace
 
 PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options) {
@@ -103,21 +114,6 @@ field::ConvolutionField make_field(const tree::VesselTree& source, const Surface
     const field::ConvolutionField field(field::Skeleton(prepared, kernel.support_radii, frame), kernel);
     return hidden.empty() ? field : field.without(hidden);
 }
-
-namespace {
-
-// In as many threads as asked for, and with a word instead of an exception when memory ends.
-template <class Work> auto run_with(const SurfaceOptions& options, const Work& work) -> decltype(work()) {
-    try {
-        if (options.threads <= 0) return work();
-        tbb::task_arena arena(options.threads);
-        return arena.execute(work);
-    } catch (const std::bad_alloc&) {
-        return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
-    }
-}
-
-} // namespace
 
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {

@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <string>
 #include <vector>
 

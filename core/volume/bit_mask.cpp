@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <limits>
 #include <oneapi/tbb/parallel_for.h>
 #include <string>
 #include <type_traits>

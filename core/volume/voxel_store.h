@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 #include "core/volume/volume.h"
 
-#include <cstdint>
 #include <string>
 
 namespace ramus::volume {

@@ -2,8 +2,8 @@
 // seen from the cube's corner. Gathered once for a brick, then used by all that samples the field there.
 #pragma once
 
+#include "core/field/brick_field.h"
 #include "core/field/kernel.h"
-#include "core/field/samples.h"
 #include "core/field/skeleton.h"
 
 #include <cstdint>

@@ -7,7 +7,6 @@
 #include "core/io/meshes/stl.h"
 #include "core/io/output_file.h"
 #include "core/mesh/close_mesh.h"
-#include "core/mesh/cut_polygon.h"
 #include "core/tree/build_tree.h"
 
 #include <cmath>

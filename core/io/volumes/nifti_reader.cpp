@@ -8,11 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <nifti/nifti2_io.h>
-#include <optional>
 #include <string>
 
 namespace ramus::io {

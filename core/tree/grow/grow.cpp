@@ -4,7 +4,6 @@
 #include "core/tree/grow/colonise.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ramus::tree {
 

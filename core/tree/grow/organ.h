@@ -7,7 +7,6 @@
 
 #include "core/tree/grow/exact_math.h"
 
-#include <array>
 #include <vector>
 
 namespace ramus::tree::growth {

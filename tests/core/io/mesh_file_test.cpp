@@ -1,6 +1,5 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/mesh/close_mesh.h"
-#include "core/mesh/cut_polygon.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,6 @@
 #include "core/io/trees/swc.h"
 #include "core/measure/mesh_components.h"
-#include "core/measure/tree_statistics.h"
+#include "core/measure/tree_measure.h"
 
 #include <doctest/doctest.h>
 #include <numbers>

@@ -41,7 +41,7 @@ double soft_sum(const field::Skeleton& skeleton, glm::dvec3 p) {
     return sum;
 }
 
-// Where point n of a group is on the grid (core/field/samples.h).
+// Where point n of a group is on the grid (core/field/brick_field.h).
 glm::ivec3 grid_point(std::size_t group, std::size_t point) {
     const int n = static_cast<int>(point);
     if (group < 4) return {n % 4, n / 4, static_cast<int>(group)};

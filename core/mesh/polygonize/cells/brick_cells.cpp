@@ -3,7 +3,6 @@
 #include "core/mesh/polygonize/cells/brick_sampler.h"
 #include "core/mesh/polygonize/cells/hanging_corners.h"
 
-#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <mutex>

@@ -8,7 +8,6 @@
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 
 #include <memory>
-#include <span>
 
 namespace ramus::mesh::bricks {
 

@@ -1,6 +1,5 @@
 #include "core/mesh/polygonize/cells/hanging_corners.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

@@ -2,7 +2,7 @@
 // Points are counted in half cells of the brick, 0 .. 8 along every axis.
 #pragma once
 
-#include "core/field/samples.h"
+#include "core/field/brick_field.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 
 #include <cstdint>

@@ -2,8 +2,7 @@
 // of the cell's edges. Vectorised over the cells.
 #pragma once
 
-#include "core/field/projection.h"
-#include "core/field/samples.h"
+#include "core/field/brick_field.h"
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#include "core/field/projection.h"
+#include "core/field/brick_field.h"
 
 #include <algorithm>
 
