@@ -1,6 +1,6 @@
-// What every row of the tables of file formats says: of trees (trees/tree_file.h), of meshes (meshes/mesh_file.h) and of
-// volumes (volumes/volume_file.h). Readers, writers, dialogs, messages and help texts go through the tables, so that a new
-// format is a pair of files and a row.
+// What every row of the tables of file formats says: of trees (trees/tree_file.h), of meshes (meshes/mesh_file.h) and
+// of volumes (volumes/volume_file.h). Readers, writers, dialogs, messages and help texts go through the tables, so that
+// a new format is a pair of files and a row.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 // The arrays of core/base, and the memory that they give back.
 #include "core/base/chunked_array.h"
 #include "core/base/large_array.h"
-#include "core/base/memory.h"
 #include "core/base/mapped_pages.h"
+#include "core/base/memory.h"
 
 #include <algorithm>
 #include <array>
