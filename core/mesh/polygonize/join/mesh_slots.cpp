@@ -79,9 +79,11 @@ void MeshSlots::place_triangles(std::span<const std::uint32_t> subtrees, std::ve
     }
     grow_vertices(reserve);
     grow(mesh_.triangles, triangle_space_.end(), reserve);
+    // All before the first triangle: corners are read with one number of the vertex behind them. They are few.
+    for (std::size_t t = 0; t < subtrees.size(); ++t)
+        copy_vertices(joined[t].added, 0, mesh_, slots_[subtrees[t]].added.first, joined[t].added.count);
     tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
         const SubtreeSlots& slots = slots_[subtrees[t]];
-        copy_vertices(joined[t].added, 0, mesh_, slots.added.first, joined[t].added.count);
         const auto out = std::span(mesh_.triangles).subspan(slots.triangles.first, slots.triangles.count);
         joined[t].write_triangles(vertices_of(mesh_), slots.added.first, out);
         joined[t] = {};

@@ -121,10 +121,12 @@ SurfaceStream::End SurfaceStream::place_triangles(std::span<const std::uint32_t>
     if (const End end = grow_vertices(added - vertex_count_); end != End::kDone) return end;
     const std::span<glm::uvec3> out = store_.add_triangles(triangles);
     const VertexSpan vertices = store_.vertices();
+    // All before the first triangle: corners are read with one number of the vertex behind them. They are few.
+    for (std::size_t t = 0; t < subtrees.size(); ++t)
+        store_.put_vertices(first[t].added, joined_[t].added, 0, joined_[t].added.count);
     tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
-        const JoinedSubtree& joined = joined_[t];
-        store_.put_vertices(first[t].added, joined.added, 0, joined.added.count);
-        joined.write_triangles(vertices, first[t].added, out.subspan(first[t].triangle, joined.triangle_count()));
+        const std::size_t count = joined_[t].triangle_count();
+        joined_[t].write_triangles(vertices, first[t].added, out.subspan(first[t].triangle, count));
     });
     return End::kDone;
 }
