@@ -1,7 +1,9 @@
 // What stands in for the surface while the view moves: round cones along the centerlines, found by a ray a pixel.
+#include "core/mesh/surface.h"
 #include "render/gl/gl_context.h"
 #include "render/renderer/renderer.h"
 #include "render/scene/centerlines.h"
+#include "tests/support/built_tree.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/tube_mesh.h"
 
@@ -130,6 +132,44 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
         moving.frame.camera = there;
         CHECK(moving.draw().cones == kVessels.size() - 1);
     }
+}
+
+TEST_CASE("of a convolution surface the cones have the field's normals") {
+    const ramus::tree::VesselTree tree = ramus::test::built_tree(
+        {{{0, 0, -30}, 5}, {{0, 0, 10}, 5}, {{-25, 0, 30}, 4}, {{22, 10, 28}, 2}}, {{0, 1}, {1, 2}, {1, 3}});
+    ramus::Job job;
+    ramus::mesh::SurfaceOptions options;
+    options.smooth_passes = 0;
+    auto surface = ramus::mesh::make_surface(tree, options, job);
+    REQUIRE(surface);
+    auto lines = std::make_shared<Centerlines>();
+    for (std::size_t branch = 0; branch < tree.branches.size(); ++branch) {
+        lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
+        for (const std::uint32_t point : tree.branches[branch].points) {
+            lines->points.emplace_back(tree.points[point].position, 0.0F);
+            lines->details.push_back(
+                {static_cast<float>(2.0 * tree.points[point].radius), static_cast<std::int32_t>(branch)});
+        }
+    }
+    Scene still(false), moving(false);
+    still.frame.quality = Quality::kFull;
+    for (Frame* frame : {&still.frame, &moving.frame}) {
+        frame->mesh = std::make_shared<const PagedMesh>(surface->mesh);
+        frame->centerlines = lines;
+        frame->width = 5.0F;
+        frame->beyond_ends = 0.7075F;
+    }
+    (void)moving.draw();
+    moving.frame.camera = still.frame.camera = turned(still.frame.camera, 30.0, 20.0);
+    CHECK(moving.draw().cones > 0);
+    const Image cones = moving.renderer->read_image();
+    CHECK(still.draw().triangles > 1'000);
+    std::size_t vessels = 0;
+    const double apart =
+        apart_on_vessels(cones, still.renderer->read_image(), still.renderer->read_branches(), vessels);
+    MESSAGE("mean difference " << apart << " of 255");
+    REQUIRE(vessels > 20'000);
+    CHECK(apart < 2.0); // 16 where the normals' depth is turned round
 }
 
 TEST_CASE("a surface that is not there yet is seen along its centerlines, in the first picture too") {
