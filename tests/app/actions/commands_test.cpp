@@ -2,7 +2,6 @@
 #include "app/picture/compose.h"
 #include "tests/support/command_stage.h"
 
-#include <algorithm>
 #include <doctest/doctest.h>
 #include <map>
 #include <set>

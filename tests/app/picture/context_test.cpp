@@ -13,10 +13,7 @@
 #include "tests/support/settle.h"
 #include "tests/support/temporary_folder.h"
 
-#include <chrono>
 #include <doctest/doctest.h>
-#include <fstream>
-#include <thread>
 
 using namespace ramus;
 using namespace ramus::app;

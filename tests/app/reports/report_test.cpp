@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <doctest/doctest.h>
-#include <fstream>
 
 using namespace ramus;
 using namespace ramus::app;

@@ -9,11 +9,9 @@
 #include "tests/support/settle.h"
 #include "tests/support/temporary_folder.h"
 
-#include <chrono>
 #include <doctest/doctest.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 using namespace ramus;
 using namespace ramus::app;

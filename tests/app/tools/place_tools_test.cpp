@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <doctest/doctest.h>
-#include <glm/geometric.hpp>
 
 using namespace ramus;
 using namespace ramus::app;

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <thread>
 #include <unistd.h>

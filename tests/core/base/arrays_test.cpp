@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <set>
-#include <vector>
 
 using namespace ramus;
 

@@ -3,7 +3,6 @@
 
 #include <csignal>
 #include <doctest/doctest.h>
-#include <fstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -10,7 +10,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
-#include <tuple>
 
 using namespace ramus;
 using namespace ramus::tree;

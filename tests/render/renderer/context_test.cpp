@@ -7,7 +7,6 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <random>
 
 using namespace ramus::render;

@@ -7,7 +7,6 @@
 
 #include <doctest/doctest.h>
 #include <stdexcept>
-#include <string>
 
 using namespace ramus::render;
 using ramus::test::largest_difference;

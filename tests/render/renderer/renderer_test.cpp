@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <doctest/doctest.h>
 #include <filesystem>
-#include <glm/geometric.hpp>
 
 using namespace ramus::render;
 using ramus::mesh::TriangleMesh;

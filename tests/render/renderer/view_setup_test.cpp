@@ -1,7 +1,6 @@
 // What passes are told about a view, against the camera's own projection. Without GL.
 #include "render/renderer/view_setup.h"
 
-#include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <random>

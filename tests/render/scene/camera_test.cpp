@@ -1,6 +1,5 @@
 #include "render/scene/camera.h"
 
-#include <cmath>
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
