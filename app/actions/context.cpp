@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 

@@ -5,7 +5,6 @@
 #include "app/session/numbers.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace ramus::app::actions {
 

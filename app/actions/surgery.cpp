@@ -6,7 +6,6 @@
 #include "core/io/meshes/mesh_file.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ramus::app::actions {
 

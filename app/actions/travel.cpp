@@ -3,8 +3,6 @@
 #include "app/actions/groups.h"
 #include "core/measure/branch_point.h"
 
-#include <algorithm>
-
 namespace ramus::app::actions {
 
 namespace {

@@ -6,7 +6,6 @@
 #include "core/volume/isosurface.h"
 #include "core/volume/relax_surface.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <new>
 

@@ -4,7 +4,6 @@
 #include "core/io/volumes/volume_file.h"
 
 #include <filesystem>
-#include <map>
 
 namespace ramus::app {
 

@@ -2,7 +2,6 @@
 
 #include "app/session/numbers.h"
 
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 

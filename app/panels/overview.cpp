@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <imgui.h>
 
 namespace ramus::app {

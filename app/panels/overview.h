@@ -7,8 +7,6 @@
 
 #include <glm/vec4.hpp>
 #include <imgui.h>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace ramus::app {

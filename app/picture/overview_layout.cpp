@@ -1,12 +1,9 @@
 #include "app/picture/overview_layout.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <map>
-#include <numeric>
 
 namespace ramus::app {
 

@@ -3,7 +3,6 @@
 #include "core/io/file_format.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>

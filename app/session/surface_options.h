@@ -4,7 +4,6 @@
 
 #include "core/mesh/surface.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

@@ -3,7 +3,6 @@
 #include "app/session/json_text.h"
 #include "core/io/output_file.h"
 
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 

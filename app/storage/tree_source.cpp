@@ -1,6 +1,5 @@
 #include "app/storage/tree_source.h"
 
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,6 @@
 #include "app/tools/spelling.h"
 #include "core/measure/branch_point.h"
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -5,7 +5,6 @@
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
 
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <glad/gl.h>
 #include <imgui.h>
-#include <limits>
 
 namespace ramus::app {
 

@@ -6,7 +6,6 @@
 #include "core/volume/voxelise.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 
 namespace ramus::app {
 

@@ -12,7 +12,6 @@
 #include "render/scene/paged_mesh.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>

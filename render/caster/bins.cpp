@@ -1,12 +1,22 @@
 #include "render/caster/bins.h"
 
-#include "render/caster/group_by.h"
-
 #include <algorithm>
 
 namespace ramus::render::caster {
 
 namespace {
+
+// Those of group g are items[first[g]] to items[first[g + 1] - 1]. for_each(call) calls call(item, group) for all of
+// them, twice the same.
+template <class ForEach>
+void group_by(std::size_t groups, const ForEach& for_each, std::vector<std::uint32_t>& first,
+              std::vector<std::uint32_t>& items) {
+    first.assign(groups + 2, 0); // a group ahead, so that filling moves them to where they begin
+    for_each([&](std::uint32_t, std::size_t group) { ++first[group + 2]; });
+    for (std::size_t group = 0; group < groups; ++group) first[group + 2] += first[group + 1];
+    items.resize(first.back());
+    for_each([&](std::uint32_t item, std::size_t group) { items[first[group + 1]++] = item; });
+}
 
 int tile_at(float at, int most) { return static_cast<int>(std::clamp(at / kTile, 0.0F, float(most - 1))); }
 

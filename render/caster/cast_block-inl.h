@@ -6,8 +6,8 @@
 #define RAMUS_CASTER_CAST_BLOCK_INL_H
 #endif
 
+#include "render/caster/field-inl.h"
 #include "render/caster/intersection-inl.h"
-#include "render/caster/strongest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {

@@ -171,4 +171,12 @@ struct Shading {
     const vec4* cuts;     // five a part of a branch that is lost, see behind_cut()
 };
 
+// A vessel's cross section: the circle that is nearest to the surface there.
+struct CrossSection {
+    float middle[3], side[3], up[3]; // side, up: unit vectors in its plane; in the space of the field's segments
+    float radius;                    // of the vessel, then of the circle
+    float least, most;               // that the radius may be, in radii of the vessel
+    std::uint32_t segment;           // there, whose neighbours make the surface
+};
+
 } // namespace ramus::render::caster

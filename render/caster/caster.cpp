@@ -1,10 +1,6 @@
 #include "render/caster/caster.h"
 
-#include "render/caster/cast.h"
-#include "render/caster/fragments.h"
-#include "render/caster/occlude.h"
-#include "render/caster/raster.h"
-#include "render/caster/shade.h"
+#include "render/caster/stages.h"
 #include "render/scene/record_flags.h"
 
 #include <algorithm>

@@ -3,10 +3,9 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "render/caster/coverage-inl.h"
-#include "render/caster/fragments.h"
 #include "render/caster/intersection-inl.h"
-#include "render/caster/strongest-inl.h"
+#include "render/caster/field-inl.h"
+#include "render/caster/stages.h"
 #include "render/scene/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();

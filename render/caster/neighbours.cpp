@@ -1,6 +1,6 @@
 #include "render/caster/neighbours.h"
 
-#include "render/caster/group_by.h"
+#include "core/base/grouped.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -46,16 +46,10 @@ std::vector<std::uint32_t> coincident_points(const Centerlines& lines) {
 
 Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32_t> coincident,
                            std::span<const std::uint32_t> points, float support_radii) {
-    std::vector<std::uint32_t> first_at, at_point; // segments by their ends
-    const auto for_ends = [&](const auto& call) {
+    const Grouped<std::uint32_t> segments_at(coincident.size(), [&](const auto& put) { // by their ends
         for (std::uint32_t s = 0; s < points.size(); ++s)
-            for (const std::uint32_t end : {points[s], points[s] + 1}) call(s, coincident[end]);
-    };
-    group_by(coincident.size(), for_ends, first_at, at_point);
-    const auto joined_at = [&](std::uint32_t end) {
-        const std::uint32_t point = coincident[end];
-        return std::span(at_point).subspan(first_at[point], first_at[point + 1] - first_at[point]);
-    };
+            for (const std::uint32_t end : {points[s], points[s] + 1}) put(coincident[end], s);
+    });
     const auto at = [&](std::uint32_t point) { return glm::vec3(lines.points[point]); };
     const auto radius = [&](std::uint32_t s) {
         return 0.5F * std::max(lines.details[points[s]].diameter_mm, lines.details[points[s] + 1].diameter_mm);
@@ -69,7 +63,7 @@ Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32
             const std::uint32_t first = points[found[static_cast<std::size_t>(begin) + next]];
             for (const std::uint32_t end : {first, first + 1}) {
                 const float away = distance_to_segment(at(end), at(points[s]), at(points[s] + 1));
-                for (const std::uint32_t other : joined_at(end)) {
+                for (const std::uint32_t other : segments_at.of(coincident[end])) {
                     if (count() == kMaxNeighbours || away > radius(s) + support_radii * radius(other)) continue;
                     if (std::find(found.begin() + begin, found.end(), other) == found.end()) found.push_back(other);
                 }

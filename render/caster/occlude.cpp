@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 // clang-format on
 #include "render/caster/normals-inl.h"
-#include "render/caster/occlude.h"
+#include "render/caster/stages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <hwy/foreach_target.h>
 // clang-format on
 #include "render/caster/look-inl.h"
-#include "render/caster/shade.h"
+#include "render/caster/stages.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-#include <span>
 #include <vector>
 
 namespace ramus::render::caster {

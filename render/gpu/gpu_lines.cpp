@@ -1,6 +1,7 @@
 #include "render/gpu/gpu_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -63,6 +64,80 @@ std::uint64_t GpuLines::Copy::draw(const std::vector<Layer>& layers, std::initia
     if (!counts.empty())
         glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(counts.size()));
     return segments;
+}
+
+std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines) {
+    std::vector<SkeletonRing> rings;
+    for (std::size_t branch = 0; branch < lines.runs.size(); ++branch) {
+        const Centerlines::Run run = lines.runs[branch];
+        if (run.count < 2) continue;
+        const auto point = [&](std::uint32_t i) { return glm::vec3(lines.points[run.first + i]); };
+        const auto radius = [&](std::uint32_t i) { return 0.5 * lines.details[run.first + i].diameter_mm; };
+        std::vector<double> along(run.count, 0.0);
+        double area = 0.0; // between the line and its radius
+        for (std::uint32_t i = 1; i < run.count; ++i) {
+            const double length = glm::distance(point(i - 1), point(i));
+            along[i] = along[i - 1] + length;
+            area += 0.5 * length * (radius(i - 1) + radius(i));
+        }
+        const double length = along.back(), mean = length > 0.0 ? area / length : 0.0;
+        if (!(mean > 0.0) || length < mean) continue;
+        const int count = std::max(1, static_cast<int>(length / (kRingSpacing * mean)));
+        std::uint32_t segment = 1;
+        for (int i = 0; i < count; ++i) {
+            const double at = length * (i + 0.5) / count;
+            while (segment + 1 < run.count && along[segment] < at) ++segment;
+            const double step = along[segment] - along[segment - 1];
+            const auto share = static_cast<float>(step > 0.0 ? (at - along[segment - 1]) / step : 0.0);
+            // The way on over a radius before and behind: voxel-long segments turn at every step.
+            std::uint32_t from = segment - 1, to = segment;
+            while (from > 0 && along[from] > at - mean) --from;
+            while (to + 1 < run.count && along[to] < at + mean) ++to;
+            glm::vec3 axis = point(to) - point(from);
+            if (!(glm::length(axis) > 0.0F)) axis = point(segment) - point(segment - 1);
+            if (!(glm::length(axis) > 0.0F)) continue;
+            rings.push_back(
+                {glm::mix(point(segment - 1), point(segment), share),
+                 glm::mix(static_cast<float>(radius(segment - 1)), static_cast<float>(radius(segment)), share),
+                 glm::normalize(axis), static_cast<std::int32_t>(branch)});
+        }
+    }
+    return rings;
+}
+
+void GpuSkeleton::follow(const std::shared_ptr<const Centerlines>& lines) {
+    if (lines.get() == shown()) return;
+    lines_.follow(lines);
+    all_.clear();
+    if (shown() == nullptr) return;
+    all_ = skeleton_rings(*shown());
+    std::vector<glm::vec4> rings;
+    for (const SkeletonRing& ring : all_) {
+        rings.emplace_back(ring.centre, ring.radius_mm);
+        rings.emplace_back(ring.axis, 0.0F);
+    }
+    if (!rings.empty()) rings_ = make_buffer_texture(GL_RGBA32F, rings);
+}
+
+GpuSkeleton::Seen GpuSkeleton::seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const {
+    Seen seen;
+    if (shown() == nullptr) return seen;
+    const Projector project(camera, size);
+    const double in_focus = mm_per_pixel(camera, size);
+    const double focus_mm = glm::distance(camera.position, camera.focal_point);
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        const SkeletonRing& ring = all_[i];
+        if (layer_of(layers, static_cast<std::size_t>(ring.branch)) == Layer::kNone) continue;
+        const auto at = project(shown()->origin + glm::dvec3(ring.centre));
+        if (!at) continue;
+        const double mm_per_px = camera.orthographic ? in_focus : in_focus * at->z / focus_mm;
+        const double pixels = ring.radius_mm / mm_per_px, reach = 1.5 * pixels + 4.0;
+        if (pixels < kLeastRingPixels || at->x < -reach || at->y < -reach || at->x > size.x + reach ||
+            at->y > size.y + reach)
+            continue;
+        (pixels < kLargeRingPixels ? seen.small : seen.large).push_back(static_cast<std::uint32_t>(i));
+    }
+    return seen;
 }
 
 } // namespace ramus::render

@@ -5,6 +5,7 @@
 #include "render/gl/gl_objects.h"
 #include "render/gpu/gpu_mesh.h"
 #include "render/scene/bounds.h"
+#include "render/scene/camera.h"
 #include "render/scene/centerlines.h"
 
 #include <initializer_list>
@@ -42,5 +43,47 @@ private:
     Copy whole_, thinned_;
     bool thinned_there_ = false;
 };
+
+// GpuSkeleton: centerlines with rings of the local radius on the graphics card, sent once for each that comes. Rings
+// stand across the vessel, evenly along every branch, far enough apart not to crowd; which of them are large enough in
+// a picture to be seen is found anew for each.
+
+// A circle around a vessel.
+struct SkeletonRing {
+    glm::vec3 centre{0.0F}; // mm, relative to the lines' origin
+    float radius_mm = 0.0F;
+    glm::vec3 axis{0.0F, 0.0F, 1.0F}; // of unit length
+    std::int32_t branch = -1;
+};
+
+// Evenly along each branch, at a distance of kRingSpacing of its mean radii or more; one in the middle of a branch that
+// is shorter than that, none on one that is shorter than a radius. By branch, ascending.
+inline constexpr double kRingSpacing = 2.0;
+[[nodiscard]] std::vector<SkeletonRing> skeleton_rings(const Centerlines& lines);
+
+class GpuSkeleton {
+public:
+    void follow(const std::shared_ptr<const Centerlines>& lines);
+    [[nodiscard]] const Centerlines* shown() const { return lines_.shown(); } // null: nothing
+
+    // With fewer points while the view moves.
+    [[nodiscard]] const GpuLines::Copy& lines(bool moving) { return moving ? lines_.thinned() : lines_.whole(); }
+    [[nodiscard]] GLuint rings() const { return rings_.texture; } // RGBA32F: centre, radius; axis
+
+    // The rings that can be seen, by how many corners they need: indices into rings().
+    struct Seen {
+        std::vector<std::uint32_t> small, large;
+    };
+    [[nodiscard]] Seen seen(const Camera& camera, glm::ivec2 size, const std::vector<Layer>& layers) const;
+
+private:
+    GpuLines lines_;
+    std::vector<SkeletonRing> all_;
+    BufferTexture rings_;
+};
+
+// Of a ring in a picture: below the least its radius in pixels is too small to be told from the line.
+inline constexpr double kLeastRingPixels = 3.5, kLargeRingPixels = 16.0;
+inline constexpr int kSmallRingSteps = 20, kLargeRingSteps = 72, kMovingRingSteps = 12;
 
 } // namespace ramus::render

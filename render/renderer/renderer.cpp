@@ -1,3 +1,4 @@
+// What the picture shows under its pixels.
 #include "render/renderer/renderer.h"
 
 #include "render/renderer/renderer_impl.h"
@@ -50,5 +51,74 @@ Target::Target(int width, int height) : picture_(std::make_unique<PictureTarget>
 Target::~Target() = default;
 unsigned Target::framebuffer() const { return picture_->framebuffer; }
 Image Target::read_image() const { return picture_->read_premultiplied(); }
+
+// The caster draws every pixel of a picture, whatever passes are to draw next.
+ViewSetup Renderer::Impl::shown_view() const {
+    ViewSetup view = card_.targets.view;
+    if (state_.by_caster()) view.size = view.picture;
+    return view;
+}
+
+Pick Renderer::Impl::pick(double x, double y) {
+    if (!state_.answers()) finish();
+    if (!last_ || !state_.answers()) return {};
+    const ViewSetup view = shown_view();
+    const PickWindow window = pick_window(*last_, view, x, y);
+    if (window.pixels() == 0) return {};
+    std::vector<std::uint32_t> ids(window.pixels());
+    std::vector<float> depths(window.pixels());
+    if (state_.by_caster()) {
+        const caster::Caster& caster = card_.passes.cast.caster();
+        for (int row = 0; row < window.height; ++row) {
+            const std::ptrdiff_t from = std::ptrdiff_t{window.y + row} * caster.stride() + window.x;
+            const std::ptrdiff_t to = std::ptrdiff_t{row} * window.width;
+            std::copy_n(caster.ids() + from, window.width, ids.data() + to);
+            std::copy_n(caster.depths() + from, window.width, depths.data() + to);
+        }
+    } else {
+        read_ids(window, card_.targets.resolved, ids.data());
+        read_depths(window, card_.targets.resolved, depths.data());
+    }
+    return nearest_in(window, ids.data(), depths.data(), last_->camera, view);
+}
+
+BranchPicture Renderer::Impl::read_branches() {
+    if (!state_.answers()) finish();
+    BranchPicture picture;
+    if (!last_ || !state_.answers()) return picture;
+    const ViewSetup view = shown_view();
+    const glm::ivec2 drawn = view.size;
+    const bool by_caster = state_.by_caster();
+    std::vector<std::uint32_t> read;
+    if (!by_caster) {
+        const PickWindow all{{}, 0.0, 0, 0, drawn.x, drawn.y};
+        read.resize(all.pixels());
+        read_ids(all, card_.targets.resolved, read.data());
+    }
+    const std::uint32_t* ids = by_caster ? card_.passes.cast.caster().ids() : read.data();
+    const std::ptrdiff_t stride = by_caster ? card_.passes.cast.caster().stride() : drawn.x;
+    picture.width = view.picture.x;
+    picture.height = view.picture.y;
+    picture.branches.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    for (std::int64_t y = 0; y < picture.height; ++y) {
+        // GL counts from below; a picture that is drawn quickly has fewer pixels inside.
+        const std::uint32_t* row = ids + stride * ((picture.height - 1 - y) * drawn.y / picture.height);
+        for (std::int64_t x = 0; x < picture.width; ++x)
+            picture.branches.push_back(branch_of(row[x * drawn.x / picture.width]));
+    }
+    return picture;
+}
+
+void Renderer::Impl::request_pick(double x, double y) {
+    request_.drop();
+    if (!state_.answers()) return request_.answer({});
+    if (state_.by_caster()) return request_.answer(pick(x, y));
+    request_.ask(pick_window(*last_, shown_view(), x, y), last_->camera, card_.targets.resolved);
+}
+
+std::optional<Pick> Renderer::Impl::poll_pick() {
+    const auto found = request_.poll(shown_view());
+    return found && !last_ ? Pick{} : found;
+}
 
 } // namespace ramus::render

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "render/renderer/card.h"
-#include "render/renderer/partial_view.h"
 #include "render/renderer/picking.h"
 #include "render/renderer/picture_state.h"
 #include "render/renderer/refinement.h"

@@ -4,6 +4,7 @@
 
 #include "render/gl/bindings.h"
 #include "render/gl/gl_objects.h"
+#include "render/image/image.h"
 #include "render/renderer/view_setup.h"
 
 #include <array>
@@ -74,6 +75,22 @@ struct ViewTargets {
 
 private:
     glm::ivec2 made_for_{0};
+};
+
+// PictureTarget: a picture in a texture, and the way from there to memory or to another framebuffer.
+struct PictureTarget {
+    glm::ivec2 size{0};
+    Texture colour; // RGBA8, 4 bytes a pixel: sRGB, premultiplied, rows from below
+    Framebuffer framebuffer;
+
+    void make(glm::ivec2 pixels); // of no size until it is there
+    void bind() const;
+    // Straight alpha, rows from above. Of no size: an empty image.
+    [[nodiscard]] Image read() const;
+    [[nodiscard]] Image read_premultiplied() const;
+    // Copies the picture into framebuffer `to` (0 = the window's), its lower left corner at (x, y). Leaves `to` bound
+    // for drawing.
+    void present(GLuint to, int x, int y) const;
 };
 
 } // namespace ramus::render

@@ -1,7 +1,6 @@
 #include "render/scene/paged_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_for.h>

@@ -1,6 +1,6 @@
 #include "render/renderer/passes/context_pass.h"
 
-#include "render/gl/fullscreen.h"
+#include "render/gl/gl_objects.h"
 #include "render/scene/record_flags.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -2,7 +2,7 @@
 // lines, SpritePass small pictures. All blend over what is there.
 #pragma once
 
-#include "render/gl/fullscreen.h"
+#include "render/gl/gl_objects.h"
 #include "render/overlay/overlay.h"
 #include "render/renderer/passes/shade_pass.h"
 

@@ -1,10 +1,52 @@
 #include "render/renderer/passes/picture_passes.h"
 
 #include "render/renderer/passes/gl_state.h"
+#include "render/scene/look_data.h"
+#include "render/scene/record_flags.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ramus::render {
+
+namespace {
+
+constexpr int kCastTaps = 20; // of the occlusion, as at rest
+
+std::vector<caster::Body> bodies_of(const Frame& frame, const GpuShapes& shapes) {
+    std::vector<caster::Body> bodies;
+    const float point = frame.pixel_ratio;
+    for (std::size_t i = 0; i < frame.context.size(); ++i) {
+        const Shape* shape = shapes.of(frame.context[i], true);
+        if (shape == nullptr) continue;
+        bodies.push_back({&shape->made_of(), record::kSolid | record::kContext | number_of(i), frame.context[i].clear(),
+                          shape->lines() ? 0.5F * kContextLineWidth * point : 0.0F});
+    }
+    std::size_t index = frame.lesions.spheres.size();
+    for (const auto& lesion : frame.lesions.meshes)
+        if (const Shape* shape = shapes.of(lesion); shape != nullptr)
+            bodies.push_back({&shape->made_of(), record::kSolid | number_of(index++), true, 0.0F});
+        else
+            ++index;
+    return bodies;
+}
+
+caster::View view_of(const Frame& frame, const ViewSetup& from) {
+    constexpr int kAcross = caster::kTile * caster::kOccludedTiles;
+    caster::View view;
+    view.width = from.picture.x;
+    view.height = from.picture.y;
+    view.stride = (from.picture.x + kAcross - 1) / kAcross * kAcross;
+    view.centre_x = from.block.pixel_to_eye.x;
+    view.centre_y = from.block.pixel_to_eye.y;
+    view.mm_a_pixel = from.block.pixel_to_eye.z;
+    view.flat = frame.camera.orthographic;
+    view.block = from.block;
+    view.taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0;
+    return view;
+}
+
+} // namespace
 
 void CopyPass::draw(const ViewSetup& view, const LitTarget& from, const PictureTarget& to, const Region& region) const {
     if (view.enlarged()) {
@@ -47,6 +89,30 @@ void MeanPass::show(const ViewSetup& view, const MeanTarget& from, const LitTarg
     glBindTextureUnit(kUnitImage, from.sum);
     glProgramUniform1f(mean_, kUniformShare, 1.0F / static_cast<float>(from.views));
     mean_.draw();
+}
+
+std::uint64_t CastPass::draw(const Subject& subject, const ViewSetup& view, BranchRecords& records) {
+    const Frame& frame = subject.frame;
+    const glm::dmat4 eye = eye_matrix(frame.camera);
+    caster_.follow(frame.centerlines, frame.width > 0.0F);
+    const bool outlined = records.send(subject, false).any_selected;
+    const bool glass = std::ranges::find(subject.layers, Layer::kGlass) != subject.layers.end();
+    const LookData data = look_data_of(frame, frame.centerlines.get(), eye);
+    const caster::Uniforms uniforms{view.block, look_of(frame, view, glass, outlined), data.block};
+    return caster_.draw(
+        frame, view_of(frame, view), eye,
+        {uniforms, outlined, subject.layers, records.records(), data, bodies_of(frame, subject.scene.shapes())});
+}
+
+void CastPass::send_picture(const PictureTarget& to) const {
+    glTextureSubImage2D(to.colour, 0, 0, 0, to.size.x, to.size.y, GL_RGBA, GL_UNSIGNED_BYTE, caster_.rgba());
+}
+
+void CastPass::send_depths(const PictureTarget& picture, const ResolvedTarget& to) const {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, caster_.stride());
+    glTextureSubImage2D(to.opaque_depth, 0, 0, 0, picture.size.x, picture.size.y, GL_RED, GL_FLOAT, caster_.depths());
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 } // namespace ramus::render

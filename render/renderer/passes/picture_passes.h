@@ -4,7 +4,7 @@
 
 #include "render/caster/caster.h"
 #include "render/renderer/passes/shade_pass.h"
-#include "render/renderer/picture_target.h"
+#include "render/renderer/targets.h"
 
 namespace ramus::render {
 

@@ -2,7 +2,7 @@
 // in order on the way. OcclusionPass: how much of the sky each pixel's surroundings take.
 #pragma once
 
-#include "render/gl/fullscreen.h"
+#include "render/gl/gl_objects.h"
 #include "render/renderer/targets.h"
 
 namespace ramus::render {

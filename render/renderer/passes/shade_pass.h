@@ -2,7 +2,6 @@
 // it is needed first.
 #pragma once
 
-#include "render/renderer/passes/branch_records.h"
 #include "render/renderer/passes/glass_pass.h"
 #include "render/renderer/passes/scene_tables.h"
 

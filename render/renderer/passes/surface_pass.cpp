@@ -1,7 +1,7 @@
 #include "render/renderer/passes/surface_pass.h"
 
-#include "render/gl/fullscreen.h"
 #include "render/gl/gl_context.h"
+#include "render/gl/gl_objects.h"
 #include "render/renderer/passes/gl_state.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Centerlines and rings over the picture, against what geometry says. On every OpenGL down to 3.3.
-#include "render/gpu/gpu_skeleton.h"
+#include "render/gpu/gpu_lines.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/tube_scene.h"
 

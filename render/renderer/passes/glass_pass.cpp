@@ -1,12 +1,41 @@
-#include "render/renderer/passes/gl_state.h"
 #include "render/renderer/passes/glass_pass.h"
+
+#include "render/gl/gl_context.h"
+#include "render/renderer/passes/gl_state.h"
 #include "render/renderer/passes/surface_pass.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ramus::render {
 
 namespace {
+
+constexpr std::size_t kFragmentBytes = 16;
+constexpr std::size_t kFirstFragments = std::size_t{1} << 20;
+
+Buffer make_storage(std::size_t bytes) { return make_buffer(bytes, nullptr, GL_DYNAMIC_STORAGE_BIT); }
+
+// Empty lists for the band's pixels.
+void clear_lists(FragmentLists& lists, std::size_t pixels) {
+    if (lists.head_capacity < pixels) {
+        lists.heads = make_storage(4 * pixels);
+        lists.head_capacity = pixels;
+    }
+    if (lists.count == 0) lists.count = make_storage(4);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // lists of the band before have been sorted and read
+    const GLuint zero = 0;
+    glClearNamedBufferSubData(lists.heads, GL_R32UI, 0, static_cast<GLsizeiptr>(4 * pixels), GL_RED_INTEGER,
+                              GL_UNSIGNED_INT, &zero);
+    glNamedBufferSubData(lists.count, 0, 4, &zero);
+}
+
+void begin_band(const ViewTargets& targets, Band band) {
+    glBindFramebuffer(GL_FRAMEBUFFER, targets.lists.framebuffer);
+    draw_front_faces(false);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, band.first, targets.view.size.x, band.count);
+}
 
 constexpr int kMostLayers = 128;
 
@@ -38,6 +67,110 @@ void bind_layer_before(const ViewTargets& targets, int layer) {
 }
 
 } // namespace
+
+Result<void> FragmentListPass::make() {
+    constexpr const char *kGlass = "#define TRANSPARENT\n", *kBorders = "#define TRANSPARENT\n#define BORDER\n";
+    return make_programs({{&vessels_, "geometry.vert", "fragment_list.frag", kGlass},
+                          {&borders_, "geometry.vert", "fragment_list.frag", kBorders, "border.geom"}});
+}
+
+// Makes room for more fragments; false: there is as much as there may be. Fragments are numbered from 1.
+bool FragmentListPass::grow(FragmentLists& lists, std::size_t wanted) const {
+    GLint64 largest = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+    const std::size_t most = std::min(most_bytes_, static_cast<std::size_t>(largest)) / kFragmentBytes - 1;
+    if (lists.capacity >= most) return false;
+    const std::size_t capacity = std::min(most, std::max(kFirstFragments, wanted + wanted / 4));
+    try {
+        lists.fragments = make_storage((capacity + 1) * kFragmentBytes);
+    } catch (const OutOfGraphicsMemory&) {
+        if (lists.capacity == 0) throw;
+        return false; // bands of what there is
+    }
+    lists.capacity = capacity;
+    return true;
+}
+
+// In no order.
+InParts<FragmentListPass::Listed> FragmentListPass::list(const Subject& subject, ViewTargets& targets,
+                                                         Band band) const {
+    FragmentLists& lists = targets.lists;
+    const ViewSetup& view = targets.view;
+    clear_lists(lists, std::size_t(view.size.x) * std::size_t(band.count));
+    const auto prepare = [&](const Program& program) {
+        bind_lists(program, targets, band);
+        glUniform1ui(kUniformCapacity, static_cast<GLuint>(lists.capacity));
+    };
+    const auto use = [&](const Program& program) {
+        begin_band(targets, band);
+        use_for_vessels(program, subject, view);
+        prepare(program);
+    };
+    BranchLayers& layers = subject.scene.branch_layers();
+    const glm::dmat4 to_clip = subject.mesh_to_clip(view);
+    const GpuMesh::Ranges vessels = subject.mesh.choose(layers.all, Layer::kGlass, to_clip);
+    for (std::size_t part = 0; part < vessels.parts(); ++part) {
+        use(vessels_);
+        subject.mesh.draw_part(vessels, part);
+        co_await kPartEnds;
+    }
+    const GpuMesh::Ranges borders = subject.mesh.choose_borders(layers.all, Layer::kGlass, to_clip);
+    for (std::size_t part = 0; part < borders.parts(); ++part) {
+        use(borders_);
+        glUniform1i(kUniformSamples, view.samples);
+        glBindTextureUnit(kUnitLayers, layers.table);
+        subject.mesh.draw_part(borders, part);
+        end_borders();
+        co_await kPartEnds;
+    }
+    begin_band(targets, band);
+    Listed listed;
+    listed.triangles = vessels.triangles() + borders.triangles() +
+                       context_.draw_clear(subject, view, ContextPass::Clear::kAll, prepare);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    GLuint count = 0;
+    glGetNamedBufferSubData(lists.count, 0, 4, &count);
+    listed.fragments = count;
+    co_return listed;
+}
+
+InParts<Result<std::uint64_t>> FragmentListPass::draw(const Subject& subject, ViewTargets& targets) const {
+    FragmentLists& lists = targets.lists;
+    std::uint64_t triangles = 0;
+    if (lists.capacity == 0) grow(lists, 0);
+    lists.bands.clear();
+    std::vector<Band> todo{{0, targets.view.size.y}};
+    while (!todo.empty()) {
+        const Band band = todo.back();
+        InParts<Listed> listing = list(subject, targets, band);
+        while (listing.resume()) co_await kPartEnds;
+        const Listed listed = listing.result();
+        if (listed.fragments > lists.capacity && grow(lists, listed.fragments)) continue;
+        todo.pop_back();
+        triangles += listed.triangles;
+        if (listed.fragments <= lists.capacity) {
+            resolve_.draw(ResolvePass::What::kGlass, targets, band);
+            lists.bands.push_back(band);
+        } else if (band.count > 1) {
+            const int half = band.count / 2;
+            todo.push_back({band.first + half, band.count - half});
+            todo.push_back({band.first, half});
+        } else {
+            co_return fail("too many layers of glass lie behind each other", {},
+                           "give a smaller size, or hide some of it");
+        }
+    }
+    co_return triangles;
+}
+
+void FragmentListPass::draw_again(const Subject& subject, ViewTargets& targets, Band band) const {
+    list(subject, targets, band).finish();
+    resolve_.draw(ResolvePass::What::kGlass, targets, band);
+}
 
 Result<void> LayerPass::make() {
     GLuint id = 0;

@@ -1,0 +1,133 @@
+// The field of the convolution surface around a cone, two segments at a time: which layer a point of the surface
+// belongs to where glass meets what is opaque (that of the branch that adds most there, as in the mesh), and which way
+// the surface faces: cones alone have creases where vessels fork and bend, and the field has none. Included once per
+// instruction set.
+#if defined(RAMUS_CASTER_FIELD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAMUS_CASTER_FIELD_INL_H
+#undef RAMUS_CASTER_FIELD_INL_H
+#else
+#define RAMUS_CASTER_FIELD_INL_H
+#endif
+
+#include "core/field/kernels/gaussian-inl.h"
+#include "render/caster/glsl-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::render::caster::HWY_NAMESPACE {
+
+namespace kernel = ramus::field::HWY_NAMESPACE;
+
+// Calls call(i, pair, foot) for the segments list[i] and list[i + 1] from the first to before the last, as seen from
+// `at`.
+template <class Call>
+HWY_INLINE void for_neighbours(const Field& field, const std::uint32_t* list, std::uint32_t first, std::uint32_t last,
+                               Vec3 at, const Call& call) {
+    const auto root_width = kernel::set(kernel::PackTag<2>(), field.root_width);
+    for (std::uint32_t i = first; i < last; i += 2) {
+        const FieldSegment &a = field.segments[list[i]], &b = field.segments[list[i + 1]];
+        const auto both = [](float x, float y) { return kernel::Pack<2>{set(x), set(y)}; };
+        const kernel::Segments<2> pair{both(a.direction[0], b.direction[0]),
+                                       both(a.direction[1], b.direction[1]),
+                                       both(a.direction[2], b.direction[2]),
+                                       both(a.length, b.length),
+                                       both(a.radius, b.radius),
+                                       both(a.slope, b.slope)};
+        const auto from = [&](Float x, int c) { return kernel::Pack<2>{(x - a.from[c]).v, (x - b.from[c]).v}; };
+        call(i, pair, kernel::find_foot(pair, root_width, from(at.x, 0), from(at.y, 1), from(at.z, 2)));
+    }
+}
+
+// What each branch adds to the field at a point.
+struct BranchSums {
+    static constexpr int kMax = 8; // branches; more hardly meet
+    std::uint32_t branches[kMax];
+    V sums[kMax];
+    int count = 0;
+
+    HWY_INLINE void add(std::uint32_t branch, V value) {
+        int i = 0;
+        while (i < count && branches[i] != branch) ++i;
+        if (i == kMax) return;
+        if (i == count) branches[count] = branch, sums[count++] = hn::Zero(D());
+        sums[i] = hn::Add(sums[i], value);
+    }
+    [[nodiscard]] HWY_INLINE Float largest() const {
+        V largest = hn::Zero(D());
+        for (int i = 0; i < count; ++i) largest = hn::Max(largest, sums[i]);
+        return largest;
+    }
+};
+
+// Those of the points `at` where rays hit `cone`, `which` of them, that belong to a branch of its layer.
+HWY_INLINE Mask own_layer_leads(const Field& field, std::uint32_t cone, Mask which, Vec3 at) {
+    BranchSums others, own;
+    for_neighbours(field, field.other_layer, field.first_other[cone], field.first_other[cone + 1], at,
+                   [&](std::uint32_t i, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
+                       const kernel::Pack<2> value = kernel::Gaussian::value<kernel::Ends::kSome>(pair, foot);
+                       for (std::uint32_t s = 0; s < 2; ++s)
+                           others.add(field.branch[field.other_layer[i + s]], value.v[s]);
+                   });
+    const Float other = others.largest();
+    // Who leads on the surface has a good share of the isovalue.
+    const Mask doubtful = which && other > 0.25F * field.isovalue;
+    if (!any(doubtful)) return which;
+    for_neighbours(field, field.neighbours, field.first[cone], field.first[cone + 1], at,
+                   [&](std::uint32_t i, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
+                       const Float closest = hn::Min(foot.rho.v[0], foot.rho.v[1]);
+                       if (!any(doubtful && closest < kernel::kFadeEndScaled)) return;
+                       const kernel::Pack<2> value = kernel::Gaussian::value<kernel::Ends::kSome>(pair, foot);
+                       for (std::uint32_t s = 0; s < 2; ++s) {
+                           const std::uint32_t segment = field.neighbours[i + s];
+                           if (field.layer[segment] == field.layer[cone]) own.add(field.branch[segment], value.v[s]);
+                       }
+                   });
+    return which && !(doubtful && own.largest() < other);
+}
+
+// Gradient of the field around the cone, per mm; depth as +z.
+HWY_INLINE Vec3 local_gradient(const Field& field, std::uint32_t cone, Mask here, Vec3 at) {
+    const auto inverse_root = kernel::set(kernel::PackTag<2>(), 1.0F / field.root_width);
+    Vec3 sum(0.0F);
+    const auto add = [&](std::uint32_t, const kernel::Segments<2>& pair, const kernel::Foot<2>& foot) {
+        const Float closest = hn::Min(foot.rho.v[0], foot.rho.v[1]);
+        if (!any(here && closest < kernel::kFadeEndScaled)) return;
+        const kernel::KernelGradient<2> g =
+            kernel::Gaussian::gradient<kernel::Ends::kSome>(pair, foot, kernel::growth_of(pair, foot, inverse_root));
+        for (int s = 0; s < 2; ++s) {
+            const Float radial = g.radial.v[s], axial = g.axial.v[s];
+            sum = mad(radial, Vec3(foot.qx.v[s], foot.qy.v[s], foot.qz.v[s]),
+                      mad(axial, Vec3(pair.ux.v[s], pair.uy.v[s], pair.uz.v[s]), sum));
+        }
+    };
+    for_neighbours(field, field.neighbours, field.first[cone], field.first[cone + 1], at, add);
+    return sum;
+}
+
+// Normals of the points `at` where rays hit `cones`, of `which` of them; `normal` (of any length) elsewhere, and where
+// the field says nothing sound.
+HWY_INLINE Vec3 field_normals(const Field& field, Mask which, VU cones, Vec3 at, Vec3 normal) {
+    const D d;
+    const DU du;
+    alignas(64) std::uint32_t index[hn::MaxLanes(D())];
+    hn::Store(cones, du, index);
+    const Vec3 before = normalize(normal);
+    for (Mask left = which; any(left);) {
+        const std::uint32_t cone = index[hn::FindFirstTrue(d, left.m)];
+        // Neighbours of one cone are those of the cones next to it, in the few pixels looked at.
+        Mask here = {hn::FirstN(d, 0)};
+        for (std::uint32_t i = field.first[cone]; i < field.first[cone + 1]; ++i)
+            here = here || Uint{cones} == field.neighbours[i];
+        here = here && left;
+        left = left && !here;
+        const Vec3 inward = local_gradient(field, cone, here, at);
+        Vec3 outward = {-inward.x, -inward.y, inward.z}; // depth grows away from the eye, normals have z towards it
+        const Float squared = dot(outward, outward);
+        outward = Float(inverse_root(max(squared, 1e-20F).v)) * outward;
+        normal = select(here && squared > 1e-12F && dot(outward, before) > 0.0F, outward, normal);
+    }
+    return normal;
+}
+
+} // namespace ramus::render::caster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
