@@ -4,8 +4,8 @@
 #include <hwy/foreach_target.h>
 // clang-format on
 #include "render/caster/cast_block-inl.h"
-#include "render/caster/intersection-inl.h"
 #include "render/caster/field-inl.h"
+#include "render/caster/intersection-inl.h"
 #include "render/caster/stages.h"
 #include "render/scene/record_flags.h"
 

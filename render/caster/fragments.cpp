@@ -3,8 +3,8 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "render/caster/intersection-inl.h"
 #include "render/caster/field-inl.h"
+#include "render/caster/intersection-inl.h"
 #include "render/caster/stages.h"
 #include "render/scene/record_flags.h"
 
