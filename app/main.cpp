@@ -1,7 +1,7 @@
 // The command line: one CLI::App, one file of app/commands for each subcommand, and the window without one.
 #include "app/commands/command.h"
-#include "app/commands/interrupt.h"
 #include "app/commands/picture_flags.h"
+#include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"

@@ -2,7 +2,7 @@
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
-#include "app/session/colour_text.h"
+#include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 #include "render/scene/bounds.h"
 

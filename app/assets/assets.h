@@ -12,11 +12,9 @@
 #pragma once
 
 #include "app/assets/centerlines.h"
-#include "app/assets/context_shapes.h"
-#include "app/assets/distance_grid.h"
-#include "app/assets/lesion_meshes.h"
 #include "app/assets/measured.h"
 #include "app/assets/plan.h"
+#include "app/assets/shapes.h"
 #include "app/session/branch_facts.h"
 #include "app/session/document.h"
 

@@ -1,6 +1,6 @@
 #include "app/assets/measured.h"
 
-#include "app/assets/ring.h"
+#include "app/assets/plan.h"
 #include "app/session/numbers.h"
 #include "core/measure/branch_point.h"
 #include "core/measure/tree_measure.h"

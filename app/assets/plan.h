@@ -2,12 +2,14 @@
 // pictures. A part of the assets (app/assets/assets.h), which make it anew when the marks it follows from change.
 #pragma once
 
-#include "app/assets/lesion_meshes.h"
+#include "app/assets/shapes.h"
 #include "app/session/session.h"
 #include "core/measure/cuts.h"
 #include "core/measure/lesion_distance.h"
+#include "render/scene/scene.h"
 
 #include <array>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -53,5 +55,29 @@ struct Plan {
 // `assets` have a tree, its facts, and distances that are taken where they fit; distances to spheres alone are measured
 // where they do not. Cuts and lesions of branches that the tree does not have must not be among the marks.
 [[nodiscard]] Plan make_plan(const Assets& assets, const Marks& marks);
+
+// The circle that pictures draw around a vessel: where it is cut, where its diameter was measured.
+
+// A closed polyline, mm, RAS. `axis`: of unit length.
+[[nodiscard]] std::vector<glm::dvec3> ring_around(const glm::dvec3& centre, const glm::dvec3& axis, double radius_mm);
+
+// The distance to lesions that are meshes, on a grid, as pictures colour by it. Sampled from the exact distance;
+// between the samples it is off by a small part of their spacing, which follows the size of the lesions and the widest
+// margin.
+struct LesionGrid {
+    std::vector<std::shared_ptr<const measure::MeshDistance>> of;
+    double reach_mm = 0.0;
+    std::shared_ptr<const render::DistanceGrid> grid; // null: none yet
+    [[nodiscard]] bool fits(const measure::Lesions& lesions, double reach) const {
+        return grid && of == lesions.meshes && reach_mm == reach;
+    }
+};
+
+// The distance that pictures colour by; 0 without margins.
+[[nodiscard]] double widest_margin_mm(const Planning& planning);
+
+// `lesions` have meshes; the grid covers all within `reach_mm` of them. A third of a second on one core for a lesion of
+// ten thousand triangles.
+[[nodiscard]] LesionGrid distance_grid(const measure::Lesions& lesions, double reach_mm);
 
 } // namespace ramus::app

@@ -1,5 +1,5 @@
 // ramus convert FILE -o FILE: a vessel tree in another format.
-#include "app/commands/load_tree.h"
+#include "app/commands/inputs.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "core/io/trees/tree_file.h"

@@ -6,32 +6,15 @@
 #include "render/overlay/overlay.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace ramus::app {
-
-void add_figure_flags(CLI::App& command, FigureFlags& flags) {
-    add_option(command, "--supersample", "N", flags.supersample,
-               "Draw N times as large and take the mean: smoother edges (default 1)")
-        ->check(CLI::Range(1, 8).description(""));
-    add_option(command, "--samples", "N", flags.samples,
-               "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
-        ->check(CLI::IsMember({4, 16}).description(""));
-    add_option(command, "--caption", "TEXT", flags.caption, "Words at the top left");
-    CLI::Option* overlays = add_option(command, "--overlays", "LIST", flags.overlays,
-                                       "What lies over the tree: none, or some of cube,scale,legend,letters (default "
-                                       "cube,scale,legend)")
-                                ->delimiter(',')
-                                ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
-    overlays->each([&flags](const std::string&) { flags.overlays_given = true; });
-    CLI::Option* sheet =
-        command.add_flag("--sheet", flags.sheet,
-                         "Four views on one sheet: anterior, left, posterior, superior; with --compare "
-                         "side-by-side a table of views and surfaces");
-    add_option(command, "--turntable", "N", flags.turntable,
-               "Once around the tree in N pictures: o.png becomes o_001.png and so on")
-        ->check(CLI::Range(2, 9999).description(""))
-        ->excludes(sheet);
-}
 
 namespace {
 
@@ -47,22 +30,6 @@ void dress(render::Frame& frame, const FigureFlags& flags) {
     frame.overlays.orientation_letters = shows("letters");
     if (!shows("legend")) frame.overlays.legend = {};
 }
-
-} // namespace
-
-void dress(render::Sheet& sheet, const FigureFlags& flags) {
-    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
-        render::Overlays& overlays = sheet.viewports[i].frame.overlays;
-        const render::Overlays shared = overlays; // what viewports beside each other have once, they have once
-        dress(sheet.viewports[i].frame, flags);
-        if (sheet.viewports.size() == 1 || sheet.blend) continue;
-        overlays.orientation_cube &= i + 1 == sheet.viewports.size();
-        overlays.scale_bar &= i == 0;
-        if (i > 0) overlays.caption = shared.caption;
-    }
-}
-
-namespace {
 
 Result<void> check_enlarged(glm::ivec2 size, const FigureFlags& flags) {
     auto fits = render::check_size(size.x, size.y);
@@ -91,7 +58,151 @@ void enlarge(render::Frame& frame, const FigureFlags& flags) {
         *inset *= flags.supersample;
 }
 
+constexpr std::array kViews{render::View::kAnterior, render::View::kLeft, render::View::kPosterior,
+                            render::View::kSuperior};
+
+// The cameras around the middle of `box`, all at the distance from which it is in the picture of each of them.
+std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, const render::Box& box, glm::ivec2 size) {
+    constexpr double kMargin = 1.05;
+    const double aspect = double(size.x) / size.y;
+    double distance = 0.0, scale = 0.0;
+    for (const render::Camera& camera : cameras) {
+        const render::CameraAxes axes = render::axes_of(camera);
+        const double slope = std::tan(glm::radians(0.5 * camera.view_angle));
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+            const glm::dvec3 off = glm::mix(box.lower, box.upper, high) - box.centre();
+            const double across =
+                std::max(std::abs(glm::dot(off, axes.right)) / aspect, std::abs(glm::dot(off, axes.up)));
+            distance = std::max(distance, kMargin * across / slope - glm::dot(off, axes.forward));
+            scale = std::max(scale, kMargin * across);
+        }
+    }
+    for (render::Camera& camera : cameras) {
+        const glm::dvec3 forward = render::axes_of(camera).forward;
+        camera.focal_point = box.centre();
+        camera.position = box.centre() - std::max(distance, 1e-6) * forward;
+        camera.scale = std::max(scale, 1e-9);
+    }
+    return cameras;
+}
+
+// A box around what can be seen of the surfaces in the viewports.
+render::Box visible_box(const render::Sheet& sheet) {
+    render::Box visible, all;
+    for (const auto& [at, frame, has_branches] : sheet.viewports) {
+        if (!frame.mesh) continue;
+        const auto positions = frame.mesh->positions([&states = frame.states](int branch) {
+            const auto index = static_cast<std::size_t>(branch);
+            return index >= states.size() || states[index] != render::BranchState::kHidden;
+        });
+        for (const glm::vec3& position : positions) visible.include(glm::dvec3(position));
+        if (const render::Box& bounds = frame.mesh->bounds(); !bounds.empty()) {
+            all.include(bounds.lower);
+            all.include(bounds.upper);
+        }
+    }
+    return visible.empty() ? all : visible;
+}
+
+void look_from(render::Sheet& sheet, const render::Camera& camera) {
+    for (render::Sheet::Viewport& viewport : sheet.viewports) viewport.frame.camera = camera;
+}
+
+// Parts of one size, so many of them in a row and below each other.
+struct Grid {
+    glm::ivec2 size, count;
+    int line; // pixels between them, at least
+    [[nodiscard]] glm::ivec2 part() const { return (size - line * (count - 1)) / count; }
+    // What does not divide goes between them.
+    [[nodiscard]] glm::ivec2 at(int index) const {
+        const glm::ivec2 cell(index % count.x, index / count.x);
+        return cell * (size - part()) / glm::max(count - 1, glm::ivec2(1));
+    }
+};
+
+bool side_by_side(const render::Sheet& sheet) { return sheet.viewports.size() > 1 && !sheet.blend; }
+
+Grid grid_for(const render::Sheet& sheet, glm::ivec2 size) {
+    if (!side_by_side(sheet)) return {size, {2, 2}, 0};
+    const auto views = static_cast<int>(kViews.size());
+    return {size, size.x >= size.y ? glm::ivec2(views, 1) : glm::ivec2(1, views), 1};
+}
+
+// "Anterior"; "anterior" behind other words.
+std::string title_of(render::View view, bool first) {
+    std::string name(render::name_of(view));
+    if (first) name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    return name;
+}
+
+// The words at the corner of each cell. In a table of views and surfaces the head of its row and of its column.
+void label(render::Sheet& sheet, std::size_t view, bool table) {
+    const std::string caption = sheet.viewports.front().frame.overlays.caption; // the whole sheet's
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        render::Overlays& overlays = sheet.viewports[i].frame.overlays;
+        std::string words;
+        if (side_by_side(sheet) && (view == 0 || !table)) words = overlays.heading;
+        if (!side_by_side(sheet) || i == 0 || !table)
+            words += (words.empty() ? "" : ", ") + title_of(kViews[view], words.empty());
+        if (view == 0 && (i == 0 || sheet.blend) && !caption.empty()) words.insert(0, caption + ": ");
+        overlays.caption = words;
+        if (view > 0 || side_by_side(sheet)) overlays.heading.clear();
+        if (view > 0) overlays.legend = {};
+    }
+    if (view > 0) sheet.heading.clear();
+}
+
+void fill(render::Image& picture, const glm::vec3& colour) {
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        for (int k = 0; k < 3; ++k)
+            picture.rgba[i + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255.0F * colour[k]));
+        picture.rgba[i + 3] = 255;
+    }
+}
+
+void put(render::Image& onto, const render::Image& image, glm::ivec2 at) {
+    for (int y = 0; y < image.height; ++y)
+        std::memcpy(onto.pixel(at.x, at.y + y), image.pixel(0, y), 4 * static_cast<std::size_t>(image.width));
+}
+
 } // namespace
+
+void add_figure_flags(CLI::App& command, FigureFlags& flags) {
+    add_option(command, "--supersample", "N", flags.supersample,
+               "Draw N times as large and take the mean: smoother edges (default 1)")
+        ->check(CLI::Range(1, 8).description(""));
+    add_option(command, "--samples", "N", flags.samples,
+               "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
+        ->check(CLI::IsMember({4, 16}).description(""));
+    add_option(command, "--caption", "TEXT", flags.caption, "Words at the top left");
+    CLI::Option* overlays = add_option(command, "--overlays", "LIST", flags.overlays,
+                                       "What lies over the tree: none, or some of cube,scale,legend,letters (default "
+                                       "cube,scale,legend)")
+                                ->delimiter(',')
+                                ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
+    overlays->each([&flags](const std::string&) { flags.overlays_given = true; });
+    CLI::Option* sheet =
+        command.add_flag("--sheet", flags.sheet,
+                         "Four views on one sheet: anterior, left, posterior, superior; with --compare "
+                         "side-by-side a table of views and surfaces");
+    add_option(command, "--turntable", "N", flags.turntable,
+               "Once around the tree in N pictures: o.png becomes o_001.png and so on")
+        ->check(CLI::Range(2, 9999).description(""))
+        ->excludes(sheet);
+}
+
+void dress(render::Sheet& sheet, const FigureFlags& flags) {
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
+        render::Overlays& overlays = sheet.viewports[i].frame.overlays;
+        const render::Overlays shared = overlays; // what viewports beside each other have once, they have once
+        dress(sheet.viewports[i].frame, flags);
+        if (sheet.viewports.size() == 1 || sheet.blend) continue;
+        overlays.orientation_cube &= i + 1 == sheet.viewports.size();
+        overlays.scale_bar &= i == 0;
+        if (i > 0) overlays.caption = shared.caption;
+    }
+}
 
 Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureFlags& flags) {
     sheet.size *= flags.supersample;
@@ -106,6 +217,65 @@ Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet
     if (flags.samples > 4 && flags.supersample == 1)
         if (const auto finer = renderer.refine(sheet); !finer) return tl::unexpected(finer.error());
     return render::reduced(renderer.read_image(), flags.supersample);
+}
+
+Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
+                                      const FigureFlags& flags) {
+    const auto whole = compose(size);
+    if (!whole) return tl::unexpected(whole.error());
+    const Grid grid = grid_for(*whole, size);
+    const glm::ivec2 part = grid.part();
+    const auto viewports = static_cast<int>(side_by_side(*whole) ? whole->viewports.size() : 1);
+    if (part.x < 1 || part.y < 1 || std::max(part.x, part.y) < 2 * viewports - 1)
+        return fail("a sheet of " + std::to_string(size.x) + " x " + std::to_string(size.y) +
+                        " pixels has no room for four views",
+                    {}, "give a larger --size");
+    auto composed = compose(part);
+    if (!composed) return tl::unexpected(composed.error());
+    dress(*composed, flags);
+    std::vector<render::Camera> cameras;
+    for (const render::View view : kViews)
+        cameras.push_back(render::looking(composed->viewports.front().frame.camera, view));
+    cameras = at_one_scale(std::move(cameras), visible_box(*composed), composed->viewports.front().frame.size);
+    // Views in one direction and surfaces in the other, unless the picture is so long that both go the same way.
+    const bool below = composed->viewports.back().at.y > 0;
+    const bool table = side_by_side(*composed) && below == (grid.count.x > 1);
+    render::Image picture(size.x, size.y);
+    if (side_by_side(*composed) && !composed->viewports.front().frame.background.transparent)
+        fill(picture, composed->divider);
+    for (std::size_t i = 0; i < kViews.size(); ++i) {
+        render::Sheet one = *composed;
+        look_from(one, cameras[i]);
+        label(one, i, table);
+        auto image = draw_figure(renderer, std::move(one), flags);
+        if (!image) return image;
+        put(picture, *image, grid.at(static_cast<int>(i)));
+    }
+    return picture;
+}
+
+Result<std::vector<std::filesystem::path>> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
+                                                           const FigureFlags& flags, bool keep_camera,
+                                                           const std::filesystem::path& output) {
+    const render::Frame& first = sheet.viewports.front().frame;
+    std::vector<render::Camera> cameras;
+    for (int i = 0; i < flags.turntable; ++i)
+        cameras.push_back(render::turned(first.camera, 360.0 * i / flags.turntable, 0.0));
+    if (!keep_camera) cameras = at_one_scale(std::move(cameras), visible_box(sheet), first.size);
+    const std::size_t digits = std::max<std::size_t>(3, std::to_string(flags.turntable).size());
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        render::Sheet one = sheet;
+        look_from(one, cameras[i]);
+        auto image = draw_figure(renderer, std::move(one), flags);
+        if (!image) return tl::unexpected(image.error());
+        std::string number = std::to_string(i + 1);
+        number.insert(0, digits - number.size(), '0');
+        const auto file = output.parent_path() / (output.stem().string() + "_" + number + output.extension().string());
+        if (auto written = render::write_png(*image, file); !written) return tl::unexpected(written.error());
+        files.push_back(file);
+    }
+    return files;
 }
 
 } // namespace ramus::app

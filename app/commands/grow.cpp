@@ -1,8 +1,7 @@
 // ramus grow: a synthetic organ tree, written as a tree file.
 #include "core/tree/grow/grow.h"
 
-#include "app/commands/interrupt.h"
-#include "app/commands/progress_bar.h"
+#include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "core/io/trees/tree_file.h"
 #include "core/tree/build_tree.h"

@@ -1,10 +1,12 @@
 #include "app/commands/picture_flags.h"
 
 #include "app/commands/command.h"
+#include "core/io/volumes/volume_file.h"
 #include "render/renderer/renderer.h"
 
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -53,6 +55,76 @@ CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
     return add_option(command, "--view", "NAME", view,
                       "anterior (default), posterior, left, right, superior or inferior")
         ->transform(CLI::CheckedTransformer(views).description(""));
+}
+
+void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
+    command
+        .add_option_function<std::string>(
+            "--compare",
+            [&flags](const std::string& name) {
+                flags.mode = comparison_mode_named(name);
+                if (!flags.mode)
+                    throw CLI::ValidationError("--compare", name + " is not side-by-side, blend, superimposed or off");
+            },
+            "Show surfaces of the same vessels together: side-by-side, blend or superimposed, in every picture of a "
+            "--turntable or --sheet too")
+        ->type_name("MODE");
+    command
+        .add_option_function<std::string>(
+            "--methods",
+            [&flags](const std::string& list) {
+                flags.surfaces = surface_list(list);
+                if (!flags.surfaces)
+                    throw CLI::ValidationError("--methods", list + " is not two or three of cs, cones, iso");
+            },
+            "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask")
+        ->type_name("LIST");
+    CLI::Option* mask = add_option(command, "--mask", "MASK", flags.mask,
+                                   "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
+                                       "; default: the tree's own voxels)");
+    command
+        .add_option_function<std::string>(
+            "--label",
+            [&flags](const std::string& list) {
+                const auto labels = label_list(list);
+                if (!labels)
+                    throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0");
+                flags.labels = *labels;
+            },
+            "These labels of the mask alone, as 1 or 1,2 (default: all)")
+        ->type_name("N[,N...]")
+        ->needs(mask);
+    command
+        .add_option_function<double>(
+            "--blend",
+            [&flags](double share) {
+                if (!(share >= 0.0 && share <= 1.0)) throw CLI::ValidationError("--blend", "goes from 0 to 1");
+                flags.blend = share;
+            },
+            "With --compare blend: how much of the second surface there is, from 0 to 1 (default 0.5)")
+        ->type_name("SHARE");
+    command.add_flag("--skeleton", flags.skeleton, "Draw centerlines, with rings of the radius, over the vessels");
+}
+
+void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags) {
+    const bool off = !flags.mode || *flags.mode == Comparison::Mode::kOff;
+    for (const char* name : {"--methods", "--mask", "--label"})
+        if (off && command.get_option(name)->count() > 0)
+            throw CLI::ValidationError(name, "has a meaning only with --compare");
+    if (flags.blend && (off || *flags.mode != Comparison::Mode::kBlend))
+        throw CLI::ValidationError("--blend", "has a meaning only with --compare blend");
+}
+
+void apply(const ComparisonFlags& flags, Marks& marks) {
+    Comparison& comparison = marks.comparison;
+    if (flags.mode) comparison.mode = *flags.mode;
+    if (flags.surfaces) comparison.surfaces = *flags.surfaces;
+    if (!flags.mask.empty()) {
+        comparison.mask = std::filesystem::absolute(flags.mask).lexically_normal().string();
+        comparison.labels = flags.labels;
+    }
+    if (flags.blend) comparison.blend = *flags.blend;
+    if (flags.skeleton) marks.skeleton = true;
 }
 
 } // namespace ramus::app

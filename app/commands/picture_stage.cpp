@@ -1,8 +1,7 @@
 #include "app/commands/picture_stage.h"
 
-#include "app/commands/interrupt.h"
-#include "app/commands/load_tree.h"
-#include "app/commands/progress_bar.h"
+#include "app/commands/inputs.h"
+#include "app/commands/progress.h"
 #include "app/session/numbers.h"
 
 namespace ramus::app {

@@ -1,10 +1,9 @@
 // `ramus study FILE -o FOLDER`: the pictures of the paper's user study (section V), for any tree: the whole tree, and
 // three places close by as isosurface of the mask, as truncated cones and as convolution surface, each from the same
 // eye in the same light.
-#include "app/commands/interrupt.h"
-#include "app/commands/load_tree.h"
+#include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
-#include "app/commands/progress_bar.h"
+#include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/session/numbers.h"

@@ -1,7 +1,6 @@
 #include "app/commands/write_surface.h"
 
-#include "app/commands/interrupt.h"
-#include "app/commands/progress_bar.h"
+#include "app/commands/progress.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"

@@ -1,9 +1,9 @@
 // What is shown beside the tree: a row each to show or hide it, to colour it and to take it away, and how dense it is.
-#include "app/assets/context_shapes.h"
+#include "app/assets/shapes.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
-#include "app/session/colour_text.h"
+#include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "app/panels/open_dialog.h"
 
-#include "app/assets/context_shapes.h"
+#include "app/assets/shapes.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"

@@ -2,13 +2,18 @@
 // it says while it is held is there to be tried.
 #pragma once
 
-#include "app/panels/slider.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 
 #include <imgui.h>
 
 namespace ramus::app::widgets {
+
+// What a slider remembers from frame to frame.
+template <class T> struct Slider {
+    T value{};
+    bool held = false;
+};
 
 // One row: label, slider, value. `draw(T&)` draws the slider itself, `as_text(T)` is what stands at the right. True
 // when it was let go at another value than `current`.

@@ -1,12 +1,16 @@
 #include "app/picture/compose.h"
 
 #include "app/assets/assets.h"
+#include "app/assets/measured.h"
+#include "app/assets/plan.h"
 #include "app/picture/colouring.h"
-#include "app/picture/marks_drawing.h"
+#include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
+#include "render/scene/frame.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <span>
 
 namespace ramus::app {
 
@@ -32,6 +36,30 @@ void show_context(render::Frame& frame, const Assets& assets, const std::vector<
         const glm::vec3 colour(item.colour[0], item.colour[1], item.colour[2]);
         frame.context.push_back(
             {shape->mesh, shape->preview, colour / 255.0F, static_cast<float>(item.opacity), item.wireframe});
+    }
+}
+
+constexpr glm::vec3 kCutColour{0.94F, 0.95F, 0.97F}, kReconstructColour{1.00F, 0.62F, 0.20F},
+    kMeasureColour{0.55F, 0.93F, 0.82F};
+
+// The lines and labels that a session's marks put into the picture: a ring around every cut, and what was measured.
+//
+void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
+    for (std::size_t i = 0; i < marks.cuts.size() && frame.centerlines; ++i) {
+        const auto& [branch, fraction] = marks.cuts[i];
+        const auto place = frame.centerlines->at(branch, fraction);
+        if (!place || state_of(marks, branch) == render::BranchState::kHidden) continue;
+        const bool reconstruct = plan != nullptr && i < plan->cuts.cuts.size() && plan->cuts.cuts[i].reconstruct;
+        frame.lines.push_back({ring_around(place->position, place->along, 1.35 * place->radius_mm),
+                               reconstruct ? kReconstructColour : kCutColour, 2.2F});
+    }
+}
+
+void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> measurements) {
+    for (const Result<Measured>& found : measurements) {
+        if (!found) continue;
+        for (const auto& line : found->lines) frame.lines.push_back({line, kMeasureColour});
+        frame.labels.push_back({found->label_place, found->label});
     }
 }
 

@@ -1,6 +1,8 @@
 #include "app/session/colour_by.h"
 
 #include <algorithm>
+#include <charconv>
+#include <glm/common.hpp>
 
 namespace ramus::app {
 
@@ -19,6 +21,36 @@ std::vector<ColouringRow> colouring_table() {
     return rows;
 }
 
+using Stations = std::array<glm::vec3, 9>;
+
+constexpr Stations kViridis{{{0.267004F, 0.004874F, 0.329415F},
+                             {0.278826F, 0.175490F, 0.483397F},
+                             {0.229739F, 0.322361F, 0.545706F},
+                             {0.172719F, 0.448791F, 0.557885F},
+                             {0.127568F, 0.566949F, 0.550556F},
+                             {0.157851F, 0.683765F, 0.501686F},
+                             {0.369214F, 0.788888F, 0.382914F},
+                             {0.678489F, 0.863742F, 0.189503F},
+                             {0.993248F, 0.906157F, 0.143936F}}};
+constexpr Stations kCividis{{{0.000000F, 0.135112F, 0.304751F},
+                             {0.103401F, 0.220406F, 0.435790F},
+                             {0.263738F, 0.307831F, 0.422789F},
+                             {0.380830F, 0.395164F, 0.435653F},
+                             {0.488697F, 0.485318F, 0.471008F},
+                             {0.605211F, 0.576777F, 0.464441F},
+                             {0.732422F, 0.677364F, 0.425717F},
+                             {0.866421F, 0.786028F, 0.346571F},
+                             {0.995737F, 0.909344F, 0.217772F}}};
+constexpr Stations kMagma{{{0.001462F, 0.000466F, 0.013866F},
+                           {0.113094F, 0.065492F, 0.276784F},
+                           {0.316654F, 0.071690F, 0.485380F},
+                           {0.512831F, 0.148179F, 0.507648F},
+                           {0.716387F, 0.214982F, 0.475290F},
+                           {0.904281F, 0.319610F, 0.388137F},
+                           {0.986700F, 0.535582F, 0.382210F},
+                           {0.996571F, 0.783977F, 0.547233F},
+                           {0.987053F, 0.991438F, 0.749504F}}};
+
 } // namespace
 
 const std::vector<ColouringRow>& colourings() {
@@ -34,6 +66,52 @@ std::string_view name_of(ColourBy by) {
 std::optional<ColourBy> colouring_named(std::string_view key) {
     const auto row = std::ranges::find(colourings(), key, &ColouringRow::key);
     return row == colourings().end() ? std::nullopt : std::optional(row->by);
+}
+
+std::string_view name_of(ColourMap map) {
+    switch (map) {
+    case ColourMap::kViridis:
+        return "viridis";
+    case ColourMap::kCividis:
+        return "cividis";
+    case ColourMap::kMagma:
+        return "magma";
+    }
+    return "";
+}
+
+glm::vec3 colour_at(ColourMap map, double t) {
+    const Stations& stations = map == ColourMap::kViridis ? kViridis : map == ColourMap::kCividis ? kCividis : kMagma;
+    const double darkest = map == ColourMap::kMagma ? 0.28 : 0.12;
+    const double at = (darkest + (1.0 - darkest) * std::clamp(t, 0.0, 1.0)) * (stations.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(at), stations.size() - 2);
+    return glm::mix(stations[below], stations[below + 1], static_cast<float>(at - static_cast<double>(below)));
+}
+
+std::vector<glm::vec3> ramp_of(ColourMap map, std::size_t steps) {
+    std::vector<glm::vec3> ramp;
+    for (std::size_t i = 0; i < steps; ++i)
+        ramp.push_back(colour_at(map, static_cast<double>(i) / static_cast<double>(steps - 1)));
+    return ramp;
+}
+
+std::string colour_text(const std::array<std::uint8_t, 3>& colour) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t byte : colour) text += {kDigits[byte >> 4U], kDigits[byte & 15U]};
+    return text;
+}
+
+std::optional<std::array<std::uint8_t, 3>> colour_in(std::string_view text) {
+    if (text.starts_with('#')) text.remove_prefix(1);
+    std::array<std::uint8_t, 3> colour{};
+    if (text.size() != 6) return {};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string_view two = text.substr(2 * i, 2);
+        const auto [end, error] = std::from_chars(two.data(), two.data() + 2, colour[i], 16);
+        if (error != std::errc() || end != two.data() + 2) return {};
+    }
+    return colour;
 }
 
 } // namespace ramus::app

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "app/session/colour_by.h"
-#include "app/session/colour_maps.h"
 #include "app/session/comparison.h"
 #include "app/session/depth_cues.h"
 #include "core/mesh/surface.h"

@@ -1,6 +1,5 @@
 #include "app/session/session_file.h"
 
-#include "app/session/beside_json.h"
 #include "app/session/json_text.h"
 #include "app/session/json_values.h"
 #include "app/session/marks_json.h"

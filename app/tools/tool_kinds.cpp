@@ -1,9 +1,7 @@
 #include "app/tools/tool_kinds.h"
 
-#include "app/tools/cut_tool.h"
 #include "app/tools/lasso_tool.h"
-#include "app/tools/lesion_tool.h"
-#include "app/tools/measure_tools.h"
+#include "app/tools/place_tools.h"
 
 #include <algorithm>
 #include <cmath>

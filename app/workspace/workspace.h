@@ -10,10 +10,10 @@
 #include "app/assets/assets.h"
 #include "app/session/document.h"
 #include "app/storage/autosave.h"
-#include "app/workspace/comparison_maker.h"
+#include "app/workspace/compared_surfaces.h"
 #include "app/workspace/context_reader.h"
-#include "app/workspace/surface_follower.h"
-#include "app/workspace/tree_loader.h"
+#include "app/workspace/loaded_tree.h"
+#include "app/workspace/surface_maker.h"
 #include "core/io/trees/tree_file.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 // What is shown beside the tree: commands that add, change and remove it, what is read of it and when, and what the
 // picture gets.
-#include "app/assets/context_shapes.h"
+#include "app/assets/shapes.h"
 #include "app/picture/compose.h"
-#include "app/session/colour_text.h"
+#include "app/session/colour_by.h"
 #include "app/session/session_file.h"
 #include "app/workspace/workspace.h"
 #include "core/io/meshes/mesh_file.h"

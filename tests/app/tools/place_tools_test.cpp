@@ -1,7 +1,5 @@
 // The tools that place lesions, cut and measure, driven as the mouse drives them.
-#include "app/tools/cut_tool.h"
-#include "app/tools/lesion_tool.h"
-#include "app/tools/measure_tools.h"
+#include "app/tools/place_tools.h"
 #include "core/measure/branch_point.h"
 #include "core/tree/build_tree.h"
 

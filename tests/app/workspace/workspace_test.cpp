@@ -1,4 +1,4 @@
-#include "app/assets/lesion_meshes.h"
+#include "app/assets/shapes.h"
 #include "app/session/session_file.h"
 #include "app/storage/tree_source.h"
 #include "app/workspace/workspace.h"

@@ -1,14 +1,24 @@
-#include "app/tools/lesion_tool.h"
+#include "app/tools/place_tools.h"
 
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
+#include "core/measure/branch_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace ramus::app {
 
 namespace {
+
+const glm::vec4 kCutColour{1.0F, 0.48F, 0.40F, 1.0F};
+constexpr int kCorners = 40;
+
+bool on_tree(const Pointing& pointing, const render::Pick& pick) {
+    return pick.branch >= 0 && pick.branch < pointing.document.branch_count();
+}
 
 constexpr double kOutlineShare = 0.72; // of its radius: from here on a press takes the outline
 constexpr double kSlackPoints = 5.0;   // beyond the outline that still takes it
@@ -52,6 +62,40 @@ void put(std::array<double, 4>& sphere, const glm::dvec3& centre) {
 }
 
 } // namespace
+
+void CutTool::press(const Pointing& pointing) {
+    const render::Pick pick = pointing.pick();
+    if (!on_tree(pointing, pick)) return;
+    const double fraction = measure::nearest_fraction(*pointing.document.tree(), pick.branch, pick.position);
+    command({"cut", std::to_string(pick.branch), spelled(fraction, 3)});
+}
+
+void CutTool::move(const Pointing& pointing) { under_ = pointing.pick(); }
+
+// The ring of the cross-section, a little wider than the vessel.
+ToolDrawing CutTool::drawing(const Pointing& pointing) const {
+    ToolDrawing drawing;
+    if (!on_tree(pointing, under_)) return drawing;
+    const tree::VesselTree& tree = *pointing.document.tree();
+    const double fraction = measure::nearest_fraction(tree, under_.branch, under_.position);
+    const measure::BranchPoint place = measure::point_on(tree, under_.branch, fraction);
+    const glm::dvec3 aside = std::abs(place.direction.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(place.direction, aside));
+    const glm::dvec3 v = glm::cross(place.direction, u);
+    ToolDrawing::Line ring{.points = {}, .colour = kCutColour, .width = 2.0F, .closed = true};
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kCorners;
+        const auto at =
+            render::project(pointing.camera(), pointing.size,
+                            place.position + 1.15 * place.radius_mm * (std::cos(angle) * u + std::sin(angle) * v));
+        if (!at) return drawing;
+        ring.points.emplace_back(*at);
+    }
+    drawing.lines.push_back(std::move(ring));
+    drawing.texts.push_back({pointing.at + glm::dvec2(16.0, 12.0) * static_cast<double>(pointing.pixel_ratio),
+                             "\xC3\x98 " + digits(2.0 * place.radius_mm) + " mm", kCutColour});
+    return drawing;
+}
 
 void LesionTool::press(const Pointing& pointing) {
     Held held;
@@ -121,6 +165,68 @@ ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
 std::string LesionTool::hint() const {
     return held_ ? "Drag to size or move it, let go to keep it, Escape to leave it"
                  : "Press on a vessel or beside it to place a lesion, drag to size it; press on a lesion to change it";
+}
+
+namespace {
+const glm::vec4 kMeasureColour{0.55F, 0.95F, 0.75F, 1.0F};
+}
+
+void MeasureTool::press(const Pointing& pointing) {
+    const render::Pick pick = pointing.pick();
+    if (pick.branch < 0 || pick.branch >= pointing.document.branch_count()) return;
+    const std::string branch = std::to_string(pick.branch);
+    switch (kind_) {
+    case Measurement::Kind::kDistance:
+    case Measurement::Kind::kPath: {
+        const auto first = std::exchange(first_, std::nullopt);
+        if (!first)
+            first_ = pick;
+        else if (kind_ == Measurement::Kind::kPath)
+            command({"measure", "path", std::to_string(first->branch), branch});
+        else
+            command({"measure", "distance", spelled(first->position), spelled(pick.position)});
+        break;
+    }
+    case Measurement::Kind::kDiameter:
+        command({"measure", "diameter", branch,
+                 spelled(measure::nearest_fraction(*pointing.document.tree(), pick.branch, pick.position), 3)});
+        break;
+    case Measurement::Kind::kAngle:
+        command({"measure", "angle", branch});
+        break;
+    }
+}
+
+void MeasureTool::move(const Pointing& pointing) {
+    if (first_ && kind_ == Measurement::Kind::kDistance) under_ = pointing.pick();
+}
+
+ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
+    ToolDrawing drawing;
+    if (!first_) return drawing;
+    const auto from = render::project(pointing.camera(), pointing.size, first_->position);
+    if (!from) return drawing;
+    drawing.lines.push_back({{glm::dvec2(*from), pointing.at}, kMeasureColour, 1.5F, false});
+    drawing.circles.push_back({glm::dvec2(*from), 3.5 * pointing.pixel_ratio, kMeasureColour, 1.5F, true});
+    if (kind_ == Measurement::Kind::kDistance && under_.branch != render::kNoBranch)
+        drawing.texts.push_back({pointing.at + glm::dvec2(14.0, 10.0) * static_cast<double>(pointing.pixel_ratio),
+                                 digits(glm::distance(first_->position, under_.position)) + " mm", kMeasureColour});
+    return drawing;
+}
+
+std::string MeasureTool::hint() const {
+    switch (kind_) {
+    case Measurement::Kind::kDistance:
+        return first_ ? "Click the other place, Escape to begin again" : "Click a place on a vessel, then another";
+    case Measurement::Kind::kPath:
+        return first_ ? "Click the other branch, Escape to begin again"
+                      : "Click two branches: the way along the vessels between their middles";
+    case Measurement::Kind::kDiameter:
+        return "Click a vessel: its diameter there";
+    case Measurement::Kind::kAngle:
+        return "Click a vessel: the angles where it branches off";
+    }
+    return {};
 }
 
 } // namespace ramus::app

@@ -1,4 +1,4 @@
-#include "app/assets/context_shapes.h"
+#include "app/assets/shapes.h"
 
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -10,8 +10,6 @@
 #include <new>
 
 namespace ramus::app {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -58,6 +56,17 @@ Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& sour
 }
 
 } // namespace
+
+Loaded<LesionMesh> read_lesion_mesh(const std::filesystem::path& file, const Loaded<LesionMesh>* before) {
+    return read_if_written(file, before, "the lesion", [&]() -> Result<std::shared_ptr<const LesionMesh>> {
+        auto mesh = io::read_mesh(file);
+        if (!mesh) return tl::unexpected(mesh.error());
+        auto distance = std::make_shared<const measure::MeshDistance>(*mesh);
+        return std::make_shared<const LesionMesh>(LesionMesh{std::move(*mesh), std::move(distance)});
+    });
+}
+
+namespace fs = std::filesystem;
 
 Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loaded<ContextShape>* before, Job& job) {
     auto loaded = read_if_written(source.file, before, "the file", [&] { return read_shape(source, job); });

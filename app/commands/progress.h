@@ -1,0 +1,49 @@
+// What a command tells while it works, and how it is stopped.
+#pragma once
+
+#include "core/base/job.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace ramus::app {
+
+// Ctrl-C and a polite kill, while a command works: the first one cancels the work that runs, so that the command ends
+// with a word; where nothing can be cancelled, or at the second one, unfinished files are removed and the process ends
+// by the signal, as a shell expects.
+
+// Once, before any command.
+void handle_interrupts();
+
+// While it lives, an interrupt cancels `job`. One at a time.
+class CancelOnInterrupt {
+public:
+    explicit CancelOnInterrupt(Job& job);
+    ~CancelOnInterrupt();
+    CancelOnInterrupt(const CancelOnInterrupt&) = delete;
+    CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
+};
+
+// A line on a terminal that follows a Job; silent where standard error is no terminal, and for the first moments, so
+// that quick work leaves no trace. Goes away when it is destroyed.
+class ProgressBar {
+public:
+    ProgressBar(std::string what, const Job& job);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+private:
+    void follow();
+
+    std::string what_;
+    const Job& job_;
+    std::mutex mutex_;
+    std::condition_variable done_changed_;
+    bool done_ = false;
+    std::thread thread_;
+};
+
+} // namespace ramus::app

@@ -1,0 +1,70 @@
+// The tools that put something at a place of a vessel: cuts, lesions, measurements.
+#pragma once
+
+#include "app/tools/tool.h"
+
+#include <array>
+#include <optional>
+
+namespace ramus::app {
+
+// CutTool: cuts the branch under the pointer across, at the point of its centerline nearest to the pointer's on
+// the surface, which a ring shows before the click.
+class CutTool final : public Tool {
+public:
+    void press(const Pointing& pointing) override;
+    void move(const Pointing& pointing) override;
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+    [[nodiscard]] std::string hint() const override { return "Click a vessel to cut it there"; }
+
+private:
+    render::Pick under_;
+};
+
+// LesionTool: places spherical lesions. A press puts the centre on the surface under the pointer, or, beside the
+// vessels, at the depth of the focal point; dragging sizes it, and a click alone gives it the usual size. A press on a
+// lesion takes hold of that one: near its outline it is sized, elsewhere moved across the view.
+class LesionTool final : public Tool {
+public:
+    static constexpr double kUsualRadiusMm = 10.0;
+    static constexpr double kLeastRadiusMm = 0.5;
+
+    void press(const Pointing& pointing) override;
+    void move(const Pointing& pointing) override;
+    void release(const Pointing& pointing) override;
+    bool escape() override { return std::exchange(held_, std::nullopt).has_value(); }
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+    [[nodiscard]] std::string hint() const override;
+
+private:
+    struct Held {
+        std::array<double, 4> sphere{}; // as it is now
+        std::array<double, 4> before{};
+        std::optional<std::size_t> index; // of a lesion that was there
+        bool sizing = true;
+        bool moved = false;
+        glm::dvec2 pressed_at{0.0};
+        double depth_mm = 0.0; // of its centre
+    };
+    std::optional<Held> held_;
+};
+
+// The measuring tools: distances between two points of the surface, paths along the tree between two branches,
+// diameters at a point, angles at a branching. What they find stays in the session until it is removed.
+class MeasureTool final : public Tool {
+public:
+    explicit MeasureTool(Measurement::Kind kind) : kind_(kind) {}
+    void press(const Pointing& pointing) override;
+    void move(const Pointing& pointing) override;
+    bool escape() override { return std::exchange(first_, std::nullopt).has_value(); }
+    [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
+    [[nodiscard]] std::string hint() const override;
+    [[nodiscard]] bool points_at_branches() const override { return kind_ != Measurement::Kind::kDistance; }
+
+private:
+    Measurement::Kind kind_;
+    std::optional<render::Pick> first_; // of two
+    render::Pick under_;
+};
+
+} // namespace ramus::app
