@@ -1,5 +1,5 @@
 // Glass without lists, layer by layer: of the fragments that lie behind the last layer's, the nearest stays, sample by
-// sample. See passes/peeling.cpp.
+// sample. See LayerPass (passes/glass_pass.h).
 #version 450 core
 // Variant: BORDER for triangles where branches meet, of which the samples of glass are drawn.
 #include "bindings.glsl"

@@ -1,4 +1,4 @@
-// Runs commands. All that a command changes is one step of undo, with a phrase for a name (app/actions/phrases.h); one
+// Runs commands. All that a command changes is one step of undo, with a phrase for a name: "hide 12 branches"; one
 // that fails or is cancelled changes nothing.
 #pragma once
 

@@ -1,5 +1,4 @@
-// Pictures for papers and slides: drawn larger and reduced, with a caption and letters. Those from several sides are
-// in several_views.h.
+// Pictures for papers and slides: drawn larger and reduced, with a caption and letters, and from several sides.
 #pragma once
 
 #include "core/base/error.h"

@@ -1,4 +1,4 @@
-// ContextReader: reads what a session shows beside the tree (app/assets/context_shapes.h) into the assets on a worker,
+// ContextReader: reads what a session shows beside the tree (app/assets/shapes.h) into the assets on a worker,
 // one file after the other. For one thread, its owner's.
 #pragma once
 

@@ -22,7 +22,7 @@ TEST_CASE("a vertex belongs to the branch that adds most to the field there, as 
     const test::BruteForceField witness(mesh::prepare_tree(tree, options), options.width);
 
     // A vertex is told of the field where it was before its last step, which is up to 0.054 of the radius long
-    // (projection.cpp): over that way the logarithm of a kernel, -w d^2 / r^2, changes by 2 w 0.054 at most.
+    // (sum/projection-inl.h): over that way the logarithm of a kernel, -w d^2 / r^2, changes by 2 w 0.054 at most.
     const double most_error = 2.0 * 5.0 * std::numbers::ln2 * 0.054;
     constexpr double kNear = 1.5, kTie = 0.1; // beyond the first the kernel fades, as the witness's does not
     std::mt19937 random(20051025);
