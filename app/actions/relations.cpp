@@ -96,7 +96,7 @@ Result<void> select_diameter(ActionContext& context, Arguments arguments) {
     if (!most) return fail("select-diameter takes the least and the largest mean diameter in mm");
     std::vector<int> ids;
     for (int id = 0; id < context.document.branch_count(); ++id) {
-        const double diameter = context.document.facts()->branches[static_cast<std::size_t>(id)].mean_diameter_mm;
+        const double diameter = context.document.facts()->branches[static_cast<std::size_t>(id)].diameter_mm.mean;
         if (diameter >= *least && diameter <= *most) ids.push_back(id);
     }
     return select_and_say(context, std::move(ids), "of " + arguments[0] + " to " + arguments[1] + " mm diameter");

@@ -189,7 +189,7 @@ Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
     std::vector<int> thin;
     double length = 0.0, volume = 0.0;
     for (std::size_t id = 0; id < facts.branches.size(); ++id) {
-        if (facts.branches[id].mean_diameter_mm >= *limit) continue;
+        if (facts.branches[id].diameter_mm.mean >= *limit) continue;
         thin.push_back(static_cast<int>(id));
         length += facts.branches[id].length_mm;
         volume += facts.branches[id].volume_mm3;
@@ -203,8 +203,8 @@ Result<void> filter_diameter(ActionContext& context, Arguments arguments) {
     context.say(std::string(way->done) + ": " + grouped(thin.size()) + " of " +
                 counted(facts.branches.size(), "branch", "branches") + " below " + arguments[0] + " mm, " +
                 share(static_cast<double>(thin.size()), static_cast<double>(facts.branches.size())) + " of them, " +
-                share(length, facts.length_mm) + " of the length, " + share(volume, facts.volume_mm3) +
-                " of the volume");
+                share(length, facts.statistics.length_mm) + " of the length, " +
+                share(volume, facts.statistics.volume_mm3) + " of the volume");
     return {};
 }
 

@@ -29,7 +29,8 @@ double line_width(const InterfaceContext& context, const OverviewView& view, con
     const TreeFacts& facts = *context.workspace.facts();
     const double thickest = 9.0 * theme::scale();
     const double spacing = (line.last - line.first) / (view.most.x - view.least.x) * view.pixels.x;
-    const double share = facts.branches[index(id)].mean_diameter_mm / std::max(facts.max_diameter_mm, 1e-9);
+    const double share =
+        facts.branches[index(id)].diameter_mm.mean / std::max(2.0 * facts.statistics.radius_mm.max, 1e-9);
     return std::max(std::round(std::min(thickest * share, 0.75 * spacing)), 1.0);
 }
 

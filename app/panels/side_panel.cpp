@@ -34,10 +34,10 @@ void draw_tree(InterfaceContext& context) {
     widgets::tooltip(document.session().tree.path.c_str());
     ImGui::Dummy({0.0F, 1.0F});
     widgets::fact("Branches", grouped(tree.branches.size()));
-    widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.generations)));
-    widgets::fact("Length", digits(facts.length_mm, 4) + " mm");
-    widgets::fact("Volume", volume_text(facts.volume_mm3));
-    widgets::fact("Diameter", range(facts.min_diameter_mm, facts.max_diameter_mm));
+    widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.statistics.generations)));
+    widgets::fact("Length", digits(facts.statistics.length_mm, 4) + " mm");
+    widgets::fact("Volume", volume_text(facts.statistics.volume_mm3));
+    widgets::fact("Diameter", range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max));
     if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
     if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
     if (!tree.repairs.empty()) {
@@ -106,12 +106,12 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     widgets::fact("Branch", std::to_string(id));
     const std::string label = label_of(document.dependency(), document.marks().names, id);
     if (!label.empty()) widgets::fact("Name", label);
-    widgets::fact("Diameter", digits(own.mean_diameter_mm) + " mm");
-    widgets::fact("  from \xE2\x80\x93 to", range(own.min_diameter_mm, own.max_diameter_mm));
+    widgets::fact("Diameter", digits(own.diameter_mm.mean) + " mm");
+    widgets::fact("  from \xE2\x80\x93 to", range(own.diameter_mm.min, own.diameter_mm.max));
     widgets::fact("Length", digits(own.length_mm) + " mm");
     widgets::fact("Generation", std::to_string(branch.generation));
     widgets::fact("Strahler order", std::to_string(branch.strahler));
-    widgets::fact("Dependents", grouped(static_cast<std::uint64_t>(own.dependents)));
+    widgets::fact("Dependents", grouped(static_cast<std::uint64_t>(own.dependents.branches)));
     widgets::fact("State", std::string(name_of(state_of(document.marks(), id))));
 }
 
@@ -122,8 +122,8 @@ void draw_many(const Document& document, const TreeFacts& facts) {
     for (const int id : document.marks().selection) {
         const BranchFacts& own = facts.branches[static_cast<std::size_t>(id)];
         length += own.length_mm;
-        least = std::min(least, own.mean_diameter_mm);
-        most = std::max(most, own.mean_diameter_mm);
+        least = std::min(least, own.diameter_mm.mean);
+        most = std::max(most, own.diameter_mm.mean);
     }
     const auto selected = document.marks().selection.size();
     widgets::fact("Branches",

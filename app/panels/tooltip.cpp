@@ -38,18 +38,18 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
             ImGui::SameLine(0.0F, 8.0F * theme::scale());
             widgets::quiet(more.c_str());
         };
-        const std::string least = digits(facts.min_diameter_mm);
-        const std::string most = digits(facts.max_diameter_mm);
-        row("Diameter", digits(facts.mean_diameter_mm) + " mm",
+        const std::string least = digits(facts.diameter_mm.min);
+        const std::string most = digits(facts.diameter_mm.max);
+        row("Diameter", digits(facts.diameter_mm.mean) + " mm",
             least == most ? std::string{} : least + " \xE2\x80\x93 " + most);
         row("Length", length_text(facts.length_mm));
         row("Generation", std::to_string(branch.generation));
         row("Strahler order", std::to_string(branch.strahler));
-        if (facts.dependents == 0) {
+        if (facts.dependents.branches == 0) {
             row("Depend on it", "no branches");
         } else {
-            row("Depend on it", counted(static_cast<std::uint64_t>(facts.dependents), "branch", "branches"));
-            row("", length_text(facts.dependent_length_mm), volume_text(facts.dependent_volume_mm3));
+            row("Depend on it", counted(static_cast<std::uint64_t>(facts.dependents.branches), "branch", "branches"));
+            row("", length_text(facts.dependents.length_mm), volume_text(facts.dependents.volume_mm3));
         }
         ImGui::EndTable();
     }

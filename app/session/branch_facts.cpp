@@ -9,28 +9,10 @@ TreeFacts facts_of(const tree::VesselTree& tree) {
     facts.dependency = tree::Dependency(tree);
     facts.statistics = measure::tree_statistics(tree);
     facts.dependents = measure::dependent_amounts(tree, facts.statistics, facts.dependency);
-    facts.length_mm = facts.statistics.length_mm;
-    facts.volume_mm3 = facts.statistics.volume_mm3;
-    facts.min_diameter_mm = 2.0 * facts.statistics.radius_mm.min;
-    facts.max_diameter_mm = 2.0 * facts.statistics.radius_mm.max;
-    facts.generations = facts.statistics.generations;
-    facts.leaves = facts.statistics.leaves;
-    facts.branches.resize(tree.branches.size());
     std::vector<int> order; // parents before children
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
         if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
-        const measure::BranchStatistics& known = facts.statistics.branches[id];
-        const measure::Amount& dependents = facts.dependents[id];
-        BranchFacts& own = facts.branches[id];
-        own.length_mm = known.length_mm;
-        own.mean_diameter_mm = known.diameter_mm.mean;
-        own.min_diameter_mm = known.diameter_mm.min;
-        own.max_diameter_mm = known.diameter_mm.max;
-        own.volume_mm3 = known.volume_mm3;
-        own.dependents = dependents.branches;
-        own.dependent_length_mm = dependents.length_mm;
-        own.dependent_volume_mm3 = dependents.volume_mm3;
-        own.dependent_leaves = dependents.leaves;
+        facts.branches.push_back({facts.statistics.branches[id], facts.dependents[id]});
     }
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto id = static_cast<std::size_t>(order[i]);

@@ -10,31 +10,16 @@
 
 namespace ramus::app {
 
-struct BranchFacts {
-    double length_mm = 0.0;
-    double mean_diameter_mm = 0.0; // along the centerline
-    double min_diameter_mm = 0.0;
-    double max_diameter_mm = 0.0;
-    double volume_mm3 = 0.0;          // of the cones between the points
-    double root_distance_mm = 0.0;    // along the vessels, from the root to where the branch begins
-    int dependents = 0;               // branches that are reached only through this one
-    double dependent_length_mm = 0.0; // of those, without this one
-    double dependent_volume_mm3 = 0.0;
-    int dependent_leaves = 0; // of those, the ones that end freely
+struct BranchFacts : measure::BranchStatistics {
+    measure::Amount dependents;    // branches that are reached only through this one, without itself
+    double root_distance_mm = 0.0; // along the vessels, from the root to where the branch begins
 };
 
 struct TreeFacts {
     std::vector<BranchFacts> branches; // by id
-    double length_mm = 0.0;
-    double volume_mm3 = 0.0; // of the cones between the points
-    double min_diameter_mm = 0.0;
-    double max_diameter_mm = 0.0;
-    int generations = 0;
-    int leaves = 0;
-
     tree::Dependency dependency;
     measure::TreeStatistics statistics;
-    std::vector<measure::Amount> dependents; // by id: what depends on it, without itself
+    std::vector<measure::Amount> dependents; // by id, as in the branches' facts
 };
 
 [[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);

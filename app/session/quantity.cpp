@@ -13,11 +13,13 @@ const tree::Branch& branch_at(const tree::VesselTree& tree, int branch) {
     return tree.branches[static_cast<std::size_t>(branch)];
 }
 
-// One member of BranchFacts, and one of tree::Branch.
-template <auto Member> double fact(const tree::VesselTree& /*tree*/, const Facts& facts, int branch) {
-    return facts_at(facts, branch).*Member;
+// One member of BranchFacts, or a member of that, and one of tree::Branch.
+template <auto... Members> double fact_along(const Facts& facts, int branch) {
+    return (facts_at(facts, branch).*....*Members);
 }
-template <auto Member> double fact_along(const Facts& facts, int branch) { return facts_at(facts, branch).*Member; }
+template <auto... Members> double fact(const tree::VesselTree& /*tree*/, const Facts& facts, int branch) {
+    return fact_along<Members...>(facts, branch);
+}
 template <auto Member> double of_tree(const tree::VesselTree& tree, const Facts& /*facts*/, int branch) {
     return branch_at(tree, branch).*Member;
 }
@@ -29,9 +31,9 @@ std::vector<QuantityRow> quantity_table() {
          .key = "diameter",
          .label = "Diameter",
          .unit = "mm",
-         .value = fact<&BranchFacts::mean_diameter_mm>,
-         .least = fact_along<&BranchFacts::min_diameter_mm>,
-         .largest = fact_along<&BranchFacts::max_diameter_mm>,
+         .value = fact<&BranchFacts::diameter_mm, &measure::Range::mean>,
+         .least = fact_along<&BranchFacts::diameter_mm, &measure::Range::min>,
+         .largest = fact_along<&BranchFacts::diameter_mm, &measure::Range::max>,
          .filter_names = {"d", "diameter"},
          .filter_example = "d>3",
          .list = {3, "\xC3\x98 mm", 1.1F, true},
@@ -74,7 +76,7 @@ std::vector<QuantityRow> quantity_table() {
          .key = "dependents",
          .label = "Dependents",
          .whole = true,
-         .value = fact<&BranchFacts::dependents>,
+         .value = fact<&BranchFacts::dependents, &measure::Amount::branches>,
          .filter_names = {"deps", "dependents"},
          .filter_example = "deps>10",
          .list = {5, "Deps", 1.0F, true},
@@ -106,19 +108,19 @@ std::vector<QuantityRow> quantity_table() {
          .key = "dependent-length",
          .label = "Length of dependents",
          .unit = "mm",
-         .value = fact<&BranchFacts::dependent_length_mm>,
+         .value = fact<&BranchFacts::dependents, &measure::Amount::length_mm>,
          .report = {11, "dependent_length_mm", "their length, mm"}},
         {.quantity = Quantity::kDependentVolume,
          .key = "dependent-volume",
          .label = "Volume of dependents",
          .unit = "mm\xC2\xB3",
-         .value = fact<&BranchFacts::dependent_volume_mm3>,
+         .value = fact<&BranchFacts::dependents, &measure::Amount::volume_mm3>,
          .report = {12, "dependent_volume_mm3", "volume, mm\xC2\xB3"}},
         {.quantity = Quantity::kDependentLeaves,
          .key = "dependent-leaves",
          .label = "Ends among dependents",
          .whole = true,
-         .value = fact<&BranchFacts::dependent_leaves>,
+         .value = fact<&BranchFacts::dependents, &measure::Amount::leaves>,
          .report = {13, "dependent_leaves", "ends"}},
     };
 }

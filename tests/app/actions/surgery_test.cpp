@@ -100,8 +100,8 @@ TEST_CASE("in a network only what is reached no other way is selected as depende
     CHECK(stage.marks().selection == Ids{1});
     stage.good("select-subtree 0");
     CHECK(stage.marks().selection == Ids{0, 1, 2, 3});
-    CHECK(stage.document.facts()->branches[1].dependents == 0);
-    CHECK(stage.document.facts()->branches[0].dependents == 3);
+    CHECK(stage.document.facts()->branches[1].dependents.branches == 0);
+    CHECK(stage.document.facts()->branches[0].dependents.branches == 3);
     CHECK(stage.good("cut 1").find("lost: 0 branches") != std::string::npos);
     stage.good("cut 2");
     CHECK(stage.plan()->cuts.together.branches == 3);

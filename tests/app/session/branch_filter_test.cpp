@@ -48,16 +48,17 @@ TEST_CASE("conditions on numbers find the branches that fulfil all of them") {
     const auto at = [](int id) { return static_cast<std::size_t>(id); };
     CHECK(stage.find("").size() == branches.size());
     CHECK(stage.find("  \t ").size() == branches.size());
-    const auto thick = stage.those([&](int id) { return facts[at(id)].mean_diameter_mm > 3.0; });
+    const auto thick = stage.those([&](int id) { return facts[at(id)].diameter_mm.mean > 3.0; });
     REQUIRE_FALSE(thick.empty());
     REQUIRE(thick.size() < branches.size());
     for (const char* text : {"d>3", "D > 3", "diameter >3mm", " d> 3.0 mm ", "d>3,"}) CHECK(stage.find(text) == thick);
     CHECK(stage.find("gen<5") == stage.those([&](int id) { return branches[at(id)].generation < 5; }));
     CHECK(stage.find("gen<=5 len>=20 deps>10") == stage.those([&](int id) {
-        return branches[at(id)].generation <= 5 && facts[at(id)].length_mm >= 20.0 && facts[at(id)].dependents > 10;
+        return branches[at(id)].generation <= 5 && facts[at(id)].length_mm >= 20.0 &&
+               facts[at(id)].dependents.branches > 10;
     }));
     CHECK(stage.find("d > 2 mm len < 20 mm") ==
-          stage.those([&](int id) { return facts[at(id)].mean_diameter_mm > 2.0 && facts[at(id)].length_mm < 20.0; }));
+          stage.those([&](int id) { return facts[at(id)].diameter_mm.mean > 2.0 && facts[at(id)].length_mm < 20.0; }));
     CHECK(stage.find("strahler=1") == stage.those([&](int id) { return branches[at(id)].strahler == 1; }));
     CHECK(stage.find("strahler!=1") == stage.those([&](int id) { return branches[at(id)].strahler != 1; }));
     CHECK(stage.find("id<10").size() == 10);
@@ -95,8 +96,8 @@ TEST_CASE("words find labels, numbers find ids, and is: finds states") {
     CHECK(stage.find("is:selected") == std::vector<int>{4, 6});
     CHECK(stage.find("IS:normal").size() == stage.tree.branches.size() - 3);
     for (const int id : stage.find("is:leaf"))
-        CHECK(stage.facts.branches[static_cast<std::size_t>(id)].dependents == 0);
-    CHECK(stage.find("is:leaf").size() == static_cast<std::size_t>(stage.facts.leaves));
+        CHECK(stage.facts.branches[static_cast<std::size_t>(id)].dependents.branches == 0);
+    CHECK(stage.find("is:leaf").size() == static_cast<std::size_t>(stage.facts.statistics.leaves));
 }
 
 TEST_CASE("what a filter cannot mean is said") {

@@ -17,7 +17,8 @@ TEST_CASE("a label is the name of the nearest named branch towards the root") {
     const TreeFacts facts = facts_of(tree);
     int inner = tree::kNoBranch; // with children that have children
     for (std::size_t id = 0; id < tree.branches.size() && inner < 0; ++id)
-        if (tree.branches[id].generation == 2 && facts.branches[id].dependents > 4) inner = static_cast<int>(id);
+        if (tree.branches[id].generation == 2 && facts.branches[id].dependents.branches > 4)
+            inner = static_cast<int>(id);
     REQUIRE(inner >= 0);
     const int child = tree.branches[static_cast<std::size_t>(inner)].children.front();
     const BranchNames names{{inner, "right hepatic"}, {child, "segment VI"}};
@@ -60,15 +61,15 @@ TEST_CASE("facts sum up what depends on a branch, and how far it is from the roo
             length += facts.branches[static_cast<std::size_t>(other)].length_mm;
             below += facts.branches[static_cast<std::size_t>(other)].volume_mm3;
         }
-        CHECK(own.dependents + 1 == static_cast<int>(ids.size()));
-        CHECK(own.dependent_length_mm == doctest::Approx(length));
-        CHECK(own.dependent_volume_mm3 == doctest::Approx(below));
+        CHECK(own.dependents.branches + 1 == static_cast<int>(ids.size()));
+        CHECK(own.dependents.length_mm == doctest::Approx(length));
+        CHECK(own.dependents.volume_mm3 == doctest::Approx(below));
         double way = 0.0;
         for (const int step : path_to(tree, id))
             if (step != id) way += facts.branches[static_cast<std::size_t>(step)].length_mm;
         CHECK(own.root_distance_mm == doctest::Approx(way));
     }
-    CHECK(volume == doctest::Approx(facts.volume_mm3));
+    CHECK(volume == doctest::Approx(facts.statistics.volume_mm3));
 }
 
 TEST_CASE("the volume of a straight vessel is its cylinder's") {
@@ -78,6 +79,6 @@ TEST_CASE("the volume of a straight vessel is its cylinder's") {
     tree.roots = {0};
     const TreeFacts facts = facts_of(tree);
     CHECK(facts.branches[0].volume_mm3 == doctest::Approx(std::numbers::pi * 4.0 * 10.0));
-    CHECK(facts.branches[0].dependent_volume_mm3 == 0.0);
+    CHECK(facts.branches[0].dependents.volume_mm3 == 0.0);
     CHECK(facts.branches[0].root_distance_mm == 0.0);
 }

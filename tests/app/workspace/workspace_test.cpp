@@ -166,12 +166,12 @@ TEST_CASE("facts of a fork are those of its geometry") {
     REQUIRE(loaded);
     const TreeFacts& facts = *loaded->assets.facts;
     REQUIRE(facts.branches.size() == 3);
-    CHECK(facts.branches[0].dependents == 2);
+    CHECK(facts.branches[0].dependents.branches == 2);
     CHECK(facts.branches[0].length_mm == doctest::Approx(20.0));
-    CHECK(facts.branches[0].mean_diameter_mm == doctest::Approx(4.0));
-    CHECK(facts.leaves == 2);
-    CHECK(facts.generations == 2);
-    CHECK(facts.length_mm == doctest::Approx(20.0 + 2.0 * std::sqrt(200.0)));
+    CHECK(facts.branches[0].diameter_mm.mean == doctest::Approx(4.0));
+    CHECK(facts.statistics.leaves == 2);
+    CHECK(facts.statistics.generations == 2);
+    CHECK(facts.statistics.length_mm == doctest::Approx(20.0 + 2.0 * std::sqrt(200.0)));
     CHECK(path_to(*loaded->assets.tree, 2) == std::vector<int>{0, 2});
 }
 
