@@ -1,5 +1,5 @@
 // A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as fragments in the lists
-// of glass (fragment_list.frag) or, where there are none, as a layer of it (fragment_layer.frag).
+// of glass or, where there are none, as a layer of it (glass_output.glsl).
 #version 450 core
 // Variants: TRANSPARENT for what is seen through; LINES for the edges of its triangles.
 #include "bindings.glsl"
