@@ -1,11 +1,9 @@
 // A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as fragments in the lists
-// of glass (fragment_list.frag) or, where there are none, as a layer of it (fragment_layer.frag).
+// of glass or, where there are none, as a layer of it (glass_output.glsl).
 #version 450 core
 // Variants: TRANSPARENT for what is seen through; LINES for the edges of its triangles.
 #include "bindings.glsl"
-#include "limits.glsl"
 #include "ids.glsl"
-#include "glass_fragments.glsl"
 #include "look/lanes.glsl"
 #include "look/octahedral.glsl"
 
@@ -13,19 +11,7 @@ in vec3 normal_eye;
 layout(location = kUniformNumber) uniform uint number; // of the mesh, from 1; with kLesionFragment of the lesion
 
 #ifdef TRANSPARENT
-noperspective centroid in float depth_value;
-#ifdef FLOOR
-layout(binding = kUnitOpaqueSamples) uniform sampler2DMS opaque_samples;
-layout(binding = kUnitLastLayer) uniform sampler2DMS last_layer; // depths
-layout(location = kUniformSamples) uniform int samples;
-layout(location = kUniformLayer) uniform int layer; // 0: there is none before
-layout(location = kUniformSamplePositions) uniform vec2 sample_positions[kMostSamples]; // of the samples, from the pixel's middle
-layout(location = 0) out uvec2 fragment;
-#else
-layout(early_fragment_tests) in; // what opaque surfaces hide is no fragment
-layout(location = kUniformBand) uniform ivec2 pixels; // width and first row of the band that the lists are for
-layout(location = kUniformCapacity) uniform uint capacity; // fragments
-#endif
+#include "glass_output.glsl"
 #else
 layout(location = 0) out uvec2 surface;
 #endif
@@ -64,26 +50,11 @@ void main() {
 #ifndef TRANSPARENT
     surface = uvec2(kSolid | kContext | number, normal);
 #elif defined(FLOOR)
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float last = layer == 0 ? 2.0 : 0.0;
-    uint before = 0u;
-    for (int s = 0; s < samples; ++s) {
-        if (layer > 0) last = max(last, texelFetch(last_layer, pixel, s).x);
-        float depth = gl_FragCoord.z + dot(sample_positions[s], slope);
-        before |= (depth > texelFetch(opaque_samples, pixel, s).x ? 1u : 0u) << s;
-    }
-    if (before == 0u || depth_value >= last) discard;
+    uint before = samples_before(slope);
+    if (before == 0u || !behind_last_layer()) discard;
     fragment = uvec2(kContextFragment | number | (before << kBeforeShift) | (15u << kGlassShift), normal);
     gl_FragDepth = depth_value;
 #else
-    int covered = gl_SampleMaskIn[0];
-    if (covered == 0) return;
-    uint index = atomicAdd(fragment_count, 1u) + 1u;
-    if (index > capacity) return;
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uint before = atomicExchange(heads[(pixel.y - pixels.y) * pixels.x + pixel.x], index);
-    float depth = covered == kAllSamples ? interpolateAtOffset(depth_value, vec2(0.0))
-                                         : interpolateAtSample(depth_value, first_sample(covered));
-    fragments[index] = GlassFragment(before, kContextFragment | number | (uint(covered) << kSampleShift), normal, floatBitsToUint(depth));
+    add_fragment(kContextFragment | number, normal, gl_SampleMaskIn[0]);
 #endif
 }

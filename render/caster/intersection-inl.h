@@ -8,7 +8,6 @@
 #endif
 
 #include "render/caster/glsl-inl.h"
-#include "render/caster/normals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ramus::render::caster::HWY_NAMESPACE {

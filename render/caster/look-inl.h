@@ -7,7 +7,7 @@
 #define RAMUS_CASTER_LOOK_INL_H
 #endif
 
-#include "render/caster/normals-inl.h"
+#include "render/caster/glsl-inl.h"
 #include "render/scene/record_flags.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -3,7 +3,7 @@
 // clang-format off: foreach_target compiles this file once per instruction set and must come first.
 #include <hwy/foreach_target.h>
 // clang-format on
-#include "render/caster/normals-inl.h"
+#include "render/caster/glsl-inl.h"
 #include "render/caster/stages.h"
 
 #include <algorithm>

@@ -144,25 +144,14 @@ PixelFormat pixels_of(GLenum inner) {
     }
 }
 
-void GLAD_API_PTR texture_storage_1d(GLuint id, GLsizei, GLenum inner, GLsizei width) {
-    const GLenum target = TextureBound(id).target;
-    const PixelFormat p = pixels_of(inner);
-    glTexImage1D(target, 0, static_cast<GLint>(inner), width, 0, p.format, p.type, nullptr);
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-void GLAD_API_PTR texture_storage_2d(GLuint id, GLsizei, GLenum inner, GLsizei width, GLsizei height) {
-    const GLenum target = TextureBound(id).target;
-    const PixelFormat p = pixels_of(inner);
-    glTexImage2D(target, 0, static_cast<GLint>(inner), width, height, 0, p.format, p.type, nullptr);
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-void GLAD_API_PTR texture_storage_3d(GLuint id, GLsizei, GLenum inner, GLsizei width, GLsizei height, GLsizei depth) {
-    const GLenum target = TextureBound(id).target;
-    const PixelFormat p = pixels_of(inner);
-    glTexImage3D(target, 0, static_cast<GLint>(inner), width, height, depth, 0, p.format, p.type, nullptr);
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+// Makes `function` call `older`, glTexImage of as many dimensions.
+template <auto& older> void put_storage_in_terms_of(auto& function) {
+    function = [](GLuint id, GLsizei, GLenum inner, auto... size) {
+        const GLenum target = TextureBound(id).target;
+        const PixelFormat p = pixels_of(inner);
+        older(target, 0, static_cast<GLint>(inner), size..., 0, p.format, p.type, nullptr);
+        glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+    };
 }
 
 void GLAD_API_PTR get_texture_image(GLuint id, GLint level, GLenum format, GLenum type, GLsizei, void* data) {
@@ -275,9 +264,9 @@ void install_gl_floor(int version, const void* context) {
     put_in_terms_of<BufferBound, glad_glClearBufferSubData>(glad_glClearNamedBufferSubData);
     glad_glCreateTextures = create_textures;
     glad_glBindTextureUnit = bind_texture_unit;
-    glad_glTextureStorage1D = texture_storage_1d;
-    glad_glTextureStorage2D = texture_storage_2d;
-    glad_glTextureStorage3D = texture_storage_3d;
+    put_storage_in_terms_of<glad_glTexImage1D>(glad_glTextureStorage1D);
+    put_storage_in_terms_of<glad_glTexImage2D>(glad_glTextureStorage2D);
+    put_storage_in_terms_of<glad_glTexImage3D>(glad_glTextureStorage3D);
     put_in_terms_of<TextureBound, glad_glTexImage2DMultisample>(glad_glTextureStorage2DMultisample);
     put_in_terms_of<TextureBound, glad_glTexBuffer>(glad_glTextureBuffer);
     put_in_terms_of<TextureBound, glad_glTexParameteri>(glad_glTextureParameteri);

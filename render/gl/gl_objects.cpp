@@ -40,15 +40,9 @@ template <class Allocate> void allocate(std::size_t bytes, const Allocate& call)
 
 std::size_t area(int width, int height) { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 
-struct Shader {
-    GLuint id = 0;
+struct CompiledShader {
+    Shader shader;
     ShaderText text;
-    Shader() = default;
-    Shader(Shader&& other) noexcept : id(std::exchange(other.id, 0)), text(std::move(other.text)) {}
-    Shader& operator=(Shader&&) = delete;
-    ~Shader() {
-        if (id != 0) glDeleteShader(id);
-    }
 };
 
 template <class GetLog> std::string log_of(GLuint id, const GetLog& get) {
@@ -59,20 +53,20 @@ template <class GetLog> std::string log_of(GLuint id, const GetLog& get) {
     return log;
 }
 
-Result<Shader> compile(GLenum stage, std::string_view name, std::string_view defines) {
+Result<CompiledShader> compile(GLenum stage, std::string_view name, std::string_view defines) {
     const GlVersion version = gl_version();
     const bool depth_control = version >= GlVersion{4, 5};
-    Shader shader;
-    shader.text = shader_text(name, defines, depth_control ? 450 : gl_has_lists() ? 430 : 330, !depth_control);
-    const char* const pointer = shader.text.glsl.c_str();
-    shader.id = glCreateShader(stage);
-    glShaderSource(shader.id, 1, &pointer, nullptr);
-    glCompileShader(shader.id);
+    CompiledShader made;
+    made.text = shader_text(name, defines, depth_control ? 450 : gl_has_lists() ? 430 : 330, !depth_control);
+    made.shader = Shader(glCreateShader(stage));
+    const char* const pointer = made.text.glsl.c_str();
+    glShaderSource(made.shader, 1, &pointer, nullptr);
+    glCompileShader(made.shader);
     GLint compiled = GL_FALSE;
-    glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_TRUE) return shader;
+    glGetShaderiv(made.shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_TRUE) return made;
     return fail(
-        "a shader does not compile: " + with_file_names(log_of(shader.id, glGetShaderInfoLog), shader.text.files),
+        "a shader does not compile: " + with_file_names(log_of(made.shader, glGetShaderInfoLog), made.text.files),
         std::string(name), "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
 }
 
@@ -177,17 +171,18 @@ Result<Program> make_program(std::string_view vertex_shader, std::string_view fr
     const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, defines);
     if (!vertex) return tl::unexpected(vertex.error());
     const auto geometry =
-        geometry_shader.empty() ? Result<Shader>() : compile(GL_GEOMETRY_SHADER, geometry_shader, defines);
+        geometry_shader.empty() ? Result<CompiledShader>() : compile(GL_GEOMETRY_SHADER, geometry_shader, defines);
     if (!geometry) return tl::unexpected(geometry.error());
     const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
     if (!fragment) return tl::unexpected(fragment.error());
     Program program(glCreateProgram());
-    glAttachShader(program, vertex->id);
-    if (!geometry_shader.empty()) glAttachShader(program, geometry->id);
-    glAttachShader(program, fragment->id);
+    const auto of_all = [&](auto call) {
+        for (const auto* made : {&*vertex, &*geometry, &*fragment})
+            if (made->shader != 0) call(program, made->shader);
+    };
+    of_all(glAttachShader);
     glLinkProgram(program);
-    for (const GLuint shader : {vertex->id, geometry->id, fragment->id}) // which nothing needs any more
-        if (shader != 0) glDetachShader(program, shader);
+    of_all(glDetachShader); // nothing needs them any more
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE)

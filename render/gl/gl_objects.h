@@ -54,6 +54,7 @@ inline void delete_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 inline void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 inline void delete_query(GLuint id) { glDeleteQueries(1, &id); }
 inline void delete_program(GLuint id) { glDeleteProgram(id); }
+inline void delete_shader(GLuint id) { glDeleteShader(id); }
 
 using Buffer = GlObject<delete_buffer>;
 using Texture = GlObject<delete_texture>;
@@ -61,6 +62,7 @@ using Framebuffer = GlObject<delete_framebuffer>;
 using VertexArray = GlObject<delete_vertex_array>;
 using Query = GlObject<delete_query>;
 using Program = GlObject<delete_program>;
+using Shader = GlObject<delete_shader>;
 
 // A point in the stream of commands that the graphics card passes some time.
 class Fence {

@@ -1,9 +1,6 @@
 #include "render/gl/shader_text.h"
 
-#include "render/gl/shader_sources.h"
-
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <sstream>
 

@@ -5,6 +5,7 @@
 // for the program to be given it when it is linked (render/gl/gl_floor.h).
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ struct ShaderText {
     };
     std::vector<Numbered> uniforms, samplers, blocks;
 };
+
+// The text of the files in shaders/, by their path in there, embedded at build time.
+extern const std::map<std::string_view, std::string_view> kShaderSources;
 
 // The embedded file `name`. `defines` goes after the #version line. `version` is 450, 430 or 330; at 330 FLOOR is
 // defined. With `full_depth`, clip space has depths from -w to w: a vertex shader, which reckons from 0 to w, is

@@ -115,7 +115,6 @@ Box GpuShapes::bounds(const std::vector<ContextMesh>& context) const {
     for (const ContextMesh& one : context) {
         const Shape* shape = of(one, false);
         if (shape == nullptr || shape->bounds().empty()) continue;
-        if (box.empty()) box = shape->bounds();
         box.include(shape->bounds().lower);
         box.include(shape->bounds().upper);
     }

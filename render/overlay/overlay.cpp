@@ -2,13 +2,18 @@
 
 #include "render/overlay/captions.h"
 #include "render/overlay/legend.h"
-#include "render/overlay/plate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 namespace ramus::render {
+
+namespace {
+
+int rounded(double value) { return static_cast<int>(std::lround(value)); }
+
+} // namespace
 
 double scale_bar_length_mm(double longest_mm) {
     const double power = std::pow(10.0, std::floor(std::log10(longest_mm)));
@@ -31,12 +36,11 @@ std::string scale_bar_label(double length_mm) {
 }
 
 Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, const Font& font) {
-    const int line = std::max(1, static_cast<int>(std::lround(1.5 * pixel_ratio))),
-              tick = std::max(3, static_cast<int>(std::lround(5.0 * pixel_ratio)));
-    const int halo = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
-    const int length = std::max(line, static_cast<int>(std::lround(length_pixels)));
+    const int line = std::max(1, rounded(1.5 * pixel_ratio)), tick = std::max(3, rounded(5.0 * pixel_ratio));
+    const int halo = std::max(1, rounded(pixel_ratio));
+    const int length = std::max(line, rounded(length_pixels));
     const Coverage label = font.draw(scale_bar_label(length_mm), 9.5 * pixel_ratio);
-    const int gap = static_cast<int>(std::lround(2.0 * pixel_ratio));
+    const int gap = rounded(2.0 * pixel_ratio);
     const int width = std::max(length, label.width) + 2 * halo, height = label.height + gap + tick + line + 2 * halo;
 
     Coverage ink(width, height);
@@ -52,12 +56,6 @@ Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio
 
     return haloed(ink, halo);
 }
-
-namespace {
-
-int rounded(double value) { return static_cast<int>(std::lround(value)); }
-
-} // namespace
 
 // What sprites have to keep to: smaller pictures have smaller ones, nearer to the edge.
 struct OverlayPainter::Space {

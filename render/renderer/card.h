@@ -20,7 +20,6 @@
 
 #include "render/renderer/passes/overlay_passes.h"
 #include "render/renderer/passes/picture_passes.h"
-#include "render/renderer/passes/surface_pass.h"
 
 namespace ramus::render {
 

@@ -34,6 +34,28 @@ glm::dvec3 focal_plane_point(const Camera& camera, glm::ivec2 size, glm::dvec2 p
     return unproject(camera, size, pixel, glm::distance(camera.position, camera.focal_point));
 }
 
+Camera moved(Camera camera, const glm::dvec3& by) {
+    camera.position += by;
+    camera.focal_point += by;
+    return camera;
+}
+
+// RAS: +x is the patient's right, +y anterior, +z superior.
+struct NamedView {
+    View view;
+    std::string_view name;
+    glm::dvec3 towards_viewer, up;
+};
+constexpr std::array<NamedView, kViews.size()> kNamedViews{{
+    {View::kAnterior, "anterior", {0, 1, 0}, {0, 0, 1}},
+    {View::kPosterior, "posterior", {0, -1, 0}, {0, 0, 1}},
+    {View::kLeft, "left", {-1, 0, 0}, {0, 0, 1}},
+    {View::kRight, "right", {1, 0, 0}, {0, 0, 1}},
+    {View::kSuperior, "superior", {0, 0, 1}, {0, 1, 0}},
+    {View::kInferior, "inferior", {0, 0, -1}, {0, 1, 0}},
+}};
+const NamedView& named(View view) { return *std::ranges::find(kNamedViews, view, &NamedView::view); }
+
 } // namespace
 
 CameraAxes axes_of(const Camera& camera) {
@@ -101,57 +123,18 @@ glm::dvec3 unproject(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel, do
            (0.5 * size.y - pixel.y) * mm * axes.up;
 }
 
-std::string_view name_of(View view) {
-    switch (view) {
-    case View::kAnterior:
-        return "anterior";
-    case View::kPosterior:
-        return "posterior";
-    case View::kLeft:
-        return "left";
-    case View::kRight:
-        return "right";
-    case View::kSuperior:
-        return "superior";
-    case View::kInferior:
-        return "inferior";
-    }
-    return "";
-}
+std::string_view name_of(View view) { return named(view).name; }
 
 std::optional<View> view_named(std::string_view name) {
-    for (const View view : kViews)
-        if (name_of(view) == name) return view;
-    return std::nullopt;
+    const auto found = std::ranges::find(kNamedViews, name, &NamedView::name);
+    return found != kNamedViews.end() ? std::optional(found->view) : std::nullopt;
 }
 
 Camera looking(const Camera& camera, View view) {
-    // RAS: +x is the patient's right, +y anterior, +z superior.
-    glm::dvec3 toward_viewer(0.0), up(0.0, 0.0, 1.0);
-    switch (view) {
-    case View::kAnterior:
-        toward_viewer.y = 1.0;
-        break;
-    case View::kPosterior:
-        toward_viewer.y = -1.0;
-        break;
-    case View::kLeft:
-        toward_viewer.x = -1.0;
-        break;
-    case View::kRight:
-        toward_viewer.x = 1.0;
-        break;
-    case View::kSuperior:
-        toward_viewer.z = 1.0, up = {0.0, 1.0, 0.0};
-        break;
-    case View::kInferior:
-        toward_viewer.z = -1.0, up = {0.0, 1.0, 0.0};
-        break;
-    }
     Camera result = camera;
     const double distance = std::max(kSmallestDistance, glm::distance(camera.position, camera.focal_point));
-    result.position = camera.focal_point + distance * toward_viewer;
-    result.view_up = up;
+    result.position = camera.focal_point + distance * named(view).towards_viewer;
+    result.view_up = named(view).up;
     return result;
 }
 
@@ -198,15 +181,11 @@ Camera fitted(const Camera& camera, const Box& box, glm::ivec2 size) {
 }
 
 Camera camera_for(std::span<const glm::vec3> points, View view, glm::ivec2 size, bool orthographic) {
-    Camera camera;
-    camera.orthographic = orthographic;
-    return fitted(looking(camera, view), points, size);
+    return fitted(looking(Camera{.orthographic = orthographic}, view), points, size);
 }
 
 Camera camera_for(const Box& box, View view, glm::ivec2 size, bool orthographic) {
-    Camera camera;
-    camera.orthographic = orthographic;
-    return fitted(looking(camera, view), box, size);
+    return fitted(looking(Camera{.orthographic = orthographic}, view), box, size);
 }
 
 Camera with_projection(const Camera& camera, bool orthographic) {
@@ -237,11 +216,7 @@ Camera rotated(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec
 }
 
 Camera panned(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
-    const glm::dvec3 shift = focal_plane_point(camera, size, from) - focal_plane_point(camera, size, to);
-    Camera result = camera;
-    result.position += shift;
-    result.focal_point += shift;
-    return result;
+    return moved(camera, focal_plane_point(camera, size, from) - focal_plane_point(camera, size, to));
 }
 
 Camera zoomed(const Camera& camera, double factor) {
@@ -262,11 +237,7 @@ Camera zoomed_by_drag(const Camera& camera, glm::ivec2 size, glm::dvec2 from, gl
 
 Camera zoomed_to(const Camera& camera, glm::ivec2 size, glm::dvec2 cursor, double factor) {
     const Camera nearer = zoomed(camera, factor);
-    const glm::dvec3 shift = focal_plane_point(camera, size, cursor) - focal_plane_point(nearer, size, cursor);
-    Camera result = nearer;
-    result.position += shift;
-    result.focal_point += shift;
-    return result;
+    return moved(nearer, focal_plane_point(camera, size, cursor) - focal_plane_point(nearer, size, cursor));
 }
 
 Camera centred_on(const Camera& camera, const glm::dvec3& point) {

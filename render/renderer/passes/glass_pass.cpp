@@ -2,7 +2,6 @@
 
 #include "render/gl/gl_context.h"
 #include "render/renderer/passes/gl_state.h"
-#include "render/renderer/passes/surface_pass.h"
 
 #include <algorithm>
 #include <array>

@@ -10,9 +10,8 @@
 // Branches beyond 8 million have no number here.
 #pragma once
 
-#include "render/renderer/in_parts.h"
-#include "render/renderer/passes/context_pass.h"
 #include "render/renderer/passes/resolve_pass.h"
+#include "render/renderer/passes/surface_passes.h"
 
 namespace ramus::render {
 

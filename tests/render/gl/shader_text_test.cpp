@@ -1,7 +1,6 @@
 // Shaders as drivers get them, and their complaints as people do: with our files and lines.
 #include "render/gl/bindings.h"
 #include "render/gl/gl_objects.h"
-#include "render/gl/shader_sources.h"
 #include "render/gl/shader_text.h"
 #include "tests/support/gl_test.h"
 

@@ -1,5 +1,9 @@
-// SurfacePass: the triangles of opaque vessels, id and normal a sample. CenterlinePass: the same vessels as round cones
-// where that is faster, and the centerlines inside of glass.
+// What is drawn into samples. SurfacePass: the triangles of opaque vessels, id and normal a sample. CenterlinePass: the
+// same vessels as round cones where that is faster, and the centerlines inside of glass.
+//
+// ContextPass: what is beside the tree. Opaque context is drawn among the vessels; as fragments among the glass what is
+// clear, which are context meshes, their lines, and lesions. Backs of closed meshes are not drawn; open ones are seen
+// from both sides. All return the number of triangles.
 #pragma once
 
 #include "render/renderer/in_parts.h"
@@ -36,6 +40,27 @@ public:
 private:
     Program cones_, lines_;
     VertexArray no_vertices_;
+};
+
+class ContextPass {
+public:
+    [[nodiscard]] Result<void> make();
+    // Into what is bound.
+    [[nodiscard]] std::uint64_t draw_opaque(const Subject& subject, const ViewSetup& view) const;
+
+    enum class Clear { kAll, kLesions };
+    // Gives a program that is in use what it needs beside the mesh.
+    using Prepare = std::function<void(const Program&)>;
+    [[nodiscard]] std::uint64_t draw_clear(const Subject& subject, const ViewSetup& view, Clear what,
+                                           const Prepare& prepare) const;
+
+private:
+    [[nodiscard]] std::uint64_t draw_context(const Subject& subject, const ViewSetup& view,
+                                             const Prepare& prepare) const;
+    [[nodiscard]] std::uint64_t draw_lesions(const Subject& subject, const ViewSetup& view,
+                                             const Prepare& prepare) const;
+
+    Program opaque_, clear_, lines_;
 };
 
 // Begins with `program`, one of geometry.vert.
