@@ -38,6 +38,23 @@ void GLAD_API_PTR note_message(GLenum source, GLenum type, GLuint, GLenum severi
     count_error(message);
 }
 
+std::string text_of(GLenum name) {
+    const auto* value = glGetString(name);
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+}
+
+// Names of the two extensions, which no core loader has. What they tell is in KiB.
+constexpr GLenum kDedicatedMemory = 0x9047;  // GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX
+constexpr GLenum kFreeBufferMemory = 0x87FB; // VBO_FREE_MEMORY_ATI: of the pool in all, and three more
+
+bool has_extension(std::string_view name) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))) == name) return true;
+    return false;
+}
+
 } // namespace
 
 Result<void> load_gl(GlLoader loader, const void* context, const std::string& remedy) {
@@ -61,27 +78,6 @@ Result<void> load_gl(GlLoader loader, const void* context, const std::string& re
 
 GlVersion gl_version() { return found_version; }
 void limit_gl_version(GlVersion newest) { newest_allowed = newest; }
-
-namespace {
-
-std::string text_of(GLenum name) {
-    const auto* value = glGetString(name);
-    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
-}
-
-// Names of the two extensions, which no core loader has. What they tell is in KiB.
-constexpr GLenum kDedicatedMemory = 0x9047;  // GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX
-constexpr GLenum kFreeBufferMemory = 0x87FB; // VBO_FREE_MEMORY_ATI: of the pool in all, and three more
-
-bool has_extension(std::string_view name) {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i)
-        if (reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))) == name) return true;
-    return false;
-}
-
-} // namespace
 
 std::string gl_renderer() { return text_of(GL_RENDERER); }
 

@@ -219,13 +219,13 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
 }
 
 std::vector<std::string> egl_devices() {
-    std::vector<std::string> names;
+    std::vector<std::string> found;
     for (EGLDeviceEXT device : device_handles()) {
         const char* name =
             egl().query_device_string != nullptr ? egl().query_device_string(device, EGL_DRM_DEVICE_FILE_EXT) : nullptr;
-        names.emplace_back(name != nullptr ? name : is_software(device) ? "software" : "a device without a name");
+        found.emplace_back(name != nullptr ? name : is_software(device) ? "software" : "a device without a name");
     }
-    return names;
+    return found;
 }
 
 Result<std::unique_ptr<GlContext>> make_egl_context(std::optional<int> device) {

@@ -14,6 +14,14 @@ namespace {
 // Ids less 1: those of lesions are beyond every branch, those of context beyond every lesion.
 constexpr int kFirstLesion = int{record::kSolid}, kFirstContext = int{record::kSolid | record::kContext};
 
+void read(const PickWindow& window, const ResolvedTarget& from, int target, GLenum format, GLenum type, void* to) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
+    glReadPixels(window.x, window.y, window.width, window.height, format, type, to);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+}
+
 } // namespace
 
 PickWindow pick_window(const Frame& frame, const ViewSetup& view, double x, double y) {
@@ -56,18 +64,6 @@ Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float*
 int branch_of(std::uint32_t id) {
     return static_cast<int>(id) - 1 < kFirstLesion ? static_cast<int>(id) - 1 : kNoBranch;
 }
-
-namespace {
-
-void read(const PickWindow& window, const ResolvedTarget& from, int target, GLenum format, GLenum type, void* to) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
-    glReadPixels(window.x, window.y, window.width, window.height, format, type, to);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-}
-
-} // namespace
 
 void read_ids(const PickWindow& window, const ResolvedTarget& from, void* ids) {
     read(window, from, kTargetIdNormal, GL_RED_INTEGER, GL_UNSIGNED_INT, ids);

@@ -1,5 +1,9 @@
 #include "render/renderer/picture_state.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace ramus::render {
 
 bool PictureState::held() const {
@@ -9,22 +13,12 @@ bool PictureState::held() const {
 void PictureState::begin() { stage_ = by_caster() ? Stage::kPartialOverCast : Stage::kPartial; }
 
 void PictureState::interrupt() {
-    switch (stage_) {
-    case Stage::kPartial:
-        stage_ = Stage::kAbandoned;
-        break;
-    case Stage::kPartialOverCast:
-        stage_ = Stage::kCast;
-        break;
-    case Stage::kRefining:
-        stage_ = Stage::kDrawn;
-        break;
-    case Stage::kFiner:
-        stage_ = Stage::kFineInParts;
-        break;
-    default:
-        break;
-    }
+    constexpr std::pair<Stage, Stage> kGivenUp[] = {{Stage::kPartial, Stage::kAbandoned},
+                                                    {Stage::kPartialOverCast, Stage::kCast},
+                                                    {Stage::kRefining, Stage::kDrawn},
+                                                    {Stage::kFiner, Stage::kFineInParts}};
+    const auto* const found = std::ranges::find(kGivenUp, stage_, &std::pair<Stage, Stage>::first);
+    if (found != std::end(kGivenUp)) stage_ = found->second;
 }
 
 void PictureState::finish() {

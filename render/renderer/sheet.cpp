@@ -66,9 +66,9 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
 Result<void> SheetRenderer::blend(const Sheet& sheet) {
     try {
         if (!blend_) {
-            auto made = Blend::create();
-            if (!made) return tl::unexpected(made.error());
-            blend_ = std::move(*made);
+            Blend fresh;
+            if (auto made = fresh.make(); !made) return made;
+            blend_ = std::move(fresh);
             painter_.emplace();
         }
         const Image heading =
@@ -189,11 +189,9 @@ std::optional<Pick> SheetRenderer::poll_pick() {
     return without_branch(asked_, *pick);
 }
 
-Result<Blend> Blend::create() {
-    Blend blend;
-    if (auto made = blend.mix_.make("blend.frag"); !made) return tl::unexpected(made.error());
-    if (auto made = blend.overlay_.make("overlay.frag"); !made) return tl::unexpected(made.error());
-    return blend;
+Result<void> Blend::make() {
+    if (auto made = mix_.make("blend.frag"); !made) return made;
+    return overlay_.make("overlay.frag");
 }
 
 void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top) {
