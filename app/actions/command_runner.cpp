@@ -28,8 +28,7 @@ std::string branches_phrase(const std::vector<int>& branches, const Marks& marks
 }
 
 // What a step of the history is called, from the command that made it: "hide 12 branches", "lasso 3 branches",
-// "surface detail 24". The menu puts "Undo" or "Redo" in front.
-//
+// "surface detail 24". The menu puts "Undo" or "Redo" in front. `after`: the marks as `change` left them.
 std::string phrase_of(const Command& command, Arguments arguments, const MarksChange& change, const Marks& after) {
     std::string words = command.name;
     std::ranges::replace(words, '-', ' ');

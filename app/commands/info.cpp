@@ -91,7 +91,8 @@ void print_text(const std::string& file, const volume::Volume& volume, const Fig
     for (const std::string& note : volume.notes) line("note", note);
 }
 
-// Of a mask or scan.
+// Prints size, spacing, orientation, type and labels with their volumes of a mask or scan; as one JSON object if
+// `json`.
 Result<int> run_volume_info(const std::string& file, const SurfaceFlags& flags, bool json) {
     const auto volume = load_volume(file, flags);
     if (!volume) return tl::unexpected(volume.error());
