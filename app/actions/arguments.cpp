@@ -22,9 +22,8 @@ Result<std::vector<int>> branch_ids(const Document& document, Arguments argument
     if (arguments.empty()) return fail("which branches?", {}, "give their ids");
     std::vector<int> ids;
     for (const std::string& word : arguments) {
-        const auto id = branch_id(document, word);
-        if (!id) return tl::unexpected(id.error());
-        ids.push_back(*id);
+        RAMUS_TRY(id, branch_id(document, word));
+        ids.push_back(id);
     }
     return ids;
 }

@@ -37,11 +37,9 @@ template <class Change> Result<void> edit(ActionContext& context, const Change& 
 // Takes the one that is named out of a list of the marks; `what` as for list_index().
 template <class List>
 Result<void> remove_from(ActionContext& context, Arguments arguments, List Marks::*list, const std::string& what) {
-    const auto index = list_index(arguments, (context.document.marks().*list).size(), what);
-    if (!index) return tl::unexpected(index.error());
-    return edit(context, [&](Marks& marks) {
-        (marks.*list).erase((marks.*list).begin() + static_cast<std::ptrdiff_t>(*index));
-    });
+    RAMUS_TRY(index, list_index(arguments, (context.document.marks().*list).size(), what));
+    return edit(context,
+                [&](Marks& marks) { (marks.*list).erase((marks.*list).begin() + static_cast<std::ptrdiff_t>(index)); });
 }
 
 inline constexpr double kFarthestMm = 1e6; // of positions, distances and diameters that people give

@@ -59,11 +59,9 @@ Result<void> camera_copy(ActionContext& context, Arguments) {
 
 Result<void> camera_paste(ActionContext& context, Arguments) {
     if (context.clipboard == nullptr) return fail(kNoClipboard);
-    const auto text = context.clipboard->pasted_text();
-    if (!text) return tl::unexpected(text.error());
-    const auto camera = render::parse_camera(*text, "clipboard");
-    if (!camera) return tl::unexpected(camera.error());
-    move_camera(context, *camera);
+    RAMUS_TRY(text, context.clipboard->pasted_text());
+    RAMUS_TRY(camera, render::parse_camera(text, "clipboard"));
+    move_camera(context, camera);
     return {};
 }
 
@@ -73,9 +71,8 @@ Result<void> camera(ActionContext& context, Arguments arguments) {
     if (arguments[0].find('{') != std::string::npos) {
         read = render::parse_camera(arguments[0], "camera");
     } else {
-        const auto content = io::read_file(arguments[0], 1 << 20);
-        if (!content) return tl::unexpected(content.error());
-        read = render::parse_camera(*content, arguments[0]);
+        RAMUS_TRY(content, io::read_file(arguments[0], 1 << 20));
+        read = render::parse_camera(content, arguments[0]);
     }
     if (!read) return tl::unexpected(read.error());
     move_camera(context, *read);

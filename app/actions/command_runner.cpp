@@ -67,9 +67,8 @@ Result<void> finish(ActionContext& context, const Command& command, Arguments ar
 }
 
 Result<void> run_at_once(ActionContext& context, const Command& command, Arguments arguments) {
-    const auto outcome = act(context, command, arguments);
-    if (!outcome) return tl::unexpected(outcome.error());
-    const auto* pending = std::get_if<Pending>(&*outcome);
+    RAMUS_TRY(outcome, act(context, command, arguments));
+    const auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};
     Job job;
     return finish(context, command, arguments, pending->work(job));
@@ -109,9 +108,8 @@ Result<void> CommandRunner::run(ActionContext& context, const Command& entry) {
 }
 
 Result<void> CommandRunner::start(ActionContext& context, const Command& command, Arguments arguments) {
-    auto outcome = act(context, command, arguments);
-    if (!outcome) return tl::unexpected(outcome.error());
-    auto* pending = std::get_if<Pending>(&*outcome);
+    RAMUS_TRY(outcome, act(context, command, arguments));
+    auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};
     pending_.push_back({&command, {arguments.begin(), arguments.end()}, std::move(*pending), context.document.tree()});
     if (pending_.size() == 1) begin_work();

@@ -96,12 +96,11 @@ Result<ContextItem> new_item(const Document& document, Arguments arguments) {
 }
 
 Result<void> add_context(ActionContext& context, Arguments arguments, const mesh::TriangleMesh& mesh) {
-    const auto item = new_item(context.document, arguments);
-    if (!item) return tl::unexpected(item.error());
-    context.say(std::filesystem::path(item->file).filename().string() + ": " +
+    RAMUS_TRY(item, new_item(context.document, arguments));
+    context.say(std::filesystem::path(item.file).filename().string() + ": " +
                 counted(mesh.triangles.size(), "triangle", "triangles") +
                 distance_text(mesh, *context.document.tree()));
-    return edit(context, [&](Marks& marks) { marks.context.push_back(*item); });
+    return edit(context, [&](Marks& marks) { marks.context.push_back(item); });
 }
 
 Result<Outcome> context(ActionContext& context, Arguments arguments) {
@@ -109,13 +108,12 @@ Result<Outcome> context(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return outcome_of(
             ask_for_file(context, FilePurpose::kContext, fail("context needs a FILE here", {}, context_extensions())));
-    const auto item = new_item(context.document, arguments);
-    if (!item) return tl::unexpected(item.error());
-    return Pending{"Reading " + std::filesystem::path(item->file).filename().string(),
-                   [source = source_of(*item), words = std::vector(arguments.begin(), arguments.end()),
+    RAMUS_TRY(item, new_item(context.document, arguments));
+    return Pending{"Reading " + std::filesystem::path(item.file).filename().string(),
+                   [source = source_of(item), words = std::vector(arguments.begin(), arguments.end()),
                     assets = context.assets](Job& job) mutable -> Result<Continuation> {
-                       const auto shape = load_context_shape(assets, source, job);
-                       if (!shape) return tl::unexpected(shape.error());
+                       if (auto shape = load_context_shape(assets, source, job); !shape)
+                           return tl::unexpected(shape.error());
                        return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
                            then.assets.put(source, read);
                            return add_context(then, words, *(*read.value)->mesh);
@@ -129,9 +127,8 @@ Result<void> change_one(ActionContext& context, Arguments arguments, std::size_t
                         const Change& change) {
     if (arguments.size() != 1 + values) return fail(std::string(usage), {}, "N counts from 1 in the list of context");
     Marks next = context.document.marks();
-    const auto index = list_index(arguments.first(1), next.context.size(), "context mesh");
-    if (!index) return tl::unexpected(index.error());
-    if (auto changed = change(next.context, *index); !changed) return changed;
+    RAMUS_TRY(index, list_index(arguments.first(1), next.context.size(), "context mesh"));
+    if (auto changed = change(next.context, index); !changed) return changed;
     context.document.change(std::move(next));
     return {};
 }

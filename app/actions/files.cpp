@@ -34,10 +34,9 @@ Result<void> save_as(ActionContext& context, Arguments) {
 }
 
 Result<void> shot(ActionContext& context, Arguments arguments) {
-    const auto path = file_argument(context, arguments, "shot", ".png");
-    if (!path) return tl::unexpected(path.error());
-    if (auto written = context.picture.write_picture(*path); !written) return written;
-    context.say("Picture saved: " + std::filesystem::absolute(*path).lexically_normal().string());
+    RAMUS_TRY(path, file_argument(context, arguments, "shot", ".png"));
+    if (auto written = context.picture.write_picture(path); !written) return written;
+    context.say("Picture saved: " + std::filesystem::absolute(path).lexically_normal().string());
     return {};
 }
 
@@ -50,16 +49,14 @@ Result<int> number_of_entry(Arguments arguments, const std::string& command) {
 }
 
 Result<void> recover(ActionContext& context, Arguments arguments) {
-    const auto which = number_of_entry(arguments, "recover");
-    if (!which) return tl::unexpected(which.error());
-    return context.files != nullptr ? context.files->recover(*which) : fail("recover needs a window");
+    RAMUS_TRY(which, number_of_entry(arguments, "recover"));
+    return context.files != nullptr ? context.files->recover(which) : fail("recover needs a window");
 }
 
 Result<void> discard_recovery(ActionContext& context, Arguments arguments) {
-    const auto which = number_of_entry(arguments, "discard-recovery");
-    if (!which) return tl::unexpected(which.error());
-    if (*which == 0) return fail("discard-recovery takes the number of an entry");
-    return context.files != nullptr ? context.files->discard_recovery(*which) : fail("discard-recovery needs a window");
+    RAMUS_TRY(which, number_of_entry(arguments, "discard-recovery"));
+    if (which == 0) return fail("discard-recovery takes the number of an entry");
+    return context.files != nullptr ? context.files->discard_recovery(which) : fail("discard-recovery needs a window");
 }
 
 Result<void> ui_scale(ActionContext& context, Arguments arguments) {

@@ -21,19 +21,17 @@ Result<std::size_t> steps(Arguments arguments, std::size_t there, const std::str
 }
 
 Result<void> undo(ActionContext& context, Arguments arguments) {
-    auto wanted = steps(arguments, context.document.position(), "undo");
-    if (!wanted) return tl::unexpected(wanted.error());
+    RAMUS_TRY(wanted, steps(arguments, context.document.position(), "undo"));
     const render::Camera before = context.document.session().camera;
-    while ((*wanted)-- > 0) context.document.undo();
+    while (wanted-- > 0) context.document.undo();
     if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }
 
 Result<void> redo(ActionContext& context, Arguments arguments) {
-    auto wanted = steps(arguments, context.document.step_count() - context.document.position(), "redo");
-    if (!wanted) return tl::unexpected(wanted.error());
+    RAMUS_TRY(wanted, steps(arguments, context.document.step_count() - context.document.position(), "redo"));
     const render::Camera before = context.document.session().camera;
-    while ((*wanted)-- > 0) context.document.redo();
+    while (wanted-- > 0) context.document.redo();
     if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }

@@ -55,32 +55,30 @@ Result<LassoArguments> read(Arguments arguments) {
 }
 
 Result<void> lasso(ActionContext& context, Arguments arguments) {
-    auto wanted = read(arguments);
-    if (!wanted) return tl::unexpected(wanted.error());
+    RAMUS_TRY(wanted, read(arguments));
     if (!context.document.tree()) return fail("there is no tree to lasso");
     std::optional<render::BranchPicture> picture;
-    if (wanted->visible) {
-        auto taken = context.picture.branch_picture();
-        if (!taken) return tl::unexpected(taken.error());
-        picture = std::move(*taken);
+    if (wanted.visible) {
+        RAMUS_TRY(taken, context.picture.branch_picture());
+        picture = std::move(taken);
     }
     const Document& document = context.document;
-    const LassoRule rule{.any_part = wanted->any_part, .visible = picture ? &*picture : nullptr};
+    const LassoRule rule{.any_part = wanted.any_part, .visible = picture ? &*picture : nullptr};
     const std::vector<int> hidden = branches_in_state(document.marks(), render::BranchState::kHidden);
     std::vector<int> inside =
         branches_inside(*document.tree(), document.session().camera, context.picture.picture_size(),
-                        PixelPolygon(std::move(wanted->corners)), rule,
+                        PixelPolygon(std::move(wanted.corners)), rule,
                         hidden_flags(hidden, static_cast<std::size_t>(document.branch_count())));
     const std::string count = counted(inside.size(), "branch", "branches");
     const auto& selection = document.marks().selection;
     std::vector<int> next;
-    if (wanted->add)
+    if (wanted.add)
         std::ranges::set_union(selection, inside, std::back_inserter(next));
-    else if (wanted->remove)
+    else if (wanted.remove)
         std::ranges::set_difference(selection, inside, std::back_inserter(next));
     else
         next = std::move(inside);
-    const bool more = !next.empty() && !wanted->remove;
+    const bool more = !next.empty() && !wanted.remove;
     select_these(context.document, std::move(next));
     context.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
     return {};

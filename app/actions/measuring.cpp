@@ -35,9 +35,8 @@ Result<Measurement> measurement_in(const Document& document, Arguments arguments
     if ((kind != "path" && kind != "diameter" && kind != "angle") || rest.size() < branches || rest.size() > most)
         return refused;
     for (std::size_t i = 0; i < branches; ++i) {
-        const auto id = branch_id(document, rest[i]);
-        if (!id) return tl::unexpected(id.error());
-        found.branches[i] = *id;
+        RAMUS_TRY(id, branch_id(document, rest[i]));
+        found.branches[i] = id;
     }
     if (kind == "diameter" && rest.size() == 2) {
         const auto fraction = number_in(rest[1], 0.0, 1.0);
@@ -50,14 +49,12 @@ Result<Measurement> measurement_in(const Document& document, Arguments arguments
 
 Result<void> measure_this(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to measure");
-    const auto wanted = measurement_in(context.document, arguments);
-    if (!wanted) return tl::unexpected(wanted.error());
-    const auto found = measured(*context.document.tree(), *wanted);
-    if (!found) return tl::unexpected(found.error());
+    RAMUS_TRY(wanted, measurement_in(context.document, arguments));
+    RAMUS_TRY(found, measured(*context.document.tree(), wanted));
     Marks next = context.document.marks();
-    if (std::ranges::find(next.measurements, *wanted) == next.measurements.end()) next.measurements.push_back(*wanted);
+    if (std::ranges::find(next.measurements, wanted) == next.measurements.end()) next.measurements.push_back(wanted);
     context.document.change(std::move(next));
-    context.say(found->sentence());
+    context.say(found.sentence());
     return {};
 }
 

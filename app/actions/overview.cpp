@@ -35,9 +35,8 @@ Result<void> rename(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 1) return fail("rename takes the id of one branch");
     int branch = tree::kNoBranch;
     if (!arguments.empty()) {
-        const auto id = branch_id(context.document, arguments[0]);
-        if (!id) return tl::unexpected(id.error());
-        branch = *id;
+        RAMUS_TRY(id, branch_id(context.document, arguments[0]));
+        branch = id;
     } else {
         if (auto some = expect_selection(context.document); !some) return some;
         branch = stem_of_selection(context.document);

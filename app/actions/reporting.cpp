@@ -71,11 +71,9 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
     }
     std::vector<ReportPicture> pictures;
     for (const Wanted& one : wanted) {
-        const auto image = context.picture.draw_picture(one.camera, one.size);
-        if (!image) return tl::unexpected(image.error());
-        auto png = render::encode_png(*image);
-        if (!png) return tl::unexpected(png.error());
-        pictures.push_back({one.caption, std::move(*png)});
+        RAMUS_TRY(image, context.picture.draw_picture(one.camera, one.size));
+        RAMUS_TRY(png, render::encode_png(image));
+        pictures.push_back({one.caption, std::move(png)});
     }
     return pictures;
 }
@@ -83,25 +81,23 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
 Result<void> report(ActionContext& context, Arguments arguments) {
     if (arguments.size() > 2)
         return fail("report takes a file and what it is of", {}, "put quotes around a name with blanks");
-    const auto path =
-        file_argument(context, arguments.first(std::min<std::size_t>(arguments.size(), 1)), "report", ".html");
-    if (!path) return tl::unexpected(path.error());
+    RAMUS_TRY(path,
+              file_argument(context, arguments.first(std::min<std::size_t>(arguments.size(), 1)), "report", ".html"));
     if (!has_tree(context.document)) return fail("there is no tree to report of");
-    std::string extension = path->extension().string();
+    std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     complete_lesions(context.assets, context.document);
-    if (extension == ".csv") return write_csv(context, *path, arguments.size() == 2 ? arguments[1] : "");
+    if (extension == ".csv") return write_csv(context, path, arguments.size() == 2 ? arguments[1] : "");
     if (extension != ".html" && extension != ".htm")
-        return fail("a report is a .csv or an .html file", path->string(), "give the name one of these endings");
+        return fail("a report is a .csv or an .html file", path.string(), "give the name one of these endings");
     if (arguments.size() == 2)
-        return fail("a report as .html has everything", path->string(), "leave \"" + arguments[1] + "\" out");
-    if (auto possible = io::check_output(*path); !possible) return possible;
-    const auto pictures = take_pictures(context);
-    if (!pictures) return tl::unexpected(pictures.error());
-    if (auto written = io::write_file(*path, report_page(context.document, context.assets, *pictures, now_text()));
+        return fail("a report as .html has everything", path.string(), "leave \"" + arguments[1] + "\" out");
+    if (auto possible = io::check_output(path); !possible) return possible;
+    RAMUS_TRY(pictures, take_pictures(context));
+    if (auto written = io::write_file(path, report_page(context.document, context.assets, pictures, now_text()));
         !written)
         return written;
-    context.say("Report saved: " + path->string());
+    context.say("Report saved: " + path.string());
     return {};
 }
 

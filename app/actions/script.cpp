@@ -67,9 +67,8 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        auto words = words_of(text.substr(0, end), location(file, number));
-        if (!words) return tl::unexpected(words.error());
-        if (!words->empty()) lines.push_back({number, std::move(*words)});
+        RAMUS_TRY(words, words_of(text.substr(0, end), location(file, number)));
+        if (!words.empty()) lines.push_back({number, std::move(words)});
         text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
     }
     return lines;

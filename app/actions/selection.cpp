@@ -11,32 +11,28 @@ namespace ramus::app::actions {
 namespace {
 
 Result<void> select(ActionContext& context, Arguments arguments) {
-    auto ids = branch_ids(context.document, arguments);
-    if (!ids) return tl::unexpected(ids.error());
-    select_these(context.document, std::move(*ids));
+    RAMUS_TRY(ids, branch_ids(context.document, arguments));
+    select_these(context.document, std::move(ids));
     return {};
 }
 
 Result<void> select_add(ActionContext& context, Arguments arguments) {
-    auto ids = branch_ids(context.document, arguments);
-    if (!ids) return tl::unexpected(ids.error());
-    ids->insert(ids->end(), context.document.marks().selection.begin(), context.document.marks().selection.end());
-    select_these(context.document, std::move(*ids));
+    RAMUS_TRY(ids, branch_ids(context.document, arguments));
+    ids.insert(ids.end(), context.document.marks().selection.begin(), context.document.marks().selection.end());
+    select_these(context.document, std::move(ids));
     return {};
 }
 
 Result<void> select_subtree(ActionContext& context, Arguments arguments) {
-    const auto ids = branch_ids(context.document, arguments);
-    if (!ids) return tl::unexpected(ids.error());
-    select_these(context.document, context.document.dependency().with_dependents(*ids));
+    RAMUS_TRY(ids, branch_ids(context.document, arguments));
+    select_these(context.document, context.document.dependency().with_dependents(ids));
     return {};
 }
 
 Result<void> select_toggle(ActionContext& context, Arguments arguments) {
-    const auto ids = branch_ids(context.document, arguments);
-    if (!ids) return tl::unexpected(ids.error());
+    RAMUS_TRY(ids, branch_ids(context.document, arguments));
     std::vector<int> next;
-    const std::vector<int> toggled = canonical(*ids);
+    const std::vector<int> toggled = canonical(ids);
     std::ranges::set_symmetric_difference(context.document.marks().selection, toggled, std::back_inserter(next));
     select_these(context.document, std::move(next));
     return {};

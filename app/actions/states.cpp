@@ -28,13 +28,12 @@ Result<void> show_all(ActionContext& context, Arguments) {
 Result<void> name(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 2)
         return fail("name takes a branch id and a text", {}, "put quotes around a text with blanks");
-    const auto id = branch_id(context.document, arguments[0]);
-    if (!id) return tl::unexpected(id.error());
+    RAMUS_TRY(id, branch_id(context.document, arguments[0]));
     Marks next = context.document.marks();
     if (arguments[1].empty())
-        next.names.erase(*id);
+        next.names.erase(id);
     else
-        next.names[*id] = arguments[1];
+        next.names[id] = arguments[1];
     context.document.change(std::move(next));
     return {};
 }

@@ -32,9 +32,8 @@ Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
     if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
     Marks next = context.document.marks();
-    const auto index = list_index(arguments.first(1), next.lesions.size(), "lesion");
-    if (!index) return tl::unexpected(index.error());
-    next.lesions[*index] = *sphere;
+    RAMUS_TRY(index, list_index(arguments.first(1), next.lesions.size(), "lesion"));
+    next.lesions[index] = *sphere;
     context.document.change(std::move(next));
     return {};
 }
@@ -64,8 +63,8 @@ Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
     if (auto is_new = expect_new_lesion(context.document, path); !is_new) return tl::unexpected(is_new.error());
     return Pending{"Reading " + path.filename().string(),
                    [path, assets = context.assets](Job&) mutable -> Result<Continuation> {
-                       const auto mesh = load_lesion_mesh(assets, path.string());
-                       if (!mesh) return tl::unexpected(mesh.error());
+                       if (auto mesh = load_lesion_mesh(assets, path.string()); !mesh)
+                           return tl::unexpected(mesh.error());
                        return [path, read = assets.lesion_meshes.at(path.string())](ActionContext& then) {
                            then.assets.put(path.string(), read);
                            return add_lesion_mesh(then, path, **read.value);
@@ -77,12 +76,11 @@ Result<Outcome> lesion_mesh(ActionContext& context, Arguments arguments) {
 Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
     Marks next = context.document.marks();
     const std::size_t spheres = next.lesions.size();
-    const auto index = list_index(arguments, spheres + next.lesion_meshes.size(), "lesion");
-    if (!index) return tl::unexpected(index.error());
-    if (*index < spheres)
-        next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(*index));
+    RAMUS_TRY(index, list_index(arguments, spheres + next.lesion_meshes.size(), "lesion"));
+    if (index < spheres)
+        next.lesions.erase(next.lesions.begin() + static_cast<std::ptrdiff_t>(index));
     else
-        next.lesion_meshes.erase(next.lesion_meshes.begin() + static_cast<std::ptrdiff_t>(*index - spheres));
+        next.lesion_meshes.erase(next.lesion_meshes.begin() + static_cast<std::ptrdiff_t>(index - spheres));
     context.document.change(std::move(next));
     return {};
 }
@@ -119,13 +117,12 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
             if (std::ranges::none_of(above, [&](int other) { return is_selected(next, other); })) add(id, 0.5);
         }
     } else {
-        const auto id = branch_id(document, arguments[0]);
-        if (!id) return tl::unexpected(id.error());
+        RAMUS_TRY(id, branch_id(document, arguments[0]));
         const auto fraction = arguments.size() == 1 ? 0.5 : number_in(arguments[1], 0.0, 1.0);
         if (arguments.size() > 2 || !fraction)
             return fail("cut takes a branch and where to cut it", {},
                         "a fraction of its length from the parent's end, 0 to 1; 0.5 unless told");
-        add(*id, *fraction);
+        add(id, *fraction);
     }
     const std::size_t added = next.cuts.size() - before;
     if (added == 0) return fail("there is a cut already");

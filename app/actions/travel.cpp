@@ -15,9 +15,8 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
         if (!numbers) return fail("\"" + arguments[0] + "\" is not a place X,Y,Z in mm");
         target = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     } else {
-        const auto id = branch_id(context.document, arguments[0]);
-        if (!id) return tl::unexpected(id.error());
-        target = measure::point_on(*context.document.tree(), *id, 0.5).position;
+        RAMUS_TRY(id, branch_id(context.document, arguments[0]));
+        target = measure::point_on(*context.document.tree(), id, 0.5).position;
     }
     context.document.set_camera(render::centred_on(context.document.session().camera, target));
     context.picture.camera_leapt();
@@ -27,13 +26,12 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
 Result<void> fly(ActionContext& context, Arguments arguments) {
     if (arguments.size() != 2)
         return fail("fly takes the id of a branch and how far", {}, "0 is the root, 1 the end of the branch");
-    const auto id = branch_id(context.document, arguments[0]);
-    if (!id) return tl::unexpected(id.error());
+    RAMUS_TRY(id, branch_id(context.document, arguments[0]));
     const auto fraction = number_in(arguments[1], 0.0, 1.0);
     if (!fraction) return fail("\"" + arguments[1] + "\" is not a number from 0 to 1");
-    const auto path = context.picture.flights.to(context.document.tree(), *id);
+    const auto path = context.picture.flights.to(context.document.tree(), id);
     context.document.set_camera(path->camera_at(*fraction, context.document.session().camera));
-    context.picture.flew(*id, *fraction);
+    context.picture.flew(id, *fraction);
     return {};
 }
 
@@ -59,11 +57,10 @@ Result<void> fly_along(ActionContext& context, Arguments arguments) {
         context.window->close_flight();
         return {};
     }
-    const auto id =
-        arguments.empty() ? Result<int>(farthest_end(context.document)) : branch_id(context.document, arguments[0]);
-    if (!id) return tl::unexpected(id.error());
+    RAMUS_TRY(id, arguments.empty() ? Result<int>(farthest_end(context.document))
+                                    : branch_id(context.document, arguments[0]));
     if (context.window == nullptr) return no_window("fly-along");
-    context.window->open_flight(*id);
+    context.window->open_flight(id);
     return {};
 }
 

@@ -18,13 +18,12 @@ struct ConvertFlags {
 
 Result<int> run_convert(const ConvertFlags& flags) {
     if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
-    const auto tree = load_tree(flags.file, flags.surface);
-    if (!tree) return tl::unexpected(tree.error());
+    RAMUS_TRY(tree, load_tree(flags.file, flags.surface));
     std::vector<std::string> comments = {"written by ramus " RAMUS_VERSION};
-    if (!tree->source.empty()) comments.push_back("source: " + tree->source);
+    if (!tree.source.empty()) comments.push_back("source: " + tree.source);
     // SWC has no other place for them, and nobody shall take mended points for measured ones.
-    for (const std::string& sentence : tree->repairs) comments.push_back("repaired: " + sentence);
-    if (auto written = io::write_tree(*tree, flags.output, comments); !written) return tl::unexpected(written.error());
+    for (const std::string& sentence : tree.repairs) comments.push_back("repaired: " + sentence);
+    if (auto written = io::write_tree(tree, flags.output, comments); !written) return tl::unexpected(written.error());
     return kDone;
 }
 

@@ -221,30 +221,28 @@ Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet
 
 Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
                                       const FigureFlags& flags) {
-    const auto whole = compose(size);
-    if (!whole) return tl::unexpected(whole.error());
-    const Grid grid = grid_for(*whole, size);
+    RAMUS_TRY(whole, compose(size));
+    const Grid grid = grid_for(whole, size);
     const glm::ivec2 part = grid.part();
-    const auto viewports = static_cast<int>(side_by_side(*whole) ? whole->viewports.size() : 1);
+    const auto viewports = static_cast<int>(side_by_side(whole) ? whole.viewports.size() : 1);
     if (part.x < 1 || part.y < 1 || std::max(part.x, part.y) < 2 * viewports - 1)
         return fail("a sheet of " + std::to_string(size.x) + " x " + std::to_string(size.y) +
                         " pixels has no room for four views",
                     {}, "give a larger --size");
-    auto composed = compose(part);
-    if (!composed) return tl::unexpected(composed.error());
-    dress(*composed, flags);
+    RAMUS_TRY(composed, compose(part));
+    dress(composed, flags);
     std::vector<render::Camera> cameras;
     for (const render::View view : kViews)
-        cameras.push_back(render::looking(composed->viewports.front().frame.camera, view));
-    cameras = at_one_scale(std::move(cameras), visible_box(*composed), composed->viewports.front().frame.size);
+        cameras.push_back(render::looking(composed.viewports.front().frame.camera, view));
+    cameras = at_one_scale(std::move(cameras), visible_box(composed), composed.viewports.front().frame.size);
     // Views in one direction and surfaces in the other, unless the picture is so long that both go the same way.
-    const bool below = composed->viewports.back().at.y > 0;
-    const bool table = side_by_side(*composed) && below == (grid.count.x > 1);
+    const bool below = composed.viewports.back().at.y > 0;
+    const bool table = side_by_side(composed) && below == (grid.count.x > 1);
     render::Image picture(size.x, size.y);
-    if (side_by_side(*composed) && !composed->viewports.front().frame.background.transparent)
-        fill(picture, composed->divider);
+    if (side_by_side(composed) && !composed.viewports.front().frame.background.transparent)
+        fill(picture, composed.divider);
     for (std::size_t i = 0; i < kViews.size(); ++i) {
-        render::Sheet one = *composed;
+        render::Sheet one = composed;
         look_from(one, cameras[i]);
         label(one, i, table);
         auto image = draw_figure(renderer, std::move(one), flags);
@@ -267,12 +265,11 @@ Result<std::vector<std::filesystem::path>> write_turntable(render::SheetRenderer
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         render::Sheet one = sheet;
         look_from(one, cameras[i]);
-        auto image = draw_figure(renderer, std::move(one), flags);
-        if (!image) return tl::unexpected(image.error());
+        RAMUS_TRY(image, draw_figure(renderer, std::move(one), flags));
         std::string number = std::to_string(i + 1);
         number.insert(0, digits - number.size(), '0');
         const auto file = output.parent_path() / (output.stem().string() + "_" + number + output.extension().string());
-        if (auto written = render::write_png(*image, file); !written) return tl::unexpected(written.error());
+        if (auto written = render::write_png(image, file); !written) return tl::unexpected(written.error());
         files.push_back(file);
     }
     return files;

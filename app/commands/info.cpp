@@ -94,13 +94,12 @@ void print_text(const std::string& file, const volume::Volume& volume, const Fig
 // Prints size, spacing, orientation, type and labels with their volumes of a mask or scan; as one JSON object if
 // `json`.
 Result<int> run_volume_info(const std::string& file, const SurfaceFlags& flags, bool json) {
-    const auto volume = load_volume(file, flags);
-    if (!volume) return tl::unexpected(volume.error());
-    const Figures figures = figures_of(*volume);
+    RAMUS_TRY(volume, load_volume(file, flags));
+    const Figures figures = figures_of(volume);
     if (json)
-        print_json(*volume, figures);
+        print_json(volume, figures);
     else
-        print_text(file, *volume, figures);
+        print_text(file, volume, figures);
     return kDone;
 }
 
@@ -210,13 +209,12 @@ Result<int> run_info(const InfoFlags& flags) {
             return fail("a volume has no branches", flags.file, "leave out --branches, or name a vessel tree");
         return run_volume_info(flags.file, flags.surface, flags.json);
     }
-    const auto tree = io::read_tree(flags.file, flags.surface.read);
-    if (!tree) return tl::unexpected(tree.error());
-    const measure::TreeStatistics statistics = measure::tree_statistics(*tree);
+    RAMUS_TRY(tree, io::read_tree(flags.file, flags.surface.read));
+    const measure::TreeStatistics statistics = measure::tree_statistics(tree);
     if (flags.json)
-        print_json(*tree, statistics, flags.branches);
+        print_json(tree, statistics, flags.branches);
     else
-        print_text(flags, *tree, statistics);
+        print_text(flags, tree, statistics);
     return kDone;
 }
 

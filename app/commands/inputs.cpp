@@ -53,20 +53,18 @@ Result<OpenedSession> open_session(const std::string& tree_file, const std::stri
     if (session_file.empty()) {
         saved.session.marks.options = flags.surface;
     } else {
-        auto read = read_session(session_file);
-        if (!read) return tl::unexpected(read.error());
-        saved = std::move(*read);
+        RAMUS_TRY(read, read_session(session_file));
+        saved = std::move(read);
         saved.session.marks.options = flags.over(saved.session.marks.options);
     }
     OpenedSession opened{std::move(saved.session), nullptr, saved.has_camera};
     if (!tree_file.empty()) opened.session.tree.path = std::filesystem::absolute(tree_file).lexically_normal();
     auto tree = load_tree(tree_file.empty() ? opened.session.tree.path.string() : tree_file, flags);
     if (!tree) return tl::unexpected(tree.error());
-    const auto checksum = checksum_of(opened.session.tree.path);
-    if (!checksum) return tl::unexpected(checksum.error());
-    if (auto fits = check_against(opened.session, *tree, *checksum, session_file); !fits)
+    RAMUS_TRY(checksum, checksum_of(opened.session.tree.path));
+    if (auto fits = check_against(opened.session, *tree, checksum, session_file); !fits)
         return tl::unexpected(fits.error());
-    opened.session.tree.checksum = *checksum;
+    opened.session.tree.checksum = checksum;
     opened.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
     return opened;
 }

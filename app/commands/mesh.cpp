@@ -75,15 +75,14 @@ void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
 Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& mask, const SurfaceFlags& flags,
                                     const std::string& output, double& load_s) {
     Stopwatch watch;
-    auto read = load_volume(file, flags);
-    if (!read) return tl::unexpected(read.error());
+    RAMUS_TRY(read, load_volume(file, flags));
     load_s = watch.lap();
     Job job;
     auto surface = [&] {
         const CancelOnInterrupt cancel(job);
         const ProgressBar bar("surface", job);
         const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
-        return volume::isosurface(std::move(*read), mask.selection, options, job);
+        return volume::isosurface(std::move(read), mask.selection, options, job);
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
     if (!surface) {
@@ -127,25 +126,22 @@ Result<int> run_mesh(const MeshFlags& flags) {
 
     if (flags.mask.iso) {
         double load_s = 0.0;
-        const auto written = mesh_of_mask(flags.file, flags.mask, flags.surface, flags.output, load_s);
-        if (!written) return tl::unexpected(written.error());
-        report(flags, *written, load_s);
+        RAMUS_TRY(written, mesh_of_mask(flags.file, flags.mask, flags.surface, flags.output, load_s));
+        report(flags, written, load_s);
         return kDone;
     }
 
     const Stopwatch watch;
-    const auto opened = open_session(flags.file, flags.session, flags.surface);
-    if (!opened) return tl::unexpected(opened.error());
-    std::vector<std::uint8_t> hidden(opened->tree->branches.size(), 0);
-    for (const int branch : branches_in_state(opened->session.marks, render::BranchState::kHidden))
+    RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
+    std::vector<std::uint8_t> hidden(opened.tree->branches.size(), 0);
+    for (const int branch : branches_in_state(opened.session.marks, render::BranchState::kHidden))
         hidden[static_cast<std::size_t>(branch)] = 1;
     const double load_s = watch.seconds();
 
-    const auto written = write_surface(*opened->tree, opened->session.marks.options, hidden, flags.output);
-    if (!written) return tl::unexpected(written.error());
-    say(flags.surface, counted(written->evaluations, "evaluation", "evaluations") + " of the field in " +
-                           rounded(written->mesh_s) + " s" + (written->streamed ? ", streamed to the disk" : ""));
-    report(flags, *written, load_s);
+    RAMUS_TRY(written, write_surface(*opened.tree, opened.session.marks.options, hidden, flags.output));
+    say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
+                           rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
+    report(flags, written, load_s);
     return kDone;
 }
 

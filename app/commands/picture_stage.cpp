@@ -82,26 +82,23 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
 }
 
 Result<render::BranchPicture> PictureStage::branch_picture() {
-    const auto requested = frame();
-    if (!requested) return tl::unexpected(requested.error());
-    if (const auto drawn = renderer_->draw(*requested); !drawn) return tl::unexpected(drawn.error());
+    RAMUS_TRY(requested, frame());
+    if (const auto drawn = renderer_->draw(requested); !drawn) return tl::unexpected(drawn.error());
     return renderer_->read_branches();
 }
 
 Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
-    const auto requested = sheet();
-    if (!requested) return tl::unexpected(requested.error());
-    if (const auto drawn = sheet_renderer_->draw(*requested); !drawn) return tl::unexpected(drawn.error());
-    if (const auto finer = sheet_renderer_->refine(*requested); !finer) return tl::unexpected(finer.error());
+    RAMUS_TRY(requested, sheet());
+    if (const auto drawn = sheet_renderer_->draw(requested); !drawn) return tl::unexpected(drawn.error());
+    if (const auto finer = sheet_renderer_->refine(requested); !finer) return tl::unexpected(finer.error());
     return render::write_png(sheet_renderer_->read_image(), path);
 }
 
 Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size) {
-    auto requested = frame();
-    if (!requested) return tl::unexpected(requested.error());
-    requested->camera = camera;
-    requested->size = size;
-    if (const auto drawn = renderer_->draw(*requested); !drawn) return tl::unexpected(drawn.error());
+    RAMUS_TRY(requested, frame());
+    requested.camera = camera;
+    requested.size = size;
+    if (const auto drawn = renderer_->draw(requested); !drawn) return tl::unexpected(drawn.error());
     (void)renderer_->refine();
     return renderer_->read_image();
 }

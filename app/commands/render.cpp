@@ -51,17 +51,15 @@ struct RenderFlags {
 
 Result<render::Camera> read_camera(const std::string& text) {
     if (text.find('{') != std::string::npos) return render::parse_camera(text, "--camera");
-    const auto content = io::read_file(text, 1 << 20);
-    if (!content) return tl::unexpected(content.error());
-    return render::parse_camera(*content, text);
+    RAMUS_TRY(content, io::read_file(text, 1 << 20));
+    return render::parse_camera(content, text);
 }
 
 // The picture against the reference. The difference is left beside the picture when there is too much of it.
 Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann::json& report) {
-    const auto reference = render::read_png(flags.reference);
-    if (!reference) return tl::unexpected(reference.error());
+    RAMUS_TRY(reference, render::read_png(flags.reference));
     std::string finding;
-    const auto comparison = render::compare(image, *reference);
+    const auto comparison = render::compare(image, reference);
     if (comparison) {
         report["comparison"] = {{"pixels", comparison->pixels},
                                 {"differing", comparison->differing},
@@ -69,7 +67,7 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
                                 {"largest", comparison->largest}};
         render::PerceivedDifference perceived;
         if (flags.noticeable || flags.json) { // takes longer than all else here
-            perceived = *render::perceived_difference(image, *reference);
+            perceived = *render::perceived_difference(image, reference);
             report["comparison"]["perceived"] = {{"noticeable", perceived.noticeable},
                                                  {"fraction", perceived.fraction()},
                                                  {"mean", perceived.mean},
@@ -89,7 +87,7 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
     }
     auto beside = flags.output;
     beside.replace_extension(".difference.png");
-    if (auto written = render::write_png(render::difference(image, *reference), beside); !written)
+    if (auto written = render::write_png(render::difference(image, reference), beside); !written)
         return tl::unexpected(written.error());
     report["comparison"]["difference"] = beside.string();
     std::cerr << "ramus: " << flags.reference.string() << ": " << finding << "; the picture is "
@@ -99,11 +97,10 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
 
 // Opens what was asked for; true when it has a camera.
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
-    auto opened = open_session(flags.file.string(), flags.session, flags.common);
-    if (!opened) return tl::unexpected(opened.error());
-    apply(flags.comparison, opened->session.marks);
-    document.open(std::move(opened->tree), std::move(opened->session));
-    return opened->has_camera;
+    RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common));
+    apply(flags.comparison, opened.session.marks);
+    document.open(std::move(opened.tree), std::move(opened.session));
+    return opened.has_camera;
 }
 
 // The window with all that is around the picture.
@@ -153,14 +150,12 @@ struct Inputs {
 Result<Inputs> read_inputs(const RenderFlags& flags) {
     Inputs inputs;
     if (!flags.camera.empty()) {
-        auto read = read_camera(flags.camera);
-        if (!read) return tl::unexpected(read.error());
-        inputs.camera = *read;
+        RAMUS_TRY(read, read_camera(flags.camera));
+        inputs.camera = read;
     }
     if (!flags.commands.empty()) {
-        auto read = read_script(flags.commands);
-        if (!read) return tl::unexpected(read.error());
-        inputs.script = std::move(*read);
+        RAMUS_TRY(read, read_script(flags.commands));
+        inputs.script = std::move(read);
     }
     if (!flags.output.empty())
         if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
@@ -172,11 +167,10 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
 // Pictures once around the tree, as files.
 Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheets, const render::Sheet& sheet,
                           bool keep_camera) {
-    const auto files = write_turntable(sheets, sheet, flags.figure, keep_camera, flags.output);
-    if (!files) return tl::unexpected(files.error());
-    say(flags.common, "wrote " + counted(files->size(), "picture", "pictures") + " from " + files->front().string());
+    RAMUS_TRY(files, write_turntable(sheets, sheet, flags.figure, keep_camera, flags.output));
+    say(flags.common, "wrote " + counted(files.size(), "picture", "pictures") + " from " + files.front().string());
     nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
-    for (const auto& file : *files) report["pictures"].push_back(file.string());
+    for (const auto& file : files) report["pictures"].push_back(file.string());
     if (flags.json) std::cout << report.dump(2) << '\n';
     return kDone;
 }
@@ -214,56 +208,50 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
 
 Result<int> run_render(const RenderFlags& flags) {
     // What can be wrong is found before the long work.
-    const auto inputs = read_inputs(flags);
-    if (!inputs) return tl::unexpected(inputs.error());
+    RAMUS_TRY(inputs, read_inputs(flags));
     Document document;
-    const auto has_camera = open_document(flags, document);
-    if (!has_camera) return tl::unexpected(has_camera.error());
+    RAMUS_TRY(has_camera, open_document(flags, document));
     Viewing viewing;
     viewing.size = flags.interface ? layout_of(flags.size, 1.0F, true).view_size : flags.size;
     viewing.transparent = flags.transparent;
     PictureStage stage(document, flags.common, viewing);
     if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
-    set_camera(document, *inputs, *has_camera, flags, stage);
+    set_camera(document, inputs, has_camera, flags, stage);
     const auto context = open_context(flags);
     if (!context) return tl::unexpected(context.error());
-    const auto renderer = render::Renderer::create(render::kGlassBytes, flags.graphics_bytes);
-    if (!renderer) return tl::unexpected(renderer.error());
-    stage.draw_with(**renderer);
-    const auto run = [&](ActionContext& where) { return run_script(where, inputs->script, flags.commands); };
+    RAMUS_TRY(renderer, render::Renderer::create(render::kGlassBytes, flags.graphics_bytes));
+    stage.draw_with(*renderer);
+    const auto run = [&](ActionContext& where) { return run_script(where, inputs.script, flags.commands); };
     ActionContext here{.document = document,
                        .picture = stage,
                        .assets = stage.assets,
                        .tell = [&](const std::string& line) { say(flags.common, line); }};
     if (auto ran = run_commands(here, flags, run); !ran) return tl::unexpected(ran.error());
 
-    auto sheet = stage.sheet();
-    if (!sheet) return tl::unexpected(sheet.error());
-    dress(*sheet, flags.figure);
+    RAMUS_TRY(sheet, stage.sheet());
+    dress(sheet, flags.figure);
     render::SheetRenderer& sheets = stage.sheet_renderer();
     if (flags.figure.turntable > 0)
-        return run_turntable(flags, sheets, *sheet, inputs->camera || (*has_camera && !flags.view_given));
+        return run_turntable(flags, sheets, sheet, inputs.camera || (has_camera && !flags.view_given));
     const Stopwatch watch;
-    const auto done = sheets.draw(*sheet);
-    if (!done) return tl::unexpected(done.error());
+    RAMUS_TRY(done, sheets.draw(sheet));
     render::SheetRenderer::finish();
     const double draw_seconds = watch.seconds();
     // A plain picture is the one that is there: drawing an equal frame again draws nothing.
     const auto compose_sized = [&](glm::ivec2 size) { return stage.sheet(size); };
-    auto image = flags.interface      ? draw_interface(flags, document, stage, **renderer, run)
-                 : flags.figure.sheet ? draw_four_views(sheets, compose_sized, flags.size, flags.figure)
-                                      : draw_figure(sheets, *sheet, flags.figure);
-    if (!image) return tl::unexpected(image.error());
+    RAMUS_TRY(image, flags.interface      ? draw_interface(flags, document, stage, *renderer, run)
+                     : flags.figure.sheet ? draw_four_views(sheets, compose_sized, flags.size, flags.figure)
+                                          : draw_figure(sheets, sheet, flags.figure));
 
     nlohmann::json report{
-        {"size", {image->width, image->height}}, {"triangles", done->triangles},
-        {"mesh_s", stage.surface().seconds},     {"draw_s", draw_seconds},
-        {"gl", description_of(flags.backend)},   {"camera", render::to_json(document.session().camera)}};
-    auto status = finish_picture(*image, flags, report);
+        {"size", {image.width, image.height}}, {"triangles", done.triangles},
+        {"mesh_s", stage.surface().seconds},   {"draw_s", draw_seconds},
+        {"gl", description_of(flags.backend)}, {"camera", render::to_json(document.session().camera)}};
+    auto status = finish_picture(image, flags, report);
     if (!status) return status;
     if (flags.benchmark > 0) {
         const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;
-        if (auto ran = run_turn_benchmark(sheets, *sheet, flags.benchmark, hurry, report); !ran)
+        if (auto ran = run_turn_benchmark(sheets, sheet, flags.benchmark, hurry, report); !ran)
             return tl::unexpected(ran.error());
         if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
     }

@@ -69,12 +69,11 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         Job job;
         const CancelOnInterrupt cancel(job);
         const ProgressBar bar(kind == mesh::Method::kIsosurface ? "isosurface" : "surface", job);
-        const auto surface = make_compared(tree, request, job);
-        if (!surface) return tl::unexpected(surface.error());
-        for (const std::string& note : surface->notes) say(flags.common, flags.mask + ": " + note);
-        if (kind == mesh::Method::kIsosurface) made.voxel_mm = surface->voxel_mm;
+        RAMUS_TRY(surface, make_compared(tree, request, job));
+        for (const std::string& note : surface.notes) say(flags.common, flags.mask + ": " + note);
+        if (kind == mesh::Method::kIsosurface) made.voxel_mm = surface.voxel_mm;
         const std::string title = kind == mesh::Method::kIsosurface ? "Isosurface of the mask" : title_of(kind, {});
-        made.all[index++] = {name, title, surface->mesh};
+        made.all[index++] = {name, title, surface.mesh};
     }
     return made;
 }
@@ -171,28 +170,25 @@ Result<int> run_study(const StudyFlags& flags) {
     if (error || !std::filesystem::is_directory(flags.folder))
         return fail("the folder cannot be made", flags.folder.string(), "give the name of a folder");
     if (auto can = io::check_output(flags.folder / "context.png"); !can) return tl::unexpected(can.error());
-    const auto tree = load_tree(flags.file, flags.common);
-    if (!tree) return tl::unexpected(tree.error());
-    const auto surfaces = make_surfaces(flags, *tree);
-    if (!surfaces) return tl::unexpected(surfaces.error());
+    RAMUS_TRY(tree, load_tree(flags.file, flags.common));
+    RAMUS_TRY(surfaces, make_surfaces(flags, tree));
     const auto context = render::make_headless_context(render::Backend::kOsMesa, std::nullopt);
     if (!context) return tl::unexpected(context.error());
-    const auto renderer = render::Renderer::create();
-    if (!renderer) return tl::unexpected(renderer.error());
+    RAMUS_TRY(renderer, render::Renderer::create());
 
-    Painter painter(**renderer, flags);
-    const Paged& smooth = surfaces->all[2].mesh;
+    Painter painter(*renderer, flags);
+    const Paged& smooth = surfaces.all[2].mesh;
     const render::Frame whole =
-        painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces->all[2].title);
+        painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
-    const std::vector<CloseUp> close_ups = choose(**renderer, whole, close_ups_of(*tree));
+    const std::vector<CloseUp> close_ups = choose(*renderer, whole, close_ups_of(tree));
     nlohmann::ordered_json report;
     report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
-    if (surfaces->voxel_mm > 0.0) report["voxel_mm"] = surfaces->voxel_mm;
+    if (surfaces.voxel_mm > 0.0) report["voxel_mm"] = surfaces.voxel_mm;
     report["places"] = nlohmann::json::array();
     for (std::size_t i = 0; i < close_ups.size(); ++i) {
         const render::Camera camera = close_to(close_ups[i], whole.camera);
-        for (const auto& [name, title, mesh] : surfaces->all) {
+        for (const auto& [name, title, mesh] : surfaces.all) {
             render::Frame frame = painter.frame(mesh, camera, title);
             frame.overlays.orientation_cube = false;
             if (auto done = painter.write(frame, "place_" + std::to_string(i + 1) + "_" + name); !done)

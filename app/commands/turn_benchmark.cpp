@@ -25,18 +25,16 @@ Result<double> difference_at_rest(render::SheetRenderer& renderer, render::Sheet
         if (auto done = renderer.draw(sheet); !done) return tl::unexpected(done.error());
         return renderer.read_image();
     };
-    const auto moving = drawn(render::Quality::kInteractive);
-    if (!moving) return tl::unexpected(moving.error());
+    RAMUS_TRY(moving, drawn(render::Quality::kInteractive));
     const std::vector<bool> there = renderer.read_covered();
-    const auto resting = drawn(render::Quality::kFull);
-    if (!resting) return tl::unexpected(resting.error());
+    RAMUS_TRY(resting, drawn(render::Quality::kFull));
     const std::vector<bool> here = renderer.read_covered();
     double sum = 0.0;
     std::size_t pixels = 0;
     for (std::size_t i = 0; i < here.size(); ++i) {
         if (!here[i] && !there[i]) continue;
         ++pixels;
-        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(moving->rgba[k] - resting->rgba[k]) / 3.0;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(moving.rgba[k] - resting.rgba[k]) / 3.0;
     }
     return sum / static_cast<double>(std::max<std::size_t>(pixels, 1));
 }
@@ -55,10 +53,9 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     const Stopwatch watch;
     for (int i = 0; i < frames; ++i) {
         look_from(sheet, camera_at(static_cast<double>(i + 1) / frames), quality);
-        const auto done = renderer.draw(sheet);
-        if (!done) return tl::unexpected(done.error());
-        triangles += done->triangles;
-        cones += done->cones;
+        RAMUS_TRY(done, renderer.draw(sheet));
+        triangles += done.triangles;
+        cones += done.cones;
         render::SheetRenderer::finish();
     }
     const double seconds = watch.seconds(), fps = frames / std::max(seconds, 1e-9);
@@ -72,9 +69,8 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     double difference = 0.0;
     constexpr int kCompared = 4;
     for (int i = 0; i < kCompared && hurry; ++i) {
-        const auto found = difference_at_rest(renderer, sheet, camera_at((i + 0.3) / kCompared));
-        if (!found) return tl::unexpected(found.error());
-        difference += *found / kCompared;
+        RAMUS_TRY(found, difference_at_rest(renderer, sheet, camera_at((i + 0.3) / kCompared)));
+        difference += found / kCompared;
     }
     report["difference"] = difference;
     return {};

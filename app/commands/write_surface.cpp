@@ -36,9 +36,8 @@ private:
 Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                                       std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
     Stopwatch watch;
-    auto file = io::SurfaceFile::create(output);
-    if (!file) return tl::unexpected(file.error());
-    CountingSink sink(**file);
+    RAMUS_TRY(file, io::SurfaceFile::create(output));
+    CountingSink sink(*file);
     Job job;
     const auto streamed = [&] {
         const CancelOnInterrupt cancel(job);
@@ -46,13 +45,13 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
         return mesh::stream_surface(tree, options, sink, job, hidden);
     }();
     if (job.cancelled()) return cancelled();
-    if (auto taken = (*file)->check(); !taken) return tl::unexpected(taken.error());
+    if (auto taken = file->check(); !taken) return tl::unexpected(taken.error());
     if (!streamed) return tl::unexpected(streamed.error());
-    WrittenSurface written{(*file)->vertex_count(), (*file)->triangle_count(), streamed->evaluations};
+    WrittenSurface written{file->vertex_count(), file->triangle_count(), streamed->evaluations};
     written.components = sink.components();
     written.streamed = true;
     written.mesh_s = watch.lap();
-    if (auto committed = (*file)->commit(); !committed) return tl::unexpected(committed.error());
+    if (auto committed = file->commit(); !committed) return tl::unexpected(committed.error());
     written.write_s = watch.lap();
     return written;
 }

@@ -66,9 +66,8 @@ public:
     Result<BranchFilter> parse() {
         BranchFilter filter;
         for (skip_blanks(); at_ < text_.size(); skip_blanks()) {
-            auto condition = next();
-            if (!condition) return tl::unexpected(condition.error());
-            filter.push_back(std::move(*condition));
+            RAMUS_TRY(condition, next());
+            filter.push_back(std::move(condition));
         }
         return filter;
     }

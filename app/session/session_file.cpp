@@ -72,9 +72,8 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("camera")) {
-            auto camera = render::camera_from_json(value["camera"], where);
-            if (!camera) return tl::unexpected(camera.error());
-            session.camera = *camera;
+            RAMUS_TRY(camera, render::camera_from_json(value["camera"], where));
+            session.camera = camera;
             saved.has_camera = true;
         }
         return saved;

@@ -127,9 +127,8 @@ Result<Snapshot> Slot::read() const {
         return broken;
     if (value["ramus_autosave"] != kVersion)
         return fail("another version of ramus wrote this recovery file", file_.string(), "open it with that one");
-    auto saved = session_from_json(value["session"], file_.parent_path(), file_.string());
-    if (!saved) return tl::unexpected(saved.error());
-    return Snapshot{std::move(saved->session), value["file"].get<std::string>(), value["changes"].get<std::size_t>(),
+    RAMUS_TRY(saved, session_from_json(value["session"], file_.parent_path(), file_.string()));
+    return Snapshot{std::move(saved.session), value["file"].get<std::string>(), value["changes"].get<std::size_t>(),
                     std::chrono::system_clock::time_point(std::chrono::seconds(value["saved"].get<std::int64_t>()))};
 }
 

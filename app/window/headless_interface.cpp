@@ -23,9 +23,8 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     } catch (const render::OutOfGraphicsMemory& error) {
         return fail(error.what(), {}, "give a smaller --size");
     }
-    auto viewer = Viewer::create(workspace, renderer, scale);
-    if (!viewer) return tl::unexpected(viewer.error());
-    (*viewer)->resize(size, scale);
+    RAMUS_TRY(viewer, Viewer::create(workspace, renderer, scale));
+    viewer->resize(size, scale);
     constexpr double kFrameSeconds = 0.2; // the clock goes on, so that a slow picture comes to rest in full
     double now = 0.0;
     const auto settle = [&] {
@@ -35,14 +34,14 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
-            (*viewer)->draw(now, target->framebuffer());
+            viewer->draw(now, target->framebuffer());
             now += kFrameSeconds;
-            if ((*viewer)->resting()) break;
+            if (viewer->resting()) break;
         }
     };
     settle();
     if (prepare)
-        if (auto done = prepare((*viewer)->actions()); !done) return tl::unexpected(done.error());
+        if (auto done = prepare(viewer->actions()); !done) return tl::unexpected(done.error());
     settle();
     return target->read_image();
 }

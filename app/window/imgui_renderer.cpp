@@ -53,10 +53,9 @@ void draw_list(const ImDrawList& list, const ImDrawData& data, glm::ivec2 size, 
 } // namespace
 
 Result<std::unique_ptr<ImguiRenderer>> ImguiRenderer::create() {
-    auto program = render::make_program("interface.vert", "interface.frag");
-    if (!program) return tl::unexpected(program.error());
+    RAMUS_TRY(program, render::make_program("interface.vert", "interface.frag"));
     std::unique_ptr<ImguiRenderer> renderer(new ImguiRenderer);
-    renderer->program_ = std::move(*program);
+    renderer->program_ = std::move(program);
     renderer->vertex_array_ = render::make_vertex_array();
     const auto attribute = [&](unsigned index, int size, unsigned type, bool normalised, std::size_t offset) {
         glEnableVertexArrayAttrib(renderer->vertex_array_, index);

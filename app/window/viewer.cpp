@@ -32,9 +32,8 @@ Result<std::unique_ptr<Viewer>> Viewer::create(Workspace& workspace, render::Ren
     map_keys(io);
     viewer->state_.scale = scale;
     if (!io.Fonts->IsBuilt() || theme::scale() != scale) theme::apply(scale);
-    auto imgui = ImguiRenderer::create();
-    if (!imgui) return tl::unexpected(imgui.error());
-    viewer->imgui_ = std::move(*imgui);
+    RAMUS_TRY(imgui, ImguiRenderer::create());
+    viewer->imgui_ = std::move(imgui);
     return viewer;
 }
 

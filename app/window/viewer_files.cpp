@@ -132,15 +132,14 @@ Result<RecoveryDialog::Entry*> ViewerFiles::recovery(int which) {
 }
 
 Result<void> ViewerFiles::recover(int which) {
-    const auto entry = recovery(std::max(which, 1));
-    if (!entry) return tl::unexpected(entry.error());
+    RAMUS_TRY(entry, recovery(std::max(which, 1)));
     state_.redraw();
     if (which == 0) {
         state_.interface.recovery.open = true;
         return {};
     }
-    if (!(*entry)->problem.empty()) return fail((*entry)->problem, (*entry)->slot.file().string());
-    when_saved([this, snapshot = (*entry)->snapshot, file = (*entry)->slot.file()] {
+    if (!entry->problem.empty()) return fail(entry->problem, entry->slot.file().string());
+    when_saved([this, snapshot = entry->snapshot, file = entry->slot.file()] {
         state_.interface.recovery.open = false;
         recovering_ = file;
         state_.workspace.recover(snapshot);
@@ -150,11 +149,10 @@ Result<void> ViewerFiles::recover(int which) {
 }
 
 Result<void> ViewerFiles::discard_recovery(int which) {
-    const auto entry = recovery(which);
-    if (!entry) return tl::unexpected(entry.error());
+    RAMUS_TRY(entry, recovery(which));
     RecoveryDialog& dialog = state_.interface.recovery;
-    if ((*entry)->slot.file() == recovering_) return fail("it is being recovered");
-    (*entry)->slot.remove();
+    if (entry->slot.file() == recovering_) return fail("it is being recovered");
+    entry->slot.remove();
     dialog.entries.erase(dialog.entries.begin() + (which - 1));
     dialog.open = dialog.open && !dialog.entries.empty();
     state_.redraw();

@@ -39,14 +39,12 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
                                             request.surface.options.threads};
     if (request.mask.empty()) {
         made.voxel_mm = request.voxel_mm > 0.0 ? request.voxel_mm : volume::sensible_voxel_mm(tree);
-        const auto voxels = volume::voxelised(tree, made.voxel_mm, options.memory_bytes);
-        if (!voxels) return tl::unexpected(voxels.error());
-        return volume::mask_surface(voxels->mask, voxels->to_patient, options, job);
+        RAMUS_TRY(voxels, volume::voxelised(tree, made.voxel_mm, options.memory_bytes));
+        return volume::mask_surface(voxels.mask, voxels.to_patient, options, job);
     }
-    auto read = io::read_volume(request.mask, {options.memory_bytes}, job);
-    if (!read) return tl::unexpected(read.error());
-    made.notes = read->notes;
-    auto surface = volume::isosurface(std::move(*read), {request.labels, std::nullopt}, options, job);
+    RAMUS_TRY(read, io::read_volume(request.mask, {options.memory_bytes}, job));
+    made.notes = read.notes;
+    auto surface = volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job);
     if (!surface && surface.error().where.empty()) surface.error().where = request.mask;
     return surface;
 }
@@ -88,34 +86,31 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
         const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
         mesh::TriangleMesh lines; // of nothing where all is hidden
         if (hidden.empty() || std::ranges::find(hidden, 0) != hidden.end()) {
-            auto surface = mesh::make_surface(tree, request.surface.options, job, hidden);
-            if (!surface) return tl::unexpected(surface.error());
-            lines = std::move(surface->mesh);
+            RAMUS_TRY(surface, mesh::make_surface(tree, request.surface.options, job, hidden));
+            lines = std::move(surface.mesh);
         }
         take_lines(std::move(lines), made);
         return made;
     }
     if (request.kind != mesh::Method::kIsosurface) {
-        auto ready = make_ready(tree, request.surface, job);
-        if (!ready) return tl::unexpected(ready.error());
-        made.mesh = std::move(ready->mesh);
+        RAMUS_TRY(ready, make_ready(tree, request.surface, job));
+        made.mesh = std::move(ready.mesh);
         return made;
     }
-    auto surface = isosurface_of(tree, request, made, job);
-    if (!surface) return tl::unexpected(surface.error());
+    RAMUS_TRY(surface, isosurface_of(tree, request, made, job));
     render::Box box, own;
     for (const tree::Point& point : tree.points) box.include(point.position);
-    for (const auto& position : surface->positions) own.include(glm::dvec3(position));
+    for (const auto& position : surface.positions) own.include(glm::dvec3(position));
     if (!own.empty() && apart(own, box))
         return fail("this mask lies elsewhere than the tree", request.mask,
                     "give the mask that the tree was made from");
     if (request.wire) {
-        take_lines(std::move(*surface), made);
+        take_lines(std::move(surface), made);
         return made;
     }
-    if (surface->triangles.size() > kManyTriangles)
-        made.preview = in_one_branch(mesh::coarse_mesh(*surface, kFluent), tree);
-    made.mesh = in_one_branch(std::move(*surface), tree);
+    if (surface.triangles.size() > kManyTriangles)
+        made.preview = in_one_branch(mesh::coarse_mesh(surface, kFluent), tree);
+    made.mesh = in_one_branch(std::move(surface), tree);
     return made;
 }
 

@@ -22,11 +22,10 @@ Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const 
     Session& session = loaded.session;
     auto tree = io::read_tree(session.tree.path, reading);
     if (!tree) return tl::unexpected(tree.error());
-    auto checksum = checksum_of(session.tree.path);
-    if (!checksum) return tl::unexpected(checksum.error());
+    RAMUS_TRY(checksum, checksum_of(session.tree.path));
     if (!where.empty())
-        if (auto fits = check_against(session, *tree, *checksum, where); !fits) return tl::unexpected(fits.error());
-    session.tree.checksum = *checksum;
+        if (auto fits = check_against(session, *tree, checksum, where); !fits) return tl::unexpected(fits.error());
+    session.tree.checksum = checksum;
     Assets& assets = loaded.assets;
     assets.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
     assets.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
@@ -43,9 +42,8 @@ Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const 
     constexpr double kRoughSpacing = 4.0; // radii
     const bool rough = assets.tree->segment_count() > kRoughFrom;
     if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
-    auto cones = make_ready(rough ? tree::thinned(*assets.tree, kRoughSpacing) : *assets.tree, request, job);
-    if (!cones) return tl::unexpected(cones.error());
-    loaded.cones = std::move(*cones);
+    RAMUS_TRY(cones, make_ready(rough ? tree::thinned(*assets.tree, kRoughSpacing) : *assets.tree, request, job));
+    loaded.cones = std::move(cones);
     loaded.cones.provisional = true;
     assets.centerlines = centerlines_of(*assets.tree, session.marks.options);
     return loaded;
@@ -64,11 +62,10 @@ Result<ReadySurface> first_surface(SurfaceMaker& maker, const SurfaceRequest& re
 Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, const io::ReadOptions& reading,
                         Job& job) {
     if (is_session_file(path)) {
-        auto saved = read_session(path);
-        if (!saved) return tl::unexpected(saved.error());
-        auto loaded = load_tree_of(std::move(saved->session), path.string(), reading, job);
+        RAMUS_TRY(saved, read_session(path));
+        auto loaded = load_tree_of(std::move(saved.session), path.string(), reading, job);
         if (!loaded) return loaded;
-        loaded->has_camera = saved->has_camera;
+        loaded->has_camera = saved.has_camera;
         loaded->session.marks.options.threads = like.options.threads; // the machine's business, not the session's
         loaded->session.marks.options.memory_bytes = like.options.memory_bytes;
         loaded->file = std::filesystem::absolute(path).lexically_normal();

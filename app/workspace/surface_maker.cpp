@@ -45,9 +45,8 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
     if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) {
         ready.mesh = paged({}, tree);
     } else {
-        const auto made = mesh::make_surface(tree, request.options, job, hidden);
-        if (!made) return tl::unexpected(made.error());
-        ready.mesh = paged(made->mesh, tree);
+        RAMUS_TRY(made, mesh::make_surface(tree, request.options, job, hidden));
+        ready.mesh = paged(made.mesh, tree);
     }
     ready.seconds = watch.seconds();
     return ready;
@@ -77,9 +76,8 @@ Result<ReadySurface> SurfaceMaker::next_cones(const SurfaceRequest& request, Job
     if (!cones || cones->mesh->triangle_count() < kPreviewFrom) return cones;
     SurfaceRequest rough = request;
     rough.options.detail = std::min(request.options.detail, kPreviewDetail);
-    const auto preview = make_ready(*tree_, rough, job);
-    if (!preview) return tl::unexpected(preview.error());
-    cones->preview = preview->mesh;
+    RAMUS_TRY(preview, make_ready(*tree_, rough, job));
+    cones->preview = preview.mesh;
     return cones;
 }
 

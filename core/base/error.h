@@ -27,3 +27,9 @@ inline tl::unexpected<Error> fail(std::string what, std::string where = {}, std:
 }
 
 } // namespace ramus
+
+// Declares `name`, the value of a Result, or returns its error from the function that this stands in.
+#define RAMUS_TRY(name, ...)                                                                                           \
+    auto name##_or_error = __VA_ARGS__;                                                                                \
+    if (!name##_or_error) return tl::unexpected(std::move(name##_or_error).error());                                   \
+    auto& name = *name##_or_error

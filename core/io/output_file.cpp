@@ -144,10 +144,9 @@ Result<void> OutputFile::commit() {
 }
 
 Result<void> write_file(const fs::path& target, std::string_view text) {
-    auto file = OutputFile::create(target);
-    if (!file) return tl::unexpected(file.error());
-    file->write(text);
-    return file->commit();
+    RAMUS_TRY(file, OutputFile::create(target));
+    file.write(text);
+    return file.commit();
 }
 
 void remove_unfinished_files() noexcept {

@@ -59,14 +59,12 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
     const Stopwatch watch;
     Surface surface;
     if (options.method == Method::kTruncatedCones) {
-        auto mesh = cones(without(prepare_tree(source, options), hidden), options.detail, job);
-        if (!mesh) return tl::unexpected(mesh.error());
-        surface.mesh = std::move(*mesh);
+        RAMUS_TRY(mesh, cones(without(prepare_tree(source, options), hidden), options.detail, job));
+        surface.mesh = std::move(mesh);
     } else {
         PolygonizeStatistics statistics;
-        auto mesh = polygonize(make_field(source, options, hidden), polygonize_options(options), job, &statistics);
-        if (!mesh) return tl::unexpected(mesh.error());
-        surface.mesh = std::move(*mesh);
+        RAMUS_TRY(mesh, polygonize(make_field(source, options, hidden), polygonize_options(options), job, &statistics));
+        surface.mesh = std::move(mesh);
         surface.statistics.evaluations = statistics.evaluations;
     }
     surface.statistics.seconds = watch.seconds();

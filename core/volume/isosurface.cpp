@@ -95,19 +95,18 @@ template <class Done>
 Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& selection,
                                       const IsosurfaceOptions& options, Job& job, const Done& done_with_values) {
     return run_with(options, [&]() -> Result<mesh::TriangleMesh> {
-        const auto mask = inside(volume, selection, JobRange(job, 0.0F, 0.3F));
-        if (!mask) return tl::unexpected(mask.error());
+        RAMUS_TRY(mask, inside(volume, selection, JobRange(job, 0.0F, 0.3F)));
         const JobRange rest(job, 0.3F, 1.0F);
         if (const auto isovalue = isovalue_of(volume, selection)) {
             return std::visit(
                 [&]<class T>(const SparseArray<T>& values) {
-                    return make(*mask, volume.to_patient, Interpolated<T>{volume, values.data(), *isovalue}, options,
+                    return make(mask, volume.to_patient, Interpolated<T>{volume, values.data(), *isovalue}, options,
                                 rest);
                 },
                 volume.voxels);
         }
         done_with_values();
-        return make(*mask, volume.to_patient, Midway{}, options, rest);
+        return make(mask, volume.to_patient, Midway{}, options, rest);
     });
 }
 

@@ -168,16 +168,13 @@ Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth
 
 Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader, std::string_view defines,
                              std::string_view geometry_shader) {
-    const auto vertex = compile(GL_VERTEX_SHADER, vertex_shader, defines);
-    if (!vertex) return tl::unexpected(vertex.error());
-    const auto geometry =
-        geometry_shader.empty() ? Result<CompiledShader>() : compile(GL_GEOMETRY_SHADER, geometry_shader, defines);
-    if (!geometry) return tl::unexpected(geometry.error());
-    const auto fragment = compile(GL_FRAGMENT_SHADER, fragment_shader, defines);
-    if (!fragment) return tl::unexpected(fragment.error());
+    RAMUS_TRY(vertex, compile(GL_VERTEX_SHADER, vertex_shader, defines));
+    RAMUS_TRY(geometry, geometry_shader.empty() ? Result<CompiledShader>()
+                                                : compile(GL_GEOMETRY_SHADER, geometry_shader, defines));
+    RAMUS_TRY(fragment, compile(GL_FRAGMENT_SHADER, fragment_shader, defines));
     Program program(glCreateProgram());
     const auto of_all = [&](auto call) {
-        for (const auto* made : {&*vertex, &*geometry, &*fragment})
+        for (const auto* made : {&vertex, &geometry, &fragment})
             if (made->shader != 0) call(program, made->shader);
     };
     of_all(glAttachShader);
@@ -188,15 +185,14 @@ Result<Program> make_program(std::string_view vertex_shader, std::string_view fr
     if (linked != GL_TRUE)
         return fail("shaders do not link: " + log_of(program, glGetProgramInfoLog), std::string(fragment_shader),
                     "update the graphics driver, or draw without it: ramus render (" + gl_description() + ")");
-    number_program(program, vertex->text, fragment->text);
+    number_program(program, vertex.text, fragment.text);
     return program;
 }
 
 Result<void> make_programs(std::initializer_list<ProgramSource> sources) {
     for (const ProgramSource& source : sources) {
-        auto made = make_program(source.vertex, source.fragment, source.defines, source.geometry);
-        if (!made) return tl::unexpected(made.error());
-        *source.to = std::move(*made);
+        RAMUS_TRY(made, make_program(source.vertex, source.fragment, source.defines, source.geometry));
+        *source.to = std::move(made);
     }
     return {};
 }

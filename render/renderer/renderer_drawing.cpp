@@ -276,8 +276,9 @@ Result<void> Renderer::Impl::begin_refinement() {
     card_.passes.begin(card_.targets.view);
     if (state_.stage() == PictureState::Stage::kFineInParts) {
         const Subject subject = subject_of(*last_, last_layers_);
-        const auto shaded = card_.passes.shade.draw(subject, card_.targets, ShadePass::Extent::kAll);
-        if (!shaded) return tl::unexpected(shaded.error());
+        if (auto shaded = card_.passes.shade.draw(subject, card_.targets, ShadePass::Extent::kAll); !shaded) {
+            return tl::unexpected(shaded.error());
+        }
     }
     refinement_ = std::make_unique<Refinement>(card_, *last_, last_layers_);
     state_.begin_refining();

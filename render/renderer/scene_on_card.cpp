@@ -34,12 +34,11 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
         frame.mesh = frame.preview = nullptr;
         return frame;
     }
-    const auto whole = fits(wanted);
-    if (!whole) return tl::unexpected(whole.error());
-    done.coarse = !*whole;
+    RAMUS_TRY(whole, fits(wanted));
+    done.coarse = !whole;
     std::size_t left = upload_budget;
     // Where both do not fit, the surface before gives way first.
-    const bool crowded = *whole && wanted.mesh && mesh_.shown() != wanted.mesh &&
+    const bool crowded = whole && wanted.mesh && mesh_.shown() != wanted.mesh &&
                          preview_.bytes() + mesh_.bytes() + GpuMesh::bytes_of(*wanted.mesh) > surface_bytes_;
     if (done.coarse || (crowded && mesh_.shown())) mesh_.follow(nullptr, left);
     preview_.follow(wanted.preview, left);

@@ -31,9 +31,8 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
     others_.resize(std::min(others_.size(), sheet.viewports.size() - 1));
     while (others_.size() + 1 < sheet.viewports.size()) {
-        auto made = Renderer::create(kGlassBytes, first_.surface_bytes());
-        if (!made) return tl::unexpected(made.error());
-        others_.push_back(std::move(*made));
+        RAMUS_TRY(made, Renderer::create(kGlassBytes, first_.surface_bytes()));
+        others_.push_back(std::move(made));
     }
     DrawStatistics sum;
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {

@@ -28,9 +28,8 @@ Result<glm::dvec3> vector_from(const nlohmann::json& json, const std::string& na
     if (!json.is_array() || json.size() != 3) return refuse(name + " is not a list of three numbers", where);
     glm::dvec3 result;
     for (int i = 0; i < 3; ++i) {
-        const auto value = number_from(json[static_cast<std::size_t>(i)], name, where);
-        if (!value) return tl::unexpected(value.error());
-        result[i] = *value;
+        RAMUS_TRY(value, number_from(json[static_cast<std::size_t>(i)], name, where));
+        result[i] = value;
     }
     return result;
 }

@@ -87,33 +87,28 @@ Result<const MeshFormat*> mesh_format(const std::filesystem::path& file) {
 
 Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes) {
     const std::string name = path.string();
-    const auto text = read_file(path, kMostMeshBytes);
-    if (!text) return tl::unexpected(text.error());
-    const MeshFormat* format = find_format(mesh_formats(), *text, path);
+    RAMUS_TRY(text, read_file(path, kMostMeshBytes));
+    const MeshFormat* format = find_format(mesh_formats(), text, path);
     if (format == nullptr || !is_read(*format))
         return fail("a mesh is a file of type " + readable_mesh_extensions(), name, "convert it to one of these");
-    if (text->empty()) return fail("the file is empty", name, "write it again");
-    const auto soup = format->parse(*text, name);
-    if (!soup) return tl::unexpected(soup.error());
-    auto loose = triangles_of(*soup, name);
-    if (!loose) return tl::unexpected(loose.error());
-    return holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(*loose), name)
-                                    : mesh::closed_mesh(std::move(*loose), name);
+    if (text.empty()) return fail("the file is empty", name, "write it again");
+    RAMUS_TRY(soup, format->parse(text, name));
+    RAMUS_TRY(loose, triangles_of(soup, name));
+    return holes == Holes::kAllowed ? mesh::tidy_mesh(std::move(loose), name)
+                                    : mesh::closed_mesh(std::move(loose), name);
 }
 
 Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& path) {
-    const auto format = mesh_format(path);
-    if (!format) return tl::unexpected(format.error());
+    RAMUS_TRY(format, mesh_format(path));
     if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile) return too_many_for_file(path);
-    auto file = OutputFile::create(path);
-    if (!file) return tl::unexpected(file.error());
+    RAMUS_TRY(file, OutputFile::create(path));
     const mesh::VertexSpan vertices = vertices_of(mesh);
-    file->write((*format)->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(),
-                                   !mesh.radii.empty(), !mesh.branches.empty()}));
-    for (const auto write : (*format)->vertices)
-        if (write != nullptr) write(vertices, *file);
-    (*format)->triangles(mesh.triangles, vertices, *file);
-    return file->commit();
+    file.write(format->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(), !mesh.radii.empty(),
+                              !mesh.branches.empty()}));
+    for (const auto write : format->vertices)
+        if (write != nullptr) write(vertices, file);
+    format->triangles(mesh.triangles, vertices, file);
+    return file.commit();
 }
 
 tl::unexpected<Error> too_many_for_file(const std::filesystem::path& path) {

@@ -22,16 +22,14 @@ template <class T, class Write> void for_blocks(TemporaryFile& file, const Write
 } // namespace
 
 Result<std::unique_ptr<SurfaceFile>> SurfaceFile::create(const std::filesystem::path& path) {
-    const auto format = mesh_format(path);
-    if (!format) return tl::unexpected(format.error());
+    RAMUS_TRY(format, mesh_format(path));
     if (auto possible = check_output(path); !possible) return tl::unexpected(possible.error());
     std::vector<TemporaryFile> parts;
-    while (parts.size() <= (*format)->vertices.size()) {
-        auto part = TemporaryFile::create(path);
-        if (!part) return tl::unexpected(part.error());
-        parts.push_back(std::move(*part));
+    while (parts.size() <= format->vertices.size()) {
+        RAMUS_TRY(part, TemporaryFile::create(path));
+        parts.push_back(std::move(part));
     }
-    return std::unique_ptr<SurfaceFile>(new SurfaceFile(path, **format, std::move(parts)));
+    return std::unique_ptr<SurfaceFile>(new SurfaceFile(path, *format, std::move(parts)));
 }
 
 SurfaceFile::SurfaceFile(std::filesystem::path path, const MeshFormat& format, std::vector<TemporaryFile> parts)
@@ -75,15 +73,14 @@ void SurfaceFile::write_text(OutputFile& file) {
 
 Result<void> SurfaceFile::commit() {
     if (auto taken = check(); !taken) return taken;
-    auto file = OutputFile::create(path_);
-    if (!file) return tl::unexpected(file.error());
-    file->write(format_.header(counts_));
+    RAMUS_TRY(file, OutputFile::create(path_));
+    file.write(format_.header(counts_));
     if (format_.is_text)
-        write_text(*file);
+        write_text(file);
     else
-        for (TemporaryFile& part : parts_) part.copy_to(*file);
+        for (TemporaryFile& part : parts_) part.copy_to(file);
     if (auto read = check(); !read) return read;
-    return file->commit();
+    return file.commit();
 }
 
 } // namespace ramus::io

@@ -91,10 +91,9 @@ Result<std::vector<Row>> rows_of(std::string_view text, const std::string& name)
         ++number;
         split_words(content.substr(0, content.find('#')), " \t\r\f\v,;", fields);
         if (fields.empty()) continue;
-        auto row = row_of(fields, content, name + ":" + std::to_string(number));
-        if (!row) return tl::unexpected(row.error());
-        row->line = number;
-        rows.push_back(*row);
+        RAMUS_TRY(row, row_of(fields, content, name + ":" + std::to_string(number)));
+        row.line = number;
+        rows.push_back(row);
     }
     if (rows.empty()) return fail("the file has no points, only comments or blank lines", name, "choose another file");
     return rows;
@@ -161,13 +160,11 @@ Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& nam
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     if (text.empty()) return fail("the file is empty", name, "choose another file");
     if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
-    auto rows = rows_of(text, name);
-    if (!rows) return tl::unexpected(rows.error());
-    const auto line_of = [&](std::uint32_t point) { return name + ":" + std::to_string((*rows)[point].line); };
-    auto graph = graph_of(*rows, line_of);
-    if (!graph) return tl::unexpected(graph.error());
-    if (rows->size() == 1) return fail("the tree has a single point", line_of(0), "a vessel needs two points at least");
-    return tree::build_tree(std::move(*graph), options.repair, line_of);
+    RAMUS_TRY(rows, rows_of(text, name));
+    const auto line_of = [&](std::uint32_t point) { return name + ":" + std::to_string(rows[point].line); };
+    RAMUS_TRY(graph, graph_of(rows, line_of));
+    if (rows.size() == 1) return fail("the tree has a single point", line_of(0), "a vessel needs two points at least");
+    return tree::build_tree(std::move(graph), options.repair, line_of);
 }
 
 } // namespace ramus::io

@@ -61,28 +61,27 @@ Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path
     std::vector<std::uint32_t> id(tree.points.size(), 0);
     for (std::uint32_t i = 0; i < order.size(); ++i) id[order[i]] = i + 1;
 
-    auto output = OutputFile::create(file);
-    if (!output) return tl::unexpected(output.error());
+    RAMUS_TRY(output, OutputFile::create(file));
     for (std::string comment : comments) {
         std::ranges::replace_if(
             comment, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-        output->write("# " + comment + "\n");
+        output.write("# " + comment + "\n");
     }
-    output->write("# id type x y z radius parent (mm, RAS)\n");
+    output.write("# id type x y z radius parent (mm, RAS)\n");
     for (const std::uint32_t point : order) {
         const tree::Point& at = tree.points[point];
-        output->write_number(id[point]);
-        output->write(" ");
-        output->write_number(tree.labels.empty() ? 0 : tree.labels[point]);
+        output.write_number(id[point]);
+        output.write(" ");
+        output.write_number(tree.labels.empty() ? 0 : tree.labels[point]);
         for (const double value : {at.position.x, at.position.y, at.position.z, at.radius}) {
-            output->write(" ");
-            output->write_number(value);
+            output.write(" ");
+            output.write_number(value);
         }
-        output->write(" ");
-        output->write_number(parents[point] == kRoot ? std::int64_t{-1} : std::int64_t{id[parents[point]]});
-        output->write("\n");
+        output.write(" ");
+        output.write_number(parents[point] == kRoot ? std::int64_t{-1} : std::int64_t{id[parents[point]]});
+        output.write("\n");
     }
-    return output->commit();
+    return output.commit();
 }
 
 } // namespace ramus::io

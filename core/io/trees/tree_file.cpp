@@ -23,11 +23,10 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
         return is_a_volume(name);
     }
     // What is wrong with the file itself comes before what is wrong with its name.
-    const auto text = read_file(path);
-    if (!text) return tl::unexpected(text.error());
-    const TreeFormat* format = find_format(tree_formats(), *text, path);
-    if (format != nullptr && is_read(*format)) return format->parse(*text, name, options);
-    if (find_format(volume_formats(), *text, path) != nullptr) return is_a_volume(name);
+    RAMUS_TRY(text, read_file(path));
+    const TreeFormat* format = find_format(tree_formats(), text, path);
+    if (format != nullptr && is_read(*format)) return format->parse(text, name, options);
+    if (find_format(volume_formats(), text, path) != nullptr) return is_a_volume(name);
     return fail("files of type '" + path.extension().string() + "' cannot be read", name,
                 "use " + readable_tree_extensions());
 }

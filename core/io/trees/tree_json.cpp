@@ -194,10 +194,9 @@ Result<tree::VesselTree> parse_tree_json(std::string_view text, const std::strin
     if (text.size() > kLargestFile)
         return fail("the file is larger than " + std::to_string(kLargestFile >> 20) + " MiB", name,
                     "choose a smaller file");
-    const auto document = parse(text, name);
-    if (!document) return tl::unexpected(document.error());
+    RAMUS_TRY(document, parse(text, name));
     try {
-        const Reader reader(*document, name);
+        const Reader reader(document, name);
         reader.check_header();
         std::vector<std::string> repairs = reader.repairs();
         auto tree = tree::build_tree(reader.graph(), options.repair, [&](std::uint32_t point) {
@@ -216,30 +215,29 @@ Result<tree::VesselTree> parse_tree_json(std::string_view text, const std::strin
 
 Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem::path& path,
                              const std::vector<std::string>& /*comments*/) {
-    auto file = OutputFile::create(path);
-    if (!file) return tl::unexpected(file.error());
-    file->write("{\n\"format\": \"" + std::string(kFormat) + "\",\n\"version\": " + std::to_string(kVersion) +
-                ",\n\"units\": \"mm\",\n\"orientation\": \"RAS\",\n");
-    if (!tree.source.empty()) file->write("\"source\": " + quoted(tree.source) + ",\n");
-    file->write("\"points\": ");
-    write_lines(tree.points, *file, [&](const tree::Point& point) {
+    RAMUS_TRY(file, OutputFile::create(path));
+    file.write("{\n\"format\": \"" + std::string(kFormat) + "\",\n\"version\": " + std::to_string(kVersion) +
+               ",\n\"units\": \"mm\",\n\"orientation\": \"RAS\",\n");
+    if (!tree.source.empty()) file.write("\"source\": " + quoted(tree.source) + ",\n");
+    file.write("\"points\": ");
+    write_lines(tree.points, file, [&](const tree::Point& point) {
         const glm::dvec3& p = point.position;
-        write_list(std::array{p.x, p.y, p.z, point.radius}, *file);
+        write_list(std::array{p.x, p.y, p.z, point.radius}, file);
     });
-    file->write("\n],\n");
+    file.write("\n],\n");
     if (!tree.labels.empty()) {
-        file->write("\"labels\": ");
-        write_list(tree.labels, *file);
-        file->write(",\n");
+        file.write("\"labels\": ");
+        write_list(tree.labels, file);
+        file.write(",\n");
     }
-    file->write("\"branches\": ");
-    write_lines(tree.branches, *file, [&](const tree::Branch& branch) { write_list(branch.points, *file); });
-    file->write("\n],\n\"roots\": ");
-    write_list(tree.roots, *file);
-    file->write(",\n\"repairs\": ");
-    write_lines(tree.repairs, *file, [&](const std::string& sentence) { file->write(quoted(sentence)); });
-    file->write("]\n}\n");
-    return file->commit();
+    file.write("\"branches\": ");
+    write_lines(tree.branches, file, [&](const tree::Branch& branch) { write_list(branch.points, file); });
+    file.write("\n],\n\"roots\": ");
+    write_list(tree.roots, file);
+    file.write(",\n\"repairs\": ");
+    write_lines(tree.repairs, file, [&](const std::string& sentence) { file.write(quoted(sentence)); });
+    file.write("]\n}\n");
+    return file.commit();
 }
 
 } // namespace ramus::io

@@ -57,9 +57,8 @@ Result<ByteSource> ByteSource::open(const std::filesystem::path& path) {
     ByteSource source(std::move(state), path.string());
     source.most_bytes_ = most_bytes_in(path);
     std::string head(kHeadBytes, '\0');
-    const auto got = source.read_some(head.data(), head.size());
-    if (!got) return tl::unexpected(got.error());
-    head.resize(*got);
+    RAMUS_TRY(got, source.read_some(head.data(), head.size()));
+    head.resize(got);
     source.head_ = std::move(head);
     if (source.head_.empty()) return fail("the file is empty", source.name_, "choose another file");
     return source;
@@ -79,9 +78,8 @@ Result<std::size_t> ByteSource::read_some(void* into, std::size_t bytes) {
 }
 
 Result<void> ByteSource::read(void* into, std::size_t bytes) {
-    const auto got = read_some(into, bytes);
-    if (!got) return tl::unexpected(got.error());
-    if (*got < bytes) return fail("the file ends before all that its header promises", name_, "copy or write it again");
+    RAMUS_TRY(got, read_some(into, bytes));
+    if (got < bytes) return fail("the file ends before all that its header promises", name_, "copy or write it again");
     return {};
 }
 
@@ -97,8 +95,7 @@ Result<void> ByteSource::skip(std::uint64_t bytes) {
 
 Result<void> ByteSource::check_end() {
     char more = 0;
-    const auto got = read_some(&more, 1);
-    if (!got) return tl::unexpected(got.error());
+    if (auto got = read_some(&more, 1); !got) return tl::unexpected(got.error());
     return {};
 }
 

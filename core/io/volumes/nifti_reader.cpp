@@ -114,10 +114,9 @@ Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
                 matrix[column][row] = header.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
         return matrix;
     }
-    const auto spacing = voxel_size(header, name);
-    if (!spacing) return tl::unexpected(spacing.error());
+    RAMUS_TRY(spacing, voxel_size(header, name));
     if (header.qform <= 0) {
-        for (int axis = 0; axis < 3; ++axis) matrix[axis][axis] = (*spacing)[axis];
+        for (int axis = 0; axis < 3; ++axis) matrix[axis][axis] = spacing[axis];
         return matrix;
     }
     const auto& [b, c, d] = header.quaternion;
@@ -125,8 +124,8 @@ Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
     if (!(b * b + c * c + d * d <= 1.0 + kRounding))
         return fail("the quaternion of its qform is no rotation", name, "write the file again, with an sform");
     const nifti_dmat44 rows =
-        nifti_quatern_to_dmat44(b, c, d, header.origin[0], header.origin[1], header.origin[2], spacing->x, spacing->y,
-                                spacing->z, header.pixdim[0] < 0.0 ? -1.0 : 1.0);
+        nifti_quatern_to_dmat44(b, c, d, header.origin[0], header.origin[1], header.origin[2], spacing.x, spacing.y,
+                                spacing.z, header.pixdim[0] < 0.0 ? -1.0 : 1.0);
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column) matrix[column][row] = rows.m[row][column];
     return matrix;
@@ -252,36 +251,31 @@ int nifti_version(std::string_view head) {
 
 Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& options, Job& job) {
     const std::string& name = source.name();
-    const auto header = parse_header(source.head(), name);
-    if (!header) return tl::unexpected(header.error());
-    if (header->magic[1] != '+')
+    RAMUS_TRY(header, parse_header(source.head(), name));
+    if (header.magic[1] != '+')
         return fail("this is half of a pair of files (.hdr and .img)", name,
                     "convert the pair to one .nii or .nii.gz file");
-    const auto size = size_of(*header, name);
-    if (!size) return tl::unexpected(size.error());
-    const auto type = type_of(*header, name);
-    if (!type) return tl::unexpected(type.error());
-    const auto affine = affine_of(*header, *size, name);
-    if (!affine) return tl::unexpected(affine.error());
-    const auto scaling = scaling_of(*header, name);
-    if (!scaling) return tl::unexpected(scaling.error());
+    RAMUS_TRY(size, size_of(header, name));
+    RAMUS_TRY(type, type_of(header, name));
+    RAMUS_TRY(affine, affine_of(header, size, name));
+    RAMUS_TRY(scaling, scaling_of(header, name));
     const double memory = memory_left(options.memory_bytes);
-    if (auto fits = check_claim(*size, *header, *type, source, memory); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_claim(size, header, type, source, memory); !fits) return tl::unexpected(fits.error());
 
-    volume::VoxelStore store(*size, memory, name);
+    volume::VoxelStore store(size, memory, name);
     const auto voxels =
-        static_cast<std::size_t>(size->x) * static_cast<std::size_t>(size->y) * static_cast<std::size_t>(size->z);
-    if (auto skipped = source.skip(static_cast<std::uint64_t>(header->offset)); !skipped)
+        static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+    if (auto skipped = source.skip(static_cast<std::uint64_t>(header.offset)); !skipped)
         return tl::unexpected(skipped.error());
-    if (auto read = type->read({source, *header, *scaling, voxels, job}, store); !read)
+    if (auto read = type.read({source, header, scaling, voxels, job}, store); !read)
         return tl::unexpected(read.error());
     volume::Volume volume;
     std::move(store).finish(volume);
-    volume.to_patient = *affine;
-    volume.type = "NIfTI-" + std::to_string(header->version) + ", " + type->name;
-    if (header->units != NIFTI_UNITS_MM && header->units != NIFTI_UNITS_METER && header->units != NIFTI_UNITS_MICRON)
+    volume.to_patient = affine;
+    volume.type = "NIfTI-" + std::to_string(header.version) + ", " + type.name;
+    if (header.units != NIFTI_UNITS_MM && header.units != NIFTI_UNITS_METER && header.units != NIFTI_UNITS_MICRON)
         volume.notes.emplace_back("the file names no unit of length: taken as mm");
-    if (header->sform <= 0 && header->qform <= 0)
+    if (header.sform <= 0 && header.qform <= 0)
         volume.notes.emplace_back(
             "the file does not say how the patient lies: axes taken as right, anterior, superior");
     return volume;

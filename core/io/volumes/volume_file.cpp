@@ -13,23 +13,22 @@ bool is_nrrd(std::string_view head) { return head.starts_with("NRRD0"); }
 bool is_meta_image(std::string_view head) { return head.starts_with("ObjectType") || head.starts_with("NDims"); }
 
 Result<volume::Volume> read_any(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
-    auto source = ByteSource::open(path);
-    if (!source) return tl::unexpected(source.error());
+    RAMUS_TRY(source, ByteSource::open(path));
     const std::string extensions = readable_volume_extensions();
-    const VolumeFormat* format = find_format(volume_formats(), source->head(), path);
+    const VolumeFormat* format = find_format(volume_formats(), source.head(), path);
     // A name alone does not make a volume that can be read.
-    if (format != nullptr && is_read(*format) && format->has_signature(source->head()))
-        return format->read(*source, options, job);
+    if (format != nullptr && is_read(*format) && format->has_signature(source.head()))
+        return format->read(source, options, job);
     if (format != nullptr && !is_read(*format) && format->has_signature == nullptr)
-        return fail("this is half of a " + std::string(format->name), source->name(),
+        return fail("this is half of a " + std::string(format->name), source.name(),
                     "convert the pair to one " + extensions + " file");
     if (format != nullptr && !is_read(*format))
-        return fail(std::string(format->name) + " volumes are not yet read", source->name(),
+        return fail(std::string(format->name) + " volumes are not yet read", source.name(),
                     "convert it to NIfTI (" + extensions + ")");
-    if (find_format(tree_formats(), source->head(), path) != nullptr)
-        return fail("this is a vessel tree, where a segmentation mask is needed", source->name(),
+    if (find_format(tree_formats(), source.head(), path) != nullptr)
+        return fail("this is a vessel tree, where a segmentation mask is needed", source.name(),
                     "name a NIfTI file (" + extensions + ")");
-    return fail("this is no NIfTI file, or it is damaged", source->name(), "name a segmentation mask as " + extensions);
+    return fail("this is no NIfTI file, or it is damaged", source.name(), "name a segmentation mask as " + extensions);
 }
 
 } // namespace

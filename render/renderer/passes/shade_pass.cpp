@@ -122,14 +122,12 @@ Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Ext
                              if_any(look.shadows, kShadows);
     const LookBlock block = look_of(subject.frame, targets.view, glass, records.any_selected);
     glNamedBufferSubData(look_block_, 0, sizeof block, &block);
-    const auto light = program(variant);
-    if (!light) return tl::unexpected(light.error());
+    RAMUS_TRY(light, program(variant));
     glBindBufferBase(GL_UNIFORM_BUFFER, kBlockLook, look_block_);
     if (glass && !gl_has_lists()) {
-        const auto of_layer = program(kGlass | kLayer | seen_through);
-        if (!of_layer) return tl::unexpected(of_layer.error());
+        RAMUS_TRY(of_layer, program(kGlass | kLayer | seen_through));
         bind(targets);
-        layers_.draw_all(subject, targets, **of_layer);
+        layers_.draw_all(subject, targets, *of_layer);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, targets.lit.framebuffer);
     if (!part) background_.draw();
@@ -139,15 +137,15 @@ Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Ext
     // An outline reaches beyond the surface it surrounds.
     const auto pixels = records.any_selected && !part ? Fullscreen::Pixels::kAll : Fullscreen::Pixels::kCovered;
     if (!glass || !gl_has_lists()) {
-        draw_rows(**light, targets, region, pixels);
+        draw_rows(*light, targets, region, pixels);
         return region;
     }
     const std::vector<Band>& bands = targets.lists.bands;
     for (const Band band : bands) {
         if (bands.size() > 1) lists_.draw_again(subject, targets, band);
         const int first = std::max(region.at.y, band.first), last = std::min(region.end().y, band.first + band.count);
-        bind_lists(**light, targets, band);
-        draw_rows(**light, targets, {{region.at.x, first}, {region.size.x, last - first}}, pixels);
+        bind_lists(*light, targets, band);
+        draw_rows(*light, targets, {{region.at.x, first}, {region.size.x, last - first}}, pixels);
     }
     return region;
 }
