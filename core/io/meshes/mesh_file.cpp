@@ -104,7 +104,7 @@ Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::p
     RAMUS_TRY(file, OutputFile::create(path));
     const mesh::VertexSpan vertices = vertices_of(mesh);
     file.write(format->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(), !mesh.radii.empty(),
-                              !mesh.branches.empty()}));
+                               !mesh.branches.empty()}));
     for (const auto write : format->vertices)
         if (write != nullptr) write(vertices, file);
     format->triangles(mesh.triangles, vertices, file);
