@@ -30,6 +30,10 @@ double memory_left(double asked) {
     return std::max(1.0, limit - process_memory());
 }
 
-void release_unused_memory() { (void)scalable_allocation_command(TBBMALLOC_CLEAN_ALL_BUFFERS, nullptr); }
+void release_unused_memory() {
+    // Before the allocator's first block the command reads a key of thread-local data that may be another library's.
+    scalable_free(scalable_malloc(1));
+    (void)scalable_allocation_command(TBBMALLOC_CLEAN_ALL_BUFFERS, nullptr);
+}
 
 } // namespace ramus
