@@ -3,6 +3,7 @@
 #include "app/commands/picture_flags.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
+#include "app/commands/suggestions.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
 
@@ -52,7 +53,7 @@ void add_window_flags(CLI::App& app, WindowOptions& window) {
 // A word that is no file and looks like none was meant as a command.
 bool meant_as_command(const std::string& word) {
     std::error_code ignored;
-    return word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
+    return !word.empty() && word.find_first_of("./") == std::string::npos && !std::filesystem::exists(word, ignored);
 }
 
 int run(int argc, char** argv) {
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
         "ramus");
     app.set_version_flag("--version", "ramus " RAMUS_VERSION);
     app.require_subcommand(0, 1);
+    app.failure_message(failure_text);
 
     Action chosen;
     WindowOptions window;
@@ -72,6 +74,12 @@ int run(int argc, char** argv) {
 
     for (const auto& subcommand : kSubcommands) subcommand(app, chosen);
 
+    // Said before anything is made of the options behind it, which belong to that command.
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (!first.starts_with("-") && !is_command(app, first) && meant_as_command(first)) {
+        complain(unknown_command(app, first));
+        return kWrongUsage;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -79,7 +87,7 @@ int run(int argc, char** argv) {
     }
     if (!chosen) {
         if (!window.files.empty() && meant_as_command(window.files.front())) {
-            complain(window.files.front() + ": neither a command nor a file; ramus --help lists the commands");
+            complain(unknown_command(app, window.files.front()));
             return kWrongUsage;
         }
         window.surface = window_flags.surface;

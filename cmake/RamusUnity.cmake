@@ -20,6 +20,10 @@ function(ramus_unity target)
       # Compiled once for each instruction set, by including itself.
       file(STRINGS ${source} simd LIMIT_COUNT 1 REGEX "HWY_TARGET_INCLUDE")
     endif()
+    if(RAMUS_FUZZ AND simd)
+      # Far from any file, and sanitizers take minutes over each.
+      set_property(SOURCE ${source} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
+    endif()
     if(options OR definitions OR simd OR NOT EXISTS ${source})
       set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
       continue()

@@ -1,6 +1,7 @@
 // From where the tree is looked at.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/picture/fit.h"
 #include "core/io/input_file.h"
 
 #include <cctype>
@@ -20,7 +21,8 @@ render::Camera fitted_to_picture(const ActionContext& context, const render::Cam
     const Marks& marks = context.document.marks();
     const auto visible =
         mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
-    return visible.empty() ? camera : render::fitted(camera, visible, context.picture.picture_size());
+    if (visible.empty()) return camera;
+    return with_room(render::fitted(camera, visible, context.picture.picture_size()), marks.comparison);
 }
 
 void move_camera(ActionContext& context, const render::Camera& camera) {

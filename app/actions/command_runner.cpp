@@ -3,6 +3,7 @@
 #include "app/actions/command_table.h"
 #include "app/session/marks_change.h"
 #include "app/session/numbers.h"
+#include "core/base/closest_word.h"
 
 #include <algorithm>
 #include <string>
@@ -33,12 +34,12 @@ std::string phrase_of(const Command& command, Arguments arguments, const MarksCh
     std::string words = command.name;
     std::ranges::replace(words, '-', ' ');
     const std::vector<int> restated = change.restated();
-    if (!restated.empty() || (change.selects() && !after.selection.empty())) {
+    if (!change.edits_tree() && (!restated.empty() || (change.selects() && !after.selection.empty()))) {
         // "hide 12 branches", but "select dependents: 12 branches".
         const std::string who = branches_phrase(restated.empty() ? after.selection : restated, after);
         return words + (words.find(' ') == std::string::npos ? " " : ": ") + who;
     }
-    if (change.selects()) return "select none";
+    if (change.selects() && !change.edits_tree()) return "select none";
     std::string given;
     for (const std::string& argument : arguments) given += " " + argument;
     std::ranges::replace(given, '\n', ' ');
@@ -76,7 +77,13 @@ Result<void> run_at_once(ActionContext& context, const Command& command, Argumen
 
 Result<const Command*> command_of(std::span<const std::string> words) {
     const Command* command = find_command(words[0]);
-    if (command == nullptr) return fail("there is no command \"" + words[0] + "\"", {}, "F1 in the window lists them");
+    if (command == nullptr) {
+        std::vector<std::string> names;
+        for (const Command& each : command_table()) names.push_back(each.name);
+        const std::string closest = closest_word(words[0], names);
+        return fail("there is no command \"" + words[0] + "\"", {},
+                    closest.empty() ? "F1 in the window lists them" : "did you mean " + closest + "?");
+    }
     if (command->arguments.empty() && words.size() > 1) return fail(command->name + " takes no arguments");
     return command;
 }
@@ -111,7 +118,8 @@ Result<void> CommandRunner::start(ActionContext& context, const Command& command
     RAMUS_TRY(outcome, act(context, command, arguments));
     auto* pending = std::get_if<Pending>(&outcome);
     if (pending == nullptr) return {};
-    pending_.push_back({&command, {arguments.begin(), arguments.end()}, std::move(*pending), context.document.tree()});
+    pending_.push_back(
+        {&command, {arguments.begin(), arguments.end()}, std::move(*pending), context.document.base_tree()});
     if (pending_.size() == 1) begin_work();
     return {};
 }
@@ -130,7 +138,7 @@ std::vector<Error> CommandRunner::update(ActionContext& context) {
     if (const std::string why = worker_.take_failure(); !why.empty() && !pending_.empty())
         worked_ = fail("the work was given up: " + why, pending_.front().pending.activity,
                        why == "std::bad_alloc" ? "there is not enough memory for it" : "");
-    const auto outdated = [&](const Waiting& waiting) { return waiting.tree != context.document.tree(); };
+    const auto outdated = [&](const Waiting& waiting) { return waiting.tree != context.document.base_tree(); };
     if (!pending_.empty() && outdated(pending_.front())) {
         worker_.cancel();
         worked_.reset();

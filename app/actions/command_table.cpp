@@ -15,15 +15,18 @@ std::vector<Command> make_table() {
     for (auto part : {
              file_commands,      //
              history_commands,   //
+             editing_commands,   //
              selection_commands, //
              relation_commands,  //
              lasso_commands,     //
              state_commands,     //
+             system_commands,    //
              glass_commands,     //
              surgery_commands,   //
              context_commands,   //
              measure_commands,   //
              report_commands,    //
+             reading_commands,   //
              camera_commands,    //
              travel_commands,    //
              depth_commands,     //

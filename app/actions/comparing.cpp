@@ -58,10 +58,17 @@ Result<void> compare_mask(ActionContext& context, Arguments arguments) {
     if (arguments.empty())
         return ask_for_file(context, FilePurpose::kMask,
                             fail("compare-mask needs a FILE here", {}, io::readable_volume_extensions()));
-    if (arguments.size() > 2)
-        return fail("compare-mask takes a file, and labels in it", {}, "put quotes around a name with blanks");
     Marks next = context.document.marks();
     next.comparison.labels.clear();
+    next.comparison.mask_units.clear();
+    if (arguments.size() > 2 && arguments[arguments.size() - 2] == "--units") {
+        if (!io::length_unit(arguments.back()))
+            return fail("\"" + arguments.back() + "\" is no unit of length", {}, "mm, um, cm or m");
+        next.comparison.mask_units = arguments.back();
+        arguments = arguments.first(arguments.size() - 2);
+    }
+    if (arguments.size() > 2)
+        return fail("compare-mask takes a file, labels in it, and --units", {}, "put quotes around a name with blanks");
     if (arguments[0] == "none" && arguments.size() == 1) {
         next.comparison.mask.clear();
         context.document.change(std::move(next));
@@ -69,7 +76,8 @@ Result<void> compare_mask(ActionContext& context, Arguments arguments) {
     }
     const std::filesystem::path path = std::filesystem::absolute(arguments[0]).lexically_normal();
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
+    if (!std::filesystem::is_regular_file(path, error) &&
+        !(std::filesystem::exists(path, error) && io::is_volume(path)))
         return fail("the mask cannot be read", path.string(), "check the name and its permissions");
     next.comparison.mask = path.string();
     if (arguments.size() == 2) {
@@ -117,7 +125,7 @@ std::vector<Command> compare_commands() {
         Command("compare-blend", "SHARE", "How much there is of the second surface where two are blended, from 0 to 1.",
                 compare_blend),
         Command(
-            "compare-mask", "[FILE [LABELS]|none]",
+            "compare-mask", "[FILE [LABELS] [--units UNIT]|none]",
             "The segmentation mask that the isosurface is of; none: the tree's own voxels. Without FILE, asks for one.",
             compare_mask),
         Command("skeleton", "[on|off]", "Draws centerlines, with rings of the radius, over the vessels.", skeleton)

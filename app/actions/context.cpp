@@ -4,6 +4,7 @@
 #include "app/assets/assets.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
+#include "core/io/trees/imported_tree.h"
 #include "render/scene/bounds.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace ramus::app::actions {
 
 namespace {
 
-constexpr const char* kUsage = "context FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]";
+constexpr const char* kUsage =
+    "context FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]";
 
 // Quiet, and well apart from vessels: an organ's brown, bone, and others that nothing in a body has.
 constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours{
@@ -44,12 +46,15 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
             item.wireframe = true;
         } else if (word == "--exact") {
             item.exact = true;
-        } else if (word == "--label" || word == "--colour" || word == "--opacity") {
+        } else if (word == "--label" || word == "--colour" || word == "--opacity" || word == "--units") {
             const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
             if (word == "--label") {
                 const auto label = label_in(value);
                 if (!label) return fail("--label takes a whole number other than 0", {}, kUsage);
                 item.label = *label;
+            } else if (word == "--units") {
+                if (!io::length_unit(value)) return fail("--units takes a unit of length: mm, um, cm or m", {}, kUsage);
+                item.units = value;
             } else if (word == "--colour") {
                 const auto colour = colour_in(value);
                 if (!colour)
@@ -95,11 +100,13 @@ Result<ContextItem> new_item(const Document& document, Arguments arguments) {
     return item;
 }
 
-Result<void> add_context(ActionContext& context, Arguments arguments, const mesh::TriangleMesh& mesh) {
+Result<void> add_context(ActionContext& context, Arguments arguments, const ContextShape& shape) {
+    const mesh::TriangleMesh& mesh = *shape.mesh;
     RAMUS_TRY(item, new_item(context.document, arguments));
     context.say(std::filesystem::path(item.file).filename().string() + ": " +
                 counted(mesh.triangles.size(), "triangle", "triangles") +
-                distance_text(mesh, *context.document.tree()));
+                distance_text(mesh, *context.document.tree()) +
+                (shape.suspicion.empty() ? "" : "; " + shape.suspicion));
     return edit(context, [&](Marks& marks) { marks.context.push_back(item); });
 }
 
@@ -116,7 +123,7 @@ Result<Outcome> context(ActionContext& context, Arguments arguments) {
                            return tl::unexpected(shape.error());
                        return [words, source, read = assets.context_shapes.at(source)](ActionContext& then) {
                            then.assets.put(source, read);
-                           return add_context(then, words, *(*read.value)->mesh);
+                           return add_context(then, words, **read.value);
                        };
                    }};
 }
@@ -195,7 +202,7 @@ bool has_context(const Document& document) { return !document.marks().context.em
 std::vector<Command> context_commands() {
     return {
         Command(
-            "context", "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact]]",
+            "context", "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]]",
             "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
             "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
             context)

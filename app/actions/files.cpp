@@ -111,6 +111,7 @@ std::vector<Command> file_commands() {
         Command("shot", "[FILE]", "Writes the picture as PNG.", shot)
             .in_menu("File", "Save picture", {"F12"})
             .when(has_tree),
+        export_command(),
         Command("quit", "", "Closes ramus.", quit).in_menu("File", "Quit", {"Ctrl+Q"}),
     };
 }

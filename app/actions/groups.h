@@ -8,14 +8,18 @@
 namespace ramus::app::actions {
 
 [[nodiscard]] std::vector<Command> file_commands();
+[[nodiscard]] Command export_command(); // one of file_commands()
 [[nodiscard]] std::vector<Command> history_commands();
+[[nodiscard]] std::vector<Command> editing_commands();
 [[nodiscard]] std::vector<Command> selection_commands();
 [[nodiscard]] std::vector<Command> relation_commands();
 [[nodiscard]] std::vector<Command> state_commands();
+[[nodiscard]] std::vector<Command> system_commands();
 [[nodiscard]] std::vector<Command> surgery_commands();
 [[nodiscard]] std::vector<Command> context_commands();
 [[nodiscard]] std::vector<Command> measure_commands();
 [[nodiscard]] std::vector<Command> report_commands();
+[[nodiscard]] std::vector<Command> reading_commands();
 [[nodiscard]] std::vector<Command> camera_commands();
 [[nodiscard]] std::vector<Command> colour_commands();
 [[nodiscard]] std::vector<Command> depth_commands();

@@ -16,15 +16,17 @@ namespace {
 struct Kind {
     std::string_view name;
     Table (*table)(const Document&, const Assets&);
-    bool (*there)(const Marks&, const Plan&); // what its rows are about
+    bool (*there)(const Document&, const Plan&); // what its rows are about
 };
 
 // In the order of what is written when no kind is named.
-constexpr std::array<Kind, 4> kKinds{
-    {{"cuts", cuts_table, [](const Marks& m, const Plan&) { return !m.cuts.empty(); }},
-     {"bands", bands_table, [](const Marks&, const Plan& p) { return !p.bands.empty(); }},
-     {"selection", selection_table, [](const Marks& m, const Plan&) { return !m.selection.empty(); }},
-     {"measurements", measurements_table, [](const Marks& m, const Plan&) { return !m.measurements.empty(); }}}};
+constexpr std::array<Kind, 5> kKinds{
+    {{"cuts", cuts_table, [](const Document& d, const Plan&) { return !d.marks().cuts.empty(); }},
+     {"bands", bands_table, [](const Document&, const Plan& p) { return !p.bands.empty(); }},
+     {"selection", selection_table, [](const Document& d, const Plan&) { return !d.marks().selection.empty(); }},
+     {"measurements", measurements_table,
+      [](const Document& d, const Plan&) { return !d.marks().measurements.empty(); }},
+     {"systems", systems_table, [](const Document& d, const Plan&) { return !d.tree()->systems.empty(); }}}};
 
 std::string now_text() {
     const std::time_t now = std::time(nullptr);
@@ -37,12 +39,12 @@ std::string now_text() {
 Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
     const Document& document = context.document;
     const Assets& assets = context.assets;
-    const auto there = [&](const Kind& kind) { return kind.there(document.marks(), *assets.plan); };
+    const auto there = [&](const Kind& kind) { return kind.there(document, *assets.plan); };
     const auto* kind =
         std::ranges::find_if(kKinds, [&](const Kind& k) { return wanted.empty() ? there(k) : k.name == wanted; });
     if (kind == kKinds.end())
         return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
-                              : fail("a report is of selection, cuts, bands or measurements");
+                              : fail("a report is of selection, cuts, bands, measurements or systems");
     if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
@@ -107,7 +109,7 @@ std::vector<Command> report_commands() {
     return {
         Command("report", "[FILE [KIND]]",
                 "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
-                "measurements, the first of cuts, bands, selection, measurements that there is unless told.",
+                "measurements, systems, the first of them that there is unless told.",
                 report)
             .in_menu("Plan", "Save report")
             .when(has_tree),

@@ -17,15 +17,16 @@ constexpr std::size_t kPreviewFrom = 80'000, kPreview = 40'000; // triangles; tu
 // Tuned on an organ whose slices are four times as thick as its pixels are wide.
 constexpr int kRelaxPasses = 60, kSmoothPasses = 2;
 
-Result<mesh::TriangleMesh> read_surface(const ContextSource& source, Job& job) {
-    if (!io::names_volume(source.file)) {
+Result<mesh::TriangleMesh> read_surface(const ContextSource& source, std::string& suspicion, Job& job) {
+    if (!io::is_volume(source.file)) {
         if (source.label != 0)
             return fail("a mesh has no labels", source.file,
                         "--label chooses one of a mask's: " + io::readable_volume_extensions());
         return io::read_mesh(source.file, io::Holes::kAllowed);
     }
-    auto volume = io::read_volume(source.file, {}, job);
+    auto volume = io::read_volume(source.file, {0.0, io::length_unit(source.units)}, job);
     if (!volume) return tl::unexpected(volume.error());
+    if (!volume->suspicions.empty()) suspicion = volume->suspicions.front();
     volume::Selection selection;
     if (source.label != 0) selection.labels = {source.label};
     const glm::dmat4 to_patient = volume->to_patient;
@@ -43,9 +44,9 @@ Result<mesh::TriangleMesh> read_surface(const ContextSource& source, Job& job) {
 
 Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& source, Job& job) {
     try {
-        auto mesh = read_surface(source, job);
-        if (!mesh) return tl::unexpected(mesh.error());
         ContextShape shape;
+        auto mesh = read_surface(source, shape.suspicion, job);
+        if (!mesh) return tl::unexpected(mesh.error());
         if (mesh->triangles.size() > kPreviewFrom)
             shape.preview = std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(*mesh, kPreview));
         shape.mesh = std::make_shared<const mesh::TriangleMesh>(std::move(*mesh));
@@ -73,7 +74,7 @@ Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loade
     return loaded;
 }
 
-bool can_be_context(const std::string& file) { return io::names_mesh(file) || io::names_volume(file); }
+bool can_be_context(const std::string& file) { return io::names_mesh(file) || io::is_volume(file); }
 
 std::string context_extensions() {
     std::vector<std::string_view> words = io::readable_extensions(io::volume_formats());

@@ -36,7 +36,8 @@ template <class T, class Read>
                                         Read read) {
     std::error_code error;
     FileStamp stamp{std::filesystem::last_write_time(file, error), 0};
-    if (!error) stamp.bytes = std::filesystem::file_size(file, error);
+    // A folder of slices has no size.
+    if (!error && !std::filesystem::is_directory(file)) stamp.bytes = std::filesystem::file_size(file, error);
     if (error)
         return {{},
                 fail(std::string(what) + " cannot be read: " + error.message(), file.string(),
@@ -60,15 +61,18 @@ struct ContextSource {
     std::string file;
     int label = 0;
     bool exact = false;                                     // of a mask: with the steps of its voxels
+    std::string units = {};                                 // of a mask's lengths; empty: as its file says
     auto operator<=>(const ContextSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
 [[nodiscard]] inline ContextSource source_of(const ContextItem& item) {
-    return {item.file, item.label, item.exact || item.wireframe}; // who looks at triangles wants the true ones
+    return {item.file, item.label, item.exact || item.wireframe,
+            item.units}; // who looks at triangles wants the true ones
 }
 
 struct ContextShape {
     std::shared_ptr<const mesh::TriangleMesh> mesh;
     std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh has few
+    std::string suspicion;                             // of a mask: that its unit is likely another; may be empty
 };
 
 // The mesh in this file, or the surface of the mask in it by marching cubes, relaxed within its voxels
@@ -78,7 +82,7 @@ struct ContextShape {
 [[nodiscard]] Loaded<ContextShape> read_context_shape(const ContextSource& source, const Loaded<ContextShape>* before,
                                                       Job& job);
 
-// By the ending of its name: a mask or a mesh.
+// By its name, or its content: a mask or a mesh.
 [[nodiscard]] bool can_be_context(const std::string& file);
 [[nodiscard]] std::string context_extensions(); // ".nii, .nii.gz, .ply, .stl or .obj"
 

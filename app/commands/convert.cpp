@@ -1,9 +1,12 @@
-// ramus convert FILE -o FILE: a vessel tree in another format.
+// ramus convert FILE -o FILE: a vessel tree in another format, with the edits of a session.
 #include "app/commands/inputs.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
+#include "app/session/systems.h"
 #include "core/io/trees/tree_file.h"
+#include "core/tree/part_of_tree.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace ramus::app {
@@ -12,17 +15,25 @@ namespace {
 
 struct ConvertFlags {
     SurfaceFlags surface;
-    std::string file;
+    std::string file, session;
     std::string output;
 };
 
 Result<int> run_convert(const ConvertFlags& flags) {
     if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
-    RAMUS_TRY(tree, load_tree(flags.file, flags.surface));
+    if (flags.file.empty() && flags.session.empty())
+        return fail("there is no tree to convert", {}, "give a FILE, or --session SESSION");
+    RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
+    const Marks& marks = opened.session.marks;
+    RAMUS_TRY(chosen, branches_of(*opened.tree, marks, flags.surface.systems, opened.session.tree.path.string()));
+    const bool whole = std::ranges::find(chosen, 0) == chosen.end();
+    const tree::VesselTree tree = with_systems(whole ? *opened.tree : tree::part_of(*opened.tree, chosen), marks);
     std::vector<std::string> comments = {"written by ramus " RAMUS_VERSION};
     if (!tree.source.empty()) comments.push_back("source: " + tree.source);
     // SWC has no other place for them, and nobody shall take mended points for measured ones.
-    for (const std::string& sentence : tree.repairs) comments.push_back("repaired: " + sentence);
+    for (const std::string& sentence : sentences(tree, tree::Note::Kind::kRepaired))
+        comments.push_back("repaired: " + sentence);
+    for (const tree::Edit& edit : marks.edits) comments.push_back("edited: " + sentence(edit));
     if (auto written = io::write_tree(tree, flags.output, comments); !written) return tl::unexpected(written.error());
     return kDone;
 }
@@ -33,11 +44,16 @@ void register_convert(CLI::App& app, Action& chosen) {
     CLI::App* command =
         add_command(app, "convert", "Write a vessel tree in another format: " + io::writable_tree_extensions());
     const auto flags = std::make_shared<ConvertFlags>();
-    add_option(*command, "FILE", "", flags->file, "Vessel tree to read")->required();
+    add_option(*command, "FILE", "", flags->file, "Vessel tree to read; without it, that of the session");
+    add_option(*command, "--session", "SESSION", flags->session,
+               "Make the edits of this session: joined, cut and deleted branches, roots, radii; its systems' names and "
+               "colours");
     add_option(*command, "-o,--output", "FILE", flags->output,
                "Vessel tree to write: " + io::writable_tree_extensions())
         ->required();
-    add_reading_flags(*command, flags->surface);
+    flags->surface.command = command;
+    add_source_flags(*command, flags->surface);
+    add_system_flag(*command, flags->surface);
     command->callback([flags, &chosen] { chosen = [flags] { return run_convert(*flags); }; });
 }
 

@@ -5,11 +5,13 @@
 #include "app/commands/surface_flags.h"
 #include "app/session/numbers.h"
 #include "app/session/quantity.h"
+#include "app/session/systems.h"
 #include "core/base/error.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/measure/tree_measure.h"
 #include "core/volume/label_counts.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -40,6 +42,12 @@ Figures figures_of(const volume::Volume& volume) {
     return figures;
 }
 
+// Empty: the file names none.
+std::string name_of_label(const volume::Volume& volume, std::int32_t label) {
+    const auto found = std::ranges::find(volume.label_names, label, &volume::LabelName::label);
+    return found == volume.label_names.end() ? std::string() : found->name;
+}
+
 ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 void print_json(const volume::Volume& volume, const Figures& figures) {
@@ -48,11 +56,14 @@ void print_json(const volume::Volume& volume, const Figures& figures) {
     for (int row = 0; row < 3; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
     ordered_json labels = ordered_json::array();
     if (figures.labels.size() <= kMostLabels)
-        for (const auto& [label, voxels] : figures.labels)
+        for (const auto& [label, voxels] : figures.labels) {
             labels.push_back(
                 {{"label", label}, {"voxels", voxels}, {"volume_ml", static_cast<double>(voxels) * figures.voxel_ml}});
+            if (const std::string name = name_of_label(volume, label); !name.empty()) labels.back()["name"] = name;
+        }
     ordered_json report = {{"size", {volume.size.x, volume.size.y, volume.size.z}},
                            {"spacing_mm", list_of(volume::spacing_mm(m))},
+                           {"origin_mm", list_of(glm::dvec3(m[3]))},
                            {"orientation", volume::orientation(m)},
                            {"to_patient", rows},
                            {"type", volume.type},
@@ -64,7 +75,9 @@ void print_json(const volume::Volume& volume, const Figures& figures) {
                             {"voxels", *figures.inside},
                             {"volume_ml", static_cast<double>(*figures.inside) * figures.voxel_ml}};
     report["notes"] = volume.notes;
-    std::cout << report.dump(2) << '\n';
+    report["suspicions"] = volume.suspicions;
+    // Names in files may hold bytes that are not UTF-8.
+    std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
 void print_text(const std::string& file, const volume::Volume& volume, const Figures& figures) {
@@ -80,6 +93,8 @@ void print_text(const std::string& file, const volume::Volume& volume, const Fig
     line("size", std::to_string(volume.size.x) + " x " + std::to_string(volume.size.y) + " x " +
                      std::to_string(volume.size.z) + " voxels");
     line("spacing", rounded(spacing.x) + " x " + rounded(spacing.y) + " x " + rounded(spacing.z) + " mm");
+    const glm::dvec3 origin = glm::dvec3(volume.to_patient[3]) + 0.0; // no negative zeros
+    line("origin", rounded(origin.x) + ", " + rounded(origin.y) + ", " + rounded(origin.z) + " mm (RAS)");
     line("orientation", volume::orientation(volume.to_patient) + " (where its axes lead)");
     line("type", volume.type);
     line("values", rounded(volume.minimum) + " to " + rounded(volume.maximum));
@@ -87,8 +102,12 @@ void print_text(const std::string& file, const volume::Volume& volume, const Fig
     if (figures.labels.size() > kMostLabels)
         line("labels", "none: " + grouped(figures.labels.size()) + " different values");
     else
-        for (const auto& [label, voxels] : figures.labels) line("label " + std::to_string(label), amount(voxels));
+        for (const auto& [label, voxels] : figures.labels) {
+            const std::string name = name_of_label(volume, label);
+            line("label " + std::to_string(label), amount(voxels) + (name.empty() ? "" : ", " + name));
+        }
     for (const std::string& note : volume.notes) line("note", note);
+    for (const std::string& suspicion : volume.suspicions) line("suspicion", suspicion);
 }
 
 // Prints size, spacing, orientation, type and labels with their volumes of a mask or scan; as one JSON object if
@@ -130,12 +149,48 @@ ordered_json branch_list(const tree::VesselTree& tree, const TreeFacts& facts) {
             {"id", id},
             {"parent", branch.parent == tree::kNoBranch ? ordered_json() : ordered_json(branch.parent)},
             {"children", branch.children}};
+        if (!tree.systems.empty()) entry["system"] = system_name(tree.systems, branch.system);
         for (const QuantityRow* row : rows_with(&QuantityRow::info))
             entry[std::string(row->info.json)] = quantity_json(*row, tree, facts, static_cast<int>(id));
         entry["first"] = point_json(tree.points[branch.points.front()]);
         entry["last"] = point_json(tree.points[branch.points.back()]);
         list.push_back(std::move(entry));
     }
+    return list;
+}
+
+std::vector<std::string> names_of(const std::vector<tree::System>& systems) {
+    std::vector<std::string> names;
+    for (const tree::System& system : systems) names.push_back(system.name);
+    return names;
+}
+
+ordered_json system_list(const tree::VesselTree& tree) {
+    ordered_json list = ordered_json::array();
+    const std::vector<SystemFacts> facts = system_facts(tree, facts_of(tree), {});
+    for (std::size_t i = 0; i < facts.size(); ++i)
+        list.push_back({{"name", tree.systems[i].name},
+                        {"colour", colour_text(tree.systems[i].colour)},
+                        {"branches", facts[i].branches},
+                        {"length_mm", facts[i].length_mm},
+                        {"volume_mm3", facts[i].volume_mm3}});
+    return list;
+}
+
+ordered_json notes_json(const tree::VesselTree& tree) {
+    ordered_json notes = ordered_json::array();
+    for (const tree::Note& note : tree.notes) {
+        notes.push_back({{"kind", tree::name_of(note.kind)}, {"topic", note.topic}, {"text", note.text}});
+        if (note.at) notes.back()["at"] = list_of(*note.at);
+    }
+    return notes;
+}
+
+// "114 loops, 2 radius-jumps"
+std::string topics_of(const std::vector<tree::NoteGroup>& groups, tree::Note::Kind kind) {
+    std::string list;
+    for (const tree::NoteGroup& group : groups)
+        if (group.kind == kind) list += (list.empty() ? "" : ", ") + grouped(group.notes.size()) + " " + group.topic;
     return list;
 }
 
@@ -148,10 +203,23 @@ void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& sta
                            {"volume_mm3", statistics.volume_mm3},
                            {"radius_mm", range_json(statistics.radius_mm)},
                            {"generations", statistics.generations},
-                           {"repairs", tree.repairs}};
+                           {"repairs", sentences(tree, tree::Note::Kind::kRepaired)},
+                           {"assumptions", sentences(tree, tree::Note::Kind::kAssumed)},
+                           {"suspicions", sentences(tree, tree::Note::Kind::kSuspect)},
+                           {"notes", notes_json(tree)},
+                           {"systems", names_of(tree.systems)}};
+    if (!tree.systems.empty()) report["system_list"] = system_list(tree);
     if (branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     // File names in repairs may hold bytes that are not UTF-8.
     std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
+// Of its column; 0 where there are none.
+std::size_t system_width(const tree::VesselTree& tree) {
+    std::size_t widest = 0;
+    for (int system = 0; system < static_cast<int>(tree.systems.size()); ++system)
+        widest = std::max({widest, std::string_view("system").size(), system_name(tree.systems, system).size()});
+    return widest == 0 ? 0 : widest + 2;
 }
 
 void print_branches(const tree::VesselTree& tree) {
@@ -162,6 +230,8 @@ void print_branches(const tree::VesselTree& tree) {
     std::cout << '\n';
     cell(8, "branch");
     cell(8, "parent");
+    const std::size_t widest = system_width(tree);
+    if (widest > 0) cell(static_cast<int>(widest), "system");
     for (const QuantityRow* row : columns) {
         cell(row->info.width, row->info.heading);
         if (row->least != nullptr) cell(kRange, "min"), cell(kRange, "max");
@@ -171,6 +241,9 @@ void print_branches(const tree::VesselTree& tree) {
         const int parent = tree.branches[static_cast<std::size_t>(id)].parent;
         cell(8, std::to_string(id));
         cell(8, parent == tree::kNoBranch ? "-" : std::to_string(parent));
+        if (widest > 0)
+            cell(static_cast<int>(widest),
+                 system_name(tree.systems, tree.branches[static_cast<std::size_t>(id)].system));
         for (const QuantityRow* row : columns) {
             const double value = row->value(tree, facts, id);
             cell(row->info.width, row->whole ? std::to_string(static_cast<int>(value)) : rounded(value));
@@ -180,6 +253,16 @@ void print_branches(const tree::VesselTree& tree) {
         }
         std::cout << '\n';
     }
+}
+
+void print_systems(const tree::VesselTree& tree) {
+    if (tree.systems.empty()) return;
+    const std::vector<SystemFacts> facts = system_facts(tree, facts_of(tree), {});
+    std::cout << std::left << std::setw(14) << "systems" << std::right << facts.size() << '\n';
+    for (std::size_t i = 0; i < facts.size(); ++i)
+        std::cout << "  " << system_name(tree.systems, static_cast<int>(i)) << ": "
+                  << counted(static_cast<std::uint64_t>(facts[i].branches), "branch", "branches") << ", "
+                  << rounded(facts[i].length_mm) << " mm, " << colour_text(tree.systems[i].colour) << '\n';
 }
 
 void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
@@ -198,13 +281,20 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
     line("volume", rounded(statistics.volume_mm3) + " mm3");
     line("radius", rounded(statistics.radius_mm.min) + " to " + rounded(statistics.radius_mm.max) + " mm, mean " +
                        rounded(statistics.radius_mm.mean) + " mm");
-    line("repairs", tree.repairs.empty() ? "none" : grouped(tree.repairs.size()));
-    for (const std::string& sentence : tree.repairs) std::cout << "  " << sentence << '\n';
+    const std::vector<tree::NoteGroup> groups = note_groups(tree);
+    for (const auto& [kind, heading] :
+         {std::pair(tree::Note::Kind::kRepaired, "repairs"), std::pair(tree::Note::Kind::kAssumed, "assumptions"),
+          std::pair(tree::Note::Kind::kSuspect, "suspicions")}) {
+        const std::vector<std::string> found = sentences(tree, kind);
+        line(heading, found.empty() ? "none" : grouped(found.size()) + " (" + topics_of(groups, kind) + ")");
+        for (const std::string& sentence : found) std::cout << "  " << sentence << '\n';
+    }
+    print_systems(tree);
     if (flags.branches) print_branches(tree);
 }
 
 Result<int> run_info(const InfoFlags& flags) {
-    if (io::names_volume(flags.file)) {
+    if (io::is_volume(flags.file)) {
         if (flags.branches)
             return fail("a volume has no branches", flags.file, "leave out --branches, or name a vessel tree");
         return run_volume_info(flags.file, flags.surface, flags.json);

@@ -3,6 +3,9 @@
 #include "app/commands/progress.h"
 #include "app/session/numbers.h"
 #include "app/session/session_file.h"
+#include "app/session/systems.h"
+#include "app/session/tree_edits.h"
+#include "app/storage/tree_source.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <cstdio>
@@ -13,15 +16,32 @@
 namespace ramus::app {
 
 Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& flags) {
-    auto tree = io::read_tree(file, flags.read);
+    return load_tree(file, flags, flags.read);
+}
+
+Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& flags, const io::ReadOptions& reading) {
+    Job job;
+    auto tree = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("reading", job);
+        return read_tree_or_mask(file, reading, static_cast<double>(flags.surface.memory_bytes), job);
+    }();
+    if (job.cancelled()) return fail("cancelled");
     if (!tree) return tree;
     // A file that needs many repairs shall not drown what else is said.
     constexpr std::size_t kShown = 5;
-    const std::size_t shown = flags.verbose ? tree->repairs.size() : std::min(kShown, tree->repairs.size());
-    for (std::size_t i = 0; i < shown; ++i) std::cerr << "ramus: repaired: " << tree->repairs[i] << '\n';
-    if (shown < tree->repairs.size())
-        std::cerr << "ramus: repaired: " << grouped(tree->repairs.size() - shown)
-                  << " more places (ramus info lists them)\n";
+    const std::vector<std::string> repairs = sentences(*tree, tree::Note::Kind::kRepaired);
+    const std::size_t shown = flags.verbose ? repairs.size() : std::min(kShown, repairs.size());
+    for (std::size_t i = 0; i < shown; ++i) std::cerr << "ramus: repaired: " << repairs[i] << '\n';
+    if (shown < repairs.size())
+        std::cerr << "ramus: repaired: " << grouped(repairs.size() - shown) << " more places (ramus info lists them)\n";
+    for (const tree::Note& note : tree->notes) {
+        // A suspicion about the whole tree is worth a line; those of single points wait for ramus info.
+        if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units")
+            std::cerr << "ramus: " << note.text << '\n';
+        else if (note.kind == tree::Note::Kind::kAssumed)
+            say(flags, "assumed: " + note.text);
+    }
     say(flags, file + ": " + counted(tree->points.size(), "point", "points") + ", " +
                    counted(tree->segment_count(), "segment", "segments") + ", " +
                    counted(tree->branches.size(), "branch", "branches"));
@@ -37,7 +57,7 @@ Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& 
     auto read = [&] {
         const CancelOnInterrupt cancel(job);
         const ProgressBar bar("reading", job);
-        return io::read_volume(file, {static_cast<double>(flags.surface.memory_bytes)}, job);
+        return io::read_volume(file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit}, job);
     }();
     if (job.cancelled()) return fail("cancelled");
     if (!read) return read;
@@ -47,25 +67,65 @@ Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& 
     return read;
 }
 
+void warn_about(const std::string& file, const volume::Volume& volume) {
+    for (const std::string& suspicion : volume.suspicions) std::cerr << "ramus: " << file << ": " << suspicion << '\n';
+}
+
+Result<std::vector<std::uint8_t>> branches_of(const tree::VesselTree& tree, const Marks& marks,
+                                              const std::vector<std::string>& systems, const std::string& where) {
+    std::vector<std::uint8_t> chosen(tree.branches.size(), systems.empty() ? 1 : 0);
+    for (const std::string& word : systems) {
+        const auto system = find_system(systems_of(tree, marks), word);
+        if (!system) return fail(system.error().what, where, system.error().hint);
+        for (const int branch : branches_in_system(tree, *system)) chosen[static_cast<std::size_t>(branch)] = 1;
+    }
+    if (std::ranges::find(chosen, 1) == chosen.end()) return fail("what --system names has no branches", where);
+    return chosen;
+}
+
+namespace {
+
+// Hides all that is not of these systems; what the session hides of them stays hidden.
+Result<void> show_only(Marks& marks, const tree::VesselTree& tree, const std::vector<std::string>& systems,
+                       const std::string& where) {
+    RAMUS_TRY(chosen, branches_of(tree, marks, systems, where));
+    std::vector<int> others;
+    for (std::size_t branch = 0; branch < chosen.size(); ++branch)
+        if (chosen[branch] == 0) others.push_back(static_cast<int>(branch));
+    set_state(marks, others, render::BranchState::kHidden);
+    return {};
+}
+
+} // namespace
+
 Result<OpenedSession> open_session(const std::string& tree_file, const std::string& session_file,
                                    const SurfaceFlags& flags) {
     SavedSession saved;
     if (session_file.empty()) {
         saved.session.marks.options = flags.surface;
+        saved.session.marks.reading = flags.read;
     } else {
         RAMUS_TRY(read, read_session(session_file));
         saved = std::move(read);
         saved.session.marks.options = flags.over(saved.session.marks.options);
+        saved.session.marks.reading = flags.over(saved.session.marks.reading);
     }
-    OpenedSession opened{std::move(saved.session), nullptr, saved.has_camera};
+    OpenedSession opened{std::move(saved.session), nullptr, nullptr, saved.has_camera};
     if (!tree_file.empty()) opened.session.tree.path = std::filesystem::absolute(tree_file).lexically_normal();
-    auto tree = load_tree(tree_file.empty() ? opened.session.tree.path.string() : tree_file, flags);
+    auto tree = load_tree(tree_file.empty() ? opened.session.tree.path.string() : tree_file, flags,
+                          opened.session.marks.reading);
     if (!tree) return tl::unexpected(tree.error());
     RAMUS_TRY(checksum, checksum_of(opened.session.tree.path));
-    if (auto fits = check_against(opened.session, *tree, checksum, session_file); !fits)
+    opened.base = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    RAMUS_TRY(edited, with_edits(opened.base, opened.session, checksum, session_file));
+    opened.tree = edited;
+    if (auto fits = check_against(opened.session, *opened.tree, checksum, session_file); !fits)
         return tl::unexpected(fits.error());
     opened.session.tree.checksum = checksum;
-    opened.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    if (session_file.empty()) opened.session.marks.colour_by = first_colouring(ColourBy::kNothing, *opened.tree);
+    if (auto shown = show_only(opened.session.marks, *opened.tree, flags.systems, opened.session.tree.path.string());
+        !shown)
+        return tl::unexpected(shown.error());
     return opened;
 }
 

@@ -1,9 +1,12 @@
 // ramus mesh FILE -o MESH: the surface of a vessel tree or of a mask as a file.
+#include "app/assets/assets.h"
 #include "app/commands/inputs.h"
+#include "app/commands/printing.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/write_surface.h"
+#include "app/picture/surface_names.h"
 #include "app/session/comparison.h"
 #include "app/session/numbers.h"
 #include "app/session/surface_options.h"
@@ -11,7 +14,6 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
-#include "core/measure/mesh_components.h"
 #include "core/volume/bit_mask.h"
 #include "core/volume/isosurface.h"
 
@@ -20,6 +22,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,7 +65,8 @@ void add_mask_flags(CLI::App& command, MaskFlags& flags) {
 // Throws CLI::ValidationError for options that do not go with the method chosen.
 void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
     const std::vector<std::string> of_masks = {"--label", "--isovalue"};
-    std::vector<std::string> of_trees = {"--session", "--repair"};
+    std::vector<std::string> of_trees = {"--session", "--repair",  "--parts",      "--system",    "--labels",
+                                         "--root",    "--islands", "--fill-holes", "--bulge-size"};
     for (const SurfaceOption& option : surface_options())
         if (option.of_session) of_trees.push_back("--" + std::string(option.key));
     for (const std::string& name : flags.iso ? of_trees : of_masks)
@@ -73,9 +77,10 @@ void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
 
 // Reads, makes and writes. `load_s` is set to the seconds that reading took.
 Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& mask, const SurfaceFlags& flags,
-                                    const std::string& output, double& load_s) {
+                                    const SurfaceTarget& target, double& load_s) {
     Stopwatch watch;
     RAMUS_TRY(read, load_volume(file, flags));
+    warn_about(file, read);
     load_s = watch.lap();
     Job job;
     auto surface = [&] {
@@ -89,11 +94,9 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
         if (surface.error().where.empty()) surface.error().where = file;
         return tl::unexpected(surface.error());
     }
-    WrittenSurface written{surface->positions.size(), surface->triangles.size()};
+    WrittenSurface written;
     written.mesh_s = watch.lap();
-    if (auto saved = io::write_mesh(*surface, output); !saved) return tl::unexpected(saved.error());
-    written.write_s = watch.lap();
-    written.components = measure::component_count(*surface);
+    if (auto saved = write_surface(*surface, target, written); !saved) return tl::unexpected(saved.error());
     return written;
 }
 
@@ -101,8 +104,26 @@ struct MeshFlags {
     SurfaceFlags surface;
     MaskFlags mask;
     std::string file, session, output;
+    std::optional<io::PartsBy> parts; // none: what is usual
+    PrintingFlags printing;
     bool json = false;
 };
+
+// Of .glb.
+void add_parts_flag(CLI::App& command, std::optional<io::PartsBy>& parts) {
+    command
+        .add_option_function<std::string>(
+            "--parts", [&parts](const std::string& word) { parts = parts_named(word); },
+            "Of .glb: an object for each branch, for each system, or for the whole (default: system, where the tree "
+            "has "
+            "systems)")
+        ->type_name("branch|system|none")
+        ->check(CLI::Validator(
+            [](std::string& word) -> std::string {
+                return parts_named(word) ? "" : word + " is not branch, system or none";
+            },
+            ""));
+}
 
 void report(const MeshFlags& flags, const WrittenSurface& written, double load_s) {
     if (flags.json) {
@@ -110,35 +131,63 @@ void report(const MeshFlags& flags, const WrittenSurface& written, double load_s
             {"vertices", written.vertices}, {"triangles", written.triangles}, {"components", written.components}};
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
+        if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses);
         std::cout << figures.dump(2) << '\n';
     } else {
         std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
                   << counted(written.vertices, "vertex", "vertices") << ", "
                   << counted(static_cast<std::uint64_t>(written.components), "component", "components") << " in "
                   << rounded(load_s + written.mesh_s + written.write_s) << " s\n";
+        if (flags.printing.wanted) std::cout << printing_text(written.thicknesses) << '\n';
     }
+    if (flags.printing.wanted) warn_about_printing(flags.printing, written);
+}
+
+// What the surface of a tree is called and coloured; fails where the tree lacks the parts that were asked for.
+Result<io::MeshNames> names_for(const MeshFlags& flags, const OpenedSession& opened) {
+    const tree::VesselTree& tree = *opened.tree;
+    if (flags.parts == io::PartsBy::kSystem && tree.systems.empty())
+        return fail("this tree has no systems", flags.file, "use --parts branch or --parts none");
+    const TreeFacts facts = facts_of(tree);
+    Document document;
+    document.open(opened.tree, opened.session);
+    Assets assets;
+    complete_lesions(assets, document);
+    return surface_names(tree, facts, opened.session.marks, assets.plan.get(), flags.parts.value_or(usual_parts(tree)));
 }
 
 Result<int> run_mesh(const MeshFlags& flags) {
     // What would fail at the end shall fail at the beginning.
-    if (auto format = io::mesh_format(flags.output); !format) return tl::unexpected(format.error());
+    RAMUS_TRY(format, io::mesh_format(flags.output));
+    if (flags.parts && !format->has_parts)
+        return fail("this format has no parts", flags.output, "leave --parts out, or use .glb");
+    if (flags.printing.wanted && format->unit_mm != 1.0)
+        return fail("programs take the numbers of this format for metres", flags.output, "for printing use .stl");
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
 
+    SurfaceTarget target{flags.output, {}, flags.printing.wanted, flags.surface.surface.threads};
     if (flags.mask.iso) {
         double load_s = 0.0;
-        RAMUS_TRY(written, mesh_of_mask(flags.file, flags.mask, flags.surface, flags.output, load_s));
+        target.names.name = std::filesystem::path(flags.file).stem().stem().string();
+        RAMUS_TRY(written, mesh_of_mask(flags.file, flags.mask, flags.surface, target, load_s));
         report(flags, written, load_s);
         return kDone;
     }
 
     const Stopwatch watch;
     RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
+    if (flags.printing.wanted && opened.session.marks.options.method != mesh::Method::kConvolutionSurface)
+        return fail("truncated cones overlap, and are not fit for printing", flags.output, "use --method cs");
     std::vector<std::uint8_t> hidden(opened.tree->branches.size(), 0);
     for (const int branch : branches_in_state(opened.session.marks, render::BranchState::kHidden))
         hidden[static_cast<std::size_t>(branch)] = 1;
+    if (!io::is_streamed(*format)) {
+        RAMUS_TRY(names, names_for(flags, opened));
+        target.names = std::move(names);
+    }
     const double load_s = watch.seconds();
 
-    RAMUS_TRY(written, write_surface(*opened.tree, opened.session.marks.options, hidden, flags.output));
+    RAMUS_TRY(written, write_surface(*opened.tree, opened.session.marks.options, hidden, target));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
     report(flags, written, load_s);
@@ -165,7 +214,10 @@ void register_mesh(CLI::App& app, Action& chosen) {
                "Of this session: its tree and surface options, without its hidden branches");
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");
     add_surface_flags(*command, flags->surface);
+    add_system_flag(*command, flags->surface);
     add_mask_flags(*command, flags->mask);
+    add_printing_flags(*command, flags->printing);
+    add_parts_flag(*command, flags->parts);
     command->callback([flags, command, &chosen] {
         check_mask_flags(*command, flags->mask);
         if (flags->file.empty() && flags->session.empty()) throw CLI::RequiredError("FILE or --session");

@@ -57,6 +57,20 @@ CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
         ->transform(CLI::CheckedTransformer(views).description(""));
 }
 
+CLI::Option* add_label_flag(CLI::App& command, std::vector<std::int32_t>& labels, const std::string& help) {
+    return command
+        .add_option_function<std::string>(
+            "--label",
+            [&labels](const std::string& list) {
+                const auto found = label_list(list);
+                if (!found)
+                    throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0");
+                labels = *found;
+            },
+            help)
+        ->type_name("N[,N...]");
+}
+
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
     command
         .add_option_function<std::string>(
@@ -82,18 +96,8 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
     CLI::Option* mask = add_option(command, "--mask", "MASK", flags.mask,
                                    "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
                                        "; default: the tree's own voxels)");
-    command
-        .add_option_function<std::string>(
-            "--label",
-            [&flags](const std::string& list) {
-                const auto labels = label_list(list);
-                if (!labels)
-                    throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0");
-                flags.labels = *labels;
-            },
-            "These labels of the mask alone, as 1 or 1,2 (default: all)")
-        ->type_name("N[,N...]")
-        ->needs(mask);
+    add_mask_units_flag(command, flags.mask_units, "--mask and of those beside the tree");
+    add_label_flag(command, flags.labels, "These labels of the mask alone, as 1 or 1,2 (default: all)")->needs(mask);
     command
         .add_option_function<double>(
             "--blend",
@@ -121,6 +125,7 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
     if (flags.surfaces) comparison.surfaces = *flags.surfaces;
     if (!flags.mask.empty()) {
         comparison.mask = std::filesystem::absolute(flags.mask).lexically_normal().string();
+        comparison.mask_units = flags.mask_units;
         comparison.labels = flags.labels;
     }
     if (flags.blend) comparison.blend = *flags.blend;

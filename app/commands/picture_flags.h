@@ -22,11 +22,15 @@ CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes);
 // --view NAME; its help names anterior as what `view` is before.
 CLI::Option* add_view_flag(CLI::App& command, render::View& view);
 
+// --label N[,N...], of a mask.
+CLI::Option* add_label_flag(CLI::App& command, std::vector<std::int32_t>& labels, const std::string& help);
+
 // Surfaces of the same vessels in one picture: the options of `ramus render` that say which, and how.
 struct ComparisonFlags {
     std::optional<Comparison::Mode> mode;
     std::optional<std::vector<mesh::Method>> surfaces;
-    std::string mask; // empty: the session's, or the tree's own voxels
+    std::string mask;       // empty: the session's, or the tree's own voxels
+    std::string mask_units; // empty: as the file says
     std::vector<std::int32_t> labels;
     std::optional<double> blend;
     bool skeleton = false;

@@ -4,9 +4,15 @@
 #include "app/commands/progress.h"
 #include "app/session/numbers.h"
 
+#include <utility>
+
 namespace ramus::app {
 
 Result<void> PictureStage::make_surface() {
+    if (std::exchange(tree_, document_.tree()) != document_.tree()) {
+        surface_ = {};
+        compared_.clear();
+    }
     SurfaceRequest request = surface_request(document_.marks());
     request.options.threads = flags_.surface.threads; // the machine's business, not the session's
     if (surface_.mesh && surface_.request == request) return {};

@@ -50,7 +50,8 @@ private:
     render::Renderer* renderer_ = nullptr;
     std::unique_ptr<render::SheetRenderer> sheet_renderer_;
     ReadySurface surface_;
-    std::vector<ComparedSurface> compared_; // one a kind
+    std::shared_ptr<const tree::VesselTree> tree_; // that the surfaces are of: it may be edited
+    std::vector<ComparedSurface> compared_;        // one a kind
     Result<void> complete_assets();
     Result<void> make_compared_surface(ComparedRequest request);
 };

@@ -9,11 +9,15 @@
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
 #include "app/panels/interface.h"
+#include "app/picture/fit.h"
+#include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 #include "app/window/headless_interface.h"
 #include "app/window/pace.h"
 #include "core/base/stopwatch.h"
+#include "core/io/file_format.h"
 #include "core/io/input_file.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
@@ -34,10 +38,11 @@ struct RenderFlags {
     SurfaceFlags common;
     std::filesystem::path file, output, reference;
     std::string camera, session, commands;
-    std::vector<std::string> context; // files
+    std::optional<ColourBy> colour_by; // none: as the session has it
+    std::vector<std::string> context;  // files
     glm::ivec2 size{1600, 1200};
     render::View view = render::View::kAnterior;
-    bool view_given = false, orthographic = false, transparent = false, interface = false, json = false;
+    bool view_given = false, orthographic = false, transparent = false, interface = false, json = false, notes = false;
     double tolerance = 0.001;         // of the pixels
     std::optional<double> noticeable; // instead of that: of the pixels, as eyes see them
     int benchmark = 0;                // frames
@@ -99,7 +104,8 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
     RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common));
     apply(flags.comparison, opened.session.marks);
-    document.open(std::move(opened.tree), std::move(opened.session));
+    if (flags.colour_by) opened.session.marks.colour_by = *flags.colour_by;
+    document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
     return opened.has_camera;
 }
 
@@ -111,6 +117,7 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
     LoadedTree loaded;
     loaded.assets = stage.assets;
     loaded.session = document.session();
+    loaded.base = document.base_tree();
     loaded.has_camera = true;
     loaded.cones = stage.surface();
     loaded.cones.request = surface_request(document.marks());
@@ -191,8 +198,9 @@ void set_camera(Document& document, const Inputs& inputs, bool session_has_one, 
     if (inputs.camera)
         document.set_camera(*inputs.camera);
     else if (!session_has_one || flags.view_given)
-        document.set_camera(render::camera_for(stage.surface().mesh->positions(), flags.view, stage.picture_size(),
-                                               flags.orthographic));
+        document.set_camera(with_room(
+            render::camera_for(stage.surface().mesh->positions(), flags.view, stage.picture_size(), flags.orthographic),
+            document.marks().comparison));
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 }
 
@@ -200,7 +208,9 @@ void set_camera(Document& document, const Inputs& inputs, bool session_has_one, 
 Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
                           const std::function<Result<void>(ActionContext&)>& run) {
     for (const std::string& file : flags.context) {
-        const std::array<std::string, 2> words{"context", file};
+        std::vector<std::string> words{"context", file};
+        if (!flags.comparison.mask_units.empty() && !io::names_mesh(file))
+            words.insert(words.end(), {"--units", flags.comparison.mask_units});
         if (auto added = run_command(here, words); !added) return added;
     }
     return flags.interface ? Result<void>() : run(here);
@@ -214,6 +224,7 @@ Result<int> run_render(const RenderFlags& flags) {
     Viewing viewing;
     viewing.size = flags.interface ? layout_of(flags.size, 1.0F, true).view_size : flags.size;
     viewing.transparent = flags.transparent;
+    viewing.notes = flags.notes;
     PictureStage stage(document, flags.common, viewing);
     if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
     set_camera(document, inputs, has_camera, flags, stage);
@@ -290,6 +301,19 @@ void add_backend_flags(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(0, 63).description(""));
 }
 
+// --colour-by QUANTITY, of those that the command of this name takes.
+void add_colour_flag(CLI::App& command, std::optional<ColourBy>& colour_by) {
+    std::vector<std::string> keys;
+    for (const ColouringRow& row : colourings()) keys.emplace_back(row.key);
+    command
+        .add_option_function<std::string>(
+            "--colour-by", [&colour_by](const std::string& key) { colour_by = colouring_named(key); },
+            "What colours say: " + io::listed(std::vector<std::string_view>(keys.begin(), keys.end())) +
+                " (default: the session's; system where a tree has several, else nothing)")
+        ->type_name("QUANTITY")
+        ->check(CLI::IsMember(keys).description(""));
+}
+
 // What cannot be combined; wrong usage.
 void check_flags(const CLI::App& command, const RenderFlags& flags) {
     if (flags.file.empty() && flags.session.empty()) throw CLI::RequiredError("FILE or --session");
@@ -322,7 +346,10 @@ void register_render(CLI::App& app, Action& chosen) {
     add_option(*command, "--context", "FILE", flags->context,
                "Show the surface of this mask or mesh beside the tree (" + context_extensions() + "); may be repeated")
         ->allow_extra_args(false);
+    add_colour_flag(*command, flags->colour_by);
     command->add_flag("--ui", flags->interface, "The whole window, with the panels around the picture");
+    command->add_flag("--notes", flags->notes,
+                      "Mark the places that reading the tree repaired or finds strange (`ramus info` lists them)");
     add_option(*command, "--camera", "JSON|FILE", flags->camera,
                "Camera as JSON, or a file with it, named as in a session file")
         ->excludes(view);
@@ -336,6 +363,7 @@ void register_render(CLI::App& app, Action& chosen) {
     add_comparison_flags(*command, flags->comparison);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
+    add_system_flag(*command, flags->common);
     command->callback([flags, command, view, &chosen] {
         flags->view_given = view->count() > 0;
         check_flags(*command, *flags);

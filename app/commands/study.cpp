@@ -10,6 +10,7 @@
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/tree/part_of_tree.h"
 #include "render/gl/headless_context.h"
 #include "render/renderer/renderer.h"
 
@@ -35,8 +36,9 @@ constexpr double kCloseUpShare = 0.35;  // of the whole tree's picture that it s
 
 struct StudyFlags {
     SurfaceFlags common;
-    std::string file, mask;
+    std::string file, mask, mask_units;
     std::filesystem::path folder;
+    std::vector<std::int32_t> labels; // of the mask; empty: all
     glm::ivec2 size{1200, 900};
     render::View view = render::View::kAnterior;
     double voxel_mm = 0.0; // 0: a sensible one
@@ -64,6 +66,8 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         Marks marks;
         marks.options = flags.common.surface;
         marks.comparison.mask = flags.mask;
+        marks.comparison.mask_units = flags.mask_units;
+        marks.comparison.labels = flags.labels;
         ComparedRequest request = compared_request(marks, kind);
         request.voxel_mm = flags.voxel_mm;
         Job job;
@@ -170,7 +174,10 @@ Result<int> run_study(const StudyFlags& flags) {
     if (error || !std::filesystem::is_directory(flags.folder))
         return fail("the folder cannot be made", flags.folder.string(), "give the name of a folder");
     if (auto can = io::check_output(flags.folder / "context.png"); !can) return tl::unexpected(can.error());
-    RAMUS_TRY(tree, load_tree(flags.file, flags.common));
+    RAMUS_TRY(whole_tree, load_tree(flags.file, flags.common));
+    RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
+    const bool all = std::ranges::find(chosen, 0) == chosen.end();
+    const tree::VesselTree tree = all ? std::move(whole_tree) : tree::part_of(whole_tree, chosen);
     RAMUS_TRY(surfaces, make_surfaces(flags, tree));
     const auto context = render::make_headless_context(render::Backend::kOsMesa, std::nullopt);
     if (!context) return tl::unexpected(context.error());
@@ -216,6 +223,8 @@ void register_study(CLI::App& app, Action& chosen) {
         ->required();
     CLI::Option* mask = add_option(*command, "--mask", "MASK", flags->mask,
                                    "Segmentation mask of the same vessels (" + io::readable_volume_extensions() + ")");
+    add_mask_units_flag(*command, flags->mask_units, "--mask")->needs(mask);
+    add_label_flag(*command, flags->labels, "Labels of the mask that are these vessels (default: all)")->needs(mask);
     add_option(*command, "--voxel", "MM", flags->voxel_mm,
                "Without a mask one is made of the tree, with voxels of this size (default: as is sensible)")
         ->check(CLI::PositiveNumber.description(""))
@@ -224,6 +233,7 @@ void register_study(CLI::App& app, Action& chosen) {
     add_view_flag(*command, flags->view);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
+    add_system_flag(*command, flags->common);
     command->callback([flags, &chosen] { chosen = [flags] { return run_study(*flags); }; });
 }
 

@@ -1,11 +1,18 @@
 #include "app/commands/surface_flags.h"
 
 #include "app/commands/command.h"
+#include "app/session/mask_reading.h"
+#include "app/session/reading_options.h"
 #include "app/session/surface_options.h"
 
 #include <algorithm>
+#include <array>
+#include <glm/vec3.hpp>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace ramus::app {
 
@@ -24,44 +31,137 @@ CLI::Validator domain_of(const SurfaceOption& option) {
 
 std::string flag_of(std::string_view key) { return "--" + std::string(key); }
 
-std::string repair_names() {
-    std::string names;
-    for (const auto& [repair, name] : tree::kRepairNames) names += (names.empty() ? "" : ",") + std::string(name);
-    return names;
+CLI::Validator unit_check() {
+    return {[](std::string& text) -> std::string {
+                return io::length_unit(text) ? "" : text + " is not mm, um, cm, m, or a size of voxels in mm, as 0.62";
+            },
+            ""};
 }
 
-std::optional<tree::Repair> repairs_in(const std::string& list) {
-    if (list == "all") return tree::Repair::kAll;
-    if (list == "none") return tree::Repair::kNone;
-    tree::Repair chosen = tree::Repair::kNone;
-    for (const std::string& word : CLI::detail::split(list, ',')) {
-        const auto* const known =
-            std::ranges::find_if(tree::kRepairNames, [&](const auto& entry) { return word == entry.second; });
-        if (known == std::end(tree::kRepairNames)) return std::nullopt;
-        chosen = chosen | known->first;
-    }
-    return chosen;
+// What the numbers of a file mean, where it does not say or says it wrongly.
+void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
+    add_units_flag(command, read);
+    const std::map<std::string, io::RadiusIs> widths = {{"radius", io::RadiusIs::kRadius},
+                                                        {"diameter", io::RadiusIs::kDiameter}};
+    command.add_option("--radius-is", read.radius_is, "What a tree's file has for a width: radius or diameter")
+        ->type_name("WIDTH")
+        ->transform(CLI::CheckedTransformer(widths).description(""));
+    const std::map<std::string, io::Axes> axes = {{"ras", io::Axes::kRas}, {"lps", io::Axes::kLps}};
+    command.add_option("--axes", read.axes, "Where a tree's axes lead: ras or lps")
+        ->type_name("AXES")
+        ->transform(CLI::CheckedTransformer(axes, CLI::ignore_case).description(""));
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--columns",
+            [&read](const std::vector<std::string>& pairs) {
+                for (const std::string& pair : pairs) {
+                    const std::size_t equals = pair.find('=');
+                    read.columns[pair.substr(0, equals)] = pair.substr(equals + 1);
+                }
+            },
+            "Columns of a table to read: x, y, z, radius, id, from, to = NAME")
+        ->type_name("WHAT=NAME,...")
+        ->delimiter(',')
+        ->check(CLI::Validator(
+            [](std::string& pair) -> std::string {
+                const std::set<std::string> known = {"x", "y", "z", "radius", "id", "from", "to"};
+                const std::size_t equals = pair.find('=');
+                return equals != std::string::npos && known.contains(pair.substr(0, equals))
+                           ? ""
+                           : pair + " is not WHAT=NAME with x, y, z, radius, id, from or to";
+            },
+            ""));
 }
 
 } // namespace
+
+void add_units_flag(CLI::App& command, io::ReadOptions& read) {
+    command
+        .add_option_function<std::string>(
+            "--units", [&read](const std::string& text) { read.unit = io::length_unit(text); },
+            "Unit of a tree's or a volume's lengths: mm, um, cm, m, or the size of a voxel in mm, as 0.62 or "
+            "0.3x0.3x0.6")
+        ->type_name("UNIT")
+        ->check(unit_check());
+}
+
+CLI::Option* add_mask_units_flag(CLI::App& command, std::string& units, const std::string& masks) {
+    return command.add_option("--mask-units", units, "Unit of the lengths in " + masks + ", as with --units")
+        ->type_name("UNIT")
+        ->check(unit_check());
+}
 
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
     command
         .add_option_function<std::string>(
             "--repair", [&flags](const std::string& list) { flags.read.repair = *repairs_in(list); },
-            "What to mend in a damaged tree: all (default), none, or some of " + repair_names())
+            "What to mend in a damaged tree: usual (default, all that leaves measured radii alone), all, none, or some "
+            "of " +
+                repair_names())
         ->type_name("LIST")
         ->check(CLI::Validator(
             [](std::string& list) -> std::string {
-                return repairs_in(list) ? "" : list + " is not all, none, or a list of " + repair_names();
+                return repairs_in(list) ? "" : list + " is not usual, all, none, or a list of " + repair_names();
             },
             ""));
+    add_meaning_flags(command, flags.read);
     command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
+}
+
+void add_mask_reading_flags(CLI::App& command, io::MaskReading& mask) {
+    command
+        .add_option_function<std::array<double, 3>>(
+            "--root", [&mask](const std::array<double, 3>& at) { mask.root = glm::dvec3(at[0], at[1], at[2]); },
+            "Of a mask: the end nearest to this place (mm, RAS) is the root of its piece (default: the thickest end of "
+            "each)")
+        ->type_name("X,Y,Z")
+        ->delimiter(',');
+    command.add_flag_callback(
+        "--fill-holes", [&mask] { mask.fill_holes = true; },
+        "Of a mask: close loops, each where it is thinnest: vessels that touch, holes in the mask");
+    command
+        .add_option_function<double>(
+            "--islands", [&mask](double mm) { mask.islands_mm = mm; },
+            "Of a mask: leave out pieces that are nowhere longer (default 0)")
+        ->type_name("MM")
+        ->check(CLI::NonNegativeNumber.description(""));
+    command
+        .add_option_function<double>(
+            "--bulge-size", [&mask](double size) { mask.bulge_size = size; },
+            "Of a mask: what stands out of a vessel's wall is a vessel if it does so by this times its own thickness, "
+            "and a voxel; more ignores more of a rough surface (default 0.5)")
+        ->type_name("X")
+        ->check(CLI::NonNegativeNumber.description(""));
+}
+
+void add_source_flags(CLI::App& command, SurfaceFlags& flags) {
+    add_reading_flags(command, flags);
+    command
+        .add_option_function<std::string>(
+            "--labels",
+            [&flags](const std::string& text) {
+                flags.read.mask.labels = with(io::MaskReading(), "labels", text)->labels;
+            },
+            "Of a mask: apart (default, each label a system of its own), together, or the labels of each system")
+        ->type_name("apart|together|N[+M...],...")
+        ->check(CLI::Validator(
+            [](std::string& text) -> std::string {
+                const auto mask = with(io::MaskReading(), "labels", text);
+                return mask && text != "auto" ? "" : text + " is not apart, together, or labels as 1+3,2";
+            },
+            ""));
+    add_mask_reading_flags(command, flags.read.mask);
+}
+
+void add_system_flag(CLI::App& command, SurfaceFlags& flags) {
+    add_option(command, "--system", "NAME", flags.systems,
+               "Only the branches of this vessel system, by its name or its number from 1; may be repeated")
+        ->allow_extra_args(false);
 }
 
 mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
     const auto given = [&](const std::string& name) {
-        const CLI::Option* option = command->get_option_no_throw(name);
+        const CLI::Option* option = command == nullptr ? nullptr : command->get_option_no_throw(name);
         return option != nullptr && option->count() > 0;
     };
     if (given("--method")) session.method = surface.method;
@@ -72,6 +172,15 @@ mesh::SurfaceOptions SurfaceFlags::over(mesh::SurfaceOptions session) const {
     }
     session.memory_bytes = surface.memory_bytes;
     return session;
+}
+
+io::ReadOptions SurfaceFlags::over(const io::ReadOptions& session) const {
+    io::ReadOptions reading = app::over(read, session);
+    const CLI::Option* repair = command != nullptr ? command->get_option_no_throw("--repair") : nullptr;
+    if (repair != nullptr && repair->count() > 0) reading.repair = read.repair; // the usual ones, too
+    const CLI::Option* labels = command != nullptr ? command->get_option_no_throw("--labels") : nullptr;
+    if (labels != nullptr && labels->count() > 0) reading.mask.labels = read.mask.labels; // apart, too
+    return reading;
 }
 
 void add_method_flag(CLI::App& command, bool with_masks, const std::function<void(mesh::Method)>& take) {
@@ -103,7 +212,7 @@ void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
                "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
                "surfaces to the disk")
         ->transform(CLI::AsSizeValue(false));
-    add_reading_flags(command, flags);
+    add_source_flags(command, flags);
 }
 
 } // namespace ramus::app

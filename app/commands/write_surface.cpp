@@ -6,6 +6,7 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
 #include "core/measure/mesh_components.h"
+#include "core/mesh/close_mesh.h"
 
 namespace ramus::app {
 
@@ -47,7 +48,10 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
     if (job.cancelled()) return cancelled();
     if (auto taken = file->check(); !taken) return tl::unexpected(taken.error());
     if (!streamed) return tl::unexpected(streamed.error());
-    WrittenSurface written{file->vertex_count(), file->triangle_count(), streamed->evaluations};
+    WrittenSurface written;
+    written.vertices = file->vertex_count();
+    written.triangles = file->triangle_count();
+    written.evaluations = streamed->evaluations;
     written.components = sink.components();
     written.streamed = true;
     written.mesh_s = watch.lap();
@@ -58,9 +62,29 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
 
 } // namespace
 
+Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarget& target, WrittenSurface& written) {
+    Stopwatch watch;
+    written.vertices = surface.positions.size();
+    written.triangles = surface.triangles.size();
+    if (target.for_printing) {
+        if (auto closed = mesh::check_closed(surface, target.file.string()); !closed) return closed;
+        written.thicknesses = measure::least_thicknesses(surface, target.threads);
+    }
+    written.components = measure::component_count(surface);
+    written.mesh_s += watch.lap();
+    if (auto saved = io::write_mesh(surface, target.file, target.names); !saved) return saved;
+    written.write_s = watch.lap();
+    return {};
+}
+
 Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
-                                     std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
-    if (mesh::asks_for_streaming(tree, options, hidden)) return write_streamed(tree, options, hidden, output);
+                                     std::span<const std::uint8_t> hidden, const SurfaceTarget& target) {
+    if (mesh::asks_for_streaming(tree, options, hidden)) {
+        if (target.for_printing)
+            return fail("the surface is larger than memory, and cannot be measured for printing", target.file.string(),
+                        "use a lower --detail or more --memory");
+        return write_streamed(tree, options, hidden, target.file);
+    }
     Stopwatch watch;
     Job job;
     const auto surface = [&] {
@@ -70,12 +94,10 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     }();
     if (job.cancelled()) return cancelled();
     if (!surface) return tl::unexpected(surface.error());
-    WrittenSurface written{surface->mesh.positions.size(), surface->mesh.triangles.size(),
-                           surface->statistics.evaluations};
+    WrittenSurface written;
+    written.evaluations = surface->statistics.evaluations;
     written.mesh_s = watch.lap();
-    if (auto saved = io::write_mesh(surface->mesh, output); !saved) return tl::unexpected(saved.error());
-    written.write_s = watch.lap();
-    written.components = measure::component_count(surface->mesh);
+    if (auto saved = write_surface(surface->mesh, target, written); !saved) return tl::unexpected(saved.error());
     return written;
 }
 

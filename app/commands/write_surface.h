@@ -3,11 +3,14 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/io/meshes/mesh_names.h"
+#include "core/measure/wall_thickness.h"
 #include "core/mesh/surface.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace ramus::app {
 
@@ -16,11 +19,23 @@ struct WrittenSurface {
     int components = 0;
     bool streamed = false;
     double mesh_s = 0.0, write_s = 0.0;
+    std::vector<measure::Thickness> thicknesses; // for printing: as measure::least_thicknesses() gives them
 };
+
+struct SurfaceTarget {
+    std::filesystem::path file;
+    io::MeshNames names;       // for formats that have a place for them
+    bool for_printing = false; // then the surface has to be closed, and its thickness is measured
+    int threads = 0;
+};
+
+// Writes a surface that is there: adds to `written` what it consists of and how long writing took. Fails on what cannot
+// be written or is not fit for printing.
+[[nodiscard]] Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarget& target,
+                                         WrittenSurface& written);
 
 // Shows a progress bar; an interrupt cancels it.
 [[nodiscard]] Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
-                                                   std::span<const std::uint8_t> hidden,
-                                                   const std::filesystem::path& output);
+                                                   std::span<const std::uint8_t> hidden, const SurfaceTarget& target);
 
 } // namespace ramus::app

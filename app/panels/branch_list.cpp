@@ -5,6 +5,7 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
+#include "app/session/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace ramus::app {
 namespace {
 
 // Columns of the table; those of quantities follow.
-enum Column : ImGuiID { kMark, kId, kName, kFirstQuantity };
+enum Column : ImGuiID { kMark, kId, kName, kSystem, kFirstQuantity };
 
 std::size_t index_of(int id) { return static_cast<std::size_t>(id); }
 
@@ -38,7 +39,7 @@ void read_filter(BranchList& list) {
 
 // Only what rows can follow from is compared: states and the selection when there is a filter.
 bool is_current(const BranchList& list, const TreeFacts& facts, const Marks& marks) {
-    return list.made && list.of == &facts && list.given == marks.names &&
+    return list.made && list.of == &facts && list.given == marks.names && list.systems == marks.systems &&
            (list.parsed.empty() || (list.selection == marks.selection && list.states == marks.states));
 }
 
@@ -47,6 +48,7 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
     const Marks& marks = document.marks();
     list.of = &facts;
     list.given = marks.names;
+    list.systems = marks.systems;
     list.selection = marks.selection;
     list.states = marks.states;
     list.made = true;
@@ -67,6 +69,12 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
             if (one.empty() || other.empty()) return !one.empty() && other.empty();
             return descending ? one > other : one < other;
         });
+        return;
+    }
+    if (column == kSystem) {
+        const auto system = [&](int id) { return tree.branches[index_of(id)].system; };
+        std::ranges::stable_sort(
+            list.rows, [&](int a, int b) { return descending ? system(a) > system(b) : system(a) < system(b); });
         return;
     }
     const Quantity quantity = quantity_of(column);
@@ -154,6 +162,13 @@ void name_cell(InterfaceContext& context, int id) {
         ImGui::SetTooltip("%s", name.c_str());
 }
 
+void system_cell(const InterfaceContext& context, int id) {
+    if (!ImGui::TableNextColumn()) return;
+    const Document& document = context.workspace.document;
+    const std::string name = system_of(*document.tree(), document.marks(), id);
+    ImGui::TextUnformatted(widgets::fitted(name, ImGui::GetContentRegionAvail().x).c_str());
+}
+
 void draw_row(InterfaceContext& context, int id) {
     const Document& document = context.workspace.document;
     const render::BranchState state = state_of(document.marks(), id);
@@ -178,6 +193,7 @@ void draw_row(InterfaceContext& context, int id) {
     if (!lit) ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) context.interface.listed = id;
     name_cell(context, id);
+    system_cell(context, id);
     for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
         const double value = row->value(*document.tree(), *context.workspace.facts(), id);
         number_cell(row->whole ? grouped(static_cast<std::uint64_t>(value)) : digits(value));
@@ -194,7 +210,7 @@ void draw_headers() {
         if (!ImGui::TableSetColumnIndex(column)) continue;
         const char* name = ImGui::TableGetColumnName(column);
         if (column == kMark) continue;
-        if (column == kId || column == kName) {
+        if (column == kId || column == kName || column == kSystem) {
             ImGui::TableHeader(name);
             continue;
         }
@@ -275,10 +291,11 @@ void draw_filter(InterfaceContext& context) {
                                                   list.filter.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     if (wrong) ImGui::PopStyleColor();
     if (!ImGui::IsItemActive())
-        widgets::tooltip(wrong ? list.trouble.c_str()
-                               : ("Conditions, all of which hold: " + filter_examples() +
-                                  "; is:hidden, is:selected, is:leaf, is:named; words of a name. Enter selects.")
-                                     .c_str());
+        widgets::tooltip(
+            wrong ? list.trouble.c_str()
+                  : ("Conditions, all of which hold: " + filter_examples() +
+                     "; is:hidden, is:selected, is:leaf, is:named; system:portal; words of a name. Enter selects.")
+                        .c_str());
     ImGui::SameLine(0.0F, 6.0F * scale);
     ImGui::BeginDisabled(list.rows.empty() || wrong);
     if (ImGui::Button(button.c_str(), {width, 0.0F}) || (entered && !wrong)) select_rows(context);
@@ -287,7 +304,7 @@ void draw_filter(InterfaceContext& context) {
     ImGui::PopStyleVar();
 }
 
-void set_up_columns(bool named, float width) {
+void set_up_columns(bool named, bool systems, float width) {
     const float scale = theme::scale();
     const auto column = [](const char* name, ImGuiID id, float weight, ImGuiTableColumnFlags flags = 0) {
         ImGui::TableSetupColumn(name, flags | ImGuiTableColumnFlags_NoResize, weight, id);
@@ -296,9 +313,11 @@ void set_up_columns(bool named, float width) {
     column("State", kMark, 8.0F * scale, ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort);
     column("Id", kId, 1.1F, ImGuiTableColumnFlags_DefaultSort);
     column("Name", kName, 1.9F, shown(named));
+    column("System", kSystem, 1.6F, shown(systems));
     ImGuiID id = kFirstQuantity;
     for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
-        const float least = named ? row->list.least_width_named : row->list.least_width; // a narrow panel has no room
+        const float least =
+            named || systems ? row->list.least_width_named : row->list.least_width; // a narrow panel has no room
         column(row->list.heading, id++, row->list.weight,
                (row->list.largest_first ? ImGuiTableColumnFlags_PreferSortDescending : 0) |
                    shown(width >= least * scale));
@@ -322,7 +341,7 @@ void draw_branch_list(InterfaceContext& context) {
                               ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX,
                           size)) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        set_up_columns(!document.marks().names.empty(), width);
+        set_up_columns(!document.marks().names.empty(), document.tree()->systems.size() > 1, width);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         draw_headers();
         ImGui::PopStyleColor();

@@ -26,6 +26,7 @@ struct BranchList {
     std::vector<int> selection;
     std::vector<render::BranchState> states;
     BranchNames given;
+    std::vector<tree::System> systems; // of the session
     bool made = false;
 };
 

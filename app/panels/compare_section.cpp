@@ -1,4 +1,5 @@
 // Which surfaces are looked at together, and the skeleton over them.
+#include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -22,17 +23,6 @@ constexpr std::array kModes{std::pair{Mode::kOff, "Off"}, std::pair{Mode::kSideB
 
 const char* method_label(mesh::Method method) { return mesh::row_of(method).label.data(); } // of a literal: ends in 0
 
-void begin_row(const char* label, const char* help) {
-    ImGui::AlignTextToFramePadding();
-    widgets::quiet(label);
-    widgets::tooltip(help);
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
-    ImGui::SetNextItemWidth(-1.0F);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    widgets::note(help, at, {at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetFrameHeight()});
-    ImGui::PushID(label);
-}
-
 // An entry of an open list.
 bool selectable(const char* text, bool chosen) {
     const bool pressed = ImGui::Selectable(text, chosen);
@@ -53,7 +43,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
     const std::vector<mesh::Method>& now = comparison.surfaces;
     const bool there = index < now.size();
     std::optional<std::vector<mesh::Method>> wanted;
-    begin_row(label, help);
+    widgets::begin_row(label, help);
     if (ImGui::BeginCombo("##surface", there ? method_label(now[index]) : "None")) {
         for (const mesh::MethodRow& row : mesh::kMethods) {
             const mesh::Method kind = row.method;
@@ -77,7 +67,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
 }
 
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
-    begin_row("Mask", "The segmentation that the isosurface is of");
+    widgets::begin_row("Mask", "The segmentation that the isosurface is of");
     const bool there = !comparison.mask.empty();
     const float available = ImGui::GetContentRegionAvail().x;
     const float clear = ImGui::GetFrameHeight();
@@ -100,7 +90,7 @@ void draw_compare(InterfaceContext& context) {
     const Comparison comparison = context.workspace.document.marks().comparison;
     context.interface.tried_blend.reset();
     widgets::section("Compare");
-    begin_row("Surfaces", "Surfaces of the same vessels, seen together");
+    widgets::begin_row("Surfaces", "Surfaces of the same vessels, seen together");
     const auto mode = std::ranges::find(kModes, comparison.mode, [](const auto& each) { return each.first; });
     if (ImGui::BeginCombo("##mode", mode == kModes.end() ? "" : mode->second)) {
         for (const auto& [each, label] : kModes)

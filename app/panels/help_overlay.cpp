@@ -22,7 +22,8 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kMouse{{
     {"Ctrl+click", "Adds the branch to the selection, or takes it away."},
     {"Double-click", "Centres the picture on the point."},
     {"Drop a file",
-     "Opens a tree or a session; a mesh or a mask is shown beside the tree, or, while planning, a mesh is a lesion."},
+     "Opens a tree, a session or a mask; a mesh is shown beside the tree, while planning it is a lesion. "
+     "Asks what a mask becomes when there is a tree."},
     {"Cube", "Shows where the viewer stands: A P L R S I."},
 }};
 

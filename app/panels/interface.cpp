@@ -23,7 +23,7 @@ void draw_empty_view(InterfaceContext& context) {
     if (context.workspace.shown().mesh) return;
     const bool busy = context.workspace.busy();
     const char* title = busy ? "Reading..." : "No vessel tree";
-    const char* hint = busy ? "" : "Drop an SWC file here, or press Ctrl+O";
+    const char* hint = busy ? "" : "Drop a tree or a mask here, or press Ctrl+O";
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const ImVec2 centre(
         static_cast<float>(context.layout.view_at.x) + 0.5F * static_cast<float>(context.layout.view_size.x),
@@ -67,6 +67,8 @@ bool Interface::dismiss() {
         errors.pop_front();
     else if (unsaved.open())
         unsaved.next = nullptr;
+    else if (drop.open())
+        drop.file.clear();
     else if (recovery.open)
         recovery.open = false;
     else if (open_dialog.open)
@@ -75,8 +77,12 @@ bool Interface::dismiss() {
         help_open = false;
     else if (rename.open)
         rename.open = false;
+    else if (radius.open)
+        radius.open = false;
     else if (fly.open)
         fly.open = fly.playing = false;
+    else if (doctor.open)
+        doctor.open = false;
     else
         return false;
     return true;
@@ -88,7 +94,8 @@ void Interface::forget_tree() {
     list.shown = list.cursor = list.anchor = tree::kNoBranch;
     overview.shown_selection = tree::kNoBranch;
     overview.layout_of = nullptr;
-    rename.open = fly.open = fly.playing = false;
+    rename.open = radius.open = fly.open = fly.playing = false;
+    doctor.current = -1;
 }
 
 void InterfaceContext::perform(const Command& command) {
@@ -113,15 +120,18 @@ void draw_interface(InterfaceContext& context) {
     draw_menu_bar(context);
     draw_tool_bar(context);
     draw_side_panel(context);
+    draw_doctor(context);
     draw_overview(context);
     draw_fly(context);
     draw_status_bar(context);
     draw_tooltip(context);
     draw_rename(context);
+    draw_radius(context);
     draw_help(context);
     draw_open_dialog(context);
     draw_recovery_dialog(context);
     draw_unsaved_dialog(context);
+    draw_drop_dialog(context);
     draw_error_dialog(context);
 }
 

@@ -46,13 +46,23 @@ struct Notice {
     bool trouble = false;
 };
 
-// The field for a branch's name.
+// The field for the name of a branch, or of a system.
 struct Rename {
     bool open = false;
     bool fresh = false; // the keyboard is not in it yet
     int branch = tree::kNoBranch;
+    int system = -1; // instead of a branch; -1: none
     std::array<char, 128> text{};
     void show(int id, const std::string& name);
+    void show_system(int index, const std::string& name);
+};
+
+// Asks for the radii of the selected branches.
+struct RadiusDialog {
+    bool open = false;
+    bool fresh = false;  // the keyboard is not in it yet
+    bool scales = false; // the number is a factor
+    std::array<char, 32> text{};
 };
 
 // The bar for flying along the vessels.
@@ -78,11 +88,29 @@ struct Editing {
         int opacity_of = -1; // whose slider the mouse has
         float opacity = 0.0F;
     } context;
+    // Of one system, from 0, its colour while the picker is open.
+    struct System {
+        int of = -1;
+        std::array<std::uint8_t, 3> colour{};
+    } system;
     // One field for numbers has the keyboard at a time.
     struct Numbers {
         std::string field; // its id; empty: none
         std::array<char, 64> typed{};
     } numbers;
+};
+
+// What the import doctor's panel remembers.
+struct Doctor {
+    bool open = false;
+    bool mark = true;    // in the picture
+    int current = -1;    // the note that was gone to; -1: none
+    bool voxels = false; // the field for a size of voxels is there
+    std::array<char, 64> voxel{};
+    bool of_mask = false; // the tree was made of one
+    bool place = false;   // the field for the root's place is there
+    std::array<char, 64> root{};
+    widgets::Slider<float> bulge_size, islands;
 };
 
 struct Interface {
@@ -97,6 +125,7 @@ struct Interface {
     OpenDialog open_dialog;
     RecoveryDialog recovery;
     UnsavedDialog unsaved;
+    DropDialog drop;
     std::deque<Error> errors; // of files, shown one after the other in a dialog
     Notice notice;
     int hovered = tree::kNoBranch; // under the pointer in the picture
@@ -104,7 +133,9 @@ struct Interface {
     int listed = tree::kNoBranch;  // under the pointer in the list of branches
     BranchList list;
     Rename rename;
+    RadiusDialog radius;
     Fly fly;
+    Doctor doctor;
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
     std::optional<double> tried_blend;                     // likewise
@@ -119,7 +150,8 @@ struct Interface {
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
     [[nodiscard]] bool dialog_open() const {
-        return help_open || rename.open || open_dialog.open || recovery.open || unsaved.open() || !errors.empty();
+        return help_open || rename.open || radius.open || open_dialog.open || recovery.open || unsaved.open() ||
+               drop.open() || !errors.empty();
     }
     bool dismiss();     // closes what lies on top; false: nothing does
     void forget_tree(); // another one was opened
@@ -150,13 +182,18 @@ void draw_tool_drawing(InterfaceContext& context);
 void draw_tool_bar(InterfaceContext& context);
 void draw_side_panel(InterfaceContext& context);
 void draw_glass(InterfaceContext& context);
+void draw_systems(InterfaceContext& context); // nothing where there are none
 void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
 void draw_branch_list(InterfaceContext& context);
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
+void draw_doctor(InterfaceContext& context);
+void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask); // in the import doctor's panel
+void draw_doctor_line(InterfaceContext& context); // in the side panel: what there is to see, and the way there
 void draw_rename(InterfaceContext& context);
+void draw_radius(InterfaceContext& context);
 void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
 void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is
@@ -165,5 +202,6 @@ void draw_open_dialog(InterfaceContext& context);
 void draw_error_dialog(InterfaceContext& context);
 void draw_recovery_dialog(InterfaceContext& context);
 void draw_unsaved_dialog(InterfaceContext& context);
+void draw_drop_dialog(InterfaceContext& context);
 
 } // namespace ramus::app

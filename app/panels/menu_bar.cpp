@@ -87,7 +87,7 @@ void draw_menus(InterfaceContext& context) {
                     previous != command.name &&
                     (command.name.starts_with("lasso-") || command.name == "colour-map" || command.name == "depth-cue");
                 if (command.name == "quit" || command.name == "fit" || command.name == "overview" ||
-                    command.name == "panel" || new_switch)
+                    command.name == "join" || command.name == "panel" || new_switch)
                     ImGui::Separator();
                 previous = command.name;
                 draw_entry(context, command);

@@ -42,14 +42,20 @@ void OpenDialog::show(const fs::path& start, FilePurpose wanted) {
     enter(where);
 }
 
-void OpenDialog::show_to_save(const fs::path& suggestion) {
-    show(suggestion.parent_path(), FilePurpose::kSave);
+void OpenDialog::show_to_save(const fs::path& suggestion, FilePurpose wanted) {
+    show(suggestion.parent_path(), wanted);
     name_focused = false;
+    rename(suggestion.filename().string());
+    if (wanted == FilePurpose::kExport) rename(exported.named(name.data()));
+}
+
+void OpenDialog::rename(const std::string& text) {
+    put(text, name);
     replace_asked = false;
-    put(suggestion.filename().string(), name);
 }
 
 fs::path OpenDialog::named() const {
+    if (purpose == FilePurpose::kExport) return folder / exported.named(name.data());
     const fs::path target = folder / name.data();
     return target.extension() == ".json" ? target : fs::path(target.string() + ".ramus.json");
 }
@@ -90,17 +96,26 @@ struct Purpose {
     bool (*fits)(const fs::path&); // files that are shown, unless all are
     std::string (*extensions)();   // of those files, for people
     const char* command;           // that gets the file
+    bool takes_volumes = false;    // and so folders that hold one
 };
 
-constexpr std::array<Purpose, 5> kPurposes{
-    {{FilePurpose::kOpen, "Open a vessel tree or a session", can_be_opened, io::readable_tree_extensions, "open"},
+std::string tree_and_mask_extensions() {
+    return io::readable_tree_extensions() + "; masks: " + io::readable_volume_extensions();
+}
+
+constexpr std::array<Purpose, 6> kPurposes{
+    {{FilePurpose::kOpen, "Open a vessel tree, a mask or a session",
+      [](const fs::path& path) { return can_be_opened(path) || can_be_mask(path); }, tree_and_mask_extensions, "open",
+      true},
      {FilePurpose::kSave, "Save the session", can_be_opened, io::readable_tree_extensions, "save"},
      {FilePurpose::kLesionMesh, "Choose the mesh of a lesion", can_be_lesion_mesh, io::readable_mesh_extensions,
       "lesion-mesh"},
      {FilePurpose::kContext, "Choose a mask or a mesh to show beside the tree",
-      [](const fs::path& path) { return can_be_context(path.string()); }, context_extensions, "context"},
+      [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); }, context_extensions, "context",
+      true},
      {FilePurpose::kMask, "Choose a mask of the same vessels", can_be_mask, io::readable_volume_extensions,
-      "compare-mask"}}};
+      "compare-mask", true},
+     {FilePurpose::kExport, "Export", can_be_export, export_extensions, "export"}}};
 
 const Purpose& purpose_of(const OpenDialog& dialog) {
     return *std::ranges::find(kPurposes, dialog.purpose, &Purpose::purpose);
@@ -168,9 +183,9 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
                 dialog.marked = static_cast<int>(i);
-                if (!entry.folder && dialog.purpose == FilePurpose::kSave) {
-                    put(entry.name, dialog.name);
-                    dialog.replace_asked = false;
+                if (!entry.folder && dialog.saves()) {
+                    dialog.rename(entry.name);
+                    if (dialog.purpose == FilePurpose::kExport) dialog.exported.follow(entry.name);
                 } else if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                     chosen = dialog.folder / entry.name;
             }
@@ -200,15 +215,20 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0F * (button_width + gap));
     if (!std::exchange(dialog.name_focused, true)) ImGui::SetKeyboardFocusHere();
     const std::string before = dialog.name.data();
-    bool wanted =
-        ImGui::InputText("##name", dialog.name.data(), dialog.name.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-    if (before != dialog.name.data()) dialog.replace_asked = false;
+    bool wanted = ImGui::InputText("##name", dialog.name.data(), dialog.name.size(),
+                                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (before != dialog.name.data()) {
+        dialog.replace_asked = false;
+        if (dialog.purpose == FilePurpose::kExport) dialog.exported.follow(dialog.name.data());
+    }
     ImGui::SameLine();
     cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
     ImGui::SameLine();
     ImGui::BeginDisabled(dialog.name[0] == '\0');
     ImGui::PushStyleColor(ImGuiCol_Button, dialog.replace_asked ? theme::kTroubleDim : theme::kAccentDim);
-    wanted |= ImGui::Button(dialog.replace_asked ? "Replace" : "Save", {button_width, 0.0F});
+    const char* save = dialog.purpose == FilePurpose::kExport ? "Export" : "Save";
+    wanted |= ImGui::Button(dialog.replace_asked ? "Replace" : save, {button_width, 0.0F});
+    widgets::note_item("Write it");
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
     if (!wanted || dialog.name[0] == '\0') return {};
@@ -233,7 +253,7 @@ fs::path draw_path_row(OpenDialog& dialog) {
         chosen = dialog.typed.data();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(filter_width);
-    if (ImGui::IsWindowAppearing() && dialog.purpose != FilePurpose::kSave) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing() && !dialog.saves()) ImGui::SetKeyboardFocusHere();
     if (!ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
                                   ImGuiInputTextFlags_EnterReturnsTrue))
         return chosen;
@@ -258,6 +278,17 @@ fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
     return opens ? dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name : fs::path();
 }
 
+// What is exported, and how; the name follows the format.
+void draw_export_part(const InterfaceContext& context, OpenDialog& dialog) {
+    const Document& document = context.workspace.document;
+    const bool has_systems = document.tree() && !document.tree()->systems.empty();
+    if (draw_export_choice(dialog.exported, !document.marks().selection.empty(), has_systems)) {
+        dialog.rename(dialog.exported.named(dialog.name.data()));
+        dialog.name_focused = false; // once more: the name comes next
+    }
+    ImGui::Dummy({0.0F, 6.0F * theme::scale()});
+}
+
 } // namespace
 
 void draw_open_dialog(InterfaceContext& context) {
@@ -265,13 +296,14 @@ void draw_open_dialog(InterfaceContext& context) {
     if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
     const float scale = theme::scale();
     const Purpose& purpose = purpose_of(dialog);
-    const bool saving = dialog.purpose == FilePurpose::kSave;
+    const bool saving = dialog.saves(), exporting = dialog.purpose == FilePurpose::kExport;
     fs::path chosen; // by the last of the parts that chose one
     const auto take = [&](fs::path path) {
         if (!path.empty()) chosen = std::move(path);
     };
     widgets::heading(purpose.title);
     ImGui::Dummy({0.0F, 2.0F * scale});
+    if (exporting) draw_export_part(context, dialog);
     std::span<const fs::path> recent;
     if (dialog.purpose == FilePurpose::kOpen) recent = context.interface.recent_files;
     take(draw_places(190.0F * scale, recent));
@@ -285,19 +317,23 @@ void draw_open_dialog(InterfaceContext& context) {
     const float button_width = 90.0F * scale;
     bool cancelled = false;
     fs::path target;
+    fs::path pressed;
     if (saving)
         target = draw_name(dialog, button_width, cancelled);
     else
-        take(draw_buttons(dialog, button_width, cancelled));
+        take(pressed = draw_buttons(dialog, button_width, cancelled));
     ImGui::EndGroup();
 
     std::error_code ignored;
-    if (!chosen.empty() && fs::is_directory(chosen, ignored))
+    // A series in a folder is opened as a whole, with Open; a double click looks into the folder.
+    const bool series = purpose.takes_volumes && !pressed.empty() && io::is_volume(pressed);
+    if (!chosen.empty() && fs::is_directory(chosen, ignored) && !series)
         dialog.enter(chosen);
     else if (!chosen.empty() && !saving)
         target = chosen;
     if (!target.empty() || cancelled) dialog.open = false;
-    if (!target.empty()) context.perform(purpose.command, {target.string()});
+    if (!target.empty())
+        context.perform(purpose.command, exporting ? dialog.exported.words(target) : std::vector{target.string()});
     if (!dialog.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();
 }

@@ -1,8 +1,9 @@
 // OpenDialog: a folder, its sub-folders and the files ramus can read, and what the user is typing: to choose a file to
-// open, or a name to save a session under. Listing reads the folder once.
+// open, or a name to save or export something under. Listing reads the folder once.
 #pragma once
 
 #include "app/actions/hosts.h"
+#include "app/panels/export_choice.h"
 
 #include <array>
 #include <cstdint>
@@ -30,11 +31,14 @@ struct OpenDialog {
     std::array<char, 256> name{};   // to save under
     bool replace_asked = false;     // the user was told that it exists
     bool name_focused = false;      // once, when it opens
+    ExportChoice exported;          // of an export; stays as it was the last time
 
     void show(const std::filesystem::path& start, FilePurpose wanted);
-    void show_to_save(const std::filesystem::path& suggestion); // a file
-    [[nodiscard]] std::filesystem::path named() const;          // the file to save, with its ending
-    void enter(const std::filesystem::path& where);             // lists another folder
+    void show_to_save(const std::filesystem::path& suggestion, FilePurpose wanted = FilePurpose::kSave); // a file
+    [[nodiscard]] bool saves() const { return purpose == FilePurpose::kSave || purpose == FilePurpose::kExport; }
+    void rename(const std::string& text);              // in the field for the name
+    [[nodiscard]] std::filesystem::path named() const; // the file to save, with its ending
+    void enter(const std::filesystem::path& where);    // lists another folder
 };
 
 // By the ending of its name, in capitals or not.

@@ -1,4 +1,4 @@
-// A field for the name of a branch.
+// A field for the name of a branch or a system.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -10,9 +10,15 @@ namespace ramus::app {
 
 void Rename::show(int id, const std::string& name) {
     branch = id;
+    system = -1;
     open = fresh = true;
     text.fill('\0');
     std::copy_n(name.begin(), std::min(name.size(), text.size() - 1), text.begin());
+}
+
+void Rename::show_system(int index, const std::string& name) {
+    show(tree::kNoBranch, name);
+    system = index;
 }
 
 void draw_rename(InterfaceContext& context) {
@@ -21,14 +27,17 @@ void draw_rename(InterfaceContext& context) {
     if (rename.open && rename.branch >= document.branch_count()) rename.open = false;
     if (!rename.open || !widgets::begin_dialog("##name", 380.0F, 0.0F)) return;
     const float scale = theme::scale();
-    widgets::heading(("Name of branch " + std::to_string(rename.branch)).c_str());
+    const bool of_system = rename.system >= 0;
+    widgets::heading(of_system ? "Name of the system" : ("Name of branch " + std::to_string(rename.branch)).c_str());
     ImGui::Dummy({0.0F, 2.0F * scale});
     if (std::exchange(rename.fresh, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
     bool done = ImGui::InputText("##text", rename.text.data(), rename.text.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    widgets::quiet_wrapped("All that depends on it bears the name too, but for branches with names of their own. "
-                           "An empty name takes it away.");
+    widgets::quiet_wrapped(of_system
+                               ? "The legend, tables and reports use it; the file that was read stays as it is."
+                               : "All that depends on it bears the name too, but for branches with names of their own. "
+                                 "An empty name takes it away.");
     ImGui::Dummy({0.0F, 4.0F * scale});
     const float width = 90.0F * scale;
     widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
@@ -37,7 +46,10 @@ void draw_rename(InterfaceContext& context) {
     done = ImGui::Button("Name it", {width, 0.0F}) || done;
     if (done) {
         rename.open = false;
-        context.perform("name", {std::to_string(rename.branch), rename.text.data()});
+        if (of_system)
+            context.perform("name-system", {std::to_string(rename.system + 1), rename.text.data()});
+        else
+            context.perform("name", {std::to_string(rename.branch), rename.text.data()});
     }
     if (!rename.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();

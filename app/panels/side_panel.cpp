@@ -5,6 +5,7 @@
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
 #include "app/session/surface_options.h"
+#include "app/session/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,14 +41,15 @@ void draw_tree(InterfaceContext& context) {
     widgets::fact("Diameter", range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max));
     if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
     if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
-    if (!tree.repairs.empty()) {
-        widgets::fact("Repairs", grouped(tree.repairs.size()));
-        std::string all;
-        for (std::size_t i = 0; i < std::min<std::size_t>(tree.repairs.size(), 12); ++i)
-            all += (i > 0 ? "\n" : "") + tree.repairs[i];
-        if (tree.repairs.size() > 12) all += "\n\xE2\x80\xA6";
-        widgets::tooltip(all.c_str());
+    if (const auto& edits = document.marks().edits; !edits.empty()) {
+        widgets::fact("Edits", grouped(edits.size()));
+        constexpr std::size_t kListed = 12; // the last ones
+        std::string list;
+        for (std::size_t i = edits.size() - std::min(edits.size(), kListed); i < edits.size(); ++i)
+            list.append(list.empty() ? "" : "\n").append(sentence(edits[i]));
+        widgets::tooltip(list.c_str());
     }
+    draw_doctor_line(context);
 }
 
 std::string as_text(const SurfaceOption& option, float value) {
@@ -106,6 +108,8 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     widgets::fact("Branch", std::to_string(id));
     const std::string label = label_of(document.dependency(), document.marks().names, id);
     if (!label.empty()) widgets::fact("Name", label);
+    const std::string system = system_of(*document.tree(), document.marks(), id);
+    if (!system.empty()) widgets::fact("System", system);
     widgets::fact("Diameter", digits(own.diameter_mm.mean) + " mm");
     widgets::fact("  from \xE2\x80\x93 to", range(own.diameter_mm.min, own.diameter_mm.max));
     widgets::fact("Length", digits(own.length_mm) + " mm");
@@ -216,6 +220,7 @@ void draw_side_panel(InterfaceContext& context) {
         if (context.interface.planning) {
             draw_plan(context);
         } else {
+            draw_systems(context);
             draw_surface(context);
             draw_glass(context);
             draw_context(context);

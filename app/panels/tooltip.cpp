@@ -4,6 +4,7 @@
 #include "app/panels/widgets.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
+#include "app/session/systems.h"
 
 #include <imgui.h>
 
@@ -38,6 +39,8 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
             ImGui::SameLine(0.0F, 8.0F * theme::scale());
             widgets::quiet(more.c_str());
         };
+        const std::string system = system_of(*document.tree(), document.marks(), id);
+        if (!system.empty()) row("System", widgets::fitted(system, 180.0F * scale));
         const std::string least = digits(facts.diameter_mm.min);
         const std::string most = digits(facts.diameter_mm.max);
         row("Diameter", digits(facts.diameter_mm.mean) + " mm",

@@ -132,6 +132,7 @@ void tooltip(const char* text, const char* key) {
     note_item(text);
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F * theme::scale(), 7.0F * theme::scale()});
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F); // also of what is disabled
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(320.0F * theme::scale());
     ImGui::TextUnformatted(text);
@@ -141,7 +142,7 @@ void tooltip(const char* text, const char* key) {
         quiet(key);
     }
     ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 std::string fitted(const std::string& text, float width) {

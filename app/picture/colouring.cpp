@@ -2,6 +2,7 @@
 
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
+#include "app/session/systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +196,22 @@ void colour_by_label(Colouring& colouring, const tree::VesselTree& tree, const M
     }
 }
 
+void colour_by_system(Colouring& colouring, const tree::VesselTree& tree, const Marks& marks) {
+    const Systems& systems = systems_of(tree, marks);
+    const glm::vec3 plain = render::Appearance{}.vessel;
+    colouring.legend.title = systems.empty() ? "No systems" : "Systems";
+    if (systems.empty()) colouring.legend.swatches.push_back({plain, "all branches"});
+    std::vector<glm::vec3> colours;
+    for (int system = 0; system < static_cast<int>(systems.size()); ++system) {
+        colours.push_back(shown_colour(systems, system));
+        colouring.legend.swatches.push_back({colours.back(), latin1(system_name(systems, system))});
+    }
+    for (const tree::Branch& branch : tree.branches) {
+        const auto system = static_cast<std::size_t>(branch.system);
+        colouring.branches.push_back(system < colours.size() ? colours[system] : plain);
+    }
+}
+
 void explain_states(Colouring& colouring, const Marks& marks, std::size_t branches) {
     using render::BranchState;
     const render::Appearance look;
@@ -254,6 +271,9 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
         break;
     case ColourBy::kLabel:
         colour_by_label(colouring, tree, marks);
+        break;
+    case ColourBy::kSystem:
+        colour_by_system(colouring, tree, marks);
         break;
     case ColourBy::kBranch:
         for (std::size_t i = 0; i < tree.branches.size(); ++i) colouring.branches.push_back(distinct(i));

@@ -4,6 +4,7 @@
 #include "app/assets/measured.h"
 #include "app/assets/plan.h"
 #include "app/picture/colouring.h"
+#include "app/picture/note_marks.h"
 #include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
 #include "render/scene/frame.h"
@@ -108,6 +109,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(options.width));
     draw_cuts(frame, marks, plan);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found);
+    if (viewing.notes) mark_notes(frame, tree, viewing.note);
     return frame;
 }
 

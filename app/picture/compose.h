@@ -23,6 +23,8 @@ struct Viewing {
     std::optional<GlassLook> glass{};                  // instead of the session's, while it is being tried
     std::optional<std::vector<ContextItem>> context{}; // likewise
     std::optional<mesh::SurfaceOptions> options{};     // likewise
+    bool notes = false; // the places that reading the tree repaired or suspects are marked
+    int note = -1;      // this one more than the others; -1: none
 };
 
 // `assets` are those of the session; what is not there yet is not shown, and without a tree

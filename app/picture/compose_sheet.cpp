@@ -13,6 +13,9 @@ namespace {
 
 constexpr glm::vec3 kLineColour{0.62F, 0.90F, 1.00F}; // of what is superimposed: far from the vessels' own
 
+// Of what shows all systems at once: bone, that no system, state or quantity has; lines are lighter.
+constexpr glm::vec3 kNeutralColour{0.76F, 0.74F, 0.69F}, kNeutralLineColour{0.95F, 0.93F, 0.87F};
+
 // What is left of a frame on a surface that knows no branches.
 void take_branches_away(render::Frame& frame) {
     frame.states.clear();
@@ -86,10 +89,13 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         own.method = viewports[i].surface;
         render::Frame frame = compose(session, assets, surfaces.of(viewports[i].surface), own);
         if (!viewports[i].has_branches) take_branches_away(frame);
+        // In a colour of its own it would be taken for a system that has this colour.
+        const bool systems = assets.tree && !assets.tree->systems.empty();
+        if (!viewports[i].has_branches && systems) frame.appearance.vessel = kNeutralColour;
         if (comparison.mode == Comparison::Mode::kSuperimposed && surfaces.lines)
             frame.context.push_back({.mesh = surfaces.lines,
                                      .preview = surfaces.lines_preview,
-                                     .colour = kLineColour,
+                                     .colour = systems ? kNeutralLineColour : kLineColour,
                                      .opacity = 0.9F,
                                      .wireframe = true});
         // They are the same in all: viewports beside each other share one each.

@@ -103,7 +103,7 @@ Facts tree_facts(const Document& document) {
                 {"Diameters", range_text(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max)},
                 {"Roots", grouped(tree.roots.size())},
                 {"Loops", grouped(static_cast<std::uint64_t>(tree.loop_count))},
-                {"Repairs on reading", grouped(tree.repairs.size())},
+                {"Repairs on reading", grouped(sentences(tree, tree::Note::Kind::kRepaired).size())},
                 {"Selected", grouped(marks.selection.size())},
                 {"Highlighted", count(render::BranchState::kHighlighted)},
                 {"Defocused", count(render::BranchState::kDefocused)},
@@ -213,6 +213,7 @@ std::string report_page(const Document& document, const Assets& assets, const st
                 base64(picture.png) + "\"><figcaption>" + html_text(picture.caption) + "</figcaption></figure>\n";
     if (!pictures.empty()) page += "</div>\n";
     page += "<h2>Tree</h2>\n" + facts_html(tree_facts(document));
+    if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets), "");
     const Marks& marks = document.marks();
     const Plan& plan = *assets.plan;
     page += lesions_html(document, plan);

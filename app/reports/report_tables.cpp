@@ -3,6 +3,7 @@
 #include "app/assets/assets.h"
 #include "app/session/labels.h"
 #include "app/session/quantity.h"
+#include "app/session/systems.h"
 
 #include <algorithm>
 #include <charconv>
@@ -26,6 +27,19 @@ private:
     const BranchNames& names_;
     std::vector<int> sources_;
 };
+
+// A column `at` for the systems of branches, where the tree has systems; the ids stand in column `branch_at`.
+void add_systems(Table& table, const Document& document, std::size_t branch_at, std::size_t at) {
+    const tree::VesselTree& tree = *document.tree();
+    if (tree.systems.empty()) return;
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    table.columns.insert(table.columns.begin() + place, {"system", "System"});
+    for (std::vector<Cell>& row : table.rows) {
+        const auto id = row[branch_at].number;
+        const std::string name = id ? system_of(tree, document.marks(), static_cast<int>(*id)) : std::string();
+        row.insert(row.begin() + place, name);
+    }
+}
 
 // Of quantities that vary along a branch: mean, least and largest.
 void add_columns(std::vector<Column>& columns, const QuantityRow& row) {
@@ -60,7 +74,13 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
 } // namespace
 
 Table selection_table(const Document& document, const Assets& assets) {
-    Table table{"Selection", {{"branch", "Branch"}, {"name", "Name"}}, {}};
+    Table table = branches_table(document, assets, document.marks().selection);
+    table.title = "Selection";
+    return table;
+}
+
+Table branches_table(const Document& document, const Assets& assets, std::span<const int> branches) {
+    Table table{"Branches", {{"branch", "Branch"}, {"name", "Name"}}, {}};
     const std::vector<const QuantityRow*> quantities = rows_with(&QuantityRow::report);
     const auto behind =
         std::ranges::find_if(quantities, [](const auto* row) { return row->report.order > kBeforeState; });
@@ -71,7 +91,7 @@ Table selection_table(const Document& document, const Assets& assets) {
     const bool lesions = !plan.lesion_distances_mm.empty();
     if (lesions) table.columns.push_back({"lesion_distance_mm", "To lesion, mm"});
     const Names names(document);
-    for (const int id : document.marks().selection) {
+    for (const int id : branches) {
         std::vector<Cell> cells{id, names.of(id)};
         for (auto row = quantities.begin(); row != behind; ++row) add_cells(cells, **row, document, id);
         cells.emplace_back(std::string(name_of(state_of(document.marks(), id))));
@@ -79,6 +99,7 @@ Table selection_table(const Document& document, const Assets& assets) {
         if (lesions) cells.emplace_back(plan.lesion_distances_mm[static_cast<std::size_t>(id)]);
         table.rows.push_back(std::move(cells));
     }
+    add_systems(table, document, 0, 2);
     return table;
 }
 
@@ -110,6 +131,7 @@ Table cuts_table(const Document& document, const Assets& assets) {
         add(row, plan.cuts.together);
         table.rows.push_back(std::move(row));
     }
+    add_systems(table, document, 1, 3);
     return table;
 }
 
@@ -132,6 +154,24 @@ Table bands_table(const Document& document, const Assets& assets) {
             add(row, found.dependents);
             table.rows.push_back(std::move(row));
         }
+    add_systems(table, document, 2, 4);
+    return table;
+}
+
+Table systems_table(const Document& document, const Assets& /*assets*/) {
+    Table table{"Systems",
+                {{"system", "System"},
+                 {"colour", "Colour"},
+                 {"branches", "Branches"},
+                 {"visible_branches", "visible"},
+                 {"length_mm", "Length, mm"},
+                 {"volume_mm3", "Volume, mm\xC2\xB3"}},
+                {}};
+    const Systems& systems = systems_of(*document.tree(), document.marks());
+    const std::vector<SystemFacts> facts = system_facts(*document.tree(), *document.facts(), document.marks());
+    for (std::size_t i = 0; i < facts.size(); ++i)
+        table.rows.push_back({system_name(systems, static_cast<int>(i)), colour_text(systems[i].colour),
+                              facts[i].branches, facts[i].visible, facts[i].length_mm, facts[i].volume_mm3});
     return table;
 }
 

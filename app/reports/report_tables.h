@@ -1,11 +1,12 @@
-// The tables of reports: what is selected, what cuts cost, what lies within the margins of lesions, what was measured.
-// Values with columns, from which CSV and the page are written. Numbers are kept as numbers: CSV gives nine digits,
-// pages round them.
+// The tables of reports: what is selected, what cuts cost, what lies within the margins of lesions, what was measured,
+// the systems. Values with columns, from which CSV and the page are written. Numbers are kept as numbers: CSV gives
+// nine digits, pages round them.
 #pragma once
 
 #include "app/session/document.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,10 +37,13 @@ struct Table {
 
 // The document has a tree, and the assets are up to it.
 [[nodiscard]] Table selection_table(const Document& document, const Assets& assets); // a row for each selected branch
+[[nodiscard]] Table branches_table(const Document& document, const Assets& assets,
+                                   std::span<const int> branches); // the same of any branches, in their order
 [[nodiscard]] Table cuts_table(const Document& document,
                                const Assets& assets); // a row for each cut; all together in the last
 [[nodiscard]] Table bands_table(const Document& document,
                                 const Assets& assets); // a row for each branch within a margin
+[[nodiscard]] Table systems_table(const Document& document, const Assets& assets);      // a row for each system
 [[nodiscard]] Table measurements_table(const Document& document, const Assets& assets); // a row for each measurement
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.

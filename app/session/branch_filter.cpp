@@ -1,6 +1,8 @@
 #include "app/session/branch_filter.h"
 
+#include "app/session/systems.h"
 #include "core/io/file_format.h"
+#include "core/io/text_numbers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -30,14 +32,6 @@ constexpr std::pair<std::string_view, Relation> kComparisons[] = {
     {"\xE2\x89\xA5", Relation::kGreaterOrEqual},
     {"=", Relation::kEqual},
 };
-
-// ASCII; labels in other letters are found as they are written.
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
-}
 
 template <class Table> auto named(const Table& table, std::string_view name) {
     const auto found = std::ranges::find_if(table, [&](const auto& entry) { return entry.first == name; });
@@ -98,13 +92,10 @@ private:
 
     Result<BranchCondition> next() {
         if (text_[at_] == '"') {
-            const std::size_t end = text_.find('"', at_ + 1);
-            if (end == std::string_view::npos) return fail("a quote is not closed");
-            BranchCondition condition{.text = lower(text_.substr(at_ + 1, end - at_ - 1))};
-            at_ = end + 1;
-            return condition;
+            RAMUS_TRY(quoted, take_quoted());
+            return BranchCondition{.text = quoted};
         }
-        const std::string word = lower(take_word());
+        const std::string word = io::lower_case(take_word());
         const std::size_t behind = at_;
         skip_blanks();
         if (const auto comparison = take_comparison()) return quantity_condition(word, *comparison);
@@ -114,7 +105,25 @@ private:
             if (!property) return fail("is: takes hidden, selected, highlighted, defocused, normal, leaf or named");
             return BranchCondition{.kind = BranchCondition::Kind::kProperty, .property = *property};
         }
+        if (constexpr std::string_view kSystem = "system:"; word.starts_with(kSystem)) {
+            std::string name = word.substr(kSystem.size());
+            if (name.empty() && at_ < text_.size() && text_[at_] == '"') {
+                RAMUS_TRY(quoted, take_quoted());
+                name = quoted;
+            }
+            if (name.empty()) return fail("system: takes the name of a system, or a part of it");
+            return BranchCondition{.kind = BranchCondition::Kind::kSystem, .text = name};
+        }
         return BranchCondition{.text = word};
+    }
+
+    // With the quotes around it.
+    Result<std::string> take_quoted() {
+        const std::size_t end = text_.find('"', at_ + 1);
+        if (end == std::string_view::npos) return fail("a quote is not closed");
+        std::string quoted = io::lower_case(text_.substr(at_ + 1, end - at_ - 1));
+        at_ = end + 1;
+        return quoted;
     }
 
     Result<BranchCondition> quantity_condition(const std::string& word, Relation comparison) {
@@ -122,7 +131,7 @@ private:
         const auto quantity = filtered_quantity(word);
         if (!quantity) return fail("\"" + word + "\" is not known", {}, quantity_names());
         skip_blanks();
-        std::string value = lower(take_word());
+        std::string value = io::lower_case(take_word());
         const auto is_unit = [](std::string_view unit) {
             return unit == "mm" || unit == "mm3" || unit == "mm\xC2\xB3";
         };
@@ -132,7 +141,7 @@ private:
         else {
             const std::size_t behind = at_;
             skip_blanks();
-            if (!is_unit(lower(take_word()))) at_ = behind;
+            if (!is_unit(io::lower_case(take_word()))) at_ = behind;
         }
         const auto parsed = number(value);
         if (!parsed) return fail(value.empty() ? word + ": a number is missing" : "\"" + value + "\" is not a number");
@@ -197,7 +206,14 @@ std::vector<int> branches_passing(const BranchFilter& filter, const tree::Vessel
                                   const Marks& marks) {
     const std::vector<int> sources = label_sources(facts.dependency, marks.names);
     std::map<int, std::string> labels; // lower case
-    for (const auto& [id, name] : marks.names) labels.emplace(id, lower(name));
+    for (const auto& [id, name] : marks.names) labels.emplace(id, io::lower_case(name));
+    std::vector<std::string> systems; // likewise
+    for (int system = 0; system < static_cast<int>(tree.systems.size()); ++system)
+        systems.push_back(io::lower_case(system_name(systems_of(tree, marks), system)));
+    const auto in_system = [&](int id, const std::string& text) {
+        const auto system = static_cast<std::size_t>(tree.branches[static_cast<std::size_t>(id)].system);
+        return system < systems.size() && systems[system].find(text) != std::string::npos;
+    };
     const auto passes = [&](const BranchCondition& condition, int id) {
         const int source = sources[static_cast<std::size_t>(id)];
         switch (condition.kind) {
@@ -209,8 +225,10 @@ std::vector<int> branches_passing(const BranchFilter& filter, const tree::Vessel
         case BranchCondition::Kind::kProperty:
             return has(condition.property, tree, marks, id, source);
         case BranchCondition::Kind::kText:
-            return std::to_string(id) == condition.text ||
+            return std::to_string(id) == condition.text || in_system(id, condition.text) ||
                    (source != tree::kNoBranch && labels.at(source).find(condition.text) != std::string::npos);
+        case BranchCondition::Kind::kSystem:
+            return in_system(id, condition.text);
         }
         return false;
     };

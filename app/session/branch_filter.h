@@ -2,8 +2,9 @@
 //
 //     d>3            mean diameter in mm; also gen, strahler, len, deps, vol, dist (mm from the root), id
 //     gen<=5 len>=20 operators < <= > >= = !=; blanks around them are fine, so are units ("d > 3 mm")
+//     system:portal  occurs in the name of the branch's system; system:"hepatic vein" with blanks
 //     is:hidden      also selected, highlighted, defocused, normal, leaf, named
-//     right hepatic  words occur in the label, whatever their case; "quoted words" together
+//     right hepatic  words occur in the label or in the system's name, whatever their case; "quoted words" together
 //     17             a whole number is an id, or occurs in the label
 //
 // Parsing is pure and total: it gives a filter or says what is wrong with the text.
@@ -24,7 +25,7 @@ enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kN
 enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
 
 struct BranchCondition {
-    enum class Kind { kQuantity, kProperty, kText };
+    enum class Kind { kQuantity, kProperty, kText, kSystem };
     Kind kind = Kind::kText;
     Quantity quantity = Quantity::kId;
     Relation comparison = Relation::kEqual;

@@ -17,6 +17,8 @@ std::vector<ColouringRow> colouring_table() {
         rows.push_back({row->quantity, row->key, row->label, row->colours.help});
     rows.push_back({ColourBy::kLesion, "lesion", "Distance to lesion", "Colours the margins around the lesions."});
     rows.push_back({ColourBy::kLabel, "label", "Names", "Colours named branches and what depends on them."});
+    rows.push_back(
+        {ColourBy::kSystem, "system", "System", "Colours each system (portal vein, artery) as it is listed."});
     rows.push_back({ColourBy::kBranch, "branch", "Branch", "Tells neighbouring branches apart."});
     return rows;
 }

@@ -15,7 +15,7 @@
 namespace ramus::app {
 
 struct ColourBy {
-    enum class Kind : std::uint8_t { kNothing, kState, kQuantity, kLesion, kLabel, kBranch };
+    enum class Kind : std::uint8_t { kNothing, kState, kQuantity, kLesion, kLabel, kBranch, kSystem };
     using enum Kind;
     Kind kind = kNothing;
     Quantity quantity{}; // of kQuantity

@@ -83,4 +83,16 @@ std::optional<std::vector<std::int32_t>> label_list(std::string_view text) {
     return labels;
 }
 
+std::optional<std::vector<std::vector<std::int32_t>>> label_groups(std::string_view text) {
+    std::vector<std::vector<std::int32_t>> groups;
+    for (const std::string_view part : parts_of(text)) {
+        std::string list(part);
+        std::ranges::replace(list, '+', ',');
+        auto labels = label_list(list);
+        if (!labels) return std::nullopt;
+        groups.push_back(std::move(*labels));
+    }
+    return groups;
+}
+
 } // namespace ramus::app

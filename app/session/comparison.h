@@ -23,6 +23,7 @@ struct Comparison {
     // Two or three, none twice.
     std::vector<mesh::Method> surfaces{mesh::Method::kConvolutionSurface, mesh::Method::kTruncatedCones};
     std::string mask;                 // of the isosurface: a file, absolute; empty: the tree's own voxels
+    std::string mask_units;           // of its lengths, "cm"; empty: as its file says
     std::vector<std::int32_t> labels; // in the mask, ascending; empty: whatever is inside
     double blend = 0.5;               // 0: the first surface alone; 1: the second
     bool operator==(const Comparison&) const = default;
@@ -42,5 +43,7 @@ inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison:
 [[nodiscard]] std::optional<std::vector<mesh::Method>> surface_list(std::string_view text);
 // "1,2": whole numbers other than 0, made ascending, without repeats.
 [[nodiscard]] std::optional<std::vector<std::int32_t>> label_list(std::string_view text);
+// "1+3,2": the labels of each of several groups, as label_list() has them.
+[[nodiscard]] std::optional<std::vector<std::vector<std::int32_t>>> label_groups(std::string_view text);
 
 } // namespace ramus::app

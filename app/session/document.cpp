@@ -1,17 +1,25 @@
 #include "app/session/document.h"
 
+#include "app/session/carry_over.h"
+#include "app/session/tree_edits.h"
+
 #include <algorithm>
 #include <functional>
+#include <span>
 
 namespace ramus::app {
 
 using Direction = MarksChange::Direction;
 
 void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session session,
-                    std::shared_ptr<const TreeFacts> facts, std::filesystem::path file) {
+                    std::shared_ptr<const TreeFacts> facts, std::filesystem::path file,
+                    std::shared_ptr<const tree::VesselTree> base) {
     tree_ = std::move(tree);
+    base_ = base ? std::move(base) : tree_;
     facts_ = facts || !tree_ ? std::move(facts) : std::make_shared<const TreeFacts>(facts_of(*tree_));
     session_ = std::move(session);
+    known_.clear();
+    keep_tree();
     steps_.clear();
     position_ = 0;
     joining_ = false;
@@ -29,6 +37,54 @@ void Document::change(Marks next) {
         next.selection = canonical(std::move(next.selection));
     set_state(next, {}, render::BranchState::kNormal);
     if (next == session_.marks) return;
+    const std::vector<tree::Edit> before = session_.marks.edits;
+    take_change(std::move(next));
+    follow_edits(before);
+}
+
+Result<void> Document::edit_tree(const tree::Edit& edit) {
+    if (!tree_) return fail("there is no tree", {}, "open one first");
+    RAMUS_TRY(edited, tree::apply(*tree_, edit));
+    Marks next = carried_over(session_.marks, *tree_, edited);
+    next.edits.push_back(edit);
+    std::erase_if(known_, [&](const EditedState& state) { return state.edits >= next.edits.size(); });
+    tree_ = std::make_shared<const tree::VesselTree>(std::move(edited.tree));
+    facts_ = std::make_shared<const TreeFacts>(facts_of(*tree_));
+    take_change(std::move(next));
+    keep_tree();
+    return {};
+}
+
+// The first tree, every sixteenth and the last few: undo makes few edits again, and memory stays small.
+void Document::keep_tree() {
+    constexpr std::size_t kSpacing = 16, kLast = 4;
+    if (!tree_) return;
+    const std::size_t now = session_.marks.edits.size();
+    known_.push_back({now, tree_, facts_});
+    std::erase_if(known_,
+                  [&](const EditedState& state) { return state.edits + kLast < now && state.edits % kSpacing != 0; });
+}
+
+void Document::follow_edits(const std::vector<tree::Edit>& before) {
+    const std::vector<tree::Edit>& now = session_.marks.edits;
+    if (now == before || !tree_) return;
+    const auto common = static_cast<std::size_t>(
+        std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first - before.begin());
+    std::erase_if(known_, [&](const EditedState& state) { return state.edits > common; });
+    const EditedState start = known_.empty() ? EditedState{0, base_, nullptr} : known_.back();
+    tree_ = start.tree;
+    facts_ = start.facts;
+    if (start.edits == now.size() && facts_) return;
+    // They were made before, of the same tree.
+    if (start.edits < now.size())
+        tree_ = std::make_shared<const tree::VesselTree>(
+            tree::apply_all(*start.tree, std::span(now).subspan(start.edits)).value());
+    facts_ = std::make_shared<const TreeFacts>(facts_of(*tree_));
+    keep_tree();
+}
+
+void Document::take_change(Marks next) {
+    set_state(next, {}, render::BranchState::kNormal);
     MarksChange made = MarksChange::between(session_.marks, next);
     session_.marks = std::move(next);
     ++revision_;
@@ -41,10 +97,34 @@ void Document::change(Marks next) {
         lost_changes_ += saved_position_ - position_;
         saved_position_ = position_;
     }
-    steps_.push_back({"change", {}, nullptr});
+    steps_.push_back({"change", {}, nullptr, nullptr, false});
     steps_.back().changes.push_back(std::move(made));
     ++position_;
     joining_ = depth_ > 0;
+}
+
+void Document::go_to_tree(const TreeWithFacts& other, bool moves) {
+    if (moves) session_.camera = carried_over(session_.camera, *tree_, *other.tree);
+    tree_ = base_ = other.tree;
+    facts_ = other.facts;
+    known_.clear();
+    keep_tree();
+}
+
+void Document::change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks next) {
+    begin_step();
+    const io::ReadOptions read = session_.marks.reading;
+    change(std::move(next));
+    if (joining_) {
+        const io::ReadOptions& now = session_.marks.reading;
+        steps_.back().tree_moves = read.unit != now.unit || read.axes != now.axes;
+        const TreeWithFacts before{tree_, facts_};
+        auto facts = std::make_shared<const TreeFacts>(facts_of(*tree));
+        const TreeWithFacts after{std::move(tree), std::move(facts)};
+        steps_.back().trees = std::make_shared<const std::pair<TreeWithFacts, TreeWithFacts>>(before, after);
+        go_to_tree(after, steps_.back().tree_moves);
+    }
+    end_step("read again");
 }
 
 void Document::set_camera(const render::Camera& camera) {
@@ -74,9 +154,15 @@ bool Document::undo() {
     if (!can_undo()) return false;
     joining_ = false;
     const Step& step = steps_[--position_];
+    const std::vector<tree::Edit> before = session_.marks.edits;
     for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
         change->apply(session_.marks, Direction::kBack);
-    if (step.cameras && session_.camera == step.cameras->second) session_.camera = step.cameras->first;
+    const bool camera_stayed = step.cameras && session_.camera == step.cameras->second;
+    if (step.trees)
+        go_to_tree(step.trees->first, step.tree_moves);
+    else
+        follow_edits(before);
+    if (camera_stayed) session_.camera = step.cameras->first;
     ++revision_;
     return true;
 }
@@ -85,8 +171,14 @@ bool Document::redo() {
     if (!can_redo()) return false;
     joining_ = false;
     const Step& step = steps_[position_++];
+    const std::vector<tree::Edit> before = session_.marks.edits;
     for (const MarksChange& change : step.changes) change.apply(session_.marks, Direction::kForward);
-    if (step.cameras && session_.camera == step.cameras->first) session_.camera = step.cameras->second;
+    const bool camera_stayed = step.cameras && session_.camera == step.cameras->first;
+    if (step.trees)
+        go_to_tree(step.trees->second, step.tree_moves);
+    else
+        follow_edits(before);
+    if (camera_stayed) session_.camera = step.cameras->second;
     ++revision_;
     return true;
 }

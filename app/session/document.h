@@ -7,6 +7,7 @@
 #include "app/session/branch_facts.h"
 #include "app/session/marks_change.h"
 #include "app/session/session.h"
+#include "core/base/error.h"
 
 #include <cstdint>
 #include <memory>
@@ -20,12 +21,17 @@ class Document {
 public:
     // Another tree, or none: history starts anew. `facts` are the tree's, where they are known already; `file`: the
     // session file that it came from; empty for none.
+    // `base`: the tree as its file has it, where the session has edits; they are those that made `tree` of it.
     void open(std::shared_ptr<const tree::VesselTree> tree, Session session,
-              std::shared_ptr<const TreeFacts> facts = nullptr, std::filesystem::path file = {});
+              std::shared_ptr<const TreeFacts> facts = nullptr, std::filesystem::path file = {},
+              std::shared_ptr<const tree::VesselTree> base = nullptr);
 
     [[nodiscard]] const Session& session() const { return session_; }
     [[nodiscard]] const Marks& marks() const { return session_.marks; }
+    // As edited: another one after every edit, and after undo and redo of one.
     [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& tree() const { return tree_; }
+    // As its file has it: the same until another file is opened, or this one is read in another way.
+    [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& base_tree() const { return base_; }
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
     [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
     [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
@@ -34,6 +40,12 @@ public:
 
     // Nothing is remembered when nothing differs.
     void change(Marks next);
+    // The tree and what is marked on it. A refusal leaves all as it was.
+    Result<void> edit_tree(const tree::Edit& edit);
+    // The same with another tree, that the file makes when it is read as next.reading says; for sessions without edits,
+    // which are those of the tree before. What is seen of it stays: the camera goes along where another unit or other
+    // axes move the tree, and back when this is undone.
+    void change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks next);
     void set_camera(const render::Camera& camera);
 
     // What one command changes is one step, with a name: changes between begin_step() and the end_step() that belongs
@@ -68,13 +80,31 @@ public:
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
 private:
+    struct TreeWithFacts {
+        std::shared_ptr<const tree::VesselTree> tree;
+        std::shared_ptr<const TreeFacts> facts;
+    };
     struct Step {
         std::string name;
         std::vector<MarksChange> changes;                                         // one, nearly always
         std::shared_ptr<const std::pair<render::Camera, render::Camera>> cameras; // before and after; null: the same
+        std::shared_ptr<const std::pair<TreeWithFacts, TreeWithFacts>> trees;     // likewise
+        bool tree_moves = false; // the second of them lies elsewhere, or is larger or smaller
     };
-    std::shared_ptr<const tree::VesselTree> tree_;
+    // The tree after so many edits of the session.
+    struct EditedState {
+        std::size_t edits = 0;
+        std::shared_ptr<const tree::VesselTree> tree;
+        std::shared_ptr<const TreeFacts> facts;
+    };
+    void take_change(Marks next);
+    void keep_tree();
+    void follow_edits(const std::vector<tree::Edit>& before);
+    void go_to_tree(const TreeWithFacts& other, bool moves);
+
+    std::shared_ptr<const tree::VesselTree> tree_, base_;
     std::shared_ptr<const TreeFacts> facts_;
+    std::vector<EditedState> known_; // ascending; so that undo need not make all edits again
     Session session_;
     std::filesystem::path file_;
     Marks saved_;

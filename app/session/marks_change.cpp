@@ -60,8 +60,7 @@ std::vector<int> PackedIds::ids() const {
 }
 
 template <class T>
-std::optional<MarksChange::Splice<T>> MarksChange::Splice<T>::between(const std::vector<T>& before,
-                                                                      const std::vector<T>& after) {
+std::optional<Splice<T>> Splice<T>::between(const std::vector<T>& before, const std::vector<T>& after) {
     if (before == after) return {};
     const auto [b, a] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
     auto before_end = before.end();
@@ -71,9 +70,9 @@ std::optional<MarksChange::Splice<T>> MarksChange::Splice<T>::between(const std:
     return Splice{static_cast<std::size_t>(b - before.begin()), {b, before_end}, {a, after_end}};
 }
 
-template <class T> void MarksChange::Splice<T>::apply(std::vector<T>& list, Direction direction) const {
-    const std::vector<T>& out = direction == Direction::kForward ? removed : inserted;
-    const std::vector<T>& in = direction == Direction::kForward ? inserted : removed;
+template <class T> void Splice<T>::apply(std::vector<T>& list, ChangeDirection direction) const {
+    const std::vector<T>& out = direction == ChangeDirection::kForward ? removed : inserted;
+    const std::vector<T>& in = direction == ChangeDirection::kForward ? inserted : removed;
     const auto place = list.begin() + static_cast<std::ptrdiff_t>(at);
     const auto rest = list.erase(place, place + static_cast<std::ptrdiff_t>(out.size()));
     list.insert(rest, in.begin(), in.end());
@@ -93,6 +92,7 @@ unsigned state_bits(const Marks& marks, std::size_t branch) {
 
 // What only MarksChange::Seldom::others holds.
 Marks without_lists(Marks marks) {
+    marks.edits.clear();
     marks.selection.clear();
     marks.states.clear();
     marks.lesions.clear();
@@ -119,6 +119,7 @@ MarksChange MarksChange::between(const Marks& before, const Marks& after) {
     Seldom seldom;
     seldom.lesions = Splice<std::array<double, 4>>::between(before.lesions, after.lesions);
     seldom.lesion_meshes = Splice<std::string>::between(before.lesion_meshes, after.lesion_meshes);
+    seldom.edits = Splice<tree::Edit>::between(before.edits, after.edits);
     seldom.cuts = Splice<std::pair<int, double>>::between(before.cuts, after.cuts);
     seldom.measurements = Splice<Measurement>::between(before.measurements, after.measurements);
     if (before.names != after.names) {
@@ -134,8 +135,8 @@ MarksChange MarksChange::between(const Marks& before, const Marks& after) {
     }
     if (auto a = without_lists(before), b = without_lists(after); a != b)
         seldom.others = std::pair(std::move(a), std::move(b));
-    if (seldom.lesions || seldom.lesion_meshes || seldom.cuts || seldom.measurements || !seldom.names.empty() ||
-        seldom.others)
+    if (seldom.lesions || seldom.lesion_meshes || seldom.edits || seldom.cuts || seldom.measurements ||
+        !seldom.names.empty() || seldom.others)
         change.seldom_ = std::make_shared<const Seldom>(std::move(seldom));
     return change;
 }
@@ -143,6 +144,7 @@ MarksChange MarksChange::between(const Marks& before, const Marks& after) {
 void MarksChange::apply(Marks& marks, Direction direction) const {
     if (seldom_ && seldom_->others) {
         Marks next = direction == Direction::kForward ? seldom_->others->second : seldom_->others->first;
+        next.edits = std::move(marks.edits);
         next.selection = std::move(marks.selection);
         next.states = std::move(marks.states);
         next.lesions = std::move(marks.lesions);
@@ -163,6 +165,7 @@ void MarksChange::apply(Marks& marks, Direction direction) const {
     if (!seldom_) return;
     if (seldom_->lesions) seldom_->lesions->apply(marks.lesions, direction);
     if (seldom_->lesion_meshes) seldom_->lesion_meshes->apply(marks.lesion_meshes, direction);
+    if (seldom_->edits) seldom_->edits->apply(marks.edits, direction);
     if (seldom_->cuts) seldom_->cuts->apply(marks.cuts, direction);
     if (seldom_->measurements) seldom_->measurements->apply(marks.measurements, direction);
     for (const Renaming& renaming : seldom_->names) {

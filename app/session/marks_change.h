@@ -32,25 +32,35 @@ private:
     bool bits_ = false;
 };
 
+enum class ChangeDirection { kBack, kForward };
+
+// A part of a list that was replaced by another; all before and behind it stayed. (Outside of the class below: clang 14
+// forgets members of a template that stands in there.)
+template <class T> struct Splice {
+    std::size_t at = 0;
+    std::vector<T> removed, inserted;
+    [[nodiscard]] static std::optional<Splice> between(const std::vector<T>& before, const std::vector<T>& after);
+    void apply(std::vector<T>& list, ChangeDirection direction) const;
+};
+
 class MarksChange {
 public:
-    enum class Direction { kBack, kForward };
+    using Direction = ChangeDirection;
 
     [[nodiscard]] static MarksChange between(const Marks& before, const Marks& after);
     void apply(Marks& marks, Direction direction) const;
 
+    // Branches have other ids then.
+    [[nodiscard]] bool edits_tree() const {
+        const bool read_again =
+            seldom_ && seldom_->others && seldom_->others->first.reading != seldom_->others->second.reading;
+        return read_again || (seldom_ && seldom_->edits);
+    }
     [[nodiscard]] bool selects() const { return !selection_.empty(); }
     // Branches whose state differs, ascending.
     [[nodiscard]] std::vector<int> restated() const;
 
 private:
-    // A part of a list that was replaced by another; all before and behind it stayed.
-    template <class T> struct Splice {
-        std::size_t at = 0;
-        std::vector<T> removed, inserted;
-        [[nodiscard]] static std::optional<Splice> between(const std::vector<T>& before, const std::vector<T>& after);
-        void apply(std::vector<T>& list, Direction direction) const;
-    };
     struct Renaming {
         int branch = 0;
         std::optional<std::string> before, after;
@@ -59,6 +69,7 @@ private:
     struct Seldom {
         std::optional<Splice<std::array<double, 4>>> lesions;
         std::optional<Splice<std::string>> lesion_meshes;
+        std::optional<Splice<tree::Edit>> edits;
         std::optional<Splice<std::pair<int, double>>> cuts;
         std::optional<Splice<Measurement>> measurements;
         std::vector<Renaming> names;

@@ -3,6 +3,7 @@
 #include "app/session/colour_by.h"
 #include "app/session/json_values.h"
 #include "app/session/surface_options.h"
+#include "core/io/trees/imported_tree.h"
 
 #include <charconv>
 #include <limits>
@@ -191,17 +192,24 @@ fs::path written_path(const fs::path& tree, const fs::path& folder) {
     return relative.empty() || *relative.begin() == ".." ? fs::absolute(tree).lexically_normal() : relative;
 }
 
+static std::string units_in(const json& value) {
+    std::string units = text(value, "units");
+    if (!io::length_unit(units)) throw Refusal{"\"" + units + "\" is no unit of length"};
+    return units;
+}
+
 json comparison_json(const Comparison& comparison, const fs::path& folder) {
     json surfaces = json::array();
     for (const mesh::Method kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
     json value{{"mode", std::string(name_of(comparison.mode))}, {"surfaces", surfaces}, {"blend", comparison.blend}};
     if (!comparison.mask.empty()) value["mask"] = written_path(comparison.mask, folder).string();
+    if (!comparison.mask_units.empty()) value["mask_units"] = comparison.mask_units;
     if (!comparison.labels.empty()) value["labels"] = comparison.labels;
     return value;
 }
 
 Comparison comparison_in(const json& value, const fs::path& folder) {
-    expect_only(value, "comparison", {"mode", "surfaces", "mask", "labels", "blend"});
+    expect_only(value, "comparison", {"mode", "surfaces", "mask", "mask_units", "labels", "blend"});
     Comparison comparison;
     if (value.contains("mode")) {
         const std::string wanted = text(value["mode"], "mode of the comparison");
@@ -219,6 +227,7 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     }
     if (value.contains("mask"))
         comparison.mask = (folder / text(value["mask"], "path of the mask")).lexically_normal().string();
+    if (value.contains("mask_units")) comparison.mask_units = units_in(value["mask_units"]);
     std::string labels;
     for (const json& label : list_in(value, "labels")) labels.append(labels.empty() ? "" : ",").append(label.dump());
     if (!labels.empty()) {
@@ -230,6 +239,16 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     return comparison;
 }
 
+tree::System system_in(const json& value) {
+    expect_only(value, "systems", {"name", "colour"});
+    tree::System system{text(value.value("name", json()), "name of a system"), {}};
+    const std::string wanted = text(value.value("colour", json()), "colour of a system");
+    const auto colour = colour_in(wanted);
+    if (!colour) throw Refusal{"\"" + wanted + "\" is not a colour: #RRGGBB"};
+    system.colour = *colour;
+    return system;
+}
+
 json context_json(const ContextItem& item, const fs::path& folder) {
     json value{{"path", written_path(item.file, folder).string()},
                {"colour", colour_text(item.colour)},
@@ -238,11 +257,12 @@ json context_json(const ContextItem& item, const fs::path& folder) {
                {"visible", item.visible}};
     if (item.label != 0) value["label"] = item.label;
     if (item.exact) value["exact"] = true;
+    if (!item.units.empty()) value["units"] = item.units;
     return value;
 }
 
 ContextItem context_item(const json& value, const fs::path& folder) {
-    expect_only(value, "context", {"path", "label", "colour", "opacity", "wireframe", "visible", "exact"});
+    expect_only(value, "context", {"path", "label", "colour", "opacity", "wireframe", "visible", "exact", "units"});
     ContextItem item;
     if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
     item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
@@ -251,6 +271,7 @@ ContextItem context_item(const json& value, const fs::path& folder) {
     if (value.contains("opacity")) item.opacity = number(value["opacity"], "opacity", 0.0, 1.0);
     if (value.contains("wireframe")) item.wireframe = truth(value["wireframe"], "wireframe");
     if (value.contains("exact")) item.exact = truth(value["exact"], "exact");
+    if (value.contains("units")) item.units = units_in(value["units"]);
     if (value.contains("visible")) item.visible = truth(value["visible"], "visible");
     if (value.contains("colour")) {
         const auto colour = colour_in(text(value["colour"], "colour"));

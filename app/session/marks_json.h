@@ -31,6 +31,7 @@ void read_plans(const nlohmann::json& value, Marks& marks); // lesions, cuts, na
 
 // Throw Refusal (app/session/json_values.h).
 [[nodiscard]] Comparison comparison_in(const nlohmann::json& value, const std::filesystem::path& folder);
+[[nodiscard]] tree::System system_in(const nlohmann::json& value);
 [[nodiscard]] ContextItem context_item(const nlohmann::json& value, const std::filesystem::path& folder);
 
 } // namespace ramus::app::session_json

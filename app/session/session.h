@@ -10,7 +10,9 @@
 #include "app/session/colour_by.h"
 #include "app/session/comparison.h"
 #include "app/session/depth_cues.h"
+#include "core/io/trees/imported_tree.h"
 #include "core/mesh/surface.h"
+#include "core/tree/edit_tree.h"
 #include "render/scene/frame.h"
 
 #include <array>
@@ -55,25 +57,28 @@ struct GlassLook {
 
 // A surface that is shown beside the tree, in the same coordinates: an organ, a bone, another surface of the vessels.
 struct ContextItem {
-    std::string file;                                  // absolute: a mask (NIfTI) or a mesh (STL, PLY, OBJ)
+    std::string file;                                  // absolute: a mask or a mesh (STL, PLY, OBJ)
     int label = 0;                                     // of a mask: this one alone; 0: everything that is not zero
     std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
     double opacity = 0.25;                             // where it faces the eye; 1: solid
     bool wireframe = false, visible = true;
     bool exact = false; // of a mask: with the steps of its voxels
+    std::string units;  // of a mask's lengths, "cm"; empty: as its file says
     bool operator==(const ContextItem&) const = default;
 };
 
 // Everything that undo and redo cover.
 struct Marks {
-    std::vector<int> selection;                 // branch ids, ascending
-    std::vector<render::BranchState> states;    // by branch id; branches beyond its end are normal
+    std::vector<tree::Edit> edits;           // of the file's tree, in order; ids below are those of the tree after them
+    std::vector<int> selection;              // branch ids, ascending
+    std::vector<render::BranchState> states; // by branch id; branches beyond its end are normal
     std::vector<std::array<double, 4>> lesions; // spheres: centre and radius, mm, RAS
     std::vector<std::string> lesion_meshes;     // files of closed meshes, absolute
     std::vector<ContextItem> context;           // in the order in which they came
     std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;
+    std::vector<tree::System> systems; // all, renamed or recoloured; empty: as the tree has them (systems.h)
     ColourBy colour_by;
     ColourMap colour_map = ColourMap::kViridis;
     Planning planning;
@@ -82,6 +87,7 @@ struct Marks {
     Comparison comparison;
     bool skeleton = false; // centerlines and rings of the radius are drawn over the vessels
     mesh::SurfaceOptions options;
+    io::ReadOptions reading; // of the tree's file
     bool operator==(const Marks&) const = default;
 };
 

@@ -1,14 +1,20 @@
 #include "app/session/session_file.h"
 
+#include "app/session/edits_json.h"
 #include "app/session/json_text.h"
 #include "app/session/json_values.h"
 #include "app/session/marks_json.h"
+#include "app/session/reading_json.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
+#include <vector>
 
 namespace ramus::app {
 
@@ -42,16 +48,22 @@ json to_json(const Session& session, const fs::path& folder) {
         {"names", names},
         {"camera", render::to_json(session.camera)},
         {"options", options_json(session.marks)}};
+    for (const tree::System& system : session.marks.systems)
+        value["systems"].push_back({{"name", system.name}, {"colour", colour_text(system.colour)}});
+    if (!session.marks.edits.empty()) value["edits"] = edits_json(session.marks.edits);
     if (session.marks.comparison != Comparison{})
         value["comparison"] = comparison_json(session.marks.comparison, folder);
+    if (session.marks.reading != io::ReadOptions{}) value["reading"] = reading_json(session.marks.reading);
     return value;
 }
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
+        constexpr int kDeepest = 32; // a session has six levels
+        if (nests_deeper(value, kDeepest)) throw Refusal{"lists stand in lists, deeper than in any session"};
         expect_only(value, "the session",
                     {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
-                     "measurements", "names", "comparison", "camera", "options"});
+                     "measurements", "names", "systems", "edits", "comparison", "camera", "options", "reading"});
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -64,13 +76,16 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value["tree"].contains("checksum")) session.tree.checksum = text(value["tree"]["checksum"], "checksum");
         if (value.contains("selection")) session.marks.selection = ids(value["selection"], "selection");
         if (value.contains("states")) read_states(value["states"], session.marks);
+        if (value.contains("edits")) session.marks.edits = edits_in(value["edits"]);
         read_plans(value, session.marks);
         for (const json& mesh : list_in(value, "lesion_meshes"))
             session.marks.lesion_meshes.push_back(
                 (folder / text(mesh, "path of a lesion")).lexically_normal().string());
+        for (const json& item : list_in(value, "systems")) session.marks.systems.push_back(system_in(item));
         for (const json& item : list_in(value, "context")) session.marks.context.push_back(context_item(item, folder));
         if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
         if (value.contains("options")) read_options(value["options"], session.marks);
+        if (value.contains("reading")) session.marks.reading = reading_in(value["reading"]);
         if (value.contains("camera")) {
             RAMUS_TRY(camera, render::camera_from_json(value["camera"], where));
             session.camera = camera;
@@ -96,8 +111,31 @@ Result<void> write_session(const Session& session, const fs::path& path) {
     return text ? io::write_file(path, *text) : tl::unexpected(text.error());
 }
 
+namespace {
+
+// Of a folder of images: the names and sizes of its files. It need not be read whole twice.
+std::string contents_of(const fs::path& folder) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+        std::error_code ignored;
+        files.push_back(entry.path().lexically_relative(folder).string() + ' ' +
+                        std::to_string(entry.is_regular_file(ignored) ? entry.file_size(ignored) : 0) + '\n');
+    }
+    std::ranges::sort(files);
+    return std::accumulate(files.begin(), files.end(), std::string());
+}
+
+} // namespace
+
 Result<std::string> checksum_of(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
+    std::error_code error;
+    std::unique_ptr<std::istream> bytes;
+    if (fs::is_directory(path, error))
+        bytes = std::make_unique<std::istringstream>(contents_of(path));
+    else
+        bytes = std::make_unique<std::ifstream>(path, std::ios::binary);
+    std::istream& stream = *bytes;
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     std::array<char, 1 << 16> block{};
     while (stream) {
@@ -112,12 +150,21 @@ Result<std::string> checksum_of(const fs::path& path) {
     return digits;
 }
 
-Result<void> check_against(const Session& session, const tree::VesselTree& tree, const std::string& checksum,
-                           const std::string& where) {
+Result<void> check_checksum(const Session& session, const std::string& checksum, const std::string& where) {
     if (!session.tree.checksum.empty() && session.tree.checksum != checksum)
         return fail(session.tree.path.filename().string() + " has changed since the session was saved", where,
                     "open the tree itself, or remove \"checksum\" from the session");
+    return {};
+}
+
+Result<void> check_against(const Session& session, const tree::VesselTree& tree, const std::string& checksum,
+                           const std::string& where) {
+    if (auto same = check_checksum(session, checksum, where); !same) return same;
     const Marks& marks = session.marks;
+    if (!marks.systems.empty() && marks.systems.size() != tree.systems.size())
+        return fail("the session names " + std::to_string(marks.systems.size()) + " systems of a tree of " +
+                        std::to_string(tree.systems.size()),
+                    where, "the session belongs to another tree");
     int largest = static_cast<int>(marks.states.size()) - 1;
     if (!marks.selection.empty()) largest = std::max(largest, marks.selection.back());
     if (!marks.names.empty()) largest = std::max(largest, marks.names.rbegin()->first);

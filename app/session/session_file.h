@@ -1,6 +1,8 @@
 // Session files: JSON with `version`, `tree` (path, checksum), `selection`, `states`, `lesions`, `lesion_meshes`,
-// `cuts`, `measurements`, `names`, `camera` and `options`, and `comparison` where surfaces are compared. Writing and
-// reading again gives an equal Session, but for what is the machine's business: threads and memory.
+// `cuts`, `measurements`, `names`, `camera` and `options`, `comparison` where surfaces are compared, `systems` where
+// they have other names or colours than in the file, `edits` where the tree was edited (ids are those of the tree after
+// them), and `reading` where the tree's file is not read as usual. Writing and reading again gives an equal Session,
+// but for what is the machine's business: threads and memory.
 //
 // The tree's path is written relative to the session file when the tree lies in the same folder or below, so that the
 // two can move together; absolute otherwise. Reading refuses unknown names, wrong types and other versions with the
@@ -33,8 +35,12 @@ struct SavedSession {
 // 64-bit FNV-1a of the file's bytes, in hexadecimal.
 [[nodiscard]] Result<std::string> checksum_of(const std::filesystem::path& path);
 
-// Whether `session` belongs to `tree`: the checksum is that of its file and every branch id exists. `where` names the
-// session file in the message.
+// Whether the session's tree is still the file that it was saved with.
+[[nodiscard]] Result<void> check_checksum(const Session& session, const std::string& checksum,
+                                          const std::string& where);
+
+// Whether `session` belongs to `tree`, its edits made: the checksum is that of its file and every branch id exists.
+// `where` names the session file in the message.
 [[nodiscard]] Result<void> check_against(const Session& session, const tree::VesselTree& tree,
                                          const std::string& checksum, const std::string& where);
 

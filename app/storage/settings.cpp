@@ -37,7 +37,8 @@ json to_json(const Settings& settings) {
     json value{{"window", {settings.window.x, settings.window.y}},
                {"panel_open", settings.panel_open},
                {"recent_files", settings.recent_files},
-               {"last_folder", settings.last_folder.string()}};
+               {"last_folder", settings.last_folder.string()},
+               {"drop_beside", settings.drop_beside}};
     if (settings.ui_scale > 0.0) value["ui_scale"] = settings.ui_scale;
     return value;
 }
@@ -57,6 +58,10 @@ Result<Settings> settings_from_json(const json& value, const std::string& where)
         if (value.contains("panel_open")) {
             if (!value["panel_open"].is_boolean()) throw Refusal{"panel_open is neither true nor false"};
             settings.panel_open = value["panel_open"].get<bool>();
+        }
+        if (value.contains("drop_beside")) {
+            if (!value["drop_beside"].is_boolean()) throw Refusal{"drop_beside is neither true nor false"};
+            settings.drop_beside = value["drop_beside"].get<bool>();
         }
         if (value.contains("recent_files"))
             settings.recent_files = integer(value["recent_files"], "recent_files", 0, 100);

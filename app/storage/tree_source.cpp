@@ -1,8 +1,13 @@
 #include "app/storage/tree_source.h"
 
+#include "core/io/volumes/volume_file.h"
+
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace ramus::app {
 
@@ -24,6 +29,63 @@ bool is_session_file(const fs::path& path) {
     };
     const auto parsed = nlohmann::json::parse(stream, keep, false);
     return !parsed.is_discarded() && has_tree && has_version;
+}
+
+namespace {
+
+// What is told of the file, and of what was made of its labels.
+std::vector<tree::Note> notes_on(const volume::Volume& mask, std::size_t systems) {
+    std::vector<tree::Note> notes;
+    for (const std::string& note : mask.notes) notes.push_back({tree::Note::Kind::kAssumed, "mask", note, {}});
+    for (const std::string& suspicion : mask.suspicions)
+        notes.push_back({tree::Note::Kind::kSuspect, "units", suspicion, {}});
+    if (systems > 1)
+        notes.push_back({tree::Note::Kind::kAssumed,
+                         "labels",
+                         "the mask has " + std::to_string(systems) +
+                             " labels: each is a system of its own, connected with no other",
+                         {}});
+    return notes;
+}
+
+Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,
+                                      Job& job) {
+    RAMUS_TRY(mask, io::read_volume(path, {memory_bytes, options.unit}, job));
+    const auto at_file = [&](Error error) {
+        if (error.where.empty()) error.where = path.string();
+        return tl::unexpected(std::move(error));
+    };
+    volume::LabelGroups groups(std::in_place); // each label one
+    if (options.mask.labels && options.mask.labels->empty())
+        groups.reset();
+    else if (options.mask.labels)
+        groups = options.mask.labels;
+    const auto systems = volume::systems_of(mask, groups);
+    if (!systems) return at_file(systems.error());
+    const std::vector<tree::Note> notes = notes_on(mask, options.mask.labels ? 0 : systems->size());
+    auto tree = volume::skeletonize(std::move(mask), *systems, skeletonize_options(options.mask, memory_bytes), job);
+    if (!tree) return at_file(tree.error());
+    tree->source = path.filename().string();
+    tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
+    return tree;
+}
+
+} // namespace
+
+volume::SkeletonizeOptions skeletonize_options(const io::MaskReading& mask, double memory_bytes) {
+    volume::SkeletonizeOptions options;
+    options.bulge_size = mask.bulge_size.value_or(options.bulge_size);
+    options.islands_mm = mask.islands_mm.value_or(options.islands_mm);
+    options.fill_holes = mask.fill_holes.value_or(options.fill_holes);
+    options.root = mask.root;
+    options.memory_bytes = memory_bytes;
+    return options;
+}
+
+Result<tree::VesselTree> read_tree_or_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,
+                                           Job& job) {
+    if (!is_session_file(path) && io::is_volume(path)) return tree_of_mask(path, options, memory_bytes, job);
+    return io::read_tree(path, options);
 }
 
 std::optional<fs::path> demo_tree() {

@@ -1,5 +1,6 @@
 #include "app/tools/tool_kinds.h"
 
+#include "app/tools/edit_tools.h"
 #include "app/tools/lasso_tool.h"
 #include "app/tools/place_tools.h"
 
@@ -105,6 +106,42 @@ const std::vector<ToolKind>& tool_kinds() {
          {},
          {{{0.90F, 0.84F}, {0.12F, 0.84F}, {0.70F, 0.14F}}, {{0.56F, 0.84F}, {0.52F, 0.64F}, {0.40F, 0.50F}}},
          measuring<Measurement::Kind::kAngle>},
+        {"join",
+         "Join ends",
+         "Joins a free end of a vessel with another vessel.",
+         {},
+         {{{0.06F, 0.70F}, {0.34F, 0.58F}},
+          {{0.66F, 0.42F}, {0.94F, 0.30F}},
+          ring({0.42F, 0.54F}, 0.07F),
+          ring({0.58F, 0.46F}, 0.07F)},
+         make<JoinTool>},
+        {"disconnect",
+         "Disconnect",
+         "Takes a false connection out of the tree.",
+         {},
+         {{{0.06F, 0.70F}, {0.36F, 0.58F}},
+          {{0.64F, 0.42F}, {0.94F, 0.30F}},
+          {{0.40F, 0.34F}, {0.60F, 0.66F}},
+          {{0.40F, 0.66F}, {0.60F, 0.34F}}},
+         make<DisconnectTool>},
+        {"delete-spur",
+         "Delete spurs",
+         "Deletes a branch that carries no others.",
+         {},
+         {{{0.08F, 0.70F}, {0.92F, 0.70F}},
+          {{0.50F, 0.70F}, {0.50F, 0.46F}},
+          {{0.38F, 0.16F}, {0.62F, 0.40F}},
+          {{0.62F, 0.16F}, {0.38F, 0.40F}}},
+         make<SpurTool>},
+        {"move-root",
+         "Move root",
+         "Moves the root to a free end: blood enters there.",
+         {},
+         {{{0.50F, 0.92F}, {0.50F, 0.46F}},
+          {{0.50F, 0.46F}, {0.22F, 0.12F}},
+          {{0.50F, 0.46F}, {0.78F, 0.12F}},
+          {{0.36F, 0.74F}, {0.50F, 0.60F}, {0.64F, 0.74F}}},
+         make<RootTool>},
     };
     return kinds;
 }

@@ -18,6 +18,8 @@ Viewing PictureView::viewing() const {
     viewing.glass = interface.tried_glass;
     viewing.context = interface.tried_context;
     viewing.options = state_.workspace.tried_options();
+    viewing.notes = interface.doctor.open && interface.doctor.mark;
+    viewing.note = interface.doctor.current;
     return viewing;
 }
 
@@ -52,6 +54,7 @@ render::Camera PictureView::camera_on_its_way() {
 }
 
 bool PictureView::draw(bool dragging) {
+    state_.follow_tree();
     const std::vector<Viewport> viewports = state_.viewports();
     const ShownSurfaces surfaces = state_.workspace.surfaces();
     compose_window(viewports, surfaces);
@@ -166,6 +169,7 @@ std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { ret
 
 // As `ramus render` draws the session: without what the pointer is doing.
 Result<void> PictureView::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
+    state_.follow_tree();
     Workspace& workspace = state_.workspace;
     Job job;
     (void)load_context(workspace.assets, workspace.document.marks(), job); // waits for what a window leaves to a worker
@@ -178,6 +182,7 @@ Result<void> PictureView::draw_for_keeping(const render::Camera& camera, glm::iv
 }
 
 Result<void> PictureView::write_picture(const std::filesystem::path& path) {
+    state_.follow_tree();
     Workspace& workspace = state_.workspace;
     Job job;
     (void)load_context(workspace.assets, workspace.document.marks(), job); // as above

@@ -44,6 +44,10 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     nlohmann::json status = to_json(workspace.document.session(), "/");
     status["window"] = {layout.window.x, layout.window.y};
     status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
+    status["viewports"] = nlohmann::json::array();
+    for (const glm::ivec2 at : layout.viewports_at)
+        status["viewports"].push_back(
+            {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
     status["surface_ready"] = workspace.surface_ready();
     const ReadySurface& shown = workspace.shown();
     status["triangles"] = shown.mesh ? shown.mesh->triangle_count() : 0;
@@ -62,14 +66,27 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["planning"] = interface.planning;
+    status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
+    if (const auto& facts = workspace.document.facts()) {
+        status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
+        status["notes"] = workspace.document.tree()->notes.size();
+    }
     status["help"] = interface.help_open;
     status["open_dialog"] = interface.open_dialog.open;
+    status["rename"] = interface.rename.open && !interface.rename.fresh;
     const Document& document = workspace.document;
     status["modified"] = document.modified();
+    status["branch_count"] = document.branch_count();
+    status["pieces"] = document.tree() ? document.tree()->roots.size() : 0;
     status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
     status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
     status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;
+    const ExportChoice& choice = interface.open_dialog.exported;
+    const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
+    status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
+    status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
     status["unsaved_dialog"] = interface.unsaved.open();
+    status["drop_dialog"] = interface.drop.open();
     status["recovery_dialog"] = interface.recovery.open;
     status["recoveries"] = interface.recovery.entries.size();
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();

@@ -1,6 +1,9 @@
 #include "app/window/viewer.h"
 
 #include "app/panels/theme.h"
+#include "app/picture/fit.h"
+#include "app/session/reading_options.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 #include <glad/gl.h>
@@ -84,21 +87,29 @@ void Viewer::lay_out_viewports() {
 
 void Viewer::take_news() {
     if (state_.workspace.update()) state_.redraw();
+    state_.follow_tree();
     files_.update();
     const bool worked = state_.commands.busy();
     for (const Error& error : state_.commands.update(actions_))
         state_.interface.tell(error.message(), state_.now, true);
     if (worked != state_.commands.busy()) state_.redraw();
+    state_.follow_tree();
 }
 
 // Nothing that was begun on the tree before goes on.
 void Viewer::begin_tree(const Workspace::Opened& opened) {
     if (const auto mesh = picture_.picture_mesh(); mesh && !opened.has_camera)
         state_.workspace.document.set_camera(
-            render::camera_for(mesh->positions(), render::View::kAnterior, picture_.picture_size()));
+            with_room(render::camera_for(mesh->positions(), render::View::kAnterior, picture_.picture_size()),
+                      state_.workspace.document.marks().comparison));
     picture_.stop_gliding();
     state_.interface.forget_tree();
     input_.use_tool(input_.tool());
+    const Document& document = state_.workspace.document;
+    state_.tree = document.tree();
+    state_.interface.doctor = {};
+    state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
+    state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }
 
 void Viewer::build_interface() {

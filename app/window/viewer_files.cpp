@@ -2,6 +2,7 @@
 
 #include "app/storage/recent_files.h"
 #include "app/storage/user_folders.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,6 +48,9 @@ void ViewerFiles::ask_for_file(FilePurpose purpose) {
     interface.help_open = false;
     if (purpose == FilePurpose::kSave) {
         interface.open_dialog.show_to_save(suggested_file(state_.workspace.document, ".ramus.json"));
+    } else if (purpose == FilePurpose::kExport) {
+        const std::string extension = interface.open_dialog.exported.format().extension;
+        interface.open_dialog.show_to_save(suggested_file(state_.workspace.document, extension), purpose);
     } else {
         const std::filesystem::path beside = state_.workspace.document.session().tree.path.parent_path();
         interface.open_dialog.show(beside.empty() ? interface.settings.last_folder : beside, purpose);
@@ -62,7 +66,14 @@ void ViewerFiles::dropped(const std::filesystem::path& path) {
     // A mesh is a lesion for who is planning.
     const bool lesion = state_.interface.planning && can_be_lesion_mesh(path);
     const bool beside = state_.workspace.document.tree() && can_be_context(path.string());
-    state_.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {path.string()});
+    Interface& interface = state_.interface;
+    if (beside && !lesion && io::is_volume(path)) {
+        interface.help_open = interface.open_dialog.open = false;
+        interface.drop = {path, interface.settings.drop_beside};
+    } else {
+        state_.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {path.string()});
+    }
+    state_.redraw();
 }
 
 // Once; a dialog that was closed without going on sends the file away.

@@ -36,6 +36,7 @@ void ViewerInput::take_pick() {
     pick_pending_ = false;
     const int hovered =
         pointer_over_picture_ && !mouse_.dragging() && points_at_branches() ? pick->branch : tree::kNoBranch;
+    if (hovered >= state_.workspace.document.branch_count()) return; // of a picture of another tree
     if (hovered != state_.interface.hovered) state_.redraw();
     state_.interface.hovered = hovered;
 }

@@ -25,8 +25,9 @@ struct ViewerState {
     ActionContext* actions = nullptr; // of all hosts, once they are there
     Interface interface;
     Layout layout;
-    float scale = 1.0F; // pixels per point
-    double now = 0.0;   // seconds, of the last event or frame
+    std::shared_ptr<const tree::VesselTree> tree; // that the panels know
+    float scale = 1.0F;                           // pixels per point
+    double now = 0.0;                             // seconds, of the last event or frame
     int frames_left = kFramesAfterEvent;
     std::uint64_t presented = 0; // fingerprint of the interface that is on the screen
     bool persons_window = false; // not a picture of one: settings and recent files are kept
@@ -34,6 +35,15 @@ struct ViewerState {
 
     // Whether somebody waits for the next picture.
     [[nodiscard]] bool watched() const { return persons_window && !script_runs; }
+    // What panels and tools remember by the ids of branches is worth nothing once the tree was edited, or its file read
+    // in another way.
+    void follow_tree() {
+        (void)workspace.follow_tree();
+        if (std::exchange(tree, workspace.document.tree()) == workspace.document.tree()) return;
+        interface.forget_tree();
+        actions->tools->use_tool(actions->tools->tool());
+        redraw();
+    }
     void redraw() { frames_left = kFramesAfterEvent; }
     void present_again() { // what is on the screen is not the last frame
         presented = 0;

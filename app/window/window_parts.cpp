@@ -10,6 +10,8 @@ void WindowParts::toggle(std::string_view part) {
         interface.help_open = !interface.help_open;
     else if (part == "overview")
         interface.overview.open = !interface.overview.open;
+    else if (part == "doctor")
+        interface.doctor.open = !interface.doctor.open;
     else if (part == "panel")
         interface.panel_open = !interface.panel_open;
     else
@@ -22,6 +24,7 @@ bool WindowParts::shows(std::string_view part) const {
     return part == "fly-along"  ? interface.fly.open
            : part == "overview" ? interface.overview.open
            : part == "help"     ? interface.help_open
+           : part == "doctor"   ? interface.doctor.open
                                 : interface.panel_open;
 }
 
@@ -51,6 +54,18 @@ void WindowParts::close_flight() {
 void WindowParts::ask_for_name(int branch) {
     const BranchNames& names = state_.workspace.document.marks().names;
     state_.interface.rename.show(branch, names.contains(branch) ? names.at(branch) : std::string{});
+    state_.redraw();
+}
+
+void WindowParts::ask_for_radius() {
+    RadiusDialog& dialog = state_.interface.radius;
+    dialog.open = dialog.fresh = true;
+    state_.redraw();
+}
+
+void WindowParts::show_note(int note) {
+    state_.interface.doctor.open = true;
+    state_.interface.doctor.current = note;
     state_.redraw();
 }
 

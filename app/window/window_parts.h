@@ -15,6 +15,8 @@ public:
     void open_flight(int branch) override;
     void close_flight() override;
     void ask_for_name(int branch) override;
+    void ask_for_radius() override;
+    void show_note(int note) override;
     bool dismiss() override;
     void set_ui_scale(double pixels_per_point) override;
     [[nodiscard]] double ui_scale() const override { return state_.scale; }

@@ -42,8 +42,9 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
         RAMUS_TRY(voxels, volume::voxelised(tree, made.voxel_mm, options.memory_bytes));
         return volume::mask_surface(voxels.mask, voxels.to_patient, options, job);
     }
-    RAMUS_TRY(read, io::read_volume(request.mask, {options.memory_bytes}, job));
+    RAMUS_TRY(read, io::read_volume(request.mask, {options.memory_bytes, io::length_unit(request.units)}, job));
     made.notes = read.notes;
+    made.notes.insert(made.notes.end(), read.suspicions.begin(), read.suspicions.end());
     auto surface = volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job);
     if (!surface && surface.error().where.empty()) surface.error().where = request.mask;
     return surface;
@@ -71,7 +72,8 @@ ComparedRequest compared_request(const Marks& marks, mesh::Method kind) {
         request.surface.options.threads = marks.options.threads;
         request.surface.options.memory_bytes = marks.options.memory_bytes;
         request.mask = marks.comparison.mask;
-        if (!request.mask.empty()) request.labels = marks.comparison.labels;
+        if (!request.mask.empty())
+            request.labels = marks.comparison.labels, request.units = marks.comparison.mask_units;
     } else {
         request.surface = surface_request(marks);
         request.surface.options.method = kind;
@@ -103,7 +105,7 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
     for (const auto& position : surface.positions) own.include(glm::dvec3(position));
     if (!own.empty() && apart(own, box))
         return fail("this mask lies elsewhere than the tree", request.mask,
-                    "give the mask that the tree was made from");
+                    "give the mask that the tree was made from, or its unit if it is not mm");
     if (request.wire) {
         take_lines(std::move(surface), made);
         return made;

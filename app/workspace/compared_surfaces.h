@@ -21,6 +21,7 @@ struct ComparedRequest {
     mesh::Method kind = mesh::Method::kConvolutionSurface;
     SurfaceRequest surface;           // of an isosurface threads and memory alone
     std::string mask;                 // of an isosurface; empty: a mask of the tree's own voxels
+    std::string units;                // of its lengths; empty: as its file says
     std::vector<std::int32_t> labels; // in it; empty: all
     double voxel_mm = 0.0;            // without a mask; 0: a sensible size
     bool wire = false;                // for lines: triangles large enough to be told apart

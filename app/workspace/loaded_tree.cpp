@@ -1,9 +1,13 @@
 #include "app/workspace/loaded_tree.h"
 
+#include "app/session/carry_over.h"
+#include "app/session/reading_options.h"
 #include "app/session/session_file.h"
+#include "app/session/systems.h"
+#include "app/session/tree_edits.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
-#include "core/tree/prepare.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 #include <memory>
@@ -15,36 +19,32 @@ namespace ramus::app {
 namespace {
 
 // A session's tree, and its cones. `where` names the session in messages; empty: it is a fresh one.
-Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const io::ReadOptions& reading, Job& job) {
+Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const io::ReadOptions& said, Job& job) {
     const Stopwatch watch;
     LoadedTree loaded;
     loaded.session = std::move(opened);
     Session& session = loaded.session;
-    auto tree = io::read_tree(session.tree.path, reading);
+    session.marks.reading = over(said, session.marks.reading);
+    auto tree = read_tree_or_mask(session.tree.path, session.marks.reading,
+                                  static_cast<double>(session.marks.options.memory_bytes), job);
     if (!tree) return tl::unexpected(tree.error());
     RAMUS_TRY(checksum, checksum_of(session.tree.path));
+    const auto base = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    RAMUS_TRY(edited, with_edits(base, session, checksum, where));
     if (!where.empty())
-        if (auto fits = check_against(session, *tree, checksum, where); !fits) return tl::unexpected(fits.error());
+        if (auto fits = check_against(session, *edited, checksum, where); !fits) return tl::unexpected(fits.error());
     session.tree.checksum = checksum;
+    if (where.empty()) follow_unit(session.marks, session.tree);
+    if (where.empty()) session.marks.colour_by = first_colouring(session.marks.colour_by, *edited);
     Assets& assets = loaded.assets;
-    assets.facts = std::make_shared<const TreeFacts>(facts_of(*tree));
-    assets.tree = std::make_shared<const tree::VesselTree>(std::move(*tree));
+    assets.tree = edited;
+    assets.facts = std::make_shared<const TreeFacts>(facts_of(*edited));
+    loaded.base = base;
     loaded.maker = std::make_shared<SurfaceMaker>(assets.tree);
     loaded.seconds = watch.seconds();
 
-    SurfaceRequest request = surface_request(session.marks);
-    mesh::SurfaceOptions& options = request.options;
-    options.method = mesh::Method::kTruncatedCones;
-    // The first picture stands for a moment: of a large tree it is a rough one, or the surface would be there before
-    // it.
-    constexpr std::size_t kRoughFrom = 2000; // segments
-    constexpr int kRough = 6;
-    constexpr double kRoughSpacing = 4.0; // radii
-    const bool rough = assets.tree->segment_count() > kRoughFrom;
-    if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
-    RAMUS_TRY(cones, make_ready(rough ? tree::thinned(*assets.tree, kRoughSpacing) : *assets.tree, request, job));
+    RAMUS_TRY(cones, first_cones(*assets.tree, surface_request(session.marks), job));
     loaded.cones = std::move(cones);
-    loaded.cones.provisional = true;
     assets.centerlines = centerlines_of(*assets.tree, session.marks.options);
     return loaded;
 }
@@ -76,6 +76,11 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     fresh.marks.options = like.options;
     fresh.marks.colour_by = like.colour_by;
     fresh.marks.colour_map = like.colour_map;
+    if (io::is_volume(path)) { // the mask's own surface beside that of the tree made of it
+        fresh.marks.comparison.mode = Comparison::Mode::kSideBySide;
+        fresh.marks.comparison.surfaces = {mesh::Method::kConvolutionSurface, mesh::Method::kIsosurface};
+        fresh.marks.comparison.mask = fresh.tree.path.string();
+    }
     return load_tree_of(std::move(fresh), {}, reading, job);
 }
 

@@ -21,7 +21,8 @@ namespace ramus::app {
 
 // A tree, read and measured, with its cones for the first picture.
 struct LoadedTree {
-    Assets assets; // the tree and its facts; what else is known already
+    Assets assets;                                // the tree and its facts; what else is known already
+    std::shared_ptr<const tree::VesselTree> base; // as its file has it; null: the session has no edits
     Session session;
     bool has_camera = false;
     std::filesystem::path file;                 // the session file that it comes from; empty: none
@@ -32,6 +33,7 @@ struct LoadedTree {
 };
 
 // A tree file, or a session (.json with a version) and its tree. For a tree, `options` and colours of `like` stay.
+// `reading` is what somebody says of the file, and wins over what the session says.
 [[nodiscard]] Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like,
                                       const io::ReadOptions& reading, Job& job);
 

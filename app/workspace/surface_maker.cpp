@@ -1,6 +1,8 @@
 #include "app/workspace/surface_maker.h"
 
 #include "core/base/stopwatch.h"
+#include "core/mesh/systems.h"
+#include "core/tree/prepare.h"
 
 #include <algorithm>
 #include <iterator>
@@ -52,6 +54,21 @@ Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceReque
     return ready;
 }
 
+// The picture stands for a moment: of a large tree it is a rough one, or the surface would be there before it.
+Result<ReadySurface> first_cones(const tree::VesselTree& tree, const SurfaceRequest& wanted, Job& job) {
+    constexpr std::size_t kRoughFrom = 2000; // segments
+    constexpr int kRough = 6;
+    constexpr double kRoughSpacing = 4.0; // radii
+    SurfaceRequest request = wanted;
+    mesh::SurfaceOptions& options = request.options;
+    options.method = mesh::Method::kTruncatedCones;
+    const bool rough = tree.segment_count() > kRoughFrom;
+    if (rough) options.detail = std::min(options.detail, kRough), options.smooth_passes = 0;
+    auto cones = make_ready(rough ? tree::thinned(tree, kRoughSpacing) : tree, request, job);
+    if (cones) cones->provisional = true;
+    return cones;
+}
+
 Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job) {
     const std::lock_guard turn(turn_);
     const auto work = [&] {
@@ -94,8 +111,7 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
         field_ = mesh::make_field(*tree_, request.options, {});
         field_options_ = request.options;
     }
-    const auto hidden = hidden_flags(request.hidden, tree_->branches.size());
-    const field::ConvolutionField field = hidden.empty() ? *field_ : field_->without(hidden);
+    const std::vector<field::VesselField> fields = visible_fields(request.hidden);
 
     // What changes much is seen in the preview first; what changes little is soon there, and its preview comes after.
     mesh::PolygonizeOptions options;
@@ -105,14 +121,14 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     if (preview_first || (previews && preview_of_ != request && surface_of_ == request)) {
         options.detail = kPreviewDetail;
         preview_of_.reset();
-        if (auto made = follow(preview_, field, options, job); !made) return tl::unexpected(made.error());
+        if (auto made = follow(preview_, fields, options, job); !made) return tl::unexpected(made.error());
         preview_of_ = request;
     }
     if (!preview_first && surface_of_ != request) {
         options.detail = request.options.detail;
         options.cell_mm = request.options.cell_mm;
         surface_of_.reset();
-        if (auto made = follow(surface_, field, options, job); !made) return tl::unexpected(made.error());
+        if (auto made = follow(surface_, fields, options, job); !made) return tl::unexpected(made.error());
         surface_of_ = request;
     }
     ReadySurface ready;
@@ -127,25 +143,62 @@ Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, J
     return ready;
 }
 
-Result<void> SurfaceMaker::follow(Followed& followed, const field::ConvolutionField& field,
+std::vector<field::VesselField> SurfaceMaker::visible_fields(const std::vector<int>& hidden) const {
+    const auto flags = hidden_flags(hidden, tree_->branches.size());
+    std::vector<field::VesselField> fields;
+    if (tree_->systems.size() < 2) {
+        fields.push_back(flags.empty() ? *field_ : field_->without(flags));
+        return fields;
+    }
+    for (int system = 0; system < static_cast<int>(tree_->systems.size()); ++system)
+        fields.push_back(field_->without(mesh::hidden_beside(*tree_, system, flags)));
+    return fields;
+}
+
+Result<void> SurfaceMaker::follow(Followed& followed, const std::vector<field::VesselField>& fields,
                                   const mesh::PolygonizeOptions& options, Job& job) const {
-    if (field.segments().empty()) return fail("the tree has no segments", {}, "nothing to make a surface of");
-    if (field.present().empty()) {
-        // The polygonizer stays where it is: what comes next is likely to be near that.
+    if (fields.front().skeleton().segments().empty())
+        return fail("the tree has no segments", {}, "nothing to make a surface of");
+    if (std::ranges::all_of(fields, [](const auto& field) { return field.skeleton().present().empty(); })) {
+        // The polygonizers stay where they are: what comes next is likely to be near that.
         followed.current = paged({}, *tree_);
         return {};
     }
-    if (auto updated = followed.polygonizer.update(field, options, job); !updated) {
+    followed.polygonizers.resize(fields.size());
+    auto updated = fields.size() == 1 ? follow_one(followed, fields.front(), options, job)
+                                      : follow_systems(followed, fields, options, job);
+    if (!updated) {
         followed.mesh = nullptr;
         return updated;
     }
-    const mesh::SurfaceEdit edit = followed.polygonizer.take_edit();
-    const mesh::TriangleMesh& slots = followed.polygonizer.slots();
+    followed.current = followed.mesh;
+    return {};
+}
+
+Result<void> SurfaceMaker::follow_one(Followed& followed, const field::VesselField& field,
+                                      const mesh::PolygonizeOptions& options, Job& job) const {
+    mesh::Polygonizer& polygonizer = followed.polygonizers.front();
+    if (auto updated = polygonizer.update(field, options, job); !updated) return updated;
+    const mesh::SurfaceEdit edit = polygonizer.take_edit();
+    const mesh::TriangleMesh& slots = polygonizer.slots();
     if (!followed.mesh)
         followed.mesh = paged(slots, *tree_);
     else if (edit.whole || !edit.vertices.empty() || !edit.triangles.empty())
         followed.mesh = std::make_shared<const render::PagedMesh>(followed.mesh->edited(slots, edit));
-    followed.current = followed.mesh;
+    return {};
+}
+
+Result<void> SurfaceMaker::follow_systems(Followed& followed, const std::vector<field::VesselField>& fields,
+                                          const mesh::PolygonizeOptions& options, Job& job) const {
+    mesh::TriangleMesh all;
+    for (std::size_t system = 0; system < fields.size(); ++system) {
+        if (fields[system].skeleton().present().empty()) continue; // its polygonizer stays where it is
+        mesh::Polygonizer& polygonizer = followed.polygonizers[system];
+        if (auto updated = polygonizer.update(fields[system], options, job); !updated) return updated;
+        static_cast<void>(polygonizer.take_edit()); // the mesh of all systems is put together anew
+        mesh::append(all, polygonizer.slots());
+    }
+    followed.mesh = paged(all, *tree_);
     return {};
 }
 
@@ -158,6 +211,19 @@ void SurfaceFollower::open(std::shared_ptr<SurfaceMaker> maker, ReadySurface sho
     problem_.clear();
     just_shown_ = true;
     changed_ = true;
+}
+
+void SurfaceFollower::change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request) {
+    open(std::make_shared<SurfaceMaker>(tree), {});
+    follow(request, false);
+    worker_.wait(kEditPatience);
+    worker_.drain();
+    if (shown_.mesh) return;
+    Job job;
+    if (auto cones = first_cones(*tree, request, job))
+        show(std::move(*cones));
+    else
+        problem_ = cones.error().message();
 }
 
 void SurfaceFollower::show(ReadySurface surface) {

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/base/worker.h"
-#include "core/field/convolution_field.h"
+#include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "render/scene/paged_mesh.h"
 
@@ -53,6 +53,9 @@ struct ReadySurface {
 // The surface from nothing; without any triangle when every branch is hidden.
 [[nodiscard]] Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job);
 
+// Cones of the tree, rough ones of a large tree, as long as there is no surface: they take some milliseconds.
+[[nodiscard]] Result<ReadySurface> first_cones(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job);
+
 class SurfaceMaker {
 public:
     explicit SurfaceMaker(std::shared_ptr<const tree::VesselTree> tree) : tree_(std::move(tree)) {}
@@ -63,19 +66,25 @@ public:
 private:
     using Paged = std::shared_ptr<const render::PagedMesh>;
     struct Followed {
-        mesh::Polygonizer polygonizer;
-        Paged mesh;    // of the polygonizer's state
-        Paged current; // what was asked for last
+        std::vector<mesh::Polygonizer> polygonizers; // one, or one for each system
+        Paged mesh;                                  // of the polygonizers' state
+        Paged current;                               // what was asked for last
     };
     [[nodiscard]] Result<ReadySurface> next_cones(const SurfaceRequest& request, Job& job) const;
     [[nodiscard]] Result<ReadySurface> next_surface(const SurfaceRequest& request, Job& job);
-    [[nodiscard]] Result<void> follow(Followed& followed, const field::ConvolutionField& field,
+    // The field of what is visible; where there are several systems, of each on its own (core/mesh/systems.h).
+    [[nodiscard]] std::vector<field::VesselField> visible_fields(const std::vector<int>& hidden) const;
+    [[nodiscard]] Result<void> follow(Followed& followed, const std::vector<field::VesselField>& fields,
                                       const mesh::PolygonizeOptions& options, Job& job) const;
+    [[nodiscard]] Result<void> follow_one(Followed& followed, const field::VesselField& field,
+                                          const mesh::PolygonizeOptions& options, Job& job) const;
+    [[nodiscard]] Result<void> follow_systems(Followed& followed, const std::vector<field::VesselField>& fields,
+                                              const mesh::PolygonizeOptions& options, Job& job) const;
     [[nodiscard]] bool changes_much(const SurfaceRequest& request) const;
 
     std::shared_ptr<const tree::VesselTree> tree_;
-    std::mutex turn_;                              // guards what follows
-    std::optional<field::ConvolutionField> field_; // of all branches, under field_options_
+    std::mutex turn_;                         // guards what follows
+    std::optional<field::VesselField> field_; // of all branches, under field_options_
     mesh::SurfaceOptions field_options_;
     std::optional<SurfaceRequest> surface_of_, preview_of_; // what the two are up to
     Followed surface_, preview_;
@@ -89,6 +98,8 @@ public:
 
     // Another tree, and what is shown of it at first.
     void open(std::shared_ptr<SurfaceMaker> maker, ReadySurface shown);
+    // The same vessels, edited: the new surface where it is soon there, cones until it is where not.
+    void change_tree(const std::shared_ptr<const tree::VesselTree>& tree, const SurfaceRequest& request);
     // What was made elsewhere.
     void show(ReadySurface surface);
     // Takes what was made, and nothing more.
@@ -124,7 +135,8 @@ private:
     // A branch that is hidden is gone from the surface within a frame or two: then the next picture is the right one.
     static constexpr std::chrono::milliseconds kPatience{25};
     static constexpr std::chrono::milliseconds kPreviewPatience{80};
-    static constexpr std::chrono::milliseconds kShort{500}; // what is being made is let finish
+    static constexpr std::chrono::milliseconds kEditPatience{120}; // no cones flash up between two surfaces
+    static constexpr std::chrono::milliseconds kShort{500};        // what is being made is let finish
 
     void make_next(const SurfaceRequest& request);
     [[nodiscard]] bool worth_finishing(const SurfaceRequest& request) const;

@@ -61,10 +61,23 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     tried_.reset();
     surface_.open(loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(assets.tree),
                   std::move(loaded.cones));
-    document.open(assets.tree, std::move(loaded.session), assets.facts, std::move(loaded.file));
+    document.open(assets.tree, std::move(loaded.session), assets.facts, std::move(loaded.file), std::move(loaded.base));
+    tree_shown_ = document.tree();
     if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
     opened_ = Opened{path, loaded.has_camera, loaded.unsaved_changes.has_value()};
     changed_ = true;
+}
+
+bool Workspace::follow_tree() {
+    if (!document.tree() || document.tree() == tree_shown_) return false;
+    tree_shown_ = document.tree();
+    first_is_coming_ = false; // of the tree before
+    lesions_.cancel();
+    comparison_.forget();
+    tried_.reset();
+    surface_.change_tree(tree_shown_, request());
+    changed_ = true;
+    return true;
 }
 
 SurfaceRequest Workspace::request() const {
@@ -147,6 +160,7 @@ void Workspace::take_failures() {
 bool Workspace::update() {
     const bool was_busy = busy();
     take_loaded();
+    (void)follow_tree();
     surface_.drain();
     lesions_.drain();
     comparison_.drain();

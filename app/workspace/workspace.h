@@ -33,7 +33,7 @@ public:
     void recover(const autosave::Snapshot& snapshot);
     // What was loaded elsewhere, at once.
     void adopt(LoadedTree loaded, const std::filesystem::path& path);
-    io::ReadOptions reading; // of files that are opened from now on
+    io::ReadOptions reading; // of files that are opened from now on; wins over what sessions say
 
     // A file that was read while work on the tree before went on, and that work is not saved: it waits to be let in, or
     // to be sent away.
@@ -54,9 +54,14 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return document.facts(); }
     [[nodiscard]] const ReadySurface& shown() const { return surface_.shown(); }
+    // After an edit of the tree, or reading its file in another way, or undoing either: what is shown and measured is
+    // of the new tree from here on. update() does so too; who draws after commands in between asks for it. True when
+    // the tree is another.
+    bool follow_tree();
     // Whether what is shown is the surface of the session as it is now.
     [[nodiscard]] bool surface_ready() const {
-        return shown().mesh && !shown().provisional && shown().request == surface_request(document.marks());
+        return tree_shown_ == document.tree() && shown().mesh && !shown().provisional &&
+               shown().request == surface_request(document.marks());
     }
     // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
     // as they were before.
@@ -103,6 +108,7 @@ private:
         return {&loader_.worker(), &surface_.worker(), &lesions_, &comparison_.worker()};
     }
 
+    std::shared_ptr<const tree::VesselTree> tree_shown_; // that the surfaces are of
     std::optional<mesh::SurfaceOptions> tried_;
     std::optional<Opened> opened_;
     std::deque<Error> errors_;

@@ -26,6 +26,10 @@ public:
     JobRange(Job& job, float begin, float end) : job_(job), begin_(begin), share_(end - begin) {}
     void report(float fraction) const { job_.report(begin_ + share_ * fraction); } // of this part
     [[nodiscard]] bool cancelled() const { return job_.cancelled(); }
+    // A part of this part.
+    [[nodiscard]] JobRange part(float begin, float end) const {
+        return {job_, begin_ + share_ * begin, begin_ + share_ * end};
+    }
 
 private:
     Job& job_;

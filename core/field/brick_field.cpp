@@ -15,4 +15,17 @@ void Projection::pad() {
         std::fill_n(array->begin() + static_cast<std::ptrdiff_t>(size_), kProjectionPadding, (*array)[size_ - 1]);
 }
 
+std::uint64_t BrickField::find_owners(const LatticeAxes& /*lattice*/, std::span<const LatticePoint> /*points*/,
+                                      std::span<Owner> owners) {
+    std::ranges::fill(owners, kNoOwner);
+    return 0;
+}
+
+bool BrickField::apart(Owner /*a*/, Owner /*b*/) const { return false; }
+
+std::uint64_t BrickField::project_apart(const Projection& /*guesses*/, std::span<const OwnedGuess> /*owned*/,
+                                        const SurfacePoints& /*to*/) {
+    return 0;
+}
+
 } // namespace ramus::field

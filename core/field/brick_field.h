@@ -129,6 +129,18 @@ struct ChildBounds {
 
 using SegmentIndices = std::span<const std::uint32_t>; // ascending
 
+// Of a point inside the surface: the segment that it belongs to, by its number in the field. Two such segments may be
+// parts of vessels that are kept apart, with a wall between them however their tubes overlap.
+using Owner = std::int32_t;
+inline constexpr Owner kNoOwner = -1;
+
+// A point to be moved onto the surface of one vessel.
+struct OwnedGuess {
+    std::uint32_t guess = 0; // in a Projection
+    Owner owner = kNoOwner;  // of that vessel
+    bool at_wall = false;    // between it and another one
+};
+
 // Counts returned: kernels evaluated, one for each segment and point.
 class BrickField {
 public:
@@ -148,6 +160,16 @@ public:
     // The share of the way along an edge, from a value on one side of the isovalue to one on the other, at which the
     // surface crosses it.
     [[nodiscard]] virtual float crossing(float from, float to) const = 0;
+
+    // Whether vessels are kept apart somewhere in this brick. Where they are not, nothing of what follows is asked.
+    [[nodiscard]] virtual bool parts_vessels() const { return false; }
+    // Owners of points that are inside; the same ones whichever brick is asked.
+    virtual std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                      std::span<Owner> owners);
+    [[nodiscard]] virtual bool apart(Owner a, Owner b) const;
+    // After project(): does it again for those points whose vessel is near another that it is kept apart from.
+    virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
+                                        const SurfacePoints& to);
 };
 
 } // namespace ramus::field

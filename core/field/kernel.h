@@ -9,9 +9,12 @@
 #include "core/field/brick_field.h"
 #include "core/field/skeleton.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace ramus::field {
 
@@ -27,12 +30,44 @@ struct CullingSegment {
 // choosing saves.
 enum class Choice { kReaching, kAllSegments };
 
+// Some segments as seen from one point, and what each adds to the field there: rows of numbers, one for each segment.
+struct SegmentTerms {
+    enum Numbers : std::uint8_t {
+        kX,
+        kY,
+        kZ, // the point relative to the segment's start, mm
+        kUx,
+        kUy,
+        kUz,
+        kLength,
+        kRadius,
+        kSlope, // as in FieldSegment
+        kValue,
+        kGradientX,
+        kGradientY,
+        kGradientZ, // what it adds
+        kRows
+    };
+    std::size_t count = 0;
+
+    [[nodiscard]] float* row(Numbers numbers) { return numbers_.data() + numbers * stride_; }
+    [[nodiscard]] const float* row(Numbers numbers) const { return numbers_.data() + numbers * stride_; }
+    // Begins anew, with room for so many.
+    void clear(std::size_t most);
+    void add(const FieldSegment& segment, const glm::dvec3& point);
+
+private:
+    std::size_t stride_ = 0;
+    std::vector<float> numbers_;
+};
+
 // A sum of one kernel, for one instruction set. As in FieldModel (field.h).
 struct PlainSum {
     const char* instruction_set; // such as "AVX3"
     std::unique_ptr<BrickField> (*in_brick)(const Kernel& kernel, const FieldSegment* segments, Choice choice);
     ChildBounds (*bound_children)(const Kernel& kernel, const CullingSegment* segments, SegmentIndices list,
                                   const ChildCubes& cubes, std::span<std::uint8_t> reaching);
+    void (*find_terms)(const Kernel& kernel, SegmentTerms& terms);
 };
 
 struct Kernel {

@@ -4,12 +4,13 @@
 
 namespace ramus::io {
 
-bool has_extension(const std::filesystem::path& path, const FileFormat& format) {
+std::size_t extension_length(const std::filesystem::path& path, const FileFormat& format) {
     std::string name = path.filename().string();
     std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return std::ranges::any_of(format.extensions, [&](std::string_view extension) {
-        return name.size() > extension.size() && name.ends_with(extension);
-    });
+    std::size_t longest = 0;
+    for (const std::string_view extension : format.extensions)
+        if (name.size() > extension.size() && name.ends_with(extension)) longest = std::max(longest, extension.size());
+    return longest;
 }
 
 std::string listed(const std::vector<std::string_view>& words) {

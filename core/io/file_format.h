@@ -21,20 +21,23 @@ struct FileFormat {
     std::string_view help;           // what is in such a file, in one sentence
 };
 
-inline constexpr std::size_t kHeadBytes = 1024;
+inline constexpr std::size_t kHeadBytes = 4096;
 
-// Whether the name ends in one of the format's extensions, in capitals or not.
-[[nodiscard]] bool has_extension(const std::filesystem::path& path, const FileFormat& format);
+// How long the longest of the format's extensions is that the name ends in, in capitals or not; 0: it has none of them.
+[[nodiscard]] std::size_t extension_length(const std::filesystem::path& path, const FileFormat& format);
 
 // "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string_view>& words);
 
-// The format whose extension `path` has; null: none.
+// The format whose extension `path` has, of several the longest: ".mrk.json" says more than ".json". Null: none.
 template <class Format>
 const Format* format_by_name(const std::vector<Format>& formats, const std::filesystem::path& path) {
+    const Format* found = nullptr;
+    std::size_t longest = 0;
     for (const Format& format : formats)
-        if (has_extension(path, format)) return &format;
-    return nullptr;
+        if (const std::size_t length = extension_length(path, format); length > longest)
+            found = &format, longest = length;
+    return found;
 }
 
 // The format that the content has; where no content tells, the one that the name has; null: none.

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <string>
@@ -131,15 +132,44 @@ Result<OutputFile> OutputFile::create(const fs::path& target) {
     return file;
 }
 
-Result<void> OutputFile::commit() {
+void OutputFile::finish() {
     flush();
-    const std::unique_ptr<State> state = std::move(state_);
-    const bool device = state->temporary.empty();
-    if (!failed() && !device) keep_error(::fsync(file_descriptor_));
+    if (!failed() && !state_->temporary.empty()) keep_error(::fsync(file_descriptor_));
     keep_error(::close(std::exchange(file_descriptor_, -1)));
-    if (!failed() && !device) keep_error(::rename(state->temporary.c_str(), state->target.c_str()));
+}
+
+Result<void> OutputFile::commit() {
+    finish();
+    const std::unique_ptr<State> state = std::move(state_);
+    if (!failed() && !state->temporary.empty()) keep_error(::rename(state->temporary.c_str(), state->target.c_str()));
     if (failed()) return write_error(state->asked, first_error_);
     state->temporary.clear();
+    return {};
+}
+
+Result<void> commit_both(OutputFile& first, OutputFile& second) {
+    first.finish();
+    second.finish();
+    const std::unique_ptr<OutputFile::State> one = std::move(first.state_), two = std::move(second.state_);
+    if (first.failed()) return write_error(one->asked, first.first_error_);
+    if (second.failed()) return write_error(two->asked, second.first_error_);
+    // An older first file takes the name of the unfinished one meanwhile, where the file system can exchange names.
+    const bool exchanged = !one->temporary.empty() && ::renameat2(AT_FDCWD, one->temporary.c_str(), AT_FDCWD,
+                                                                  one->target.c_str(), RENAME_EXCHANGE) == 0;
+    if (!exchanged && !one->temporary.empty()) {
+        first.keep_error(::rename(one->temporary.c_str(), one->target.c_str()));
+        if (first.failed()) return write_error(one->asked, first.first_error_);
+    }
+    if (!two->temporary.empty()) second.keep_error(::rename(two->temporary.c_str(), two->target.c_str()));
+    if (second.failed()) {
+        if (exchanged)
+            ::renameat2(AT_FDCWD, one->temporary.c_str(), AT_FDCWD, one->target.c_str(), RENAME_EXCHANGE);
+        else if (!one->temporary.empty())
+            ::rename(one->target.c_str(), one->temporary.c_str());
+        return write_error(two->asked, second.first_error_);
+    }
+    if (!exchanged) one->temporary.clear();
+    two->temporary.clear();
     return {};
 }
 

@@ -28,11 +28,17 @@ public:
     [[nodiscard]] Result<void> commit();
 
 private:
+    friend Result<void> commit_both(OutputFile& first, OutputFile& second);
     struct State;
+    void finish(); // all but its name
     OutputFile(int descriptor, std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;
 };
+
+// Two files that are worth nothing without each other: both come to their places, or none does, and older ones stay as
+// they were. Only a machine that stops between two renamings leaves the first alone.
+[[nodiscard]] Result<void> commit_both(OutputFile& first, OutputFile& second);
 
 // A whole file at once.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text);

@@ -177,6 +177,10 @@ Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where) {
     return loose;
 }
 
+Result<void> check_closed(const TriangleMesh& mesh, const std::string& where) {
+    return expect_two_each(mesh, half_edges(mesh), where);
+}
+
 std::vector<glm::uvec3> cut_polygon(std::span<const glm::dvec3> corners) {
     constexpr std::size_t kMostCorners = 1000;
     std::vector<glm::uvec3> triangles;

@@ -24,6 +24,9 @@ namespace ramus::mesh {
 // it is but for the welding and the normals. Fails when nothing is left.
 [[nodiscard]] Result<TriangleMesh> tidy_mesh(TriangleMesh loose, const std::string& where);
 
+// Fails unless every edge has two triangles, as closed_mesh() does, of a mesh whose vertices are welded already.
+[[nodiscard]] Result<void> check_closed(const TriangleMesh& mesh, const std::string& where);
+
 // A flat polygon cut into triangles, dents included.
 //
 // Triples of indices into `corners`, turned as the polygon is; two fewer triangles than corners, whose edges inside the

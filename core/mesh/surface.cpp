@@ -2,12 +2,14 @@
 
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
-#include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
+#include "core/field/vessel_field.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
+#include "core/mesh/systems.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <oneapi/tbb/task_arena.h>
 
@@ -45,6 +47,31 @@ PreparedTree without(PreparedTree prepared, std::span<const std::uint8_t> hidden
     return prepared;
 }
 
+// As many as 31 bits count; of one system, the polygonizer sees to it.
+constexpr std::size_t kMostVertices = std::size_t{1} << 31U;
+
+tl::unexpected<Error> too_many_vertices() {
+    return fail("the surface has more vertices than can be counted", {}, "lower --detail, or hide a system");
+}
+
+// Passes on what it is given, and counts it.
+class CountedSink final : public SurfaceSink {
+public:
+    explicit CountedSink(SurfaceSink& sink) : sink_(sink) {}
+    [[nodiscard]] bool add_vertices(const VertexSpan& more) override {
+        vertices_ += more.size();
+        return sink_.add_vertices(more);
+    }
+    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const VertexSpan& vertices) override {
+        return vertices_ <= kMostVertices && sink_.add_triangles(more, vertices);
+    }
+    [[nodiscard]] std::size_t vertices() const { return vertices_; }
+
+private:
+    SurfaceSink& sink_;
+    std::size_t vertices_ = 0;
+};
+
 // What the surface may take: the limit is for the process, which has a tree already.
 PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
     PolygonizeOptions chosen;
@@ -62,10 +89,14 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
         RAMUS_TRY(mesh, cones(without(prepare_tree(source, options), hidden), options.detail, job));
         surface.mesh = std::move(mesh);
     } else {
-        PolygonizeStatistics statistics;
-        RAMUS_TRY(mesh, polygonize(make_field(source, options, hidden), polygonize_options(options), job, &statistics));
-        surface.mesh = std::move(mesh);
-        surface.statistics.evaluations = statistics.evaluations;
+        const field::VesselField whole = make_field(source, options, {});
+        for (const auto& part : hidden_by_system(source, hidden)) {
+            PolygonizeStatistics statistics;
+            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), job, &statistics));
+            if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
+            append(surface.mesh, std::move(mesh));
+            surface.statistics.evaluations += statistics.evaluations;
+        }
     }
     surface.statistics.seconds = watch.seconds();
     return surface;
@@ -90,13 +121,11 @@ PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& 
     return prepared;
 }
 
-field::ConvolutionField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                                   std::span<const std::uint8_t> hidden) {
-    const PreparedTree prepared = prepare_tree(source, options);
-    if (!(options.prune_ratio > 0.0)) {
-        field::ConvolutionField field(prepared, options.width);
-        return hidden.empty() ? field : field.without(hidden);
-    }
+namespace {
+
+field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceOptions& options,
+                                  const PreparedTree& prepared) {
+    if (!(options.prune_ratio > 0.0)) return {prepared, options.width};
     // Pruning may take the thinnest vessel, or the one that reaches farthest; bounds of the tree as it came hold what
     // smoothing makes of any part of it.
     SurfaceOptions unpruned = options;
@@ -109,7 +138,17 @@ field::ConvolutionField make_field(const tree::VesselTree& source, const Surface
     unpruned.smooth_passes = 0;
     field::Frame frame = frame_of(unpruned);
     frame.thinnest = smoothed.thinnest;
-    const field::ConvolutionField field(field::Skeleton(prepared, kernel.support_radii, frame), kernel);
+    return {field::Skeleton(prepared, kernel.support_radii, frame), kernel};
+}
+
+} // namespace
+
+field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
+                              std::span<const std::uint8_t> hidden) {
+    const PreparedTree prepared = prepare_tree(source, options);
+    auto contacts = std::make_shared<tree::Contacts>();
+    if (options.blend == Blend::kTree) *contacts = tree::find_contacts(prepared, options.width);
+    field::VesselField field(plain_sum(source, options, prepared), std::move(contacts));
     return hidden.empty() ? field : field.without(hidden);
 }
 
@@ -121,7 +160,7 @@ Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOption
 bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& options,
                         std::span<const std::uint8_t> hidden) {
     if (options.method == Method::kTruncatedCones) return false;
-    const field::ConvolutionField field = make_field(source, options, hidden);
+    const field::VesselField field = make_field(source, options, hidden);
     return !is_feasible(field, polygonize_options(options), PolygonizeMode::kWhole);
 }
 
@@ -129,11 +168,18 @@ Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const S
                                          SurfaceSink& sink, Job& job, std::span<const std::uint8_t> hidden) {
     return run_with(options, [&]() -> Result<SurfaceStatistics> {
         const Stopwatch watch;
-        PolygonizeStatistics statistics;
-        const field::ConvolutionField field = make_field(source, options, hidden);
-        if (auto done = polygonize_to(sink, field, polygonize_options(options), job, &statistics); !done)
-            return tl::unexpected(done.error());
-        return SurfaceStatistics{statistics.evaluations, watch.seconds()};
+        std::uint64_t evaluations = 0;
+        CountedSink counted(sink);
+        const field::VesselField whole = make_field(source, options, {});
+        for (const auto& part : hidden_by_system(source, hidden)) {
+            PolygonizeStatistics statistics;
+            if (auto done = polygonize_to(counted, whole.without(part), polygonize_options(options), job, &statistics,
+                                          counted.vertices());
+                !done)
+                return counted.vertices() > kMostVertices ? too_many_vertices() : tl::unexpected(done.error());
+            evaluations += statistics.evaluations;
+        }
+        return SurfaceStatistics{evaluations, watch.seconds()};
     });
 }
 

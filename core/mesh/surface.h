@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job.h"
+#include "core/mesh/blend.h"
 #include "core/mesh/method.h"
 #include "core/mesh/surface_sink.h"
 #include "core/tree/prepare.h"
@@ -11,7 +12,7 @@
 #include <span>
 
 namespace ramus::field {
-class ConvolutionField;
+class VesselField;
 }
 
 namespace ramus::mesh {
@@ -21,6 +22,7 @@ struct SurfaceOptions {
     int smooth_passes = 1;                       // binomial passes over points and radii (core/tree/prepare.h)
     double prune_ratio = 0.0;       // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
     double width = 5.0;             // kernel width; 5 is the paper's, 1 is Bloomenthal's
+    Blend blend = Blend::kPaper;    // where vessels blend
     int detail = 16;                // triangles around a vessel
     double cell_mm = 0.0;           // one cell size everywhere instead of detail; 0 = use detail
     int threads = 0;                // 0 = all cores
@@ -46,10 +48,11 @@ using tree::PreparedTree;
 
 // The field of the tree as prepared, without the hidden branches (by id in `source`, not 0: hidden). Its frame is that
 // of the whole tree, so that hiding and pruning leave everything else as it is, to the last bit.
-[[nodiscard]] field::ConvolutionField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
-                                                 std::span<const std::uint8_t> hidden);
+[[nodiscard]] field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
+                                            std::span<const std::uint8_t> hidden);
 
-// Surface of `source` under `options`, closed where hidden branches were; vertex branch ids are those of `source`.
+// Surface of `source` under `options`, closed where hidden branches were; vertex branch ids are those of `source`. Of
+// several systems each has a surface of its own, one after the other (core/mesh/systems.h).
 // Fails when the options cannot be met (more triangles than memory holds), when every branch is hidden, or when `job`
 // is cancelled (what == "cancelled").
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,

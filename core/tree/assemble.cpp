@@ -94,13 +94,15 @@ void set_strahler(VesselTree& tree) {
 } // namespace
 
 VesselTree assemble(std::vector<Point> points, std::vector<int> labels, const Edges& edges,
-                    const std::vector<std::uint32_t>& roots) {
+                    const std::vector<std::uint32_t>& roots, const std::vector<int>& point_systems) {
     VesselTree tree;
     tree.points = std::move(points);
     tree.labels = std::move(labels);
     Assembler assembler(tree, edges);
     for (const std::uint32_t root : roots) assembler.grow_from(root);
     set_strahler(tree);
+    if (!point_systems.empty())
+        for (Branch& branch : tree.branches) branch.system = point_systems[branch.points.front()];
     tree.loop_count =
         static_cast<int>(edges.size()) - static_cast<int>(tree.points.size()) + static_cast<int>(tree.roots.size());
     return tree;

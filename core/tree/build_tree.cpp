@@ -1,9 +1,11 @@
 #include "core/tree/build_tree.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/tree/suspicions.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -14,22 +16,19 @@ namespace {
 
 using SourceOf = std::function<std::string(std::uint32_t)>;
 
-// Sentences about what was repaired, and the first one about what should not have been.
+// Notes of what was repaired, and the first thing that should not have been.
 struct Repairs {
     Repair allowed;
-    std::vector<std::string> done;
+    std::vector<Note> done;
     std::optional<Error> refused;
 
-    void add(Repair kind, std::string sentence) {
-        if (!allows(allowed, kind) && !refused) {
-            std::string name;
-            for (const auto& [repair, text] : kRepairNames)
-                if (repair == kind) name = text;
+    void add(Repair kind, std::string sentence, const glm::dvec3& at) {
+        const std::string name(name_of(kind));
+        if (!allows(allowed, kind) && !refused)
             refused = Error{"the file needs repair: " + sentence,
                             {},
-                            "allow it with --repair all or --repair " + name + ", or edit the file"};
-        }
-        done.push_back(std::move(sentence));
+                            "allow it with --repair usual or --repair " + name + ", or edit the file"};
+        done.push_back({Note::Kind::kRepaired, name, std::move(sentence), at});
     }
 };
 
@@ -66,6 +65,10 @@ std::optional<Error> find_bad_point(const Graph& graph, const SourceOf& source) 
             return Error{"an edge names point " + std::to_string(std::max(a, b)) + ", but there are only " +
                              std::to_string(graph.points.size()),
                          source(0), "edit the file"};
+    if (!graph.point_systems.empty())
+        for (const auto& [a, b] : graph.edges)
+            if (graph.point_systems[a] != graph.point_systems[b])
+                return Error{"two vessel systems are connected", source(b), "remove the connection"};
     return std::nullopt;
 }
 
@@ -75,7 +78,8 @@ std::vector<std::uint32_t> merge_repeated(const Graph& graph, Repairs& repairs, 
     for (const auto& [a, b] : graph.edges)
         if (graph.points[a].position == graph.points[b].position && places.join(a, b))
             repairs.add(Repair::kRepeatedPoints,
-                        source(b) + ": merged with the point before it, which lies at the same place");
+                        source(b) + ": merged with the point before it, which lies at the same place",
+                        graph.points[b].position);
     std::vector<std::uint32_t> stands(graph.points.size());
     for (std::uint32_t p = 0; p < stands.size(); ++p) stands[p] = places.find(p);
     return stands;
@@ -111,8 +115,10 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
         }
         for (std::size_t n = 0; n < layer.size(); ++n) {
             points[layer[n]].radius = radius[n];
-            repairs.add(Repair::kZeroRadii, source(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
-                                                ", the mean of its neighbours");
+            repairs.add(Repair::kZeroRadii,
+                        source(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
+                            ", the mean of its neighbours",
+                        points[layer[n]].position);
         }
         std::ranges::sort(next);
         next.erase(std::unique(next.begin(), next.end()), next.end());
@@ -124,7 +130,40 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
     return std::nullopt;
 }
 
-// The thickest end (or point, where there is none) of every component that has no root yet.
+// The edges between the points that are left (`stands`: which stands for each), each once.
+std::vector<Edge> distinct_edges(const Graph& graph, const std::vector<std::uint32_t>& stands, Repairs& repairs,
+                                 const SourceOf& source) {
+    std::vector<Edge> edges = graph.edges;
+    for (auto& [a, b] : edges) a = stands[a], b = stands[b];
+    std::erase_if(edges, [](const Edge& edge) { return edge.first == edge.second; });
+    std::vector<std::size_t> order(edges.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t e) { return std::minmax(edges[e].first, edges[e].second); };
+    std::ranges::stable_sort(order,
+                             [&](std::size_t x, std::size_t y) { return std::pair(key(x)) < std::pair(key(y)); });
+    std::vector<bool> twice(edges.size(), false);
+    for (std::size_t n = 1; n < order.size(); ++n) {
+        const auto x = key(order[n - 1]);
+        const auto y = key(order[n]);
+        if (x.first != y.first || x.second != y.second) continue;
+        twice[order[n]] = true;
+        repairs.add(Repair::kRepeatedPoints, source(y.second) + ": a repeated connection was left out",
+                    graph.points[y.second].position);
+    }
+    std::vector<Edge> distinct;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (!twice[e]) distinct.push_back(edges[e]);
+    return distinct;
+}
+
+} // namespace
+
+std::string_view name_of(Repair one) {
+    for (const auto& [repair, name] : kRepairNames)
+        if (repair == one) return name;
+    return {};
+}
+
 std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges,
                                           std::vector<std::uint32_t> roots) {
     DisjointSets components(points.size());
@@ -145,31 +184,10 @@ std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points, cons
     return roots;
 }
 
-// The edges between the points that are left (`stands`: which stands for each), each once.
-std::vector<Edge> distinct_edges(std::vector<Edge> edges, const std::vector<std::uint32_t>& stands, Repairs& repairs,
-                                 const SourceOf& source) {
-    for (auto& [a, b] : edges) a = stands[a], b = stands[b];
-    std::erase_if(edges, [](const Edge& edge) { return edge.first == edge.second; });
-    std::vector<std::size_t> order(edges.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto key = [&](std::size_t e) { return std::minmax(edges[e].first, edges[e].second); };
-    std::ranges::stable_sort(order,
-                             [&](std::size_t x, std::size_t y) { return std::pair(key(x)) < std::pair(key(y)); });
-    std::vector<bool> twice(edges.size(), false);
-    for (std::size_t n = 1; n < order.size(); ++n) {
-        const auto x = key(order[n - 1]);
-        const auto y = key(order[n]);
-        if (x.first != y.first || x.second != y.second) continue;
-        twice[order[n]] = true;
-        repairs.add(Repair::kRepeatedPoints, source(y.second) + ": a repeated connection was left out");
-    }
-    std::vector<Edge> distinct;
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        if (!twice[e]) distinct.push_back(edges[e]);
-    return distinct;
+void note_network(VesselTree& tree) {
+    std::erase_if(tree.notes, [](const Note& note) { return note.topic == "loops" || note.topic == "pieces"; });
+    std::ranges::move(check_network(tree), std::back_inserter(tree.notes));
 }
-
-} // namespace
 
 Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source) {
     if (auto error = find_bad_point(graph, source)) return tl::unexpected(std::move(*error));
@@ -180,7 +198,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     Repairs repairs{repair, {}, {}};
     const std::vector<std::uint32_t> stands = merge_repeated(graph, repairs, source);
 
-    std::vector<Edge> edges = distinct_edges(std::move(graph.edges), stands, repairs, source);
+    std::vector<Edge> edges = distinct_edges(graph, stands, repairs, source);
     std::vector<bool> connected(graph.points.size(), false);
     for (const auto& [a, b] : edges) connected[a] = connected[b] = true;
     if (edges.empty())
@@ -188,7 +206,8 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
                     graph.points.empty() ? std::string() : source(0), "check that points are connected to each other");
     for (std::uint32_t p = 0; p < graph.points.size(); ++p)
         if (!connected[p] && stands[p] == p)
-            repairs.add(Repair::kLonelyPoints, source(p) + ": a point connected to nothing was left out");
+            repairs.add(Repair::kLonelyPoints, source(p) + ": a point connected to nothing was left out",
+                        graph.points[p].position);
 
     if (const auto unfilled = fill_radii(graph.points, edges, repairs, source))
         return fail("the vessel of this point has no positive radius anywhere", source(*unfilled),
@@ -198,20 +217,25 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     // Points that are left, renumbered in their old order.
     std::vector<std::uint32_t> renumbered(graph.points.size(), 0);
     std::vector<Point> points;
-    std::vector<int> labels;
+    std::vector<int> labels, systems;
     for (std::uint32_t p = 0; p < graph.points.size(); ++p) {
         if (!connected[p]) continue;
         renumbered[p] = static_cast<std::uint32_t>(points.size());
         points.push_back(graph.points[p]);
         if (!graph.labels.empty()) labels.push_back(graph.labels[p]);
+        if (!graph.point_systems.empty()) systems.push_back(graph.point_systems[p]);
     }
     for (auto& [a, b] : edges) a = renumbered[a], b = renumbered[b];
+    std::ranges::move(check_radii(points, edges, allows(repair, Repair::kRadiusJumps)),
+                      std::back_inserter(repairs.done));
     std::vector<std::uint32_t> roots;
     for (const std::uint32_t root : graph.roots)
         if (root < stands.size() && connected[stands[root]]) roots.push_back(renumbered[stands[root]]);
     roots = complete_roots(points, edges, std::move(roots));
-    VesselTree tree = assemble(std::move(points), std::move(labels), edges, roots);
-    tree.repairs = std::move(repairs.done);
+    VesselTree tree = assemble(std::move(points), std::move(labels), edges, roots, systems);
+    tree.systems = std::move(graph.systems);
+    tree.notes = std::move(repairs.done);
+    std::ranges::move(check_network(tree), std::back_inserter(tree.notes));
     return tree;
 }
 

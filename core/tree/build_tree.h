@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,11 @@ enum class Repair : unsigned {
     kZeroRadii = 1,      // a radius of 0 becomes the mean of its neighbours' positive radii
     kRepeatedPoints = 2, // connected points at one place become one; connections named twice count once
     kLonelyPoints = 4,   // points connected to nothing are left out
-    kAll = 7
+    kRepeatedTrunks = 8, // what several polylines trace alike becomes one vessel (core/tree/merge_trunks.h)
+    kRadiusJumps = 16,   // a radius far from those on both sides becomes their mean; else it is only told
+    kOrphans = 32,       // a point whose parent is missing becomes a root; else the file is refused
+    kUsual = 15,         // all that leaves measured numbers alone, and invents no connections or ends
+    kAll = 63
 };
 [[nodiscard]] constexpr Repair operator|(Repair a, Repair b) {
     return static_cast<Repair>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -28,9 +33,11 @@ enum class Repair : unsigned {
 }
 
 // The names that people use for single repairs.
-inline constexpr std::pair<Repair, const char*> kRepairNames[] = {{Repair::kZeroRadii, "zero-radii"},
-                                                                  {Repair::kRepeatedPoints, "repeated-points"},
-                                                                  {Repair::kLonelyPoints, "lonely-points"}};
+inline constexpr std::pair<Repair, const char*> kRepairNames[] = {
+    {Repair::kZeroRadii, "zero-radii"},       {Repair::kRepeatedPoints, "repeated-points"},
+    {Repair::kLonelyPoints, "lonely-points"}, {Repair::kRepeatedTrunks, "repeated-trunks"},
+    {Repair::kRadiusJumps, "radius-jumps"},   {Repair::kOrphans, "orphans"}};
+[[nodiscard]] std::string_view name_of(Repair one);
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // points
 
@@ -39,6 +46,8 @@ struct Graph {
     std::vector<int> labels; // per point, or empty
     std::vector<Edge> edges;
     std::vector<std::uint32_t> roots; // requested roots; a component without one gets its thickest end
+    std::vector<System> systems;
+    std::vector<int> point_systems; // per point, an index into `systems`; empty where there are none
 };
 
 // Largest coordinate and radius that make sense in mm; beyond, a file has the wrong unit or is damaged.
@@ -47,13 +56,21 @@ inline constexpr double kMaximumRadius = 1e6;
 
 // `source(point)` says where a point came from, for messages ("liver.swc:41"). Fails on points that are not finite or
 // too far out, radii that are negative, too large, or zero everywhere, edges to points that do not exist, and graphs
-// without a segment; and on the first thing that needs a repair which `repair` does not allow.
+// without a segment, edges between systems; and on the first thing that needs a repair which `repair` does not allow.
+// The tree's notes are what was repaired, and what looks wrong (core/tree/suspicions.h): radii, loops, pieces.
 [[nodiscard]] Result<VesselTree> build_tree(Graph graph, Repair repair,
                                             const std::function<std::string(std::uint32_t)>& source);
 
 // Cuts points and edges that are known to be good into branches with their hierarchy. Roots of the result are those of
-// `roots` that belong to a component with a segment.
+// `roots` that belong to a component with a segment; `point_systems` as in Graph.
 [[nodiscard]] VesselTree assemble(std::vector<Point> points, std::vector<int> labels, const std::vector<Edge>& edges,
-                                  const std::vector<std::uint32_t>& roots);
+                                  const std::vector<std::uint32_t>& roots, const std::vector<int>& point_systems = {});
+
+// `roots`, and the thickest end (or point, where there is none) of every component that has no root yet.
+[[nodiscard]] std::vector<std::uint32_t>
+complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges, std::vector<std::uint32_t> roots);
+
+// Notes what a tree of vessels has seldom: loops, and pieces that nothing connects; what was noted of them before goes.
+void note_network(VesselTree& tree);
 
 } // namespace ramus::tree

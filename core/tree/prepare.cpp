@@ -56,6 +56,9 @@ PreparedTree prune(const VesselTree& source, double ratio) {
                 index_of[std::minmax(branch.points[i - 1], branch.points[i])] = index++;
     }
     VesselTree tree = source;
+    std::vector<int> systems(tree.points.size(), 0);
+    for (const Branch& branch : source.branches)
+        for (const std::uint32_t p : branch.points) systems[p] = branch.system;
     while (true) {
         const std::vector<bool> goes = short_leaves(tree, ratio);
         if (std::ranges::none_of(goes, [](bool g) { return g; })) break;
@@ -66,7 +69,7 @@ PreparedTree prune(const VesselTree& source, double ratio) {
             for (std::size_t i = 1; i < points.size(); ++i) edges.emplace_back(points[i - 1], points[i]);
         }
         const std::vector<std::uint32_t> roots = tree.roots;
-        tree = assemble(std::move(tree.points), std::move(tree.labels), edges, roots);
+        tree = assemble(std::move(tree.points), std::move(tree.labels), edges, roots, systems);
     }
     result.source_segments = result.segment_source.size();
     result.segment_index = indices_in_order(tree, index_of);
@@ -92,7 +95,8 @@ PreparedTree prune(const VesselTree& source, double ratio) {
     for (const std::uint32_t root : tree.roots) compact.roots.push_back(renumbered[root]);
     compact.loop_count = source.loop_count;
     compact.source = source.source;
-    compact.repairs = source.repairs;
+    compact.systems = source.systems;
+    compact.notes = source.notes;
     result.tree = std::move(compact);
     return result;
 }

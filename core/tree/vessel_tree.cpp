@@ -1,5 +1,6 @@
 #include "core/tree/vessel_tree.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ramus::tree {
@@ -8,6 +9,33 @@ std::size_t VesselTree::segment_count() const {
     std::size_t count = 0;
     for (const Branch& branch : branches) count += branch.points.size() - 1;
     return count;
+}
+
+std::vector<std::string> sentences(const VesselTree& tree, Note::Kind kind) {
+    std::vector<std::string> found;
+    for (const Note& note : tree.notes)
+        if (note.kind == kind) found.push_back(note.text);
+    return found;
+}
+
+std::string_view name_of(Note::Kind kind) {
+    return kind == Note::Kind::kAssumed ? "assumed" : kind == Note::Kind::kRepaired ? "repaired" : "suspect";
+}
+
+std::vector<NoteGroup> note_groups(const VesselTree& tree) {
+    std::vector<NoteGroup> groups;
+    for (const Note::Kind kind : {Note::Kind::kSuspect, Note::Kind::kRepaired, Note::Kind::kAssumed}) {
+        const std::size_t first = groups.size(); // of this kind
+        for (std::size_t n = 0; n < tree.notes.size(); ++n) {
+            const Note& note = tree.notes[n];
+            if (note.kind != kind) continue;
+            auto group = std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(),
+                                      [&](const NoteGroup& each) { return each.topic == note.topic; });
+            if (group == groups.end()) group = groups.insert(group, {kind, note.topic, {}});
+            group->notes.push_back(n);
+        }
+    }
+    return groups;
 }
 
 double length_mm(const VesselTree& tree, const Branch& branch) {

@@ -8,9 +8,12 @@
 // a spanning tree from the roots, and `loop_count` says how many branches close a loop.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::tree {
@@ -31,7 +34,26 @@ struct Branch {
     std::vector<int> children;         // branch ids, ascending
     int generation = 0;                // 0 at a root, parent's + 1 elsewhere
     int strahler = 1;                  // Strahler order: 1 at a leaf
+    int system = 0;                    // index into VesselTree::systems, 0 where there are none
     bool operator==(const Branch&) const = default;
+};
+
+// Vessels that carry blood, or air, of one kind: the portal vein, the hepatic vein, an artery. Systems are never
+// connected with each other.
+struct System {
+    std::string name;
+    std::array<std::uint8_t, 3> colour{}; // sRGB
+    bool operator==(const System&) const = default;
+};
+
+// Something that reading a tree assumed, changed, or found strange.
+struct Note {
+    enum class Kind : std::uint8_t { kAssumed, kRepaired, kSuspect };
+    Kind kind = Kind::kAssumed;
+    std::string topic;            // "units", "zero-radii": the option or repair that changes it
+    std::string text;             // one sentence
+    std::optional<glm::dvec3> at; // mm, RAS; none: of the whole tree
+    bool operator==(const Note&) const = default;
 };
 
 struct VesselTree {
@@ -40,12 +62,28 @@ struct VesselTree {
     std::vector<Branch> branches;
     std::vector<std::uint32_t> roots; // point index of the root of each component, in file order
     int loop_count = 0;               // independent cycles (edges - nodes + components)
+    std::vector<System> systems;      // empty: all branches are of one system without a name
     std::string source;               // name of the file it came from first; empty when that is not known
-    std::vector<std::string> repairs; // what reading changed, one sentence each; empty when nothing was
+    std::vector<Note> notes;          // what reading assumed, repaired and suspects
 
     [[nodiscard]] std::size_t segment_count() const;
     bool operator==(const VesselTree&) const = default;
 };
+
+// The notes of one kind, as sentences.
+[[nodiscard]] std::vector<std::string> sentences(const VesselTree& tree, Note::Kind kind);
+
+[[nodiscard]] std::string_view name_of(Note::Kind kind); // "assumed", "repaired", "suspect"
+
+// Notes of one kind about one topic, as indices into `VesselTree::notes`.
+struct NoteGroup {
+    Note::Kind kind = Note::Kind::kAssumed;
+    std::string topic;
+    std::vector<std::size_t> notes; // ascending
+};
+// All notes: what is suspect first, then what was repaired, then what was assumed; topics in the order of their first
+// note.
+[[nodiscard]] std::vector<NoteGroup> note_groups(const VesselTree& tree);
 
 // Length of one branch's centerline in mm.
 [[nodiscard]] double length_mm(const VesselTree& tree, const Branch& branch);

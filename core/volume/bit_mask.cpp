@@ -25,6 +25,11 @@ void BitMask::set(const glm::ivec3& voxel) {
     row(voxel.y, voxel.z)[bit / 64] |= std::uint64_t{1} << (bit % 64);
 }
 
+void BitMask::clear(const glm::ivec3& voxel) {
+    const auto bit = static_cast<std::size_t>(voxel.x) + 1;
+    row(voxel.y, voxel.z)[bit / 64] &= ~(std::uint64_t{1} << (bit % 64));
+}
+
 std::uint64_t BitMask::count() const {
     std::uint64_t sum = 0;
     for (const std::uint64_t word : words_) sum += static_cast<std::uint64_t>(std::popcount(word));

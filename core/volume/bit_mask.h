@@ -20,6 +20,7 @@ public:
     [[nodiscard]] const glm::ivec3& size() const { return size_; }
     [[nodiscard]] bool test(const glm::ivec3& voxel) const; // outside of everything beyond the border too
     void set(const glm::ivec3& voxel);                      // one thread at a time per row
+    void clear(const glm::ivec3& voxel);                    // likewise
     [[nodiscard]] std::uint64_t count() const;
 
     // A row along x in words, one bit of outside before the first voxel and at least one behind the last: voxel i is

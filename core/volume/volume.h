@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,14 +19,24 @@ namespace ramus::volume {
 using Voxels = std::variant<SparseArray<std::uint8_t>, SparseArray<std::uint16_t>, SparseArray<std::int16_t>,
                             SparseArray<std::int32_t>, SparseArray<float>>;
 
+// What a label of a mask stands for: 3, "portal vein".
+struct LabelName {
+    std::int32_t label = 0;
+    std::string name;
+    bool operator==(const LabelName&) const = default;
+};
+
 struct Volume {
     glm::ivec3 size{0};
     // Of voxel indices, whole numbers at the centres, to mm, RAS. Invertible and finite; may mirror and shear.
     glm::dmat4 to_patient{1.0};
     Voxels voxels; // of (i, j, k) at i + size.x * (j + size.y * k)
     double minimum = 0.0, maximum = 0.0;
-    std::string type;               // as it was kept: "NIfTI-1, int16"
-    std::vector<std::string> notes; // what was assumed where the file does not say; one sentence each
+    std::string type;                    // as it was kept: "NIfTI-1, int16"
+    std::optional<double> unit_mm;       // that the file states and to_patient counts with; none: it states none
+    std::vector<std::string> notes;      // what was assumed where the file does not say; one sentence each
+    std::vector<std::string> suspicions; // what is likely another than it was taken for; one sentence each
+    std::vector<LabelName> label_names;  // ascending; empty: the file names none
 };
 
 [[nodiscard]] std::size_t voxel_count(const Volume& volume);

@@ -27,20 +27,28 @@ Bounds bounds_of(const tree::VesselTree& tree) {
     return tree.points.empty() ? Bounds{} : box;
 }
 
-// Sets the voxels of one segment; places in voxels.
-void fill(BitMask& mask, const glm::dvec3& a, const glm::dvec3& b, double ra, double rb) {
-    const glm::dvec3 ab = b - a;
+// A grid of voxels: the middle of the first, and their sizes, mm.
+struct Grid {
+    glm::dvec3 origin, voxel_mm;
+};
+
+// Sets the voxels of one segment.
+void fill(BitMask& mask, const Grid& grid, const tree::Point& a, const tree::Point& b) {
+    const glm::dvec3 ab = b.position - a.position;
     const double squared = glm::dot(ab, ab);
     const glm::ivec3 last = mask.size() - 1;
-    const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(glm::min(a - ra, b - rb))), glm::ivec3(0), last);
-    const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor(glm::max(a + ra, b + rb))), glm::ivec3(0), last);
+    const glm::dvec3 lower = glm::min(a.position - a.radius, b.position - b.radius);
+    const glm::dvec3 upper = glm::max(a.position + a.radius, b.position + b.radius);
+    const auto cell = [&](const glm::dvec3& at) { return (at - grid.origin) / grid.voxel_mm; };
+    const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(cell(lower))), glm::ivec3(0), last);
+    const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor(cell(upper))), glm::ivec3(0), last);
     for (int k = from.z; k <= to.z; ++k)
         for (int j = from.y; j <= to.y; ++j)
             for (int i = from.x; i <= to.x; ++i) {
-                const glm::dvec3 ap = glm::dvec3(i, j, k) - a;
+                const glm::dvec3 ap = grid.origin + glm::dvec3(i, j, k) * grid.voxel_mm - a.position;
                 const double t = squared > 0.0 ? std::clamp(glm::dot(ap, ab) / squared, 0.0, 1.0) : 0.0;
                 const glm::dvec3 away = ap - t * ab;
-                const double radius = ra + t * (rb - ra);
+                const double radius = a.radius + t * (b.radius - a.radius);
                 if (glm::dot(away, away) <= radius * radius) mask.set({i, j, k});
             }
 }
@@ -59,26 +67,28 @@ double sensible_voxel_mm(const tree::VesselTree& tree) {
 }
 
 Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes) {
-    if (!std::isfinite(voxel_mm) || voxel_mm <= 0.0)
-        return fail("a voxel has no size", {}, "give millimetres, such as 0.5");
+    return voxelised(tree, glm::dvec3(voxel_mm), memory_bytes);
+}
+
+Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& voxel_mm, double memory_bytes) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(voxel_mm[axis]) || voxel_mm[axis] <= 0.0)
+            return fail("a voxel has no size", {}, "give millimetres, such as 0.5");
     const Bounds box = bounds_of(tree);
     const glm::dvec3 sides = glm::floor((box.upper - box.lower) / voxel_mm) + 3.0; // one of outside all around
     const double bytes = sides.x * sides.y * sides.z / 8.0;
     const double most = memory_limit(memory_bytes);
+    const std::string least = std::to_string(std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z}));
     if (std::max({sides.x, sides.y, sides.z}) > 30000.0 || bytes > most)
-        return fail("voxels of " + std::to_string(voxel_mm) + " mm are too fine for this tree", {},
+        return fail("voxels of " + least + " mm are too fine for this tree", {},
                     "give a larger size, or more --memory");
-    const glm::dvec3 origin = 0.5 * (box.lower + box.upper - voxel_mm * (sides - 1.0)); // of voxel 0, 0, 0
-    VoxelisedTree made{BitMask(glm::ivec3(sides)),
-                       glm::scale(glm::translate(glm::dmat4(1.0), origin), glm::dvec3(voxel_mm))};
+    const Grid grid{0.5 * (box.lower + box.upper - voxel_mm * (sides - 1.0)), voxel_mm};
+    VoxelisedTree made{BitMask(glm::ivec3(sides)), glm::scale(glm::translate(glm::dmat4(1.0), grid.origin), voxel_mm)};
     for (const tree::Branch& branch : tree.branches)
-        for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-            const tree::Point &a = tree.points[branch.points[i]], &b = tree.points[branch.points[i + 1]];
-            fill(made.mask, (a.position - origin) / voxel_mm, (b.position - origin) / voxel_mm, a.radius / voxel_mm,
-                 b.radius / voxel_mm);
-        }
+        for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
+            fill(made.mask, grid, tree.points[branch.points[i]], tree.points[branch.points[i + 1]]);
     if (made.mask.count() == 0)
-        return fail("no voxel of " + std::to_string(voxel_mm) + " mm lies within a vessel", {}, "give a smaller size");
+        return fail("no voxel of " + least + " mm lies within a vessel", {}, "give a smaller size");
     return made;
 }
 

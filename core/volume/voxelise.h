@@ -20,6 +20,10 @@ struct VoxelisedTree {
 // the machine's), or vessels are so much thinner than voxels that nothing is inside.
 [[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes = 0.0);
 
+// The same with voxels of any proportions, as scanners make them.
+[[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& voxel_mm,
+                                              double memory_bytes = 0.0);
+
 // A voxel size at which nine vessels in ten are at least two voxels wide, and no side has more than 768 voxels; mm.
 [[nodiscard]] double sensible_voxel_mm(const tree::VesselTree& tree);
 

@@ -89,6 +89,16 @@ template <class Bind, auto& older> void put_in_terms_of(auto& function) {
     };
 }
 
+// Makes `function`, which deletes objects, forget here what `known` says of them: drivers may never give a name again.
+template <auto known> void forget_on(auto& function) {
+    static std::remove_reference_t<decltype(function)> loaded; // as glad has it
+    loaded = function;
+    function = [](GLsizei count, const GLuint* ids) {
+        for (GLsizei i = 0; i < count; ++i) (names->*known).erase(ids[i]);
+        loaded(count, ids);
+    };
+}
+
 // Buffers.
 
 void GLAD_API_PTR create_buffers(GLsizei count, GLuint* ids) {
@@ -263,6 +273,7 @@ void install_gl_floor(int version, const void* context) {
     put_in_terms_of<BufferBound, glad_glUnmapBuffer>(glad_glUnmapNamedBuffer);
     put_in_terms_of<BufferBound, glad_glClearBufferSubData>(glad_glClearNamedBufferSubData);
     glad_glCreateTextures = create_textures;
+    forget_on<&Names::targets>(glad_glDeleteTextures);
     glad_glBindTextureUnit = bind_texture_unit;
     put_storage_in_terms_of<glad_glTexImage1D>(glad_glTextureStorage1D);
     put_storage_in_terms_of<glad_glTexImage2D>(glad_glTextureStorage2D);
@@ -282,6 +293,7 @@ void install_gl_floor(int version, const void* context) {
     glad_glCheckNamedFramebufferStatus = framebuffer_status;
     glad_glBlitNamedFramebuffer = blit_framebuffer;
     glad_glCreateVertexArrays = create_vertex_arrays;
+    forget_on<&Names::sources>(glad_glDeleteVertexArrays);
     glad_glVertexArrayVertexBuffer = vertex_array_vertex_buffer;
     glad_glVertexArrayElementBuffer = vertex_array_element_buffer;
     glad_glVertexArrayAttribFormat = vertex_array_format;

@@ -1,7 +1,7 @@
 // The hot loops by themselves, on bricks of a grown tree of 1,504 branches: gathering a brick's segments, sampling its
 // points, moving points onto the surface, and splitting octree cubes. `per_kernel` is the time for one vector of 16
 // points and one segment.
-#include "core/field/convolution_field.h"
+#include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/octree/octree.h"
 #include "core/mesh/surface.h"
@@ -22,7 +22,7 @@ struct Scene {
     std::vector<std::size_t> bricks;
 
     explicit Scene(const tree::VesselTree& tree)
-        : field(mesh::make_field(tree, {}, {})), sizing(mesh::bricks::make_sizing(field, 16, 0.0)) {
+        : field(mesh::make_field(tree, {}, {}).sum()), sizing(mesh::bricks::make_sizing(field, 16, 0.0)) {
         Job job;
         octree = mesh::bricks::build_octree(field, sizing, job);
         constexpr std::size_t kBricks = 1000; // neighbours, as in real work

@@ -4,12 +4,13 @@ import struct
 
 
 def read_ply(path):
-    """Header lines, vertices as tuples and triangles of a binary PLY of floats."""
+    """Header lines, vertices as tuples and triangles of a binary PLY of floats and, last, whole numbers."""
     header, body = path.read_bytes().split(b"end_header\n", 1)
     lines = header.decode().splitlines()
     count = {words[1]: int(words[2]) for words in map(str.split, lines) if words[0] == "element"}
-    width = sum(line.startswith("property float") for line in lines)
-    vertices = list(struct.iter_unpack(f"<{width}f", body[: 4 * width * count["vertex"]]))
+    floats, ints = (sum(line.startswith(f"property {kind}") for line in lines) for kind in ("float", "int"))
+    width = floats + ints
+    vertices = list(struct.iter_unpack(f"<{floats}f{ints}i", body[: 4 * width * count["vertex"]]))
     faces = [face[1:] for face in struct.iter_unpack("<B3i", body[4 * width * count["vertex"]:])]
     return lines, vertices, faces
 

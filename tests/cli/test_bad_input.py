@@ -61,7 +61,7 @@ class BadTrees(CommandLineTest):
 
     def test_unknown_extension(self):
         tree = self.write("tree.xyz", GOOD)
-        self.expect_failure("info", tree, says=["tree.xyz", "'.xyz' cannot be read", ".swc or"])
+        self.expect_failure("info", tree, says=["tree.xyz", "'.xyz' cannot be read", "use .swc"])
 
     def test_unreadable_file(self):
         tree = self.write("secret.swc", GOOD)
@@ -85,7 +85,7 @@ class BadTrees(CommandLineTest):
             "{}": "not a ramus tree",
             "[[[[[": "not valid JSON",
             text[: len(text) // 2]: "not valid JSON",
-            text.replace('"version": 1', '"version": 99'): "newer ramus",
+            text.replace('"version": 2', '"version": 99'): "newer ramus",
             text.replace("[0, 1, 2]", "[0, 1, 999999999]"): "branches[0][2]",
             text.replace('"points"', '"dots"'): "points: is missing",
         }
@@ -118,7 +118,7 @@ class Repairs(CommandLineTest):
     def test_repair_none_refuses(self):
         tree = self.write("tree.swc", "1 2 0 0 0 1 -1\n2 2 0 0 5 0 1\n3 2 0 0 10 2 2\n")
         for command in (["info", tree], ["mesh", tree, "-o", "out.ply"], ["convert", tree, "-o", "out.json"]):
-            self.expect_failure(*command, "--repair", "none", says=["tree.swc:2", "--repair all"])
+            self.expect_failure(*command, "--repair", "none", says=["tree.swc:2", "--repair usual"])
         self.assertEqual(self.names(), ["tree.swc"])
 
     def test_a_list_allows_some_repairs(self):

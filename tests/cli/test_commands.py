@@ -153,7 +153,7 @@ class Info(CommandLineTest):
         tree = self.write("tree.swc", GOOD)
         info = self.json("info", tree, "--json")
         self.assertEqual(list(info), ["branches", "segments", "roots", "loops", "length_mm", "volume_mm3", "radius_mm",
-                                      "generations", "repairs"])
+                                      "generations", "repairs", "assumptions", "suspicions", "notes", "systems"])
         self.assertEqual((info["branches"], info["segments"], info["roots"], info["loops"]), (3, 4, 1, 0))
         self.assertEqual((info["generations"], info["repairs"]), (2, []))
         side = math.hypot(3, 5)
@@ -163,6 +163,17 @@ class Info(CommandLineTest):
                                frustum(side, 0.9, 0.7))
         self.assertEqual((info["radius_mm"]["min"], info["radius_mm"]["max"]), (0.6, 1.0))
         self.assertAlmostEqual(info["radius_mm"]["mean"], (5 * 1 + 5 * 0.95 + side * 0.75 + side * 0.8) / (10 + 2 * side))
+
+    def test_notes_have_kind_topic_and_place(self):
+        tree = self.write("tree.swc", "1 0 0 0 0 0.5 -1\n2 0 0 0 5 0 1\n3 0 0 0 9 0.5 2\n")
+        notes = self.json("info", tree, "--json")["notes"]
+        self.assertEqual([(note["kind"], note["topic"]) for note in notes],
+                         [("assumed", "units"), ("suspect", "units"), ("assumed", "axes"), ("repaired", "zero-radii")])
+        self.assertEqual(notes[3]["at"], [0, 0, 5])
+        self.assertNotIn("at", notes[0])
+        self.assertIn("tree.swc:2", notes[3]["text"])
+        self.assertEqual(self.json("info", tree, "--json", "--units", "cm")["notes"][-1]["at"], [0, 0, 50])
+        self.assertIn("1 (1 zero-radii)", self.expect_done("info", tree).stdout)
 
     def test_branch_list(self):
         tree = self.write("tree.swc", GOOD)
@@ -256,6 +267,11 @@ class Mesh(CommandLineTest):
         self.assertEqual(figures["components"], 2)
 
 
+def without_notes(info):
+    """What a tree is, without what reading its file assumed and found: converted files say more."""
+    return {key: value for key, value in info.items() if key not in ("repairs", "assumptions", "suspicions", "notes")}
+
+
 class Convert(CommandLineTest):
     def test_there_and_back_again(self):
         # Ids with gaps, comments, labels and numbers that rounding would change.
@@ -269,18 +285,20 @@ class Convert(CommandLineTest):
         a, c = data("a.json"), data("c.json")
         self.assertEqual(a.pop("source"), "tree.swc")
         self.assertEqual(c.pop("source"), "b.swc")
+        self.assertEqual([note["topic"] for note in a.pop("notes") if note["kind"] == "assumed"], ["units", "axes"])
+        self.assertEqual([note for note in c.pop("notes") if note["kind"] == "assumed"], [])  # the file says both
         self.assertEqual(a, c)
         self.assertEqual(a["points"][0], [0.1, 1e-17, 0.30000000000000004, 1.25])
         self.assertEqual(a["labels"], [3, 5, -4, 900, 0, 0])
         same = [self.json("info", name, "--json", "--branches") for name in ("tree.swc", "a.json", "b.swc")]
         self.assertEqual(same[0], same[1])
-        self.assertEqual(same[0], same[2])
+        self.assertEqual(without_notes(same[0]), without_notes(same[2]))
 
     def test_in_place(self):
         tree = self.write("tree.swc", GOOD)
         before = self.json("info", tree, "--json", "--branches")
         self.expect_done("convert", tree, "-o", tree)
-        self.assertEqual(self.json("info", tree, "--json", "--branches"), before)
+        self.assertEqual(without_notes(self.json("info", tree, "--json", "--branches")), without_notes(before))
 
     def test_loops_stay_in_json_and_are_refused_as_swc(self):
         ring = self.write("ring.json", json.dumps({

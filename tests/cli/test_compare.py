@@ -49,6 +49,13 @@ class Compare(CommandLineTest):
         session = json.loads((self.folder / "s.json").read_text())
         self.assertEqual(session["comparison"], {"mode": "side-by-side", "surfaces": ["iso", "cs"], "blend": 0.5,
                                                  "mask": "mask.nii.gz", "labels": [2]})
+        self.assertEqual(self.picture("unit.png", "--compare", "side-by-side", "--methods", "iso,cs", "--mask", "mask.nii.gz",
+                                      "--mask-units", "mm", "--label", "2", "--skeleton"), flags)
+        self.write("u.txt", "compare-mask mask.nii.gz 2 --units mm\ncompare side-by-side iso,cs\nskeleton on\nfit\nsave u.json\n")
+        self.assertEqual(self.picture("commands.png", "--commands", "u.txt"), flags)
+        self.assertEqual(json.loads((self.folder / "u.json").read_text())["comparison"]["mask_units"], "mm")
+        self.expect_done("render", "--session", "u.json", "-o", "again.png", "--size", "300x160")
+        self.assertEqual((self.folder / "again.png").read_bytes(), flags)
         self.expect_done("render", "--session", "s.json", "-o", "again.png", "--size", "300x160")
         self.assertEqual((self.folder / "again.png").read_bytes(), flags)
 

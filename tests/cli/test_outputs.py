@@ -59,7 +59,7 @@ class Outputs(CommandLineTest):
         self.assertEqual(self.names(), ["tree.swc"])
 
     def test_full_disk_for_trees(self):
-        long_tree = "".join(f"{i} 2 0 0 {i} 1 {i - 1 or -1}\n" for i in range(1, 3001))
+        long_tree = "".join(f"{i} 2 0 0 {i / 10} 1 {i - 1 or -1}\n" for i in range(1, 3001))
         self.write("tree.swc", long_tree)
         for command, output in self.commands("json", "swc"):
             with self.subTest(output):

@@ -1,5 +1,6 @@
 """The pictures that surfaces are compared by, on the command line."""
 
+import json
 import struct
 import unittest
 
@@ -36,6 +37,17 @@ class Study(CommandLineTest):
         report = self.json("study", "tree.swc", "--mask", "mask.nii.gz", "-o", "out", "--size", "80x60", "--json")
         self.assertEqual(report["mask"], "mask.nii.gz")
         self.assertNotIn("voxel_mm", report)
+
+    def test_one_system_alone(self):
+        tree = {"format": "ramus-tree", "version": 2, "units": "mm", "orientation": "RAS",
+                "points": [[-10, 0, 0, 2], [10, 0, 0, 2], [-10, 0, 30, 2], [10, 0, 30, 2]], "branches": [[0, 1], [2, 3]],
+                "roots": [0, 2], "systems": [{"name": "vein", "colour": [60, 110, 180]},
+                                             {"name": "artery", "colour": [200, 80, 60]}], "branch_systems": [0, 1]}
+        self.write("two.json", json.dumps(tree))
+        both = self.json("study", "two.json", "-o", "both", "--size", "80x60", "--json")
+        one = self.json("study", "two.json", "--system", "artery", "-o", "one", "--size", "80x60", "--json")
+        self.assertEqual((len(both["places"]), len(one["places"])), (2, 1))
+        self.expect_failure("study", "two.json", "--system", "nerve", "-o", "x", says=("nerve", "artery"))
 
     def test_what_cannot_be_is_told_before_anything_is_drawn(self):
         self.write("file", "not a folder")

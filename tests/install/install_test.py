@@ -5,6 +5,7 @@ Usage: install_test.py CMAKE BUILD_FOLDER
 """
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -35,7 +36,9 @@ def main():
         prefix = folder / "moved to here"
         shutil.move(folder / "first", prefix)
 
-        environment = {"PATH": "/usr/bin:/bin"}  # no HOME, no XDG folders, no display
+        # No HOME, no XDG folders, no display; a sanitizer is told what it is told in other tests.
+        environment = {"PATH": "/usr/bin:/bin"}
+        environment |= {name: value for name, value in os.environ.items() if name.endswith("SAN_OPTIONS")}
         program = prefix / "bin" / "ramus"
         tree = prefix / "share" / "ramus" / "liver_portal_vein.swc"
         info = run(program, "info", tree, "--json", env=environment)
@@ -72,8 +75,9 @@ def main():
         types = xml.etree.ElementTree.parse(share / "mime" / "packages" / "org.ramus.Ramus.xml").getroot()
         space = "{http://www.freedesktop.org/standards/shared-mime-info}"
         named = {kind.get("type"): kind.find(space + "glob").get("pattern") for kind in types.iter(space + "mime-type")}
-        check(named == {"application/x-swc": "*.swc", "application/x-ramus-session": "*.ramus.json"}, "file types have patterns")
-        check(set(filter(None, keys["MimeType"].split(";"))) == set(named), "and the entry opens just those")
+        known = {"application/x-swc": "*.swc", "application/x-ramus-session": "*.ramus.json"}
+        check(known.items() <= named.items() and all(named.values()), "file types have patterns")
+        check(set(named) <= set(filter(None, keys["MimeType"].split(";"))), "and the entry opens them")
         icons = share / "icons" / "hicolor"
         for icon in ("scalable/apps/org.ramus.Ramus.svg", "48x48/apps/org.ramus.Ramus.png", "128x128/apps/org.ramus.Ramus.png"):
             check((icons / icon).is_file() and keys["Icon"] == Path(icon).stem, "the icon " + icon)

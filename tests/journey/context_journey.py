@@ -8,7 +8,7 @@ import sys
 
 from screen import SMALL_TREE, Window, check, click, differing, run_journeys, slide
 
-ADD = "Show a mask (NIfTI) or a mesh (STL, PLY, OBJ) beside the tree: an organ, a bone"
+ADD = "Show a mask or a mesh beside the tree: an organ, a bone"
 LOWER, UPPER = (-50, -15, -30), (65, 25, 60)  # mm, around most of the tree
 
 

@@ -179,7 +179,7 @@ def below_tools(pixels, view):
 
 
 def project(status, point):
-    """Where the status's camera (perspective) shows a point, in pixels of the screen."""
+    """Where the status's camera (perspective) shows a point, in pixels of the screen: in the first viewport."""
     def minus(a, b): return [p - q for p, q in zip(a, b)]
     def dot(a, b): return sum(p * q for p, q in zip(a, b))
     def cross(a, b): return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -190,7 +190,7 @@ def project(status, point):
     right = unit(cross(forward, camera["view_up"]))
     up = cross(right, forward)
     to_point = minus(point, camera["position"])
-    left, top, width, height = status["viewport"]
+    left, top, width, height = status["viewports"][0]
     per_unit = height / 2 / math.tan(math.radians(camera["view_angle"] / 2)) / dot(to_point, forward)
     return (round(left + width / 2 + dot(to_point, right) * per_unit),
             round(top + height / 2 - dot(to_point, up) * per_unit))

@@ -13,8 +13,8 @@ namespace ramus::test {
 // For who cannot go on without.
 inline tree::VesselTree built_tree(std::vector<tree::Point> points, std::vector<tree::Edge> edges,
                                    std::vector<std::uint32_t> roots = {0}) {
-    auto tree = tree::build_tree({std::move(points), {}, std::move(edges), std::move(roots)}, tree::Repair::kAll,
-                                 [](std::uint32_t) { return std::string(); });
+    auto tree = tree::build_tree({std::move(points), {}, std::move(edges), std::move(roots), {}, {}},
+                                 tree::Repair::kUsual, [](std::uint32_t) { return std::string(); });
     REQUIRE_MESSAGE(tree, (tree ? "" : tree.error().message()));
     return std::move(*tree);
 }

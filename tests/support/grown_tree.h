@@ -24,7 +24,7 @@ inline Result<tree::VesselTree> grown_tree(int branches) {
         else
             graph.edges.emplace_back(static_cast<std::uint32_t>(grown->parents[i]), i);
     }
-    return tree::build_tree(std::move(graph), tree::Repair::kAll, [](std::uint32_t) { return std::string("grown"); });
+    return tree::build_tree(std::move(graph), tree::Repair::kUsual, [](std::uint32_t) { return std::string("grown"); });
 }
 
 // The same, for who cannot go on without.

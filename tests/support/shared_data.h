@@ -21,13 +21,17 @@ inline std::vector<std::filesystem::path> shared_trees() {
     return trees;
 }
 
-// A mask of the shared data; none (with a visible word) in a plain clone.
-inline std::optional<std::filesystem::path> shared_volume(const std::string& name) {
-    const std::filesystem::path path = std::filesystem::path(RAMUS_SHARED_DATA) / "volumes" / name;
+// A file of one folder of the shared data; none (with a visible word) in a plain clone.
+inline std::optional<std::filesystem::path> shared_file(const char* folder, const std::string& name) {
+    const std::filesystem::path path = std::filesystem::path(RAMUS_SHARED_DATA) / folder / name;
     std::error_code error;
     if (std::filesystem::exists(path, error)) return path;
     MESSAGE("SKIPPED: there is no " << path.string());
     return std::nullopt;
+}
+
+inline std::optional<std::filesystem::path> shared_volume(const std::string& name) {
+    return shared_file("volumes", name);
 }
 
 } // namespace ramus::test

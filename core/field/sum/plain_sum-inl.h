@@ -19,6 +19,7 @@
 #include "core/field/sum/bounds-inl.h"
 #include "core/field/sum/projection-inl.h"
 #include "core/field/sum/sampling-inl.h"
+#include "core/field/sum/terms-inl.h"
 
 #include <memory>
 
@@ -70,7 +71,7 @@ template <class Profile> const PlainSum* plain_sum() {
         [](const Kernel& kernel, const FieldSegment* segments, Choice choice) -> std::unique_ptr<BrickField> {
             return std::make_unique<SumInBrick<Profile>>(kernel, segments, choice);
         },
-        &bound_children<Profile>};
+        &bound_children<Profile>, &find_terms<Profile>};
     return &sum;
 }
 

@@ -1,11 +1,17 @@
 #include "core/io/meshes/assimp_reader.h"
 
+#include "core/base/own_process.h"
+
+#include <algorithm>
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
+#include <cstring>
 #include <exception>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace ramus::io {
 
@@ -27,39 +33,91 @@ bool keep_only(Assimp::Importer& importer, const std::string& extension) {
     return found;
 }
 
-Result<PolygonSoup> polygons_of(const aiScene& scene, const std::string& name) {
-    PolygonSoup soup;
+// What one process tells the other, as it lies in memory: how many positions there are, the positions, and for each
+// polygon how many corners it has and which. Nothing: the file is damaged.
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max(); // that a corner names
+
+template <class T> void append_numbers(std::string& bytes, const std::vector<T>& numbers) {
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
+}
+
+std::string soup_bytes(const aiScene& scene) {
+    std::vector<double> positions;
+    std::vector<std::uint32_t> polygons;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& part = *scene.mMeshes[m];
-        const auto first = static_cast<std::uint32_t>(soup.positions.size());
+        const auto first = static_cast<std::uint32_t>(positions.size() / 3);
         for (unsigned v = 0; v < part.mNumVertices; ++v)
-            soup.positions.emplace_back(part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z);
+            positions.insert(positions.end(), {part.mVertices[v].x, part.mVertices[v].y, part.mVertices[v].z});
         for (unsigned f = 0; f < part.mNumFaces; ++f) {
-            std::vector<std::uint32_t> polygon;
-            for (unsigned k = 0; k < part.mFaces[f].mNumIndices; ++k) {
-                if (part.mFaces[f].mIndices[k] >= part.mNumVertices)
-                    return fail("a triangle names a vertex that is not there", name, "write the file again");
-                polygon.push_back(first + part.mFaces[f].mIndices[k]);
-            }
-            soup.polygons.push_back(std::move(polygon));
+            const aiFace& face = part.mFaces[f];
+            polygons.push_back(face.mNumIndices);
+            for (unsigned k = 0; k < face.mNumIndices; ++k)
+                polygons.push_back(face.mIndices[k] < part.mNumVertices ? first + face.mIndices[k] : kNoVertex);
         }
+    }
+    std::string bytes;
+    append_numbers(bytes, std::vector<std::uint64_t>{positions.size() / 3});
+    append_numbers(bytes, positions);
+    append_numbers(bytes, polygons);
+    return bytes;
+}
+
+std::string read_with_assimp(std::string_view text, const std::string& extension) {
+    try {
+        Assimp::Importer importer;
+        if (!keep_only(importer, extension)) return {};
+        const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, extension.c_str());
+        return scene == nullptr ? std::string() : soup_bytes(*scene);
+    } catch (const std::exception&) { // on damaged files
+        return {};
+    }
+}
+
+// Takes a number of `T` off the front; none: there are too few bytes.
+template <class T> std::optional<T> take_number(std::string_view& bytes) {
+    if (bytes.size() < sizeof(T)) return std::nullopt;
+    T number{};
+    std::memcpy(&number, bytes.data(), sizeof(T));
+    bytes.remove_prefix(sizeof(T));
+    return number;
+}
+
+// None: these are no bytes of soup_bytes().
+std::optional<PolygonSoup> soup_of(std::string_view bytes) {
+    const auto count = take_number<std::uint64_t>(bytes);
+    if (!count || *count > bytes.size() / sizeof(glm::dvec3)) return std::nullopt;
+    PolygonSoup soup;
+    soup.positions.resize(*count);
+    if (*count > 0) std::memcpy(soup.positions.data(), bytes.data(), *count * sizeof(glm::dvec3));
+    bytes.remove_prefix(*count * sizeof(glm::dvec3));
+    while (!bytes.empty()) {
+        const auto corners = take_number<std::uint32_t>(bytes);
+        if (!corners || *corners > bytes.size() / sizeof(std::uint32_t)) return std::nullopt;
+        std::vector<std::uint32_t> polygon(*corners);
+        if (*corners > 0) std::memcpy(polygon.data(), bytes.data(), polygon.size() * sizeof(std::uint32_t));
+        bytes.remove_prefix(polygon.size() * sizeof(std::uint32_t));
+        soup.polygons.push_back(std::move(polygon));
     }
     return soup;
 }
 
 } // namespace
 
-// The library's steps after reading trust the numbers in the file: none of them is asked for.
+// The library's steps after reading trust the numbers in the file: none of them is asked for. Reading itself crashes on
+// some damaged files, so it has a process of its own.
 Result<PolygonSoup> parse_with_assimp(std::string_view text, const std::string& extension, const std::string& name) {
-    const auto damaged = fail("this is no ." + extension + " mesh, or it is damaged", name, "write it again");
-    try {
-        Assimp::Importer importer;
-        if (!keep_only(importer, extension)) return fail("this build reads no ." + extension + " files", name);
-        const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, extension.c_str());
-        return scene == nullptr ? damaged : polygons_of(*scene, name);
-    } catch (const std::exception&) { // on damaged files
-        return damaged;
-    }
+    constexpr std::uint64_t kMostGrowth = 64; // of a byte of text: objects of the library for every short line
+    ProcessLimits limits;
+    limits.memory += kMostGrowth * text.size();
+    limits.answer += kMostGrowth * text.size();
+    const auto answer = run_in_own_process([&] { return read_with_assimp(text, extension); }, limits);
+    auto soup = answer ? soup_of(*answer) : std::nullopt;
+    if (!soup) return fail("this is no ." + extension + " mesh, or it is damaged", name, "write it again");
+    for (const auto& polygon : soup->polygons)
+        if (std::ranges::any_of(polygon, [&](std::uint32_t corner) { return corner >= soup->positions.size(); }))
+            return fail("a triangle names a vertex that is not there", name, "write the file again");
+    return std::move(*soup);
 }
 
 } // namespace ramus::io

@@ -1,4 +1,4 @@
-// Meshes read by the assimp library, which is told the format.
+// Meshes read by the assimp library, which is told the format, in a process of its own: damaged files make it crash.
 #pragma once
 
 #include "core/io/meshes/mesh_file.h"

@@ -2,9 +2,11 @@
 
 #include "core/io/input_file.h"
 #include "core/io/meshes/assimp_reader.h"
+#include "core/io/meshes/glb.h"
 #include "core/io/meshes/obj.h"
 #include "core/io/meshes/ply.h"
 #include "core/io/meshes/stl.h"
+#include "core/io/meshes/vtp_surface.h"
 #include "core/io/output_file.h"
 #include "core/mesh/close_mesh.h"
 #include "core/tree/build_tree.h"
@@ -39,6 +41,12 @@ Result<mesh::TriangleMesh> triangles_of(const PolygonSoup& soup, const std::stri
     return mesh;
 }
 
+Result<void> write_vtp_whole(const mesh::TriangleMesh& mesh, const MeshNames& names, const std::string& /*where*/,
+                             BufferedFile& file) {
+    write_vtp_surface(mesh, names, file);
+    return {};
+}
+
 } // namespace
 
 const std::vector<MeshFormat>& mesh_formats() {
@@ -48,28 +56,62 @@ const std::vector<MeshFormat>& mesh_formats() {
           .has_signature = is_ply,
           .help = "Binary; vertices with normal, radius and branch, where the mesh has them."},
          false,
+         false,
+         1.0,
          parse_ply,
          ply_header,
          {write_ply_vertices},
          write_ply_faces},
         {{.name = "STL", .extensions = {".stl"}, .help = "Binary; triangles with a normal each, for printing."},
          false,
+         false,
+         1.0,
          [](auto text, const auto& name) { return parse_with_assimp(text, "stl", name); },
          stl_header,
          {},
          write_stl_facets},
         {{.name = "OBJ", .extensions = {".obj"}, .help = "Text; vertices with normals, and triangles."},
          true,
+         false,
+         1.0,
          [](auto text, const auto& name) { return parse_with_assimp(text, "obj", name); },
          obj_header,
          {write_obj_positions, write_obj_normals},
          write_obj_faces},
+        {{.name = "VTP surface",
+          .extensions = {".vtp"},
+          .help = "PolyData of VTK: triangles with normals, radius, branch and system."},
+         false,
+         false,
+         1.0,
+         nullptr,
+         nullptr,
+         {},
+         nullptr,
+         write_vtp_whole},
+        {{.name = "GLB",
+          .extensions = {".glb"},
+          .help = "glTF 2.0 in binary, for browsers and Blender: a named, coloured object for each system or branch."},
+         false,
+         true,
+         1000.0,
+         nullptr,
+         nullptr,
+         {},
+         nullptr,
+         write_glb},
     };
     return table;
 }
 
 std::string readable_mesh_extensions() { return listed(readable_extensions(mesh_formats())); }
 std::string writable_mesh_extensions() { return listed(writable_extensions(mesh_formats())); }
+std::string streamed_mesh_extensions() {
+    std::vector<std::string_view> words;
+    for (const MeshFormat& format : mesh_formats())
+        if (is_streamed(format)) words.push_back(format.extensions.front());
+    return listed(words);
+}
 
 bool names_mesh(const std::filesystem::path& path) {
     const MeshFormat* format = format_by_name(mesh_formats(), path);
@@ -98,10 +140,14 @@ Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes ho
                                     : mesh::closed_mesh(std::move(loose), name);
 }
 
-Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& path) {
+Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& path, const MeshNames& names) {
     RAMUS_TRY(format, mesh_format(path));
     if (mesh.positions.size() > kMostInFile || mesh.triangles.size() > kMostInFile) return too_many_for_file(path);
     RAMUS_TRY(file, OutputFile::create(path));
+    if (!is_streamed(*format)) {
+        if (auto written = format->whole(mesh, names, path.string(), file); !written) return written;
+        return file.commit();
+    }
     const mesh::VertexSpan vertices = vertices_of(mesh);
     file.write(format->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(), !mesh.radii.empty(),
                                !mesh.branches.empty()}));

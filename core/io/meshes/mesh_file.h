@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/io/buffered_file.h"
 #include "core/io/file_format.h"
+#include "core/io/meshes/mesh_names.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>
@@ -41,26 +42,36 @@ struct MeshCounts {
 
 struct MeshFormat : FileFormat {
     bool is_text = false;
+    bool has_parts = false; // objects of their own, with names and colours
+    double unit_mm = 1.0;   // what programs take the file's unit for, once they have heeded what it says
     // `text`: all bytes of the file called `name`; null: it is not read.
     Result<PolygonSoup> (*parse)(std::string_view text, const std::string& name) = nullptr;
     // A file is the header, what each of `vertices` (null: nothing) writes, one after the other, and the triangles. Of
     // a mesh that comes in parts, binary formats are told of more and more and each function writes to a file of its
     // own until all are put together. Text is longer than the arrays: it is written at the end, from some of one array
     // at a time, the first of `vertices` from positions, the second from normals, which there always are.
-    std::string (*header)(const MeshCounts&) = nullptr; // null: it is not written
+    std::string (*header)(const MeshCounts&) = nullptr;
     std::array<void (*)(const mesh::VertexSpan& more, BufferedFile&), 2> vertices{};
     // Given all vertices so far that `more` names.
     void (*triangles)(std::span<const glm::uvec3> more, const mesh::VertexSpan&, BufferedFile&) = nullptr;
+    // Instead of these: a format that needs the whole mesh before its first byte. `where`: what errors name.
+    Result<void> (*whole)(const mesh::TriangleMesh&, const MeshNames&, const std::string& where,
+                          BufferedFile&) = nullptr;
 };
 
 [[nodiscard]] inline bool is_read(const MeshFormat& format) { return format.parse != nullptr; }
-[[nodiscard]] inline bool is_written(const MeshFormat& format) { return format.header != nullptr; }
+[[nodiscard]] inline bool is_written(const MeshFormat& format) {
+    return format.header != nullptr || format.whole != nullptr;
+}
+// Whether it can be written in parts.
+[[nodiscard]] inline bool is_streamed(const MeshFormat& format) { return format.header != nullptr; }
 
 [[nodiscard]] const std::vector<MeshFormat>& mesh_formats();
 
 // ".ply, .stl or .obj": of the formats that are read, and of those that are written.
 [[nodiscard]] std::string readable_mesh_extensions();
 [[nodiscard]] std::string writable_mesh_extensions();
+[[nodiscard]] std::string streamed_mesh_extensions(); // of those that can be written in parts
 
 // Whether the name is that of a mesh that can be read.
 [[nodiscard]] bool names_mesh(const std::filesystem::path& path);
@@ -78,8 +89,9 @@ enum class Holes : std::uint8_t { kRefused, kAllowed };
 // on coordinates that make no sense in mm.
 [[nodiscard]] Result<mesh::TriangleMesh> read_mesh(const std::filesystem::path& path, Holes holes = Holes::kRefused);
 
-// In the format of the extension.
-[[nodiscard]] Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& file);
+// In the format of the extension. `names`: for formats that have a place for them.
+[[nodiscard]] Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::path& file,
+                                      const MeshNames& names = {});
 
 [[nodiscard]] tl::unexpected<Error> too_many_for_file(const std::filesystem::path& path);
 

@@ -23,6 +23,9 @@ template <class T, class Write> void for_blocks(TemporaryFile& file, const Write
 
 Result<std::unique_ptr<SurfaceFile>> SurfaceFile::create(const std::filesystem::path& path) {
     RAMUS_TRY(format, mesh_format(path));
+    if (!is_streamed(*format))
+        return fail("the surface is larger than memory, and this format cannot be written in parts", path.string(),
+                    "use " + streamed_mesh_extensions() + ", a lower --detail, or more --memory");
     if (auto possible = check_output(path); !possible) return tl::unexpected(possible.error());
     std::vector<TemporaryFile> parts;
     while (parts.size() <= format->vertices.size()) {

@@ -1,15 +1,16 @@
 // SWC: one point a line, `id type x y z radius parent`. Any type code, ids in any order, several roots (parent -1, or
-// any negative number), tabs or blanks, CRLF, a byte order mark, comments after `#` anywhere. Positions and radii are
-// taken as mm; the file itself has no unit.
+// any negative number), tabs or blanks, CRLF, a byte order mark, comments after `#` anywhere. The format
+// has no unit; what this program writes says in a comment that it is in mm and RAS.
 #pragma once
 
 #include "core/io/trees/tree_file.h"
 
 namespace ramus::io {
 
-// `name` stands for the file in messages.
-[[nodiscard]] Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& name,
-                                                 const ReadOptions& options = {});
+// The line that this program writes above the points.
+inline constexpr std::string_view kSwcUnits = "# id type x y z radius parent (mm, RAS)\n";
+
+[[nodiscard]] Result<ImportedTree> parse_swc(const TreeInput& input);
 
 // Vessel trees as SWC. Numbers are the shortest that read back exactly, so that a tree survives the way through SWC
 // with its branch ids; lines keep the order of the points where that does. SWC has one parent a point: a network with

@@ -1,8 +1,8 @@
 #include "core/io/input_file.h"
+#include "core/io/text_numbers.h"
 #include "core/io/trees/swc.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -22,30 +22,6 @@ struct Row {
 
 constexpr const char* kLayout = "a line is: id type x y z radius parent";
 
-// Numbers as every locale writes them in files: with a point. A leading plus is fine, anything left over is not.
-std::optional<double> to_real(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::result_out_of_range && end == text.data() + text.size())
-        return text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos ? 0.0 : HUGE_VAL;
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-// Ids and parents are whole numbers, though some programs write them with a decimal point.
-std::optional<long long> to_whole(std::string_view text) {
-    const auto real = to_real(text);
-    if (!real || !(std::abs(*real) < 9e15) || *real != std::floor(*real)) return std::nullopt;
-    return static_cast<long long>(*real);
-}
-
-std::string quoted(std::string_view text) {
-    std::string shown;
-    for (const char c : text.substr(0, 24)) shown += c >= ' ' && c < 127 ? c : '?';
-    return "'" + shown + (text.size() > 24 ? "...'" : "'");
-}
-
 bool looks_binary(std::string_view text) { return text.substr(0, 4096).find('\0') != std::string_view::npos; }
 
 // `content`: the line that `fields` are of; `where`: the file and the line's number.
@@ -58,17 +34,17 @@ Result<Row> row_of(const std::vector<std::string_view>& fields, std::string_view
     const auto id = to_whole(fields[0]);
     const auto type = to_whole(fields[1]);
     const auto parent = to_whole(fields[6]);
-    if (!id || *id < 0) return fail("the id " + quoted(fields[0]) + " is not a whole number from 0", where, kLayout);
+    if (!id || *id < 0) return fail("the id " + shown(fields[0]) + " is not a whole number from 0", where, kLayout);
     if (!type || std::abs(*type) > 2147483647LL)
-        return fail("the type " + quoted(fields[1]) + " is not a whole number", where, kLayout);
-    if (!parent) return fail("the parent " + quoted(fields[6]) + " is not a whole number", where, kLayout);
+        return fail("the type " + shown(fields[1]) + " is not a whole number", where, kLayout);
+    if (!parent) return fail("the parent " + shown(fields[6]) + " is not a whole number", where, kLayout);
     Row row{*id, *parent, static_cast<int>(*type), {}, 0};
     constexpr const char* kNames[4] = {"x", "y", "z", "radius"};
     for (std::size_t column = 0; column < 4; ++column) {
         const std::string_view field = fields[2 + column];
         const auto value = to_real(field);
         const bool is_radius = column == 3;
-        const std::string named = std::string("the ") + kNames[column] + " " + quoted(field);
+        const std::string named = std::string("the ") + kNames[column] + " " + shown(field);
         if (!value) return fail(named + " is not a number", where, kLayout);
         if (!std::isfinite(*value))
             return fail(named + " is not finite", where,
@@ -119,7 +95,9 @@ std::optional<std::uint32_t> find_cycle(const std::vector<std::uint32_t>& parent
 }
 
 // Points, labels, roots, and edges from every parent. `line_of(point)` says where a point stands.
-template <class LineOf> Result<tree::Graph> graph_of(const std::vector<Row>& rows, const LineOf& line_of) {
+template <class LineOf>
+Result<tree::Graph> graph_of(const std::vector<Row>& rows, const LineOf& line_of, tree::Repair repair,
+                             std::vector<tree::Note>& notes) {
     tree::Graph graph;
     for (const Row& row : rows) {
         graph.points.push_back(row.point);
@@ -142,9 +120,15 @@ template <class LineOf> Result<tree::Graph> graph_of(const std::vector<Row>& row
             continue;
         }
         const auto parent = std::ranges::lower_bound(by_id, rows[i].parent, {}, &Entry::first);
-        if (parent == by_id.end() || parent->first != rows[i].parent)
-            return fail("parent " + std::to_string(rows[i].parent) + " does not exist", line_of(i),
-                        "name an existing id, or -1 for a root");
+        if (parent == by_id.end() || parent->first != rows[i].parent) {
+            const std::string missing = "parent " + std::to_string(rows[i].parent) + " does not exist";
+            if (!tree::allows(repair, tree::Repair::kOrphans))
+                return fail(missing, line_of(i), "name an existing id, or -1 for a root; --repair all makes it a root");
+            graph.roots.push_back(i);
+            notes.push_back({tree::Note::Kind::kRepaired, std::string(name_of(tree::Repair::kOrphans)),
+                             line_of(i) + ": " + missing + "; the point became a root", rows[i].point.position});
+            continue;
+        }
         parents[i] = parent->second;
         graph.edges.emplace_back(parent->second, i);
     }
@@ -156,15 +140,25 @@ template <class LineOf> Result<tree::Graph> graph_of(const std::vector<Row>& row
 
 } // namespace
 
-Result<tree::VesselTree> parse_swc(std::string_view text, const std::string& name, const ReadOptions& options) {
+Result<ImportedTree> parse_swc(const TreeInput& input) {
+    std::string_view text = input.text;
+    const std::string& name = input.name;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     if (text.empty()) return fail("the file is empty", name, "choose another file");
     if (looks_binary(text)) return fail("this is a binary file, not SWC text", name, "check the file's format");
     RAMUS_TRY(rows, rows_of(text, name));
-    const auto line_of = [&](std::uint32_t point) { return name + ":" + std::to_string(rows[point].line); };
-    RAMUS_TRY(graph, graph_of(rows, line_of));
-    if (rows.size() == 1) return fail("the tree has a single point", line_of(0), "a vessel needs two points at least");
-    return tree::build_tree(std::move(graph), options.repair, line_of);
+    std::vector<std::size_t> lines;
+    for (const Row& row : rows) lines.push_back(row.line);
+    ImportedTree imported;
+    imported.place_of = [name, lines = std::move(lines)](std::uint32_t point) {
+        return name + ":" + std::to_string(lines[point]);
+    };
+    RAMUS_TRY(graph, graph_of(rows, imported.place_of, input.options.repair, imported.notes));
+    if (rows.size() == 1)
+        return fail("the tree has a single point", imported.place_of(0), "a vessel needs two points at least");
+    imported.graph = std::move(graph);
+    if (text.find(kSwcUnits) != std::string_view::npos) imported.unit = LengthUnit{}, imported.axes = Axes::kRas;
+    return imported;
 }
 
 } // namespace ramus::io

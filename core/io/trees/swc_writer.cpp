@@ -67,7 +67,7 @@ Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path
             comment, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
         output.write("# " + comment + "\n");
     }
-    output.write("# id type x y z radius parent (mm, RAS)\n");
+    output.write(kSwcUnits);
     for (const std::uint32_t point : order) {
         const tree::Point& at = tree.points[point];
         output.write_number(id[point]);

@@ -1,10 +1,24 @@
 #include "core/io/trees/tree_file.h"
 
+#include "core/io/inflate.h"
 #include "core/io/input_file.h"
 #include "core/io/output_file.h"
+#include "core/io/text_numbers.h"
+#include "core/io/trees/amira.h"
+#include "core/io/trees/csv_pair.h"
+#include "core/io/trees/graphml.h"
+#include "core/io/trees/gxl.h"
+#include "core/io/trees/hdf5_morphology.h"
+#include "core/io/trees/slicer.h"
 #include "core/io/trees/swc.h"
 #include "core/io/trees/tree_json.h"
+#include "core/io/trees/tubetk.h"
+#include "core/io/trees/vmv.h"
+#include "core/io/trees/voreen.h"
+#include "core/io/trees/vtk.h"
 #include "core/io/volumes/volume_file.h"
+
+#include <system_error>
 
 namespace ramus::io {
 
@@ -15,17 +29,36 @@ tl::unexpected<Error> is_a_volume(const std::string& name) {
                 "ramus mesh --method iso makes the surface of a mask");
 }
 
+Result<tree::VesselTree> parse(const TreeFormat& format, const TreeInput& input) {
+    auto imported = format.parse(input);
+    auto tree = imported ? tree_of(std::move(*imported), input.options) : tl::unexpected(std::move(imported).error());
+    if (!tree && tree.error().where.empty()) tree.error().where = input.name; // what is wrong with all of it
+    return tree;
+}
+
+// Of "liver.swc.gz" what "liver.swc" is called.
+std::filesystem::path without_gz(const std::filesystem::path& path) {
+    return lower_case(path.extension().string()) == ".gz" ? std::filesystem::path(path).replace_extension() : path;
+}
+
 Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadOptions& options) {
     const std::string name = path.string();
+    const std::filesystem::path plain_path = without_gz(path);
     // By its name, before gigabytes are read for nothing.
-    if (format_by_name(tree_formats(), path) == nullptr && names_volume(path)) {
+    if (format_by_name(tree_formats(), plain_path) == nullptr && is_volume(path)) {
+        std::error_code error;
+        if (std::filesystem::is_directory(path, error)) return is_a_volume(name);
         if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
         return is_a_volume(name);
     }
     // What is wrong with the file itself comes before what is wrong with its name.
     RAMUS_TRY(text, read_file(path));
-    const TreeFormat* format = find_format(tree_formats(), text, path);
-    if (format != nullptr && is_read(*format)) return format->parse(text, name, options);
+    if (is_gzip(text)) { // whatever the name says
+        RAMUS_TRY(plain, inflated(text, inflation_limit(text.size()), name));
+        text = std::move(plain);
+    }
+    const TreeFormat* format = find_format(tree_formats(), text, plain_path);
+    if (format != nullptr && is_read(*format)) return parse(*format, {text, name, options, path});
     if (find_format(volume_formats(), text, path) != nullptr) return is_a_volume(name);
     return fail("files of type '" + path.extension().string() + "' cannot be read", name,
                 "use " + readable_tree_extensions());
@@ -34,6 +67,61 @@ Result<tree::VesselTree> read_any(const std::filesystem::path& path, const ReadO
 const TreeFormat* written_format(const std::filesystem::path& file) {
     const TreeFormat* format = format_by_name(tree_formats(), file);
     return format != nullptr && is_written(*format) ? format : nullptr;
+}
+
+std::vector<TreeFormat> joined(std::vector<TreeFormat> formats, const std::vector<TreeFormat>& more) {
+    formats.insert(formats.end(), more.begin(), more.end());
+    return formats;
+}
+
+std::vector<TreeFormat> formats_of_curves_and_graphs() {
+    return {
+        {{.name = "VMV",
+          .extensions = {".vmv"},
+          .has_signature = is_vmv,
+          .help = "Vertices and strands of VessMorphoVis, as text."},
+         parse_vmv,
+         write_vmv},
+        {{.name = "Amira SpatialGraph",
+          .extensions = {".am"},
+          .has_signature = is_amira,
+          .help = "Vertices, edges and their points, as text or binary."},
+         parse_amira},
+        {{.name = "Voreen vessel graph",
+          .extensions = {".vvg"},
+          .has_signature = is_voreen,
+          .help = "Nodes and edges with the voxels of their skeletons, as JSON."},
+         parse_voreen},
+        {{.name = "3D Slicer markups",
+          .extensions = {".mrk.json"},
+          .has_signature = is_markups,
+          .states_unit = true,
+          .states_orientation = true,
+          .help = "Curves with a measurement of their radius, as Extract Centerline makes them."},
+         parse_markups,
+         write_markups},
+    };
+}
+
+std::vector<TreeFormat> formats_of_nodes_and_edges() {
+    return {
+        {{.name = "CSV pair",
+          .extensions = {".csv"},
+          .help = "A table of nodes and one of edges beside it, as VesselVio and VesselGraph write them."},
+         parse_csv_pair,
+         write_csv_pair},
+        {{.name = "GraphML",
+          .extensions = {".graphml"},
+          .has_signature = is_graphml,
+          .help = "Nodes with positions and edges with radii, as VesselVio writes them."},
+         parse_graphml,
+         write_graphml},
+        {{.name = "GXL",
+          .extensions = {".gxl", ".xml"},
+          .has_signature = is_gxl,
+          .help = "Synthetic trees of VascuSynth and OpenCCO."},
+         parse_gxl},
+    };
 }
 
 } // namespace
@@ -51,15 +139,44 @@ const std::vector<TreeFormat>& tree_formats() {
           .help = "Points, branches, labels and repairs of any network, without loss."},
          parse_tree_json,
          write_tree_json},
+        {{.name = "VTK PolyData",
+          .extensions = {".vtp"},
+          .has_signature = is_vtk_poly_data,
+          .help = "Centerlines of VMTK, Slicer, SimVascular: polylines with an array of radii."},
+         parse_vtk_xml,
+         write_vtp},
+        {{.name = "VTK unstructured grid",
+          .extensions = {".vtu"},
+          .has_signature = is_vtk_unstructured_grid,
+          .help = "Cells that are lines, with an array of radii."},
+         parse_vtk_xml},
+        {{.name = "Legacy VTK",
+          .extensions = {".vtk"},
+          .has_signature = is_vtk_legacy,
+          .help = "Centerlines as text or binary: lines with an array of radii."},
+         parse_vtk_legacy},
+        {{.name = "TubeTK",
+          .extensions = {".tre"},
+          .has_signature = is_tre,
+          .states_orientation = true,
+          .help = "Tubes of ITK and TubeTK, with parents, arteries and veins."},
+         parse_tre},
+        {{.name = "HDF5 morphology",
+          .extensions = {".h5", ".hdf5"},
+          .has_signature = is_hdf5,
+          .help = "Tables of points with diameters, sections and their connections."},
+         parse_hdf5_morphology},
     };
-    return table;
+    static const std::vector<TreeFormat> all =
+        joined(joined(table, formats_of_curves_and_graphs()), formats_of_nodes_and_edges());
+    return all;
 }
 
 std::string readable_tree_extensions() { return listed(readable_extensions(tree_formats())); }
 std::string writable_tree_extensions() { return listed(writable_extensions(tree_formats())); }
 
 bool names_tree(const std::filesystem::path& path) {
-    const TreeFormat* format = format_by_name(tree_formats(), path);
+    const TreeFormat* format = format_by_name(tree_formats(), without_gz(path));
     return format != nullptr && is_read(*format);
 }
 
@@ -67,6 +184,19 @@ Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const Read
     auto tree = read_any(path, options);
     if (tree && tree->source.empty()) tree->source = path.filename().string();
     return tree;
+}
+
+Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& name, const ReadOptions& options) {
+    std::string plain;
+    if (is_gzip(text)) {
+        RAMUS_TRY(bytes, inflated(text, inflation_limit(text.size()), name));
+        plain = std::move(bytes);
+        text = plain;
+    }
+    const TreeFormat* format = find_format(tree_formats(), text, without_gz(name));
+    if (format == nullptr || !is_read(*format))
+        return fail("this is no vessel tree", name, "use " + readable_tree_extensions());
+    return parse(*format, {text, name, options, {}});
 }
 
 Result<void> check_tree_output(const std::filesystem::path& file) {

@@ -1,11 +1,12 @@
 // Vessel trees from and to files: the formats, one row each, and the functions that read and write them all. A new
 // format is a pair of files beside this and a row in tree_file.cpp. The content of a file says which format it has, and
-// where it does not, the extension.
+// where it does not, the extension. Files of any format may be compressed by gzip.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/io/file_format.h"
-#include "core/tree/build_tree.h"
+#include "core/io/trees/imported_tree.h"
+#include "core/tree/vessel_tree.h"
 
 #include <filesystem>
 #include <string>
@@ -14,14 +15,17 @@
 
 namespace ramus::io {
 
-struct ReadOptions {
-    tree::Repair repair = tree::Repair::kAll;
+// What a reader is given: all bytes of the file, uncompressed, and how to name it in messages.
+struct TreeInput {
+    std::string_view text;
+    std::string name;
+    const ReadOptions& options;
+    std::filesystem::path path; // where it lies, for formats of two files; empty: nowhere
 };
 
 struct TreeFormat : FileFormat {
-    // The tree in `text`, all bytes of the file called `name`, in mm, RAS; null: it is not read. Fails with place and
-    // remedy on whatever is wrong with the file.
-    Result<tree::VesselTree> (*parse)(std::string_view text, const std::string& name, const ReadOptions&) = nullptr;
+    // What stands in the file; null: it is not read. Fails with place and remedy on whatever is wrong with it.
+    Result<ImportedTree> (*parse)(const TreeInput&) = nullptr;
     // `comments` stand at the head of formats that can hold them; null: it is not written.
     Result<void> (*write)(const tree::VesselTree&, const std::filesystem::path&,
                           const std::vector<std::string>& comments) = nullptr;
@@ -41,6 +45,10 @@ struct TreeFormat : FileFormat {
 
 // The tree in `path`, in mm, RAS. Fails with file, line and remedy on whatever is wrong with the file.
 [[nodiscard]] Result<tree::VesselTree> read_tree(const std::filesystem::path& path, const ReadOptions& options = {});
+
+// The same of the bytes of a file that is called `name`.
+[[nodiscard]] Result<tree::VesselTree> parse_tree(std::string_view text, const std::string& name,
+                                                  const ReadOptions& options = {});
 
 // Asked before long work starts: is there a format for this extension, and can a file be made there?
 [[nodiscard]] Result<void> check_tree_output(const std::filesystem::path& file);

@@ -1,6 +1,7 @@
 #include "core/io/trees/tree_json.h"
 
 #include "core/io/output_file.h"
+#include "core/io/trees/json_input.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,11 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "ramus-tree";
-constexpr int kVersion = 1;
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{2} << 30;
+constexpr int kVersion = 2; // 1 has no systems, and of the notes the repairs alone, as sentences
+
+constexpr std::pair<tree::Note::Kind, const char*> kNoteKinds[] = {{tree::Note::Kind::kAssumed, "assumed"},
+                                                                   {tree::Note::Kind::kRepaired, "repaired"},
+                                                                   {tree::Note::Kind::kSuspect, "suspect"}};
 
 // Unwinds to parse_tree_json(), where it becomes the Error it carries; the checks below are many and deep.
 struct Refused {
@@ -50,14 +54,7 @@ public:
         if (points.size() > std::numeric_limits<std::uint32_t>::max()) refuse("points", "are too many");
         graph.points.reserve(points.size());
         for (std::size_t p = 0; p < points.size(); ++p) {
-            const json& row = points[p];
-            const std::string place = element("points", p);
-            if (!row.is_array() || row.size() != 4) refuse(place, "is not [x, y, z, radius]");
-            std::array<double, 4> values{};
-            for (std::size_t c = 0; c < 4; ++c) {
-                if (!row[c].is_number()) refuse(element(place, c), "is not a number");
-                values[c] = row[c].get<double>();
-            }
+            const std::array<double, 4> values = numbers<4>(points[p], element("points", p), "[x, y, z, radius]");
             graph.points.push_back({{values[0], values[1], values[2]}, values[3]});
         }
         read_labels(graph);
@@ -70,6 +67,7 @@ public:
                 graph.edges.emplace_back(index(row[i - 1], place, i - 1, points.size()),
                                          index(row[i], place, i, points.size()));
         }
+        read_systems(graph);
         const json& roots = array("roots");
         for (std::size_t r = 0; r < roots.size(); ++r)
             graph.roots.push_back(index(roots[r], "roots", r, points.size()));
@@ -78,15 +76,30 @@ public:
 
     [[nodiscard]] std::string source() const { return document_.contains("source") ? text("source") : std::string(); }
 
-    [[nodiscard]] std::vector<std::string> repairs() const {
-        std::vector<std::string> sentences;
-        if (!document_.contains("repairs")) return sentences;
-        const json& list = array("repairs");
+    [[nodiscard]] std::vector<tree::Note> notes() const {
+        std::vector<tree::Note> notes;
+        const bool old = document_.contains("repairs");
+        const std::string key = old ? "repairs" : "notes";
+        if (!document_.contains(key)) return notes;
+        const json& list = array(key);
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (!list[i].is_string()) refuse(element("repairs", i), "is not text");
-            sentences.push_back(list[i].get<std::string>());
+            const std::string place = element(key, i);
+            if (old) {
+                notes.push_back({tree::Note::Kind::kRepaired, "", string(list[i], place), {}});
+                continue;
+            }
+            if (!list[i].is_object()) refuse(place, "is not an object");
+            tree::Note note{kind_of(string(list[i].value("kind", json()), place + ".kind"), place),
+                            string(list[i].value("topic", json()), place + ".topic"),
+                            string(list[i].value("text", json()), place + ".text"),
+                            {}};
+            if (list[i].contains("at")) {
+                const std::array<double, 3> at = numbers<3>(list[i]["at"], place + ".at", "[x, y, z]");
+                note.at = glm::dvec3(at[0], at[1], at[2]);
+            }
+            notes.push_back(std::move(note));
         }
-        return sentences;
+        return notes;
     }
 
 private:
@@ -106,16 +119,59 @@ private:
         if (!value.is_array()) refuse(key, "is not a list");
         return value;
     }
-    [[nodiscard]] std::string text(const std::string& key) const {
-        const json& value = member(key);
-        if (!value.is_string()) refuse(key, "is not text");
+    [[nodiscard]] std::string text(const std::string& key) const { return string(member(key), key); }
+    [[nodiscard]] std::string string(const json& value, const std::string& place) const {
+        if (!value.is_string()) refuse(place, "is not text");
         return value.get<std::string>();
+    }
+    template <std::size_t N>
+    [[nodiscard]] std::array<double, N> numbers(const json& row, const std::string& place, const char* form) const {
+        if (!row.is_array() || row.size() != N) refuse(place, std::string("is not ") + form);
+        std::array<double, N> values{};
+        for (std::size_t c = 0; c < N; ++c) {
+            if (!row[c].is_number()) refuse(element(place, c), "is not a number");
+            values[c] = row[c].get<double>();
+        }
+        return values;
+    }
+    [[nodiscard]] tree::Note::Kind kind_of(const std::string& word, const std::string& place) const {
+        for (const auto& [kind, name] : kNoteKinds)
+            if (word == name) return kind;
+        refuse(place + ".kind", "is not assumed, repaired or suspect");
     }
     [[nodiscard]] std::uint32_t index(const json& value, const std::string& list, std::size_t i,
                                       std::size_t count) const {
         if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count)
             refuse(element(list, i), "is not the index of one of the " + std::to_string(count) + " points");
         return value.get<std::uint32_t>();
+    }
+    void read_systems(tree::Graph& graph) const {
+        if (!document_.contains("systems")) return;
+        const json& systems = array("systems");
+        for (std::size_t i = 0; i < systems.size(); ++i) {
+            const std::string place = element("systems", i);
+            if (!systems[i].is_object()) refuse(place, "is not an object");
+            const auto colour =
+                numbers<3>(systems[i].value("colour", json()), place + ".colour", "[red, green, blue] from 0 to 255");
+            tree::System system{string(systems[i].value("name", json()), place + ".name"), {}};
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (!(colour[c] >= 0.0 && colour[c] <= 255.0)) refuse(place + ".colour", "is not from 0 to 255");
+                system.colour[c] = static_cast<std::uint8_t>(colour[c]);
+            }
+            graph.systems.push_back(std::move(system));
+        }
+        if (graph.systems.empty()) return;
+        const json &branches = array("branches"), &of_branches = array("branch_systems");
+        if (of_branches.size() != branches.size())
+            refuse("branch_systems", "has " + std::to_string(of_branches.size()) + " entries for " +
+                                         std::to_string(branches.size()) + " branches");
+        graph.point_systems.assign(graph.points.size(), 0);
+        for (std::size_t b = 0; b < branches.size(); ++b) {
+            const json& value = of_branches[b];
+            if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= graph.systems.size())
+                refuse(element("branch_systems", b), "is not the index of a system");
+            for (const json& point : branches[b]) graph.point_systems[point.get<std::uint32_t>()] = value.get<int>();
+        }
     }
     void read_labels(tree::Graph& graph) const {
         if (!document_.contains("labels")) return;
@@ -135,30 +191,6 @@ private:
     const json& document_;
     const std::string& name_;
 };
-
-std::string line_of(std::string_view text, std::size_t at) {
-    const auto before = text.substr(0, std::min(at, text.size()));
-    return std::to_string(1 + std::ranges::count(before, '\n'));
-}
-
-Result<json> parse(std::string_view text, const std::string& name) {
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        return fail("the file is empty", name, "choose another file");
-    try {
-        return json::parse(text);
-    } catch (const json::parse_error& error) {
-        return fail("this is not valid JSON", name + ":" + line_of(text, error.byte == 0 ? 0 : error.byte - 1),
-                    "edit the file there, or write it anew with `ramus convert`");
-    } catch (const json::out_of_range& error) {
-        // "... number overflow parsing '1e999'": the number itself leads to its line.
-        const std::string message = error.what();
-        const std::size_t open = message.find('\'');
-        const std::string number =
-            open == std::string::npos ? "" : message.substr(open + 1, message.rfind('\'') - open - 1);
-        return fail("the number " + number.substr(0, 40) + " is too large",
-                    name + ":" + line_of(text, text.find(number)), "correct the number");
-    }
-}
 
 template <class List> void write_list(const List& values, BufferedFile& file) {
     file.write("[");
@@ -182,32 +214,51 @@ void write_lines(const std::vector<T>& values, BufferedFile& file, const Write& 
 // Quoted; names of files may hold bytes that are not UTF-8.
 std::string quoted(const std::string& text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 
+void write_note(const tree::Note& note, BufferedFile& file) {
+    for (const auto& [kind, name] : kNoteKinds)
+        if (kind == note.kind) file.write("{\"kind\": \"" + std::string(name) + "\", ");
+    file.write("\"topic\": " + quoted(note.topic) + ", \"text\": " + quoted(note.text));
+    if (note.at) {
+        file.write(", \"at\": ");
+        write_list(std::array{note.at->x, note.at->y, note.at->z}, file);
+    }
+    file.write("}");
+}
+
+void write_systems(const tree::VesselTree& tree, BufferedFile& file) {
+    file.write("\"systems\": ");
+    write_lines(tree.systems, file, [&](const tree::System& system) {
+        file.write("{\"name\": " + quoted(system.name) + ", \"colour\": ");
+        write_list(std::array<int, 3>{system.colour[0], system.colour[1], system.colour[2]}, file);
+        file.write("}");
+    });
+    file.write("],\n\"branch_systems\": ");
+    std::vector<int> of_branches;
+    for (const tree::Branch& branch : tree.branches) of_branches.push_back(branch.system);
+    write_list(of_branches, file);
+    file.write(",\n");
+}
+
 } // namespace
 
 bool is_tree_json(std::string_view head) {
-    const std::size_t first = head.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && head[first] == '{' &&
-           head.find('"' + std::string(kFormat) + '"') != std::string_view::npos;
+    return begins_json_object(head) && head.find('"' + std::string(kFormat) + '"') != std::string_view::npos;
 }
 
-Result<tree::VesselTree> parse_tree_json(std::string_view text, const std::string& name, const ReadOptions& options) {
-    if (text.size() > kLargestFile)
-        return fail("the file is larger than " + std::to_string(kLargestFile >> 20) + " MiB", name,
-                    "choose a smaller file");
-    RAMUS_TRY(document, parse(text, name));
+Result<ImportedTree> parse_tree_json(const TreeInput& input) {
+    const std::string& name = input.name;
+    RAMUS_TRY(document, parsed_json(input.text, name));
     try {
         const Reader reader(document, name);
         reader.check_header();
-        std::vector<std::string> repairs = reader.repairs();
-        auto tree = tree::build_tree(reader.graph(), options.repair, [&](std::uint32_t point) {
-            return name + ": points[" + std::to_string(point) + "]";
-        });
-        if (!tree) return tree;
-        tree->source = reader.source();
-        // What was repaired before comes first.
-        repairs.insert(repairs.end(), tree->repairs.begin(), tree->repairs.end());
-        tree->repairs = std::move(repairs);
-        return tree;
+        ImportedTree imported;
+        imported.graph = reader.graph();
+        imported.unit = LengthUnit{};
+        imported.axes = Axes::kRas;
+        imported.notes = reader.notes();
+        imported.source = reader.source();
+        imported.place_of = [name](std::uint32_t point) { return name + ": points[" + std::to_string(point) + "]"; };
+        return imported;
     } catch (const Refused& refused) {
         return tl::unexpected(refused.error);
     }
@@ -232,10 +283,12 @@ Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem
     }
     file.write("\"branches\": ");
     write_lines(tree.branches, file, [&](const tree::Branch& branch) { write_list(branch.points, file); });
-    file.write("\n],\n\"roots\": ");
+    file.write("\n],\n");
+    if (!tree.systems.empty()) write_systems(tree, file);
+    file.write("\"roots\": ");
     write_list(tree.roots, file);
-    file.write(",\n\"repairs\": ");
-    write_lines(tree.repairs, file, [&](const std::string& sentence) { file.write(quoted(sentence)); });
+    file.write(",\n\"notes\": ");
+    write_lines(tree.notes, file, [&](const tree::Note& note) { write_note(note, file); });
     file.write("]\n}\n");
     return file.commit();
 }

@@ -1,11 +1,14 @@
 // ramus's own tree file: JSON, versioned, lossless. What is written reads back as the very same VesselTree, branch ids
 // included; networks with loops and several components are kept.
 //
-//   {"format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS", "source": "liver.swc",
+//   {"format": "ramus-tree", "version": 2, "units": "mm", "orientation": "RAS", "source": "liver.swc",
 //    "points": [[x, y, z, radius], ...],
 //    "labels": [3, ...],                 one for each point; left out when the tree has none
 //    "branches": [[0, 1, 2], ...],       indices into points, from the root outward
-//    "roots": [0, ...], "repairs": ["..."]}
+//    "systems": [{"name": "portal vein", "colour": [61, 108, 176]}, ...], "branch_systems": [0, ...], left out when
+//                                        the tree has none
+//    "roots": [0, ...],
+//    "notes": [{"kind": "repaired", "topic": "zero-radii", "text": "...", "at": [x, y, z]}, ...]}
 //
 // Reading trusts nothing: every type, index and number is checked, and the tree is built anew from the branches.
 #pragma once
@@ -17,9 +20,7 @@ namespace ramus::io {
 // Whether a file that begins like this says that it is one.
 [[nodiscard]] bool is_tree_json(std::string_view head);
 
-// `name` stands for the file in messages.
-[[nodiscard]] Result<tree::VesselTree> parse_tree_json(std::string_view text, const std::string& name,
-                                                       const ReadOptions& options = {});
+[[nodiscard]] Result<ImportedTree> parse_tree_json(const TreeInput& input);
 
 // The format has no comments: what they say stands in the tree itself.
 [[nodiscard]] Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem::path& file,

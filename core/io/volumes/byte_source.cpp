@@ -2,27 +2,21 @@
 
 #include "core/io/file_format.h"
 #include "core/io/input_file.h"
+#include "core/io/volumes/byte_stage.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <cmath>
 #include <limits>
-#include <nifti/znzlib.h>
 #include <system_error>
 #include <utility>
 
 namespace ramus::io {
 
 struct ByteSource::State {
-    znzFile file = nullptr;
-    State() = default;
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() {
-        if (!znz_isnull(file)) Xznzclose(&file);
-    }
+    std::unique_ptr<ByteStage> stage;
+    std::string buffer; // read from the stage; used up to `at`
+    std::size_t at = 0;
 };
 
 ByteSource::ByteSource(std::unique_ptr<State> state, std::string name)
@@ -33,48 +27,93 @@ ByteSource::~ByteSource() = default;
 
 namespace {
 
-// Of pipes and devices nothing is known.
-double most_bytes_in(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return std::numeric_limits<double>::infinity();
-    const auto bytes = static_cast<double>(std::filesystem::file_size(path, error));
-    std::array<char, 2> magic{};
-    std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
-    constexpr double kDeflate = 1032.0; // zlib's documentation, "Maximum Compression Factor"
-    return magic[0] == '\x1f' && magic[1] == '\x8b' ? kDeflate * bytes : bytes;
+constexpr std::size_t kBuffer = std::size_t{1} << 16;
+constexpr double kDeflate = 1032.0; // zlib's documentation, "Maximum Compression Factor"
+
+Result<std::size_t> named(Result<std::size_t> got, const std::string& name) {
+    if (!got) got.error().where = name;
+    return got;
 }
 
 } // namespace
 
-Result<ByteSource> ByteSource::open(const std::filesystem::path& path) {
+Result<ByteSource> ByteSource::open(const std::filesystem::path& path, Unpack unpack) {
     if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
     auto state = std::make_unique<State>();
-    errno = 0;
-    state->file = znzopen(path.c_str(), "rb", 1);
-    if (znz_isnull(state->file))
-        return fail(std::string("cannot be opened: ") + std::strerror(errno != 0 ? errno : ENOMEM), path.string(),
-                    "check its permissions");
+    auto stage = file_stage(path);
+    if (!stage) return fail(stage.error().what, path.string(), stage.error().hint);
+    state->stage = std::move(*stage);
+    // Of pipes and devices nothing is known.
+    std::error_code error;
+    const double bytes = std::filesystem::is_regular_file(path, error)
+                             ? static_cast<double>(std::filesystem::file_size(path, error))
+                             : std::numeric_limits<double>::infinity();
     ByteSource source(std::move(state), path.string());
-    source.most_bytes_ = most_bytes_in(path);
-    std::string head(kHeadBytes, '\0');
-    RAMUS_TRY(got, source.read_some(head.data(), head.size()));
-    head.resize(got);
-    source.head_ = std::move(head);
-    if (source.head_.empty()) return fail("the file is empty", source.name_, "choose another file");
+    source.path_ = path;
+    if (auto begun = source.begin(bytes, unpack); !begun) return tl::unexpected(begun.error());
     return source;
+}
+
+Result<ByteSource> ByteSource::of_memory(std::string_view bytes, std::string name) {
+    auto state = std::make_unique<State>();
+    state->stage = memory_stage(bytes);
+    ByteSource source(std::move(state), std::move(name));
+    if (auto begun = source.begin(static_cast<double>(bytes.size()), Unpack::kGzip); !begun)
+        return tl::unexpected(begun.error());
+    return source;
+}
+
+Result<void> ByteSource::begin(double file_bytes, Unpack unpack) {
+    most_bytes_ = file_bytes;
+    exact_ = std::isfinite(file_bytes);
+    if (auto filled = fill(); !filled) return filled;
+    gzip_ = unpack == Unpack::kGzip && state_->buffer.starts_with("\x1f\x8b");
+    if (gzip_) {
+        inflate_rest();
+        if (auto filled = fill(); !filled) return filled;
+    }
+    head_ = state_->buffer.substr(0, kHeadBytes);
+    if (head_.empty()) return fail("the file is empty", name_, "choose another file");
+    return {};
+}
+
+// When all of the buffer is used. An empty one means the end.
+Result<void> ByteSource::fill() {
+    state_->buffer.resize(kBuffer);
+    state_->at = 0;
+    auto got = named(state_->stage->read(state_->buffer.data(), kBuffer), name_);
+    state_->buffer.resize(got.value_or(0));
+    if (!got) return tl::unexpected(got.error());
+    return {};
+}
+
+void ByteSource::inflate_rest() {
+    most_bytes_ = kDeflate * most_bytes();
+    exact_ = false;
+    used_ = 0;
+    state_->stage = inflate_stage(state_->buffer.substr(state_->at), std::move(state_->stage));
+    state_->buffer.clear();
+    state_->at = 0;
+}
+
+std::optional<std::uint64_t> ByteSource::exact_bytes() const {
+    if (!exact_) return std::nullopt;
+    return static_cast<std::uint64_t>(std::max(most_bytes(), 0.0));
 }
 
 Result<std::size_t> ByteSource::read_some(void* into, std::size_t bytes) {
     auto* out = static_cast<char*>(into);
-    const std::size_t kept = std::min(bytes, head_.size() - head_used_);
-    std::memcpy(out, head_.data() + head_used_, kept);
-    head_used_ += kept;
-    if (kept == bytes) return bytes;
-    // In single bytes: told otherwise, the library complains of short reads on standard error.
-    const std::size_t got = znzread(out + kept, 1, bytes - kept, state_->file);
-    if (got > bytes - kept)
-        return fail("the file is damaged: its compressed bytes make no sense", name_, "copy or write it again");
-    return kept + got;
+    const std::size_t kept = std::min(bytes, state_->buffer.size() - state_->at);
+    state_->buffer.copy(out, kept, state_->at);
+    state_->at += kept;
+    std::size_t done = kept;
+    while (done < bytes) {
+        RAMUS_TRY(got, named(state_->stage->read(out + done, bytes - done), name_));
+        if (got == 0) break;
+        done += got;
+    }
+    used_ += done;
+    return done;
 }
 
 Result<void> ByteSource::read(void* into, std::size_t bytes) {
@@ -83,8 +122,30 @@ Result<void> ByteSource::read(void* into, std::size_t bytes) {
     return {};
 }
 
+Result<bool> ByteSource::read_line(std::string& line, std::size_t limit) {
+    line.clear();
+    for (bool some = false;; some = true) {
+        if (state_->at == state_->buffer.size()) {
+            if (auto filled = fill(); !filled) return tl::unexpected(filled.error());
+            if (state_->buffer.empty()) return some;
+        }
+        const std::size_t feed = state_->buffer.find('\n', state_->at);
+        const std::size_t end = std::min(feed, state_->buffer.size());
+        line.append(state_->buffer, state_->at, end - state_->at);
+        const std::size_t next = feed == std::string::npos ? end : end + 1;
+        used_ += next - state_->at;
+        state_->at = next;
+        if (line.size() > limit)
+            return fail("a line of its header is longer than " + std::to_string(limit) + " bytes", name_,
+                        "write the file again");
+        if (feed == std::string::npos) continue;
+        if (line.ends_with('\r')) line.pop_back();
+        return true;
+    }
+}
+
 Result<void> ByteSource::skip(std::uint64_t bytes) {
-    std::array<char, 65536> nowhere;
+    std::array<char, kBuffer> nowhere;
     for (std::uint64_t left = bytes; left > 0;) {
         const std::size_t part = std::min<std::uint64_t>(left, nowhere.size());
         if (auto got = read(nowhere.data(), part); !got) return got;

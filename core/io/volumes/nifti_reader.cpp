@@ -1,8 +1,7 @@
 #include "core/io/volumes/nifti_reader.h"
 
 #include "core/base/memory.h"
-#include "core/tree/build_tree.h"
-#include "core/volume/voxel_store.h"
+#include "core/io/volumes/voxel_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -76,19 +75,7 @@ Result<glm::ivec3> size_of(const Header& header, const std::string& name) {
     const std::int64_t dimensions = header.dim[0];
     if (dimensions < 1 || dimensions > 7)
         return fail("its header counts " + std::to_string(dimensions) + " dimensions", name, "write the file again");
-    std::array<std::int64_t, 3> size{1, 1, 1};
-    for (std::size_t axis = 1; axis <= static_cast<std::size_t>(dimensions); ++axis) {
-        const std::int64_t extent = header.dim[axis];
-        if (extent < 1 || extent > 2147483647)
-            return fail("its extent along axis " + std::to_string(axis) + " is " + std::to_string(extent), name,
-                        "write the file again");
-        if (axis <= 3)
-            size[axis - 1] = extent;
-        else if (extent > 1)
-            return fail("it holds " + std::to_string(extent) + " volumes, along axis " + std::to_string(axis), name,
-                        "write the one that is meant to a file of its own");
-    }
-    return glm::ivec3(size[0], size[1], size[2]);
+    return checked_size({header.dim.begin() + 1, header.dim.begin() + 1 + dimensions}, name);
 }
 
 // Voxel sizes that the qform, or their having to do alone, makes use of. Axes that are not there have one voxel.
@@ -131,29 +118,31 @@ Result<glm::dmat4> matrix_of(const Header& header, const std::string& name) {
     return matrix;
 }
 
+// In mm; none: the header names none.
+std::optional<double> unit_of(const Header& header) {
+    switch (header.units) {
+    case NIFTI_UNITS_MM:
+        return 1.0;
+    case NIFTI_UNITS_METER:
+        return 1e3;
+    case NIFTI_UNITS_MICRON:
+        return 1e-3;
+    default:
+        return std::nullopt;
+    }
+}
+
 // In mm, and such that it can be turned round.
 Result<glm::dmat4> affine_of(const Header& header, const glm::ivec3& size, const std::string& name) {
     auto matrix = matrix_of(header, name);
     if (!matrix) return matrix;
-    const double unit = header.units == NIFTI_UNITS_METER ? 1e3 : header.units == NIFTI_UNITS_MICRON ? 1e-3 : 1.0;
+    const double unit = unit_of(header).value_or(1.0);
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) (*matrix)[column][row] *= unit;
     const char* form = header.sform > 0 ? "sform" : header.qform > 0 ? "qform" : "set of voxel sizes";
-    const std::string remedy = "correct where its voxels lie (sform or qform) and write it again";
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec4 voxel((corner & 1) != 0 ? size.x : 0, (corner & 2) != 0 ? size.y : 0,
-                               (corner & 4) != 0 ? size.z : 0, 1.0);
-        const glm::dvec4 place = *matrix * voxel;
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(std::abs(place[axis]) <= tree::kMaximumCoordinate))
-                return fail(std::string("its ") + form + " puts voxels where no patient is, " +
-                                (std::isfinite(place[axis]) ? "10 km away or farther" : "at no number"),
-                            name, remedy);
-    }
-    const glm::dvec3 spacing = volume::spacing_mm(*matrix);
-    constexpr double kFlat = 1e-9; // of the volume that the axes would span at right angles
-    if (!(volume::voxel_volume_mm3(*matrix) > kFlat * spacing.x * spacing.y * spacing.z))
-        return fail(std::string("its ") + form + " presses all voxels into one plane", name, remedy);
+    auto sound =
+        check_affine(*matrix, size, form, "correct where its voxels lie (sform or qform) and write it again", name);
+    if (!sound) return tl::unexpected(sound.error());
     return matrix;
 }
 
@@ -165,50 +154,24 @@ Result<volume::Scaling> scaling_of(const Header& header, const std::string& name
     return volume::Scaling{header.slope, header.intercept};
 }
 
-struct Reading {
-    ByteSource& source;
-    const Header& header;
-    volume::Scaling scaling;
-    std::size_t voxels;
-    Job& job;
-};
-
-template <class Raw> Result<void> read_voxels(const Reading& reading, volume::VoxelStore& store) {
-    // A megabyte at a time, for even one slice may be a claim too large.
-    constexpr std::size_t kAtOnce = (std::size_t{1} << 20) / sizeof(Raw);
-    std::vector<Raw> raw(std::min(kAtOnce, reading.voxels));
-    for (std::size_t done = 0; done < reading.voxels;) {
-        if (reading.job.cancelled()) return fail("cancelled");
-        const std::size_t count = std::min(raw.size(), reading.voxels - done);
-        if (auto got = reading.source.read(raw.data(), count * sizeof(Raw)); !got) return got;
-        if (reading.header.swapped && sizeof(Raw) > 1) nifti_swap_Nbytes(count, sizeof(Raw), raw.data());
-        if (auto kept = store.append(raw.data(), count, reading.scaling); !kept) return kept;
-        done += count;
-        reading.job.report(static_cast<float>(done) / static_cast<float>(reading.voxels));
-    }
-    return reading.source.check_end();
-}
-
-struct Type {
+struct NiftiNumber {
     int code;
-    const char* name;
-    std::size_t bytes;
-    Result<void> (*read)(const Reading&, volume::VoxelStore&);
+    NumberType number;
 };
-constexpr std::array<Type, 10> kTypes = {{{DT_UINT8, "uint8", 1, read_voxels<std::uint8_t>},
-                                          {DT_INT8, "int8", 1, read_voxels<std::int8_t>},
-                                          {DT_UINT16, "uint16", 2, read_voxels<std::uint16_t>},
-                                          {DT_INT16, "int16", 2, read_voxels<std::int16_t>},
-                                          {DT_UINT32, "uint32", 4, read_voxels<std::uint32_t>},
-                                          {DT_INT32, "int32", 4, read_voxels<std::int32_t>},
-                                          {DT_UINT64, "uint64", 8, read_voxels<std::uint64_t>},
-                                          {DT_INT64, "int64", 8, read_voxels<std::int64_t>},
-                                          {DT_FLOAT32, "float32", 4, read_voxels<float>},
-                                          {DT_FLOAT64, "float64", 8, read_voxels<double>}}};
+constexpr std::array<NiftiNumber, 10> kNiftiTypes = {{{DT_UINT8, NumberType::kUint8},
+                                                      {DT_INT8, NumberType::kInt8},
+                                                      {DT_UINT16, NumberType::kUint16},
+                                                      {DT_INT16, NumberType::kInt16},
+                                                      {DT_UINT32, NumberType::kUint32},
+                                                      {DT_INT32, NumberType::kInt32},
+                                                      {DT_UINT64, NumberType::kUint64},
+                                                      {DT_INT64, NumberType::kInt64},
+                                                      {DT_FLOAT32, NumberType::kFloat32},
+                                                      {DT_FLOAT64, NumberType::kFloat64}}};
 
-Result<Type> type_of(const Header& header, const std::string& name) {
-    const auto* known = std::ranges::find_if(kTypes, [&](const Type& type) { return type.code == header.type; });
-    if (known != kTypes.end()) return *known;
+Result<NumberType> type_of(const Header& header, const std::string& name) {
+    const auto* known = std::ranges::find(kNiftiTypes, header.type, &NiftiNumber::code);
+    if (known != kNiftiTypes.end()) return known->number;
     const char* remedy = "convert it to whole numbers, or to single precision";
     switch (header.type) {
     case DT_RGB24:
@@ -225,21 +188,6 @@ Result<Type> type_of(const Header& header, const std::string& name) {
     default:
         return fail("its voxels are of the unknown type " + std::to_string(header.type), name, remedy);
     }
-}
-
-// Whether so many voxels can come, and may be kept; in numbers that do not overflow.
-Result<void> check_claim(const glm::ivec3& size, const Header& header, const Type& type, const ByteSource& source,
-                         double memory_bytes) {
-    const double voxels = double(size.x) * double(size.y) * double(size.z);
-    const std::string claim = "its header claims " + std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
-                              std::to_string(size.z) + " voxels";
-    if (voxels * static_cast<double>(type.bytes) + static_cast<double>(header.offset) > source.most_bytes())
-        return fail(claim + ", more than the file can hold", source.name(), "copy or write it again");
-    if (voxels > memory_bytes)
-        return fail(claim + ", which take " + std::to_string(std::llround(voxels / 1e6)) + " MB of memory or more; " +
-                        std::to_string(std::llround(memory_bytes / 1e6)) + " MB are left to them",
-                    source.name(), "crop it, or allow more with --memory");
-    return {};
 }
 
 } // namespace
@@ -259,24 +207,15 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     RAMUS_TRY(type, type_of(header, name));
     RAMUS_TRY(affine, affine_of(header, size, name));
     RAMUS_TRY(scaling, scaling_of(header, name));
-    const double memory = memory_left(options.memory_bytes);
-    if (auto fits = check_claim(size, header, type, source, memory); !fits) return tl::unexpected(fits.error());
-
-    volume::VoxelStore store(size, memory, name);
-    const auto voxels =
-        static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
-    if (auto skipped = source.skip(static_cast<std::uint64_t>(header.offset)); !skipped)
-        return tl::unexpected(skipped.error());
-    if (auto read = type.read({source, header, scaling, voxels, job}, store); !read)
-        return tl::unexpected(read.error());
-    volume::Volume volume;
-    std::move(store).finish(volume);
-    volume.to_patient = affine;
-    volume.type = "NIfTI-" + std::to_string(header.version) + ", " + type.name;
-    if (header.units != NIFTI_UNITS_MM && header.units != NIFTI_UNITS_METER && header.units != NIFTI_UNITS_MICRON)
-        volume.notes.emplace_back("the file names no unit of length: taken as mm");
+    const VoxelLayout layout{size, type, header.swapped ? Encoding::kSwapped : Encoding::kBinary, scaling};
+    auto volume =
+        read_voxels(source, static_cast<std::uint64_t>(header.offset), layout, memory_left(options.memory_bytes), job);
+    if (!volume) return volume;
+    volume->to_patient = affine;
+    volume->type = "NIfTI-" + std::to_string(header.version) + ", " + std::string(name_of(type));
+    volume->unit_mm = unit_of(header);
     if (header.sform <= 0 && header.qform <= 0)
-        volume.notes.emplace_back(
+        volume->notes.emplace_back(
             "the file does not say how the patient lies: axes taken as right, anterior, superior");
     return volume;
 }

@@ -1,34 +1,49 @@
 #include "core/io/volumes/volume_file.h"
 
 #include "core/io/trees/tree_file.h"
+#include "core/io/volumes/dicom/dicom_reader.h"
+#include "core/io/volumes/meta_image_reader.h"
 #include "core/io/volumes/nifti_reader.h"
+#include "core/io/volumes/nrrd_reader.h"
+#include "core/io/volumes/volume_unit.h"
 
+#include <algorithm>
+#include <fstream>
 #include <new>
+#include <system_error>
 
 namespace ramus::io {
 
 namespace {
 
-bool is_nrrd(std::string_view head) { return head.starts_with("NRRD0"); }
-bool is_meta_image(std::string_view head) { return head.starts_with("ObjectType") || head.starts_with("NDims"); }
+// The format that a folder has; null: it is none, or holds no volume.
+const VolumeFormat* folder_format(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error)) return nullptr;
+    for (const VolumeFormat& format : volume_formats())
+        if (format.is_folder != nullptr && format.is_folder(path)) return &format;
+    return nullptr;
+}
 
 Result<volume::Volume> read_any(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
+    if (const VolumeFormat* format = folder_format(path)) return format->read_folder(path, options, job);
     RAMUS_TRY(source, ByteSource::open(path));
     const std::string extensions = readable_volume_extensions();
     const VolumeFormat* format = find_format(volume_formats(), source.head(), path);
     // A name alone does not make a volume that can be read.
     if (format != nullptr && is_read(*format) && format->has_signature(source.head()))
         return format->read(source, options, job);
-    if (format != nullptr && !is_read(*format) && format->has_signature == nullptr)
-        return fail("this is half of a " + std::string(format->name), source.name(),
-                    "convert the pair to one " + extensions + " file");
     if (format != nullptr && !is_read(*format))
-        return fail(std::string(format->name) + " volumes are not yet read", source.name(),
-                    "convert it to NIfTI (" + extensions + ")");
+        return fail("this is half of a " + std::string(format->name), source.name(),
+                    "convert the pair to one file: " + extensions);
+    if (format != nullptr)
+        return fail("this is no " + std::string(format->name) + " file, or it is damaged", source.name(),
+                    "name a segmentation mask or a scan as " + extensions);
     if (find_format(tree_formats(), source.head(), path) != nullptr)
         return fail("this is a vessel tree, where a segmentation mask is needed", source.name(),
-                    "name a NIfTI file (" + extensions + ")");
-    return fail("this is no NIfTI file, or it is damaged", source.name(), "name a segmentation mask as " + extensions);
+                    "name a file as " + extensions);
+    return fail("this is no volume that can be read, or it is damaged", source.name(),
+                "name a segmentation mask or a scan as " + extensions);
 }
 
 } // namespace
@@ -51,12 +66,24 @@ const std::vector<VolumeFormat>& volume_formats() {
           .has_signature = is_nrrd,
           .states_unit = true,
           .states_orientation = true,
-          .help = "Known, but not read."}},
+          .help = "A header of text, and values behind it or in another file, compressed or not."},
+         read_nrrd},
         {{.name = "MetaImage",
           .extensions = {".mha", ".mhd"},
           .has_signature = is_meta_image,
+          .states_unit = true,
           .states_orientation = true,
-          .help = "Known, but not read."}},
+          .help = "A header of fields, and values behind it or in another file, compressed or not."},
+         read_meta_image},
+        {{.name = "DICOM",
+          .extensions = {".dcm", ".dicom", ".ima"},
+          .has_signature = is_dicom,
+          .states_unit = true,
+          .states_orientation = true,
+          .help = "A series of images in a folder, named by the folder or one of them, or a segmentation."},
+         read_dicom,
+         holds_dicom,
+         read_dicom_folder},
     };
     return table;
 }
@@ -65,9 +92,25 @@ std::string readable_volume_extensions() { return listed(readable_extensions(vol
 
 bool names_volume(const std::filesystem::path& path) { return format_by_name(volume_formats(), path) != nullptr; }
 
+bool is_volume(const std::filesystem::path& path) {
+    if (names_volume(path) || folder_format(path) != nullptr) return true;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false; // pipes can be read but once
+    std::string head(kHeadBytes, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return std::ranges::any_of(volume_formats(), [&](const VolumeFormat& format) {
+        return format.has_signature != nullptr && format.has_signature(head);
+    });
+}
+
 Result<volume::Volume> read_volume(const std::filesystem::path& path, const ReadVolumeOptions& options, Job& job) {
     try {
-        return read_any(path, options, job);
+        RAMUS_TRY(volume, read_any(path, options, job));
+        if (auto applied = apply_unit(volume, options.unit, path.string()); !applied)
+            return tl::unexpected(applied.error());
+        return volume;
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this volume", path.string(), "crop it, or free some memory");
     }

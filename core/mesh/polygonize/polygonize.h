@@ -14,6 +14,7 @@
 #include "core/mesh/surface_sink.h"
 #include "core/mesh/triangle_mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace ramus::mesh {
@@ -47,8 +48,9 @@ struct PolygonizeStatistics {
 //
 // Hands the mesh that polygonize() makes to `sink`, a part for each subtree. Fails when even so it takes more memory
 // than the options allow, when it has more vertices than 31 bits count or is finer than the lattice can be, when the
-// sink takes no more, or when cancelled.
+// sink takes no more, or when cancelled. `first_vertex`: the sink has that many already, of surfaces before this one.
 [[nodiscard]] Result<void> polygonize_to(SurfaceSink& sink, const field::Field& field, const PolygonizeOptions& options,
-                                         Job& job, PolygonizeStatistics* statistics = nullptr);
+                                         Job& job, PolygonizeStatistics* statistics = nullptr,
+                                         std::size_t first_vertex = 0);
 
 } // namespace ramus::mesh

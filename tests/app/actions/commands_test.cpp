@@ -127,6 +127,7 @@ TEST_CASE("a line that fails is named by file and line, and changes nothing") {
     CHECK(stage.bad("select").starts_with("c.txt:1: which branches?"));
     CHECK(stage.bad("view top").starts_with("c.txt:1: view takes the name of a view"));
     CHECK(stage.bad("explode").starts_with("c.txt:1: there is no command \"explode\""));
+    CHECK(stage.bad("slect 2") == "c.txt:1: there is no command \"slect\"; did you mean select?");
     CHECK(stage.bad("select-none 3").starts_with("c.txt:1: select-none takes no arguments"));
     CHECK(stage.bad("redo").starts_with("c.txt:1: there is nothing to redo"));
     CHECK(stage.bad("shot \"a.png").starts_with("c.txt:1: a double quote is not closed"));

@@ -84,10 +84,13 @@ void change_plans(Marks& marks, int branches, std::mt19937& random) {
         marks.lesion_meshes.assign(1, "/data/" + std::to_string(below(random, 5)) + ".stl");
         marks.planning.bands_mm = {1.0, 2.0 + length};
         break;
-    case 5:
-        add_of_at_most(marks.context, {.file = std::to_string(below(random, 5)), .label = below(random, 3)}, 3,
-                       below(random, 3));
+    case 5: {
+        ContextItem item;
+        item.file = std::to_string(below(random, 5));
+        item.label = below(random, 3);
+        add_of_at_most(marks.context, item, 3, below(random, 3));
         break;
+    }
     default:
         marks.glass.opacity = length / 125.0;
         marks.colour_by = colourings()[static_cast<std::size_t>(below(random, 5))].by;

@@ -22,7 +22,7 @@ constexpr const char* kTree =
     "6 0 0 6 10 1 5\n7 0 8 0 11 0.5 4\n8 0 8 0 15 0.5 7\n9 0 8 1 10 0.5 4\n10 0 8 5 10 0.5 9\n";
 
 tree::VesselTree surgery_tree() {
-    auto tree = io::parse_swc(kTree, "tree.swc");
+    auto tree = io::parse_tree(kTree, "tree.swc");
     REQUIRE(tree);
     REQUIRE(tree->branches.size() == 5);
     return std::move(*tree);
@@ -89,7 +89,7 @@ TEST_CASE("branches are selected by generation, diameter and distance") {
 
 TEST_CASE("in a network only what is reached no other way is selected as dependent") {
     // A stem, two ways round, a tail.
-    auto network = io::parse_tree_json(
+    auto network = io::parse_tree(
         R"({"format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS",
             "points": [[0,0,0,1],[5,0,0,1],[8,4,0,1],[8,-4,0,1],[11,0,0,1],[15,0,0,1]],
             "branches": [[0,1],[1,2,4],[1,3,4],[4,5]], "roots": [0]})",

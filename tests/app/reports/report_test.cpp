@@ -17,7 +17,7 @@ constexpr const char* kTree =
 
 struct Stage : test::CommandStage {
     TemporaryFolder folder;
-    Stage() : CommandStage(*io::parse_swc(kTree, "tree.swc"), session()) {}
+    Stage() : CommandStage(*io::parse_tree(kTree, "tree.swc"), session()) {}
     static Session session() {
         Session s;
         s.tree.path = "/data/<tree> & \"co\".swc";

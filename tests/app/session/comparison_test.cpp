@@ -2,15 +2,18 @@
 // and how the surfaces come to be.
 #include "app/picture/compose_sheet.h"
 #include "app/session/session_file.h"
+#include "app/session/systems.h"
 #include "app/workspace/workspace.h"
 #include "core/tree/build_tree.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/nifti_file.h"
 #include "tests/support/settle.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/two_systems.h"
 
 #include <doctest/doctest.h>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 using namespace ramus;
@@ -58,6 +61,7 @@ TEST_CASE("a comparison and the skeleton survive the session's file, and are not
         Mode::kBlend,
         {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones, mesh::Method::kConvolutionSurface},
         (folder.path() / "masks" / "liver.nii.gz").string(),
+        "",
         {-1, 2},
         1.0 / 3.0};
     const auto file = folder.path() / "session.ramus.json";
@@ -230,11 +234,32 @@ TEST_CASE("all viewports have one camera; one without branches shows nothing of 
                                               surfaces.of(mesh::Method::kConvolutionSurface), viewing));
 }
 
+TEST_CASE("an isosurface beside systems has a colour that no system has") {
+    test::CommandStage stage(test::two_systems());
+    ShownSurfaces surfaces;
+    for (auto& mesh : surfaces.meshes) mesh = std::make_shared<const render::PagedMesh>();
+    stage.good("colour-by system\ncompare side-by-side cs,iso");
+    const auto sheet = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, {.size = {900, 300}});
+    const render::Appearance usual;
+    CHECK(sheet.viewports[0].frame.appearance.vessel == usual.vessel);
+    const glm::vec3 neutral = sheet.viewports[1].frame.appearance.vessel;
+    const Systems nameless(8);
+    for (int system = 0; system < 8; ++system)
+        CHECK(glm::distance(neutral, shown_colour(nameless, system)) > 0.25F); // sRGB, of 1.73 from black to white
+    // A grey: no hue that could be one of theirs.
+    CHECK(std::max({neutral.x, neutral.y, neutral.z}) - std::min({neutral.x, neutral.y, neutral.z}) < 0.1F);
+
+    test::CommandStage plain(forked());
+    plain.good("compare side-by-side cs,iso");
+    const auto alike = compose_sheet(plain.document.session(), plain.current_assets(), surfaces, {.size = {900, 300}});
+    CHECK(alike.viewports[1].frame.appearance.vessel == usual.vessel);
+}
+
 TEST_CASE("the surfaces that a comparison needs") {
     Marks marks;
     CHECK(compared_requests(marks).empty());
     marks.comparison = {
-        Mode::kSideBySide, {mesh::Method::kConvolutionSurface, mesh::Method::kIsosurface}, "mask.nii", {3}, 0.5};
+        Mode::kSideBySide, {mesh::Method::kConvolutionSurface, mesh::Method::kIsosurface}, "mask.nii", "", {3}, 0.5};
     auto requests = compared_requests(marks);
     REQUIRE(requests.size() == 1); // its own is there
     CHECK(requests[0].kind == mesh::Method::kIsosurface);

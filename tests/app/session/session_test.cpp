@@ -25,8 +25,8 @@ Session lively_session(const fs::path& folder) {
     session.marks.names = {{5, "right \"posterior\" branch"}};
     session.marks.lesion_meshes = {(folder / "tumour.stl").string(), "/elsewhere/second tumour.ply"};
     session.marks.context = {
-        {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true},
-        {"/elsewhere/rib cage.stl", 0, {200, 190, 180}, 1.0, true, false, false}};
+        {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true, "cm"},
+        {"/elsewhere/rib cage.stl", 0, {200, 190, 180}, 1.0, true, false, false, ""}};
     session.marks.measurements = {
         {Measurement::Kind::kDistance, {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}, {-1, -1}, 0.5},
         {Measurement::Kind::kPath, {}, {2, 7}, 0.5},
@@ -85,6 +85,12 @@ TEST_CASE("a session file that is none is refused with its name and a reason") {
     CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "cuts": [[1]]})") == "a cut is not [branch id, fraction]");
     CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "names": {"one": "x"}})") ==
           "\"one\" in names is not a branch id");
+    // Lists in lists, deeper than the stack.
+    const std::string deep = std::string(300'000, '[') + std::string(300'000, ']');
+    CHECK(message((R"({"version": 1, "tree": {"path": "a"}, "lesions": )" + deep + "}").c_str()) ==
+          "lists stand in lists, deeper than in any session");
+    CHECK(message((R"({"version": 1, "tree": {"path": "a"}, "comparison": {"labels": [)" + deep + "]}}").c_str()) ==
+          "lists stand in lists, deeper than in any session");
 }
 
 TEST_CASE("what a surgeon plans with is refused when it makes no sense") {

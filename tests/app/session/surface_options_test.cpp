@@ -66,7 +66,7 @@ TEST_CASE("options of the session are saved under their keys and read back, the 
 }
 
 TEST_CASE("what has a slider can be set by command") {
-    test::CommandStage stage(*io::parse_swc("1 0 0 0 0 1 -1\n2 0 0 0 9 1 1\n", "small.swc"));
+    test::CommandStage stage(*io::parse_tree("1 0 0 0 0 1 -1\n2 0 0 0 9 1 1\n", "small.swc"));
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);
         const std::string line = "surface " + std::string(option.key) + " " + std::to_string(other_value(option));

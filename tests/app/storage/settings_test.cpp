@@ -58,6 +58,7 @@ TEST_CASE("settings survive their file") {
     settings.panel_open = false;
     settings.recent_files = 3;
     settings.last_folder = "/data/trees of \"1999\"";
+    settings.drop_beside = true;
     const fs::path place = folder.path() / "ramus";
     REQUIRE(write_settings(settings, place));
     const StoredSettings read = read_settings(place);
@@ -76,7 +77,7 @@ TEST_CASE("settings that cannot be understood are told of, kept aside, and do no
     CHECK(read_settings({}).trouble.empty());
     for (const char* text :
          {"", "no JSON", "[]", R"({"window": [10, 10]})", R"({"window": "large"})", R"({"ui_scale": 99})",
-          R"({"panel_open": 1})", R"({"recent_files": 2.5})", R"({"last_folder": {}})"}) {
+          R"({"panel_open": 1})", R"({"recent_files": 2.5})", R"({"last_folder": {}})", R"({"drop_beside": "yes"})"}) {
         CAPTURE(text);
         std::ofstream(folder.path() / "settings.json") << text;
         const StoredSettings read = read_settings(folder.path());

@@ -27,6 +27,7 @@ public:
     void open_flight(int branch) override { parts["fly-along"] = std::to_string(branch); }
     void close_flight() override { parts.erase("fly-along"); }
     void ask_for_name(int branch) override { parts["name"] = std::to_string(branch); }
+    void ask_for_radius() override { parts["radius"] = "asked"; }
     bool dismiss() override { return false; }
     void set_ui_scale(double) override {}
     [[nodiscard]] double ui_scale() const override { return 1.0; }

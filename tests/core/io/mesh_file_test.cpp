@@ -2,6 +2,8 @@
 #include "core/mesh/close_mesh.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/mesh_topology.h"
+#include "tests/support/peak_memory.h"
+#include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +16,7 @@ using namespace ramus;
 
 namespace {
 
-double volume(const mesh::TriangleMesh& mesh) { return test::topology(mesh).volume; }
+double enclosed(const mesh::TriangleMesh& mesh) { return test::topology(mesh).volume; }
 
 std::string text_stl(const mesh::TriangleMesh& mesh) {
     std::string text = "solid lesion\n";
@@ -73,7 +75,7 @@ TEST_CASE("what ramus writes it reads, closed and welded, in every format") {
         REQUIRE_MESSAGE(mesh, (mesh ? "" : mesh.error().message()));
         CHECK(mesh->positions.size() == ball.positions.size());
         CHECK(mesh->triangles.size() == ball.triangles.size());
-        CHECK(volume(*mesh) == doctest::Approx(volume(ball)).epsilon(1e-4));
+        CHECK(enclosed(*mesh) == doctest::Approx(enclosed(ball)).epsilon(1e-4));
         for (std::size_t v = 0; v < mesh->positions.size(); ++v)
             CHECK(glm::dot(mesh->normals[v], (mesh->positions[v] - glm::vec3(5, 6, 7)) / 3.0F) > 0.99F);
     }
@@ -90,13 +92,13 @@ TEST_CASE("text formats, quads and meshes turned inside out are read as well") {
         REQUIRE_MESSAGE(mesh, (mesh ? "" : mesh.error().message()));
         CHECK(mesh->positions.size() == 8);
         CHECK(mesh->triangles.size() == 12);
-        CHECK(volume(*mesh) == doctest::Approx(8.0));
+        CHECK(enclosed(*mesh) == doctest::Approx(8.0));
     }
     for (glm::uvec3& t : cube.triangles) std::swap(t.x, t.y);
-    CHECK(volume(*io::read_mesh(files.put("in.stl", text_stl(cube)))) == doctest::Approx(8.0));
+    CHECK(enclosed(*io::read_mesh(files.put("in.stl", text_stl(cube)))) == doctest::Approx(8.0));
     std::swap(cube.triangles[3].x, cube.triangles[3].y); // and one as it was
     std::swap(cube.triangles[7].x, cube.triangles[7].y);
-    CHECK(volume(*io::read_mesh(files.put("mixed.stl", text_stl(cube)))) == doctest::Approx(8.0));
+    CHECK(enclosed(*io::read_mesh(files.put("mixed.stl", text_stl(cube)))) == doctest::Approx(8.0));
 }
 
 TEST_CASE("polygons with dents are cut inside") {
@@ -164,6 +166,35 @@ TEST_CASE("what is no mesh is refused by name") {
     files.refusal("many.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
                               "property float y\nproperty float z\nelement face 4000000000\n"
                               "property list uchar int vertex_indices\nend_header\n");
+}
+
+TEST_CASE("a mesh that declares a billion triangles and holds two takes no memory") {
+    const Files files;
+    const std::string two(std::size_t{2} * 50, '\0');
+    const test::PeakMemory memory;
+    files.refusal("lie.stl", std::string(80, ' ') + std::string("\x00\xca\x9a\x3b", 4) + two);
+    files.refusal("lie.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+                             "property float y\nproperty float z\nelement face 1000000000\n"
+                             "property list uchar int vertex_indices\nend_header\n" +
+                                 two);
+    files.refusal("lie.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 1000000000\n");
+    CHECK(memory.grown_mib() < 30.0);
+}
+
+TEST_CASE("a real mesh that is cut short gives a clear error") {
+    const auto path = test::shared_file("surfaces", "carotid_lumen.stl");
+    if (!path) return;
+    std::ifstream file(*path, std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(file), {}};
+    const Files files;
+    CHECK(io::read_mesh(*path, io::Holes::kAllowed));
+    for (std::size_t part = 0; part < 20; ++part) {
+        CAPTURE(part);
+        const auto mesh = io::read_mesh(files.put("cut.stl", whole.substr(0, whole.size() * part / 20)));
+        REQUIRE_FALSE(mesh);
+        CHECK(mesh.error().where.find("cut.stl") != std::string::npos);
+        CHECK_FALSE(mesh.error().hint.empty());
+    }
 }
 
 TEST_CASE("damaged files end in an answer") {

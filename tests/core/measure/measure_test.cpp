@@ -23,7 +23,7 @@ TEST_CASE("a cone's figures are those of geometry, however finely it is sampled"
     const char* coarse = "1 0 0 0 0 3 -1\n2 0 0 0 12 1 1\n";
     const char* fine = "1 0 0 0 0 3 -1\n2 0 0 0 0.6 2.9 1\n3 0 0 0 1.2 2.8 2\n4 0 0 0 12 1 3\n";
     for (const char* text : {coarse, fine}) {
-        const auto tree = io::parse_swc(text, "cone.swc");
+        const auto tree = io::parse_tree(text, "cone.swc");
         REQUIRE(tree);
         const measure::TreeStatistics figures = measure::tree_statistics(*tree);
         CHECK(figures.length_mm == doctest::Approx(12.0));

@@ -1,5 +1,5 @@
 // The quick ways that bricks find their neighbours and join their edges, against plain ones.
-#include "core/field/convolution_field.h"
+#include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/join/edge_polygons.h"
 #include "core/mesh/polygonize/join/join_triangles.h"
 #include "core/mesh/surface.h"
@@ -24,7 +24,7 @@ namespace {
 // An adaptive octree: bricks meet others of the same size, larger and smaller ones, and none at all.
 struct Scene {
     tree::VesselTree tree = *test::grown_tree(150);
-    field::ConvolutionField field = make_field(tree, {}, {});
+    field::VesselField field = make_field(tree, {}, {});
     Octree octree;
     std::vector<std::uint32_t> subtrees;
     SurfaceCells cells;

@@ -1,5 +1,5 @@
 // A surface that follows its tree is the one that is made from nothing, bit for bit.
-#include "core/field/convolution_field.h"
+#include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
 #include "tests/support/grown_tree.h"
@@ -47,7 +47,7 @@ private:
     mesh::TriangleMesh mesh_;
 };
 
-void check_update(mesh::Polygonizer& polygonizer, Follower& follower, const field::ConvolutionField& field,
+void check_update(mesh::Polygonizer& polygonizer, Follower& follower, const field::VesselField& field,
                   const mesh::PolygonizeOptions& options) {
     Job job;
     REQUIRE(polygonizer.update(field, options, job));

@@ -1,5 +1,5 @@
 // A surface that is streamed is the one that is made as a whole: in memory, and as a file byte by byte.
-#include "core/field/convolution_field.h"
+#include "core/field/vessel_field.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
@@ -47,7 +47,7 @@ private:
 } // namespace
 
 TEST_CASE("a subtree is joined after all that it touches are filled, and let go after they are joined") {
-    const field::ConvolutionField field = mesh::make_field(test::grown(150), {}, {});
+    const field::VesselField field = mesh::make_field(test::grown(150), {}, {});
     const mesh::bricks::Sizing sizing = mesh::bricks::make_sizing(field, 16, 0.0);
     Job job;
     const mesh::bricks::Octree octree = mesh::bricks::build_octree(field, sizing, job);
@@ -101,7 +101,7 @@ TEST_CASE("a subtree is joined after all that it touches are filled, and let go 
 
 TEST_CASE("a streamed surface is the whole surface") {
     const tree::VesselTree tree = test::grown(400);
-    const field::ConvolutionField field = mesh::make_field(tree, {}, {});
+    const field::VesselField field = mesh::make_field(tree, {}, {});
     for (const double cell : {0.0, 0.4}) {
         mesh::PolygonizeOptions options;
         options.cell_mm = cell;

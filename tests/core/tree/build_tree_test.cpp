@@ -8,6 +8,7 @@
 #include <random>
 
 using namespace ramus;
+using tree::Note;
 using tree::Repair;
 
 namespace {
@@ -182,7 +183,7 @@ TEST_CASE("a chain of a hundred thousand points is one branch, with all radii mi
     graph.points.back().radius = 2.0;
     const auto tree = built(graph);
     CHECK(tree.branches.size() == 1);
-    CHECK(tree.repairs.size() == 99999);
+    CHECK(sentences(tree, Note::Kind::kRepaired).size() == 99999);
     CHECK(std::ranges::all_of(tree.points, [](const auto& p) { return p.radius == 2.0; }));
 }
 
@@ -195,8 +196,9 @@ TEST_CASE("a zero radius becomes the mean of its neighbours' positive radii") {
     const auto tree = built(graph);
     CHECK(tree.points[1].radius == 2.0);
     CHECK(tree.points[3].radius == 2.0);
-    REQUIRE(tree.repairs.size() == 2);
-    CHECK(tree.repairs[0].find("point 1") != std::string::npos);
+    REQUIRE(sentences(tree, Note::Kind::kRepaired).size() == 2);
+    CHECK(tree.notes[0].text.find("point 1") != std::string::npos);
+    CHECK(tree.notes[0].at == tree.points[1].position);
     const auto refused = tree::build_tree(graph, Repair::kNone, place);
     REQUIRE_FALSE(refused.has_value());
     CHECK(refused.error().message().find("point 1") != std::string::npos);
@@ -209,7 +211,7 @@ TEST_CASE("repeated points are merged and lonely ones left out, each with a word
     const auto tree = built(graph);
     check_promises(tree, 2);
     CHECK(tree.points.size() == 3);
-    CHECK(tree.repairs.size() == 2);
+    CHECK(sentences(tree, Note::Kind::kRepaired).size() == 2);
     CHECK_FALSE(tree::build_tree(graph, Repair::kNone, place).has_value());
 }
 
@@ -271,10 +273,10 @@ TEST_CASE("pruning drops leaf branches shorter than the ratio of their parent") 
 }
 
 TEST_CASE("numbers with decimal commas are not misread as more columns") {
-    CHECK(io::parse_swc("1 0 0 0 0 1 -1\n2 0 0 0 1 1 1\n", "a.swc").has_value());
-    CHECK(io::parse_swc("1,0,0,0,0,1,-1\n2,0,0,0,1,1,1\n", "a.swc").has_value());
+    CHECK(io::parse_tree("1 0 0 0 0 1 -1\n2 0 0 0 1 1 1\n", "a.swc").has_value());
+    CHECK(io::parse_tree("1,0,0,0,0,1,-1\n2,0,0,0,1,1,1\n", "a.swc").has_value());
     // Decimal commas, which would make eleven columns.
-    CHECK_FALSE(io::parse_swc("0 0 0,5 0,5 0,5 1,0 -1\n1 0 0,5 0,5 1,5 1,0 0\n", "a.swc").has_value());
+    CHECK_FALSE(io::parse_tree("0 0 0,5 0,5 0,5 1,0 -1\n1 0 0,5 0,5 1,5 1,0 0\n", "a.swc").has_value());
 }
 
 TEST_CASE("a root that a branch of another root runs through is none") {

@@ -54,6 +54,7 @@ TEST_CASE("real trees have their true counts") {
         }
         CHECK(std::ranges::count_if(degree, [](int d) { return d > 2; }) == static_cast<long>(expected.branchings));
         CHECK(length == doctest::Approx(expected.length_mm).epsilon(1e-4));
-        CHECK(tree->repairs.size() == (name == "brain_BG0002.swc" ? 1U : 0U)); // its one radius of zero
+        CHECK(sentences(*tree, tree::Note::Kind::kRepaired).size() ==
+              (name == "brain_BG0002.swc" ? 1U : 0U)); // its one radius of zero
     }
 }

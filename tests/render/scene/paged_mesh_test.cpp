@@ -1,5 +1,5 @@
 // Pages of a surface, and a copy on the graphics card that follows them.
-#include "core/field/convolution_field.h"
+#include "core/field/vessel_field.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
 #include "render/gl/gl_context.h"

@@ -18,10 +18,12 @@ const CellRecord& SurfaceCells::record(const Brick& brick, std::uint32_t index, 
     return subtrees[brick.subtree].records[b.first_record + static_cast<std::uint32_t>(before)];
 }
 
-std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const {
+std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const {
     const std::uint32_t first = cells[index].first_vertex + cells[index].first[static_cast<std::size_t>(cell)];
     if (!is_recorded(index, cell)) return first;
-    return first + record(brick, index, cell).loop_of[static_cast<std::size_t>(edge_midpoint)];
+    const CellRecord& r = record(brick, index, cell);
+    if (crossing < kUpperEnd) return first + r.loop_of[static_cast<std::size_t>(crossing)];
+    return first + subtrees[brick.subtree].upper_loops[r.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
 }
 
 void SurfaceCells::reuse_vertices() {
@@ -37,13 +39,17 @@ void SurfaceVertices::reserve(std::size_t more) {
     if (needed > positions.size()) resize_vertices(2 * needed);
 }
 
-std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices) {
+std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices,
+                               std::span<const field::OwnedGuess> owned) {
     vertices.reserve(guesses.size());
     const std::size_t first = vertices.count;
     vertices.count += guesses.size();
-    return field.project(guesses, {vertices.positions.data() + first, vertices.normals.data() + first,
-                                   vertices.radii.data() + first, vertices.branches.data() + first,
-                                   vertices.dominance.data() + first});
+    const field::SurfacePoints to{vertices.positions.data() + first, vertices.normals.data() + first,
+                                  vertices.radii.data() + first, vertices.branches.data() + first,
+                                  vertices.dominance.data() + first};
+    std::uint64_t kernels = field.project(guesses, to);
+    if (!owned.empty()) kernels += field.project_apart(guesses, owned, to);
+    return kernels;
 }
 
 field::GridAxes grid_axes(const Lattice& lattice, const Brick& brick) {
@@ -137,6 +143,7 @@ bool reaches_beyond(const Octree& octree, const SurfaceCells& surface, std::uint
                 continue;
             }
             if (changes.subtrees[octree.bricks[around.brick[static_cast<std::size_t>(d)]].subtree] == 0) continue;
+            if (surface.cells[b].walls != kNoWalls) return true; // they may go on there
             if (kind == Neighbour::kCoarser && crosses_cells(d)) return true;
             if (kind == Neighbour::kCoarser) continue;
             for (int axis = 0; axis < 3; ++axis) {

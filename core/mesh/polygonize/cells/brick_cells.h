@@ -23,18 +23,20 @@ constexpr int cell_index(int x, int y, int z) { return x + 4 * y + 16 * z; }
 // A vertex on an arc between two cells that would otherwise be joined twice.
 struct ArcVertex {
     std::uint8_t face = 0;
-    std::uint8_t edge = 0; // minimal edge at either end of the arc
+    std::uint8_t edge = 0; // crossing at either end of the arc
     std::uint16_t vertex = 0;
 };
 
 // Cells that have more than one vertex, or may have.
 struct CellRecord {
-    std::array<std::uint8_t, kQuarterPoints> loop_of{};
-    std::uint32_t arcs_begin = 0; // into SubtreeCells::arc_vertices
+    std::array<std::uint8_t, kQuarterPoints> loop_of{}; // by minimal edge
+    std::uint32_t walls = 0xFFFFFFFFU; // into SubtreeCells::upper_loops, where edges have walls; or kNoWalls
+    std::uint32_t arcs_begin = 0;      // into SubtreeCells::arc_vertices
     std::uint32_t arcs_count = 0;
 };
 
 inline constexpr std::uint16_t kNoVertex = 0xFFFF;
+inline constexpr std::uint32_t kNoWalls = 0xFFFFFFFFU;
 
 // One bit per grid point of a brick, x + 5 y + 25 z.
 __extension__ using GridBits = unsigned __int128;
@@ -65,6 +67,7 @@ struct BrickCells {
     std::uint64_t recorded;                          // bit per cell: described by a record; others have one vertex
     std::uint32_t first_record;                      // in the subtree
     std::uint32_t first_vertex;                      // in the subtree, later in the mesh
+    std::uint32_t walls;                             // into SubtreeCells::walls, or kNoWalls
     bool crossed;                                    // if not, all but this is left unset
 
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
@@ -99,6 +102,8 @@ struct SubtreeCells {
     std::size_t first_vertex = 0, vertex_count = 0;
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
+    std::vector<std::array<GridBits, 3>> walls; // by axis: first points of edges that a wall goes through
+    std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
     SampleCounts counts;
 };
 
@@ -114,8 +119,12 @@ struct SurfaceCells {
         return (cells[brick].recorded >> cell & 1U) != 0;
     }
     [[nodiscard]] const CellRecord& record(const Brick& brick, std::uint32_t index, int cell) const;
-    // Vertex (within the mesh once first_vertex is) of the loop through a minimal edge, named by its midpoint.
-    [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int edge_midpoint) const;
+    // Vertex (within the mesh once first_vertex is) of the loop through a crossing.
+    [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const;
+    // Edges of a brick that walls go through, by axis.
+    [[nodiscard]] const std::array<GridBits, 3>& walls(const Brick& brick, std::uint32_t index) const {
+        return subtrees[brick.subtree].walls[cells[index].walls];
+    }
 };
 
 // Samples the bricks of some subtrees, finds the loops of their cells and places the vertices on the surface. Needs the
@@ -129,8 +138,9 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
                                   const OctreeChanges& changes);
 
 // Moves guesses in a brick, which `field` is in, onto the surface and appends them to `vertices`. Returns the number of
-// kernels evaluated.
-std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices);
+// kernels evaluated. `owned`: whose they are, where vessels are kept apart.
+std::uint64_t append_projected(field::BrickField& field, field::Projection& guesses, SurfaceVertices& vertices,
+                               std::span<const field::OwnedGuess> owned = {});
 
 [[nodiscard]] field::GridAxes grid_axes(const Lattice& lattice, const Brick& brick);
 

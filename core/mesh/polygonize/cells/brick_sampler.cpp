@@ -41,12 +41,19 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     field_->enter(octree_->segments_of(*brick_), grid_axes(octree_->lattice, *brick_));
     grid_.sample(index, *neighbours_, *field_, subtree.counts);
     half_crossed_ = 0;
+    hanging_inside_.clear();
+    owned_.clear();
     if (neighbours_->finer != 0) sample_hanging(subtree);
+    const bool parts = field_->parts_vessels();
+    if (parts) find_owners(subtree);
 
     constexpr GridBits kAll = (GridBits{1} << field::kGridPoints) - 1;
     const GridBits inside = grid_.inside();
-    cells.crossed = (inside != 0 && inside != kAll) || half_crossed_ != 0;
+    const bool walled = parts && owners_.any_walls();
+    cells.crossed = (inside != 0 && inside != kAll) || half_crossed_ != 0 || walled;
     if (!cells.crossed) return;
+    cells.walls = walled ? static_cast<std::uint32_t>(subtree.walls.size()) : kNoWalls;
+    if (walled) subtree.walls.push_back(owners_.walls());
     if (neighbours_->finer == 0) grid_.assemble_values();
     cells.inside = {static_cast<std::uint64_t>(inside), static_cast<std::uint64_t>(inside >> 64)};
     cells.first.fill(kNoVertex);
@@ -61,7 +68,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(guesses_.size());
         add_recorded_vertices(traced, subtree, subtree.records.emplace_back());
     }
-    subtree.counts.evaluations += append_projected(*field_, guesses_, *vertices_);
+    subtree.counts.evaluations += append_projected(*field_, guesses_, *vertices_, owned_);
     subtree.counts.samples += guesses_.size();
 }
 
@@ -93,11 +100,18 @@ void BrickSampler::sample_hanging(SubtreeCells& subtree) {
         const int y = points_[n].j / 2;
         const int z = points_[n].k / 2;
         fine_values_[static_cast<std::size_t>(fine_index(x, y, z))] = point_values_[n];
+        if (point_values_[n] >= isovalue_) hanging_inside_.push_back(points_[n]);
         // The corner below a hanging corner belongs to all cells that touch it: where the two differ, a cell whose
         // corners agree is crossed nevertheless.
         const bool corner_inside = (grid_.inside() >> (x / 2 + 5 * (y / 2) + 25 * (z / 2)) & 1) != 0;
         if ((point_values_[n] >= isovalue_) != corner_inside) half_crossed_ |= cells_touching(x, y, z);
     }
+}
+
+void BrickSampler::find_owners(SubtreeCells& subtree) {
+    prepare_lattice();
+    owners_.find(*field_, lattice_axes_, grid_.inside(), hanging_inside_, subtree.counts);
+    apart_points_.clear();
 }
 
 // Guesses the vertices of plain cells and traces the others, as far as that goes without their faces' centres.
@@ -108,7 +122,9 @@ void BrickSampler::sort_cells(BrickCells& cells) {
     GridBits all = ~GridBits{0};
     for (const int shift : {0, 1, 5, 6, 25, 26, 30, 31}) some |= inside >> shift, all &= inside >> shift;
     const std::uint64_t hanging = finer != 0 ? cells_beside_finer(finer) : 0;
-    std::uint64_t crossed = half_crossed_;
+    const bool parts = field_->parts_vessels();
+    const std::uint64_t walled = parts ? owners_.cells() : 0;
+    std::uint64_t crossed = half_crossed_ | walled;
     for (unsigned row = 0; row < 16; ++row)
         crossed |= static_cast<std::uint64_t>((some & ~all) >> kLowCorners[4 * row] & 15U) << (4 * row);
     // Eight bytes from the one with a cell's low corner on hold all its corners.
@@ -126,7 +142,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
         const auto corner_signs =
             static_cast<unsigned>((at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U));
         const bool hangs = (hanging >> cell & 1) != 0;
-        if (hangs || !kPlainCells[corner_signs]) {
+        if (hangs || !kPlainCells[corner_signs] || (walled >> cell & 1) != 0) {
             trace(static_cast<int>(cell), corner_signs, hangs ? finer : 0);
         } else {
             cells.first[cell] = static_cast<std::uint16_t>(plain_count);
@@ -136,6 +152,17 @@ void BrickSampler::sort_cells(BrickCells& cells) {
     cells.recorded = 0;
     field_->find_depths(grid_.values(), depths_);
     add_vertex_guesses(depths_, std::span(plain_corners_).first(plain_count), cell_mm_, guesses_);
+    if (!parts) return;
+    for (std::uint32_t n = 0; n < plain_count; ++n) {
+        const int low = plain_corners_[n];
+        constexpr std::array<int, 8> kCornerOffset{0, 1, 5, 6, 25, 26, 30, 31};
+        for (const int offset : kCornerOffset) {
+            const int at = low + offset;
+            if ((inside >> at & 1) == 0) continue;
+            owned_.push_back({n, owners_.at(2 * (at % 5), 2 * (at / 5 % 5), 2 * (at / 25)), false});
+            break;
+        }
+    }
 }
 
 void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
@@ -156,7 +183,12 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
             traced.shape.inside |= static_cast<std::uint32_t>(value >= isovalue_ ? 1 : 0) << n;
         }
     }
-    traced.loops = trace_loops(traced.shape, traced.centres);
+    traced.apart = -1;
+    if (field_->parts_vessels()) {
+        traced.apart = static_cast<int>(apart_points_.size());
+        apart_points_.push_back(owners_.apart_points(*field_, low_corner_of(cell)));
+    }
+    traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
     for (int n = 0; n < traced.centres.count; ++n) {
         const int centre = traced.centres.centre[static_cast<std::size_t>(n)];
@@ -174,15 +206,17 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
         for (int n = 0; n < traced.centres.count; ++n)
             if (point_values_[traced.first_centre + static_cast<std::size_t>(n)] >= isovalue_)
                 traced.centres.inside |= std::uint32_t{1} << n;
-        traced.loops = trace_loops(traced.shape, traced.centres);
+        traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     }
 }
 
-void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices) {
+void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices, field::OwnedGuess whose) {
     const glm::vec3 centre = (glm::vec3(cell) + 0.5F) * cell_mm_;
+    if (field_->parts_vessels())
+        owned_.push_back({static_cast<std::uint32_t>(guesses_.size()), whose.owner, whose.at_wall});
     // Where a cell has several vertices, each keeps to the neighbourhood of its own crossings: in one common box two of
-    // them could end up at the same corner.
-    if (vertices == 1)
+    // them could end up at the same corner. At a wall it keeps them apart.
+    if (vertices == 1 || whose.at_wall)
         guesses_.add(guess, centre, kVertexReach * cell_mm_);
     else
         guesses_.add(guess, guess, kSharedReach * cell_mm_);
@@ -195,42 +229,41 @@ float BrickSampler::value_at(glm::ivec3 fine) const {
                      : fine_values_[static_cast<std::size_t>(fine_index(fine.x, fine.y, fine.z))];
 }
 
-// Where the surface crosses a minimal edge, in cells within the brick.
-glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int edge_midpoint) {
-    // The ends of a minimal edge: one step along its axis for a half edge (odd coordinate), two for a whole one.
-    const glm::ivec3 middle(edge_midpoint % 5, edge_midpoint / 5 % 5, edge_midpoint / 25);
-    int axis = -1;
-    int step = 1;
-    for (int i = 0; i < 3; ++i)
-        if ((middle[i] & 1) != 0) axis = i;
-    if (axis < 0) {
-        step = 2;
-        for (int i = 0; i < 3; ++i)
-            if (middle[i] == 2) axis = i;
-    }
-    glm::ivec3 a = middle;
-    glm::ivec3 b = middle;
-    a[axis] -= step;
-    b[axis] += step;
-    const float crossed = field_->crossing(value_at(2 * cell + a / 2), value_at(2 * cell + b / 2));
-    const float along = std::clamp(crossed, kCrossingMargin, 1.0F - kCrossingMargin);
+// Where the surface goes through a crossing, in cells within the brick.
+glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int crossing) {
+    const auto [a, b] = ends_of_edge(crossing);
+    const float from = value_at(2 * cell + a / 2);
+    const float to = value_at(2 * cell + b / 2);
+    // A wall may be anywhere on its edge.
+    const bool walled = (from >= isovalue_) == (to >= isovalue_);
+    const float along = walled ? 0.5F : std::clamp(field_->crossing(from, to), kCrossingMargin, 1.0F - kCrossingMargin);
     return glm::vec3(cell) + 0.25F * (glm::vec3(a) + along * glm::vec3(b - a));
 }
 
 void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
     const CellLoops& loops = traced.loops;
     const glm::ivec3 cell = low_corner_of(traced.cell);
-    record.loop_of = loops.loop_of;
+    std::copy_n(loops.loop_of.begin(), kQuarterPoints, record.loop_of.begin());
+    if (std::any_of(loops.loop_of.begin() + kUpperEnd, loops.loop_of.end(),
+                    [](std::uint8_t loop) { return loop != kNoLoop; })) {
+        record.walls = static_cast<std::uint32_t>(subtree.upper_loops.size());
+        std::copy_n(loops.loop_of.begin() + kUpperEnd, kQuarterPoints, subtree.upper_loops.emplace_back().begin());
+    }
     std::array<glm::vec3, kMostLoops> sum{};
     std::array<int, kMostLoops> count{};
-    for (int m = 0; m < kQuarterPoints; ++m) {
+    std::array<field::OwnedGuess, kMostLoops> whose{};
+    for (int m = 0; m < kCrossings; ++m) {
         const std::uint8_t loop = loops.loop_of[static_cast<std::size_t>(m)];
         if (loop == kNoLoop) continue;
         sum[loop] += crossing(cell, m);
         ++count[loop];
+        if (traced.apart < 0) continue;
+        whose[loop].owner = owners_.of_crossing(cell, m);
+        const int other_end = m < kUpperEnd ? m + kUpperEnd : m - kUpperEnd;
+        if (loops.loop_of[static_cast<std::size_t>(other_end)] != kNoLoop) whose[loop].at_wall = true;
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(loops.loop_count); ++n)
-        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count);
+        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count, whose[n]);
 
     // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
     record.arcs_begin = static_cast<std::uint32_t>(subtree.arc_vertices.size());
@@ -243,7 +276,8 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         const bool beyond_is_coarser = neighbours_->kind(direction_index(d.x, d.y, d.z)) == Neighbour::kCoarser;
         if (side == 0 && !beyond_is_coarser) continue;
         const auto vertex = static_cast<std::uint16_t>(guesses_.size());
-        add_vertex(0.5F * (crossing(cell, arc.first) + crossing(cell, arc.second)) * cell_mm_, cell, 2);
+        add_vertex(0.5F * (crossing(cell, arc.first) + crossing(cell, arc.second)) * cell_mm_, cell, 2,
+                   whose[loops.loop_of[arc.first]]);
         subtree.arc_vertices.push_back({arc.face, arc.first, vertex});
         subtree.arc_vertices.push_back({arc.face, arc.second, vertex});
     }

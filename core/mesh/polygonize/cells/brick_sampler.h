@@ -5,6 +5,7 @@
 
 #include "core/field/field.h"
 #include "core/mesh/polygonize/cells/brick_grid.h"
+#include "core/mesh/polygonize/cells/brick_owners.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 
 #include <memory>
@@ -23,9 +24,9 @@ public:
     void fill(std::uint32_t index, BrickCells& cells, SubtreeCells& subtree);
 
 private:
-    // The brick's points at half-cell spacing, 9 a side; only those that are hanging corners are sampled.
-    static constexpr int kFineSide = 2 * kBrickCells + 1;
-    static constexpr int fine_index(int x, int y, int z) { return x + kFineSide * (y + kFineSide * z); }
+    // Of the brick's points at half-cell spacing only those that are hanging corners are sampled.
+    static constexpr int kFineSide = BrickOwners::kFineSide;
+    static constexpr int fine_index(int x, int y, int z) { return BrickOwners::fine_index(x, y, z); }
 
     // A cell that corner signs alone do not describe.
     struct TracedCell {
@@ -34,10 +35,12 @@ private:
         CellLoops loops;
         FaceCentres centres;
         std::size_t first_centre; // in points_
+        int apart;                // in apart_points_, or -1
     };
 
     void prepare_lattice();
     void sample_hanging(SubtreeCells& subtree);
+    void find_owners(SubtreeCells& subtree);
     void sample_points(SubtreeCells& subtree);
     void sort_cells(BrickCells& cells);
     void trace(int cell, unsigned corner_signs, std::uint32_t finer);
@@ -46,7 +49,10 @@ private:
     void add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
     [[nodiscard]] glm::vec3 crossing(glm::ivec3 cell, int edge_midpoint);
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
-    void add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices);
+    void add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices, field::OwnedGuess whose = {});
+    [[nodiscard]] const ApartPoints* apart_points(const TracedCell& traced) const {
+        return traced.apart < 0 ? nullptr : &apart_points_[static_cast<std::size_t>(traced.apart)];
+    }
 
     std::unique_ptr<field::BrickField> field_;
     float isovalue_;
@@ -72,6 +78,12 @@ private:
     std::vector<field::LatticePoint> points_;
     std::vector<float> point_values_;
     field::Projection guesses_;
+
+    // Where vessels are kept apart.
+    BrickOwners owners_;
+    std::vector<field::LatticePoint> hanging_inside_;
+    std::vector<ApartPoints> apart_points_; // of traced cells
+    std::vector<field::OwnedGuess> owned_;  // by guess
 };
 
 } // namespace ramus::mesh::bricks

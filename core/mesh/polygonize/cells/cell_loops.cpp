@@ -93,7 +93,7 @@ struct Arc {
 };
 
 struct Arcs {
-    std::array<Arc, 48> arc;
+    std::array<Arc, 96> arc;
     int count = 0;
 };
 
@@ -105,35 +105,60 @@ struct Ring {
     bool whole; // not a quarter of a split face
 };
 
-// Pairs up the crossings of one ring. Crossings alternate between leaving and entering the inside; with four or more
-// the centre decides whether the inside or the outside is connected across the face.
-void add_arcs(std::uint32_t inside, const Ring& ring, FaceCentres& centres, Arcs& arcs) {
-    std::array<std::uint8_t, 8> edge;
-    std::size_t crossings = 0;
+// The crossings around a ring in order: they alternate between leaving and entering the inside.
+struct RingCrossings {
+    std::array<std::uint8_t, 16> crossing;
+    std::size_t count = 0;
     bool first_leaves = false;
+    bool any_apart = false; // some of the points that are inside are apart
+};
+RingCrossings crossings_of(std::uint32_t inside, const Ring& ring, const ApartPoints* apart) {
+    RingCrossings found;
     bool sign = (inside >> ring.points[0].bit & 1U) != 0;
     for (std::size_t n = 0; n < ring.size; ++n) {
-        const bool next = (inside >> ring.points[n + 1 < ring.size ? n + 1 : 0].bit & 1U) != 0;
+        const RingPoint& from = ring.points[n];
+        const RingPoint& to = ring.points[n + 1 < ring.size ? n + 1 : 0];
+        const bool next = (inside >> to.bit & 1U) != 0;
         if (sign != next) {
-            if (crossings == 0) first_leaves = sign;
-            edge[crossings++] = ring.points[n].midpoint;
+            if (found.count == 0) found.first_leaves = sign;
+            found.crossing[found.count++] = from.midpoint;
+        } else if (apart != nullptr && sign && ((*apart)[from.bit] >> to.bit & 1U) != 0) {
+            if (found.count == 0) found.first_leaves = true;
+            const auto upper = static_cast<std::uint8_t>(from.midpoint + kUpperEnd);
+            found.crossing[found.count++] = from.bit < to.bit ? from.midpoint : upper;
+            found.crossing[found.count++] = from.bit < to.bit ? upper : from.midpoint;
         }
         sign = next;
     }
-    if (crossings == 0) return;
+    if (apart == nullptr || found.count == 0) return found;
+    std::uint32_t around = 0;
+    for (std::size_t n = 0; n < ring.size; ++n) around |= 1U << ring.points[n].bit;
+    for (std::size_t n = 0; n < ring.size; ++n)
+        found.any_apart = found.any_apart || ((*apart)[ring.points[n].bit] & around) != 0;
+    return found;
+}
+
+// Pairs up the crossings of one ring. With four or more the centre decides whether the inside or the outside is
+// connected across the face; what is apart is not connected.
+void add_arcs(std::uint32_t inside, const Ring& ring, const ApartPoints* apart, FaceCentres& centres, Arcs& arcs) {
+    const RingCrossings found = crossings_of(inside, ring, apart);
+    if (found.count == 0) return;
     // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
-    bool start_leaving = first_leaves;
-    if (crossings > 2) {
+    bool start_leaving = found.first_leaves;
+    if (found.any_apart) {
+        start_leaving = false;
+    } else if (found.count > 2) {
         start_leaving = (centres.inside >> centres.count & 1U) != 0;
         centres.centre[static_cast<std::size_t>(centres.count++)] = ring.centre;
     }
-    const std::size_t start = first_leaves == start_leaving ? 0 : 1;
-    for (std::size_t n = 0; n < crossings; n += 2)
-        arcs.arc[static_cast<std::size_t>(arcs.count++)] = {
-            edge[(start + n) % crossings], edge[(start + n + 1) % crossings], ring.face, ring.whole && crossings > 2};
+    const std::size_t start = found.first_leaves == start_leaving ? 0 : 1;
+    for (std::size_t n = 0; n < found.count; n += 2)
+        arcs.arc[static_cast<std::size_t>(arcs.count++)] = {found.crossing[(start + n) % found.count],
+                                                            found.crossing[(start + n + 1) % found.count], ring.face,
+                                                            ring.whole && found.count > 2};
 }
 
-Arcs collect_arcs(const CellShape& shape, FaceCentres& centres) {
+Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {
     Arcs arcs;
     centres.count = 0;
     for (std::uint8_t face = 0; face < 6; ++face) {
@@ -146,7 +171,7 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres) {
             for (std::size_t quarter = 0; quarter < 4; ++quarter) {
                 std::ranges::copy(rings.quarters[quarter], ring.points.begin());
                 ring.centre = rings.quarter_centres[quarter];
-                add_arcs(shape.inside, ring, centres, arcs);
+                add_arcs(shape.inside, ring, apart, centres, arcs);
             }
             continue;
         }
@@ -159,7 +184,7 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres) {
             }
         }
         ring.centre = rings.centre;
-        add_arcs(shape.inside, ring, centres, arcs);
+        add_arcs(shape.inside, ring, apart, centres, arcs);
     }
     return arcs;
 }
@@ -180,13 +205,32 @@ std::array<bool, 256> find_plain_cells() {
 
 } // namespace
 
-CellLoops trace_loops(const CellShape& shape, FaceCentres& centres) {
-    const Arcs found = collect_arcs(shape, centres);
+std::pair<glm::ivec3, glm::ivec3> ends_of_edge(int crossing) {
+    const int edge = crossing % kQuarterPoints;
+    const glm::ivec3 middle(edge % 5, edge / 5 % 5, edge / 25);
+    int axis = -1;
+    int step = 1;
+    for (int i = 0; i < 3; ++i)
+        if ((middle[i] & 1) != 0) axis = i;
+    if (axis < 0) {
+        step = 2;
+        for (int i = 0; i < 3; ++i)
+            if (middle[i] == 2) axis = i;
+    }
+    glm::ivec3 low = middle;
+    glm::ivec3 high = middle;
+    low[axis] -= step;
+    high[axis] += step;
+    return {low, high};
+}
+
+CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {
+    const Arcs found = collect_arcs(shape, centres, apart);
     const auto& arcs = found.arc;
     const int arc_count = found.count;
 
-    // Every crossed edge lies on two minimal faces, so it ends two arcs.
-    std::array<std::array<std::int8_t, 2>, kQuarterPoints> ends;
+    // Every crossing lies on two minimal faces, so it ends two arcs.
+    std::array<std::array<std::int8_t, 2>, kCrossings> ends;
     ends.fill({-1, -1});
     for (int n = 0; n < arc_count; ++n) {
         const Arc& arc = arcs[static_cast<std::size_t>(n)];

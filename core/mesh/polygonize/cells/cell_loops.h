@@ -7,18 +7,26 @@
 // Points of a cell are written on its 5 x 5 x 5 grid of quarter steps, index x + 5 y + 25 z: corners at 0 and 4,
 // hanging corners at 2, midpoints of half edges at 1 and 3. A minimal edge is named by its midpoint, which also tells a
 // whole edge (2 on one axis, 0 or 4 on the others) from its halves.
+//
+// Two points inside may belong to vessels that are kept apart. The surface crosses an edge between them twice: once
+// for the vessel of the lower end, once for that of the upper one. So a crossing is named by its edge, or by its edge
+// and kUpperEnd. Runs of points of one vessel around a face are cut off from each other like runs of points inside.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 namespace ramus::mesh::bricks {
 
 inline constexpr int kQuarterPoints = 125;
+inline constexpr int kUpperEnd = kQuarterPoints; // added to the name of an edge
+inline constexpr int kCrossings = 2 * kQuarterPoints;
 inline constexpr std::uint8_t kNoLoop = 0xFF;
-inline constexpr std::size_t kMostLoops = 16; // a loop has three crossings or more, of at most 48 minimal edges
+inline constexpr std::size_t kMostLoops = 48; // a loop has two crossings or more, two at most of 48 minimal edges
 
 constexpr int quarter_index(int x, int y, int z) { return x + 5 * y + 25 * z; }
 
@@ -32,6 +40,10 @@ constexpr int edge_midpoint(int edge) {
     return quarter_index(c[0], c[1], c[2]);
 }
 
+// The ends of a crossing's edge on the quarter grid: one step along its axis for a half edge (odd coordinate), two for
+// a whole one.
+[[nodiscard]] std::pair<glm::ivec3, glm::ivec3> ends_of_edge(int crossing);
+
 // By the signs of the corners (bit 1 = x, 2 = y, 4 = z of the bit's number): crossed in exactly one loop, whatever the
 // signs at the centres of the faces, if no corners hang.
 extern const std::array<bool, 256> kPlainCells;
@@ -43,14 +55,17 @@ struct CellShape {
     std::uint32_t inside = 0;      // bit x + 3 y + 9 z of the 3 x 3 x 3 corners and hanging corners
 };
 
+// For each of a cell's 27 corners and hanging corners the others that belong to a vessel apart from its own.
+using ApartPoints = std::array<std::uint32_t, 27>;
+
 struct FaceArc {
     std::uint8_t face = 0;              // 2 axis + side
-    std::uint8_t first = 0, second = 0; // minimal edges that the arc joins
+    std::uint8_t first = 0, second = 0; // crossings that the arc joins
 };
 
 struct CellLoops {
     int loop_count = 0;
-    std::array<std::uint8_t, kQuarterPoints> loop_of{}; // by minimal edge
+    std::array<std::uint8_t, kCrossings> loop_of{}; // by crossing
     // Arcs of whole faces that some loop crosses more than once. If the cell beyond does the same, two arcs would join
     // the same two vertices: such arcs need a vertex of their own.
     std::vector<FaceArc> shared_arcs;
@@ -63,8 +78,8 @@ struct FaceCentres {
     std::uint32_t inside = 0; // bit n: the n-th centre is inside
 };
 
-// Traces the loops. Goes by the signs in `centres.inside`, and lists there the centres that it went by, in the same
-// order whatever their signs.
-[[nodiscard]] CellLoops trace_loops(const CellShape& shape, FaceCentres& centres);
+// Traces the loops. `apart`: where the cell has points of vessels that are kept apart; or null. Goes by the signs in
+// `centres.inside`, and lists there the centres that it went by, in the same order whatever their signs.
+[[nodiscard]] CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart = nullptr);
 
 } // namespace ramus::mesh::bricks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/geometric.hpp>
 
 namespace ramus::mesh::bricks {
 
@@ -30,6 +31,55 @@ void JoinedSubtree::clear() {
 }
 
 void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const {
+    const Edge edge{index, axis, point, !first_inside, false};
+    Ring ring = ring_around(edge);
+    if (ring.count == 0) return;
+    if (!first_inside) std::ranges::reverse(std::span(ring.cells).first(ring.count));
+    if (!emit_with_arcs(ring.span(), edge, out)) emit(ring.span(), edge, out);
+}
+
+void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, JoinedSubtree& out) const {
+    const Edge lower{index, axis, point, false, true};
+    const Edge upper{index, axis, point, true, true};
+    const Ring first = ring_around(lower);
+    if (first.count == 0) return;
+    Ring second = ring_around(upper);
+    assert(second.count == first.count);
+    const auto reversed = [](Ring ring) {
+        std::ranges::reverse(std::span(ring.cells).first(ring.count));
+        return ring;
+    };
+    if (first.count == 3) {
+        if (!emit_with_arcs(first.span(), lower, out)) emit(first.span(), lower, out);
+        second = reversed(second);
+        if (!emit_with_arcs(second.span(), upper, out)) emit(second.span(), upper, out);
+        return;
+    }
+    // A hair lies between the two sides, and what bends one bends the other: cut along the same diagonal they do not
+    // meet.
+    const auto length2 = [&](std::size_t a, std::size_t b) {
+        const glm::vec3 between =
+            vertices_.positions[first.cells[a].vertex] - vertices_.positions[first.cells[b].vertex];
+        return glm::dot(between, between);
+    };
+    const auto [allow_02, allow_13] = diagonals_of(first.span(), lower);
+    const bool along_02 = allow_02 && (!allow_13 || length2(0, 2) <= length2(1, 3));
+    const auto cut = [&](const Ring& ring, bool turned) {
+        const auto v = [&](std::size_t n) { return ring.cells[(n + (along_02 ? 0 : 1)) & 3].vertex; };
+        if (turned) {
+            out.triangles.emplace_back(v(2), v(1), v(0));
+            out.triangles.emplace_back(v(3), v(2), v(0));
+        } else {
+            out.triangles.emplace_back(v(0), v(1), v(2));
+            out.triangles.emplace_back(v(0), v(2), v(3));
+        }
+    };
+    if (!emit_with_arcs(first.span(), lower, out)) cut(first, false);
+    if (!emit_with_arcs(reversed(second).span(), upper, out)) cut(second, true);
+}
+
+EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
+    const auto& [index, axis, point, upper, walled] = edge;
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     const Neighbourhood& around = surface_.neighbours[index];
@@ -49,67 +99,62 @@ void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool fir
         d[v] = cell[q][v] < 0 ? -1 : cell[q][v] > 3 ? 1 : 0;
         direction[q] = direction_index(d.x, d.y, d.z);
         // Split by finer cells: its halves are theirs to join.
-        if (around.kind(direction[q]) == Neighbour::kFiner) return;
+        if (around.kind(direction[q]) == Neighbour::kFiner) return {};
     }
     if (!interior) {
         // The first cell of the edge's own level, in an order that all bricks share, decides whose edge it is.
         for (std::size_t q = 0; q < 4; ++q) {
             if (around.kind(direction[q]) != Neighbour::kSame) continue;
-            if (direction[q] != kSelf) return;
+            if (direction[q] != kSelf) return {};
             break;
         }
     }
     const auto is_same_cell = [](const Around& a, const Around& b) { return a.brick == b.brick && a.cell == b.cell; };
-    std::array<Around, 4> ring;
-    std::size_t count = 0;
+    Ring ring;
     for (std::size_t q = 0; q < 4; ++q) {
         const std::uint32_t brick = around.brick[static_cast<std::size_t>(direction[q])];
         Around entry;
         if (around.kind(direction[q]) == Neighbour::kSame) {
-            entry = same_level(brick, axis, cell[q], kLow[q][0] + 2 * kLow[q][1]);
+            entry = same_level(brick, edge, cell[q], kLow[q][0] + 2 * kLow[q][1]);
         } else {
             // An absent region is free of surface, so no crossed edge can touch it.
             assert(around.kind(direction[q]) == Neighbour::kCoarser);
-            entry = coarser(index, brick, axis, point, cell[q]);
+            entry = coarser(brick, edge, cell[q]);
         }
-        if (count > 0 && is_same_cell(ring[count - 1], entry)) continue;
-        if (q == 3 && is_same_cell(ring[0], entry)) continue;
-        ring[count++] = entry;
+        if (ring.count > 0 && is_same_cell(ring.cells[ring.count - 1], entry)) continue;
+        if (q == 3 && is_same_cell(ring.cells[0], entry)) continue;
+        ring.cells[ring.count++] = entry;
     }
-    if (!first_inside) {
-        std::reverse(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count));
-    }
-    emit(std::span<const Around>(ring.data(), count), axis, out, index, point);
+    return ring;
 }
 
-EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, int axis, glm::ivec3 cell, int side) const {
+EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& edge, glm::ivec3 cell, int side) const {
     Around entry;
     entry.brick = brick;
     entry.cell = cell_index(cell.x & 3, cell.y & 3, cell.z & 3);
     entry.level = octree_.bricks[brick].level;
-    entry.edge = edge_midpoint(4 * axis + side);
+    entry.crossing = edge_midpoint(4 * edge.axis + side) + (edge.walled && edge.upper ? kUpperEnd : 0);
     entry.recorded = surface_.is_recorded(brick, entry.cell);
-    entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.edge);
+    entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
 
-// The cell of a coarser brick that covers our cell (in cells of brick `index`, maybe outside it).
-EdgePolygons::Around EdgePolygons::coarser(std::uint32_t index, std::uint32_t brick, int axis, glm::ivec3 point,
-                                           glm::ivec3 cell) const {
-    const Brick& own = octree_.bricks[index];
+// The cell of a coarser brick that covers our cell (in cells of the edge's brick, maybe outside it).
+EdgePolygons::Around EdgePolygons::coarser(std::uint32_t brick, const Edge& edge, glm::ivec3 cell) const {
+    const Brick& own = octree_.bricks[edge.brick];
     const Brick& other = octree_.bricks[brick];
     const int size = cell_units(own.level);
-    glm::ivec3 middle = own.corner + point * size;
-    middle[axis] += size / 2;
+    glm::ivec3 middle = own.corner + edge.point * size;
+    middle[edge.axis] += size / 2;
     const glm::ivec3 covered = (own.corner + cell * size - other.corner) >> glm::ivec3(other.level + 2);
     const glm::ivec3 quarter = (middle - other.corner - covered * cell_units(other.level)) >> glm::ivec3(other.level);
     Around entry;
     entry.brick = brick;
     entry.cell = cell_index(covered.x, covered.y, covered.z);
     entry.level = other.level;
-    entry.edge = quarter_index(quarter.x, quarter.y, quarter.z);
+    entry.crossing = quarter_index(quarter.x, quarter.y, quarter.z) + (edge.walled && edge.upper ? kUpperEnd : 0);
     entry.recorded = true;
-    entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.edge);
+    entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
 
@@ -131,7 +176,7 @@ std::uint32_t EdgePolygons::arc_vertex(const Around& a, const Around& b) const {
         const CellRecord& record = surface_.record(octree_.bricks[owner.brick], owner.brick, owner.cell);
         const auto& vertices = surface_.subtrees[octree_.bricks[owner.brick].subtree].arc_vertices;
         for (std::uint32_t n = record.arcs_begin; n < record.arcs_begin + record.arcs_count; ++n)
-            if (vertices[n].face == face && vertices[n].edge == owner.edge)
+            if (vertices[n].face == face && vertices[n].edge == owner.crossing)
                 return surface_.cells[owner.brick].first_vertex + vertices[n].vertex;
         return kNoArcVertex;
     }
@@ -143,33 +188,34 @@ glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
     return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
 }
 
-void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedSubtree& out, std::uint32_t index,
-                        glm::ivec3 point) const {
-    const int level = octree_.bricks[index].level;
-    const bool any_record = std::ranges::any_of(ring, [](const Around& a) { return a.recorded; });
-    if (any_record) {
-        std::array<std::uint32_t, 8> polygon{};
-        std::size_t count = 0;
-        bool extra = false;
-        for (std::size_t n = 0; n < ring.size(); ++n) {
-            polygon[count++] = ring[n].vertex;
-            const std::uint32_t between = arc_vertex(ring[n], ring[(n + 1) % ring.size()]);
-            if (between == kNoArcVertex) continue;
-            polygon[count++] = between;
-            extra = true;
-        }
-        if (extra) {
-            emit_fan(std::span<const std::uint32_t>(polygon.data(), count), axis, out, index, point);
-            return;
-        }
+bool EdgePolygons::emit_with_arcs(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const {
+    if (std::ranges::none_of(ring, &Around::recorded)) return false;
+    std::array<std::uint32_t, 8> polygon{};
+    std::size_t count = 0;
+    bool extra = false;
+    for (std::size_t n = 0; n < ring.size(); ++n) {
+        polygon[count++] = ring[n].vertex;
+        const std::uint32_t between = arc_vertex(ring[n], ring[(n + 1) % ring.size()]);
+        if (between == kNoArcVertex) continue;
+        polygon[count++] = between;
+        extra = true;
     }
+    if (extra) emit_fan(std::span<const std::uint32_t>(polygon.data(), count), edge, out);
+    return extra;
+}
+
+// Between cells of different size only a diagonal that ends in one as small as the edge is unique to this edge.
+std::pair<bool, bool> EdgePolygons::diagonals_of(std::span<const Around> ring, const Edge& edge) const {
+    const int level = octree_.bricks[edge.brick].level;
+    return {ring[0].level == level || ring[2].level == level, ring[1].level == level || ring[3].level == level};
+}
+
+void EdgePolygons::emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const {
     if (ring.size() == 3) {
         out.triangles.emplace_back(ring[0].vertex, ring[1].vertex, ring[2].vertex);
         return;
     }
-    // Between cells of different size only a diagonal that ends in one as small as the edge is unique to this edge.
-    const bool allow_02 = ring[0].level == level || ring[2].level == level;
-    const bool allow_13 = ring[1].level == level || ring[3].level == level;
+    const auto [allow_02, allow_13] = diagonals_of(ring, edge);
     const glm::uvec4 v(ring[0].vertex, ring[1].vertex, ring[2].vertex, ring[3].vertex);
     if (allow_02 && allow_13) {
         out.quads.push_back(v);
@@ -184,9 +230,8 @@ void EdgePolygons::emit(std::span<const Around> ring, int axis, JoinedSubtree& o
 
 // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
 // coincide with another polygon's.
-void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedSubtree& out, std::uint32_t index,
-                            glm::ivec3 point) const {
-    const Brick& brick = octree_.bricks[index];
+void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, const Edge& edge, JoinedSubtree& out) const {
+    const Brick& brick = octree_.bricks[edge.brick];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
     const field::GridAxes axes = grid_axes(octree_.lattice, brick);
     const auto field = field_.in_brick();
@@ -194,11 +239,21 @@ void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, int axis, Jo
     field::Projection guesses;
     glm::vec3 sum(0.0F);
     for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - axes.corner());
-    glm::vec3 middle = glm::vec3(point) * cell;
-    middle[axis] += 0.5F * cell;
+    glm::vec3 middle = glm::vec3(edge.point) * cell;
+    middle[edge.axis] += 0.5F * cell;
     guesses.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
+    field::OwnedGuess whose{0, field::kNoOwner, edge.walled};
+    if (field->parts_vessels()) {
+        glm::ivec3 inside = edge.point;
+        inside[edge.axis] += edge.upper ? 1 : 0;
+        const auto at = [](const std::array<double, 8>& along, int n) { return along[static_cast<std::size_t>(n)]; };
+        field::LatticeAxes lattice;
+        lattice.x[0] = at(axes.x, inside.x), lattice.y[0] = at(axes.y, inside.y), lattice.z[0] = at(axes.z, inside.z);
+        constexpr std::array<field::LatticePoint, 1> kFirst{};
+        (void)field->find_owners(lattice, kFirst, std::span(&whose.owner, 1));
+    }
     const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.count);
-    (void)append_projected(*field, guesses, out.added);
+    (void)append_projected(*field, guesses, out.added, std::span(&whose, field->parts_vessels() ? 1 : 0));
     for (std::size_t n = 0; n < polygon.size(); ++n)
         out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
 }

@@ -5,8 +5,10 @@
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
 
+#include <array>
 #include <glm/vec4.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ramus::mesh::bricks {
@@ -39,6 +41,13 @@ public:
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
     void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const;
+    // The same of an edge that a wall goes through: one polygon for each vessel, both cut in the same way.
+    void add_wall(std::uint32_t index, int axis, glm::ivec3 point, JoinedSubtree& out) const;
+
+    // Edges of a brick that walls go through, by axis: first points.
+    [[nodiscard]] const std::array<GridBits, 3>& walls(std::uint32_t index) const {
+        return surface_.walls(octree_.bricks[index], index);
+    }
 
 private:
     // One of the cells around an edge.
@@ -47,18 +56,34 @@ private:
         std::uint32_t brick = 0;
         std::int32_t cell = 0;
         std::int32_t level = 0;
-        std::int32_t edge = 0; // the minimal edge's midpoint on the cell's quarter grid
+        std::int32_t crossing = 0; // as the cell names it
         bool recorded = false;
     };
 
-    [[nodiscard]] Around same_level(std::uint32_t brick, int axis, glm::ivec3 cell, int side) const;
-    [[nodiscard]] Around coarser(std::uint32_t index, std::uint32_t brick, int axis, glm::ivec3 point,
-                                 glm::ivec3 cell) const;
+    struct Ring {
+        std::array<Around, 4> cells; // counter-clockwise about the axis
+        std::size_t count = 0;       // 0: another brick's to join
+        [[nodiscard]] std::span<const Around> span() const { return std::span(cells).first(count); }
+    };
+    // The edge, and which end of it looks at the surface.
+    struct Edge {
+        std::uint32_t brick = 0;
+        int axis = 0;
+        glm::ivec3 point{0};
+        bool upper = false; // the inside's end
+        bool walled = false;
+    };
+    [[nodiscard]] Ring ring_around(const Edge& edge) const;
+    [[nodiscard]] Around same_level(std::uint32_t brick, const Edge& edge, glm::ivec3 cell, int side) const;
+    [[nodiscard]] Around coarser(std::uint32_t brick, const Edge& edge, glm::ivec3 cell) const;
     [[nodiscard]] std::uint32_t arc_vertex(const Around& a, const Around& b) const;
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
-    void emit(std::span<const Around> ring, int axis, JoinedSubtree& out, std::uint32_t index, glm::ivec3 point) const;
-    void emit_fan(std::span<const std::uint32_t> polygon, int axis, JoinedSubtree& out, std::uint32_t index,
-                  glm::ivec3 point) const;
+    // Which diagonals of four cells may cut their polygon: from the first, from the second.
+    [[nodiscard]] std::pair<bool, bool> diagonals_of(std::span<const Around> ring, const Edge& edge) const;
+    // Adds the polygon if arcs between the cells have vertices of their own; returns whether it did.
+    bool emit_with_arcs(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
+    void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
+    void emit_fan(std::span<const std::uint32_t> polygon, const Edge& edge, JoinedSubtree& out) const;
 
     field::Field field_;
     const Octree& octree_;

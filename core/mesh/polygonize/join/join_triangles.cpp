@@ -97,9 +97,22 @@ public:
                 general_.add(index, axis, {n % 5, n / 5 % 5, n / 25}, (inside >> n & 1) != 0, out);
             }
         }
+        if (HWY_UNLIKELY(cells.walls != kNoWalls)) add_walls(index, around, out);
     }
 
 private:
+    void add_walls(std::uint32_t index, const Neighbourhood& around, JoinedSubtree& out) const {
+        const std::array<GridBits, 3>& walls = general_.walls(index);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // On the lower sides an edge is another brick's, unless that is larger.
+            const GridBits own = around.coarser == 0 ? kOwnEdges[axis] : kEdgeStarts[axis];
+            for (GridBits left = walls[axis] & own; left != 0; left &= left - 1) {
+                const int n = lowest_bit(left);
+                general_.add_wall(index, static_cast<int>(axis), {n % 5, n / 5 % 5, n / 25}, out);
+            }
+        }
+    }
+
     // Notes the vertices of the cells beyond the upper sides that the bits of D name, with none of them the brick's
     // own; and which of these cells need the general way.
     template <int D> HWY_INLINE void number(const BrickCells& cells) {

@@ -1,0 +1,67 @@
+#include "app/actions/export_kinds.h"
+
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/trees/tree_file.h"
+
+#include <algorithm>
+
+namespace ramus::app {
+
+namespace {
+
+template <class Format> ExportFormat written_as(const Format& format) {
+    const std::string extension(format.extensions.front());
+    return {std::string(format.name) + " (" + extension + ")", extension, std::string(format.help)};
+}
+
+std::vector<ExportFormat> surface_formats() {
+    std::vector<ExportFormat> formats;
+    for (const io::MeshFormat& format : io::mesh_formats()) {
+        if (!io::is_written(format)) continue;
+        formats.push_back(written_as(format));
+        formats.back().has_parts = format.has_parts;
+        formats.back().for_printing = format.unit_mm == 1.0;
+    }
+    return formats;
+}
+
+std::vector<ExportFormat> tree_formats() {
+    std::vector<ExportFormat> formats;
+    for (const io::TreeFormat& format : io::tree_formats())
+        if (io::is_written(format)) formats.push_back(written_as(format));
+    return formats;
+}
+
+std::vector<ExportFormat> table_formats() {
+    return {{"CSV (.csv)", ".csv", "A row for each branch: length, diameters, what depends on it; for spreadsheets."}};
+}
+
+std::vector<ExportFormat> picture_formats() { return {{"PNG (.png)", ".png", "The picture as it is."}}; }
+
+} // namespace
+
+const std::array<ExportKind, 4>& export_kinds() {
+    static const std::array<ExportKind, 4> kinds{
+        {{ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, surface_formats()},
+         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, tree_formats()},
+         {ExportWhat::kTable, "table", "Table", "The figures of each branch.", true, table_formats()},
+         {ExportWhat::kPicture, "picture", "Picture", "What the window shows of the tree.", false, picture_formats()}}};
+    return kinds;
+}
+
+std::optional<ExportWhat> export_kind_named(std::string_view key) {
+    const auto* const found = std::ranges::find(export_kinds(), key, &ExportKind::key);
+    return found == export_kinds().end() ? std::nullopt : std::optional(found->what);
+}
+
+std::vector<std::uint8_t> exported_branches(const Document& document, ExportOf of) {
+    const Marks& marks = document.marks();
+    std::vector<std::uint8_t> exported(static_cast<std::size_t>(document.branch_count()), 0);
+    for (int id = 0; id < document.branch_count(); ++id)
+        exported[static_cast<std::size_t>(id)] =
+            of == ExportOf::kAll || (of == ExportOf::kSelected && is_selected(marks, id)) ||
+            (of == ExportOf::kVisible && state_of(marks, id) != render::BranchState::kHidden);
+    return exported;
+}
+
+} // namespace ramus::app

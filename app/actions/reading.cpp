@@ -1,0 +1,148 @@
+// How the tree's file was read: what that assumed, repaired and finds strange, and reading it again in another way.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/session/carry_over.h"
+#include "app/session/mask_reading.h"
+#include "app/session/numbers.h"
+#include "app/session/reading_options.h"
+#include "app/session/session_file.h"
+#include "app/storage/tree_source.h"
+#include "core/io/trees/tree_file.h"
+#include "core/io/volumes/volume_file.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramus::app::actions {
+
+namespace {
+
+constexpr const char* kUsage =
+    "read-as units cm, radius-is diameter, axes lps, repair none; of a mask labels together, "
+    "fill-holes on, bulge-size 1, islands 10, root X,Y,Z; auto takes it back";
+
+// The options as they are, with what the words change. `of_mask`: what is read is one.
+Result<io::ReadOptions> options_in(Arguments arguments, io::ReadOptions options, bool of_mask) {
+    if (arguments.size() == 1 && arguments[0] == "usual") {
+        io::ReadOptions usual;
+        usual.columns = options.columns;
+        return usual;
+    }
+    if (arguments.empty() || arguments.size() % 2 != 0)
+        return fail("read-as takes an option and its value, or several such pairs", {}, kUsage);
+    for (std::size_t i = 0; i < arguments.size(); i += 2) {
+        if (is_mask_option(arguments[i]) && !of_mask)
+            return fail(arguments[i] + " is an option of masks, and this tree is from a file of trees", {}, kUsage);
+        auto next = with(std::move(options), arguments[i], arguments[i + 1]);
+        if (!next) return next;
+        options = std::move(*next);
+    }
+    return options;
+}
+
+Result<tree::VesselTree> read_again(const TreeFile& file, const io::ReadOptions& options, double memory_bytes,
+                                    Job& job) {
+    if (!file.checksum.empty()) {
+        RAMUS_TRY(checksum, checksum_of(file.path));
+        if (checksum != file.checksum)
+            return fail("the file has changed since it was opened", file.path.string(), "open it again");
+    }
+    return read_tree_or_mask(file.path, options, memory_bytes, job);
+}
+
+Result<void> take_tree(ActionContext& context, const std::shared_ptr<const tree::VesselTree>& tree,
+                       const io::ReadOptions& options) {
+    Document& document = context.document;
+    CarriedOver carried = carried_over(document.marks(), *document.tree(), *tree);
+    carried.marks.reading = options;
+    follow_unit(carried.marks, document.session().tree);
+    document.change_tree(tree, std::move(carried.marks));
+    const auto most = std::ranges::max_element(tree->points, {}, &tree::Point::radius);
+    std::string sentence = "Read again: " + counted(tree->branches.size(), "branch", "branches") +
+                           ", the thickest vessel is " + digits(2.0 * most->radius) + " mm wide";
+    if (carried.lost > 0)
+        sentence += "; " + counted(carried.lost, "mark", "marks") + " of branches that are no more went";
+    context.say(sentence);
+    return {};
+}
+
+Result<Outcome> read_as(ActionContext& context, Arguments arguments) {
+    if (!has_tree(context.document)) return fail("there is no tree to read again");
+    const Session& session = context.document.session();
+    RAMUS_TRY(options, options_in(arguments, session.marks.reading, io::is_volume(session.tree.path)));
+    if (options == session.marks.reading) return Done{};
+    if (!session.marks.edits.empty())
+        return fail("the tree is edited, and edits are those of the tree as it was read", {},
+                    "undo the edits, read the file in another way, and edit again");
+    return Pending{"Reading " + session.tree.path.filename().string() + " again",
+                   [file = session.tree, options, memory = static_cast<double>(session.marks.options.memory_bytes)](
+                       Job& job) -> Result<Continuation> {
+                       RAMUS_TRY(tree, read_again(file, options, memory, job));
+                       const auto shared = std::make_shared<const tree::VesselTree>(std::move(tree));
+                       return [shared, options](ActionContext& then) { return take_tree(then, shared, options); };
+                   }};
+}
+
+Result<void> doctor(ActionContext& context, Arguments) { return toggle_part(context, "doctor"); }
+
+// The radius where `at` is, of the point next to it.
+double radius_near(const tree::VesselTree& tree, const glm::dvec3& at) {
+    const auto nearest = std::ranges::min_element(tree.points, {}, [&](const tree::Point& point) {
+        const glm::dvec3 way = point.position - at;
+        return glm::dot(way, way);
+    });
+    return nearest->radius;
+}
+
+// The camera from the same side, near enough to see what is around `at`; never farther than it is.
+render::Camera looking_at(const render::Camera& camera, const glm::dvec3& at, double radius_mm, glm::ivec2 size) {
+    constexpr double kAround = 15.0; // radii, from the middle of the picture to its edge
+    render::Camera near = render::centred_on(camera, at);
+    const double half_height = 0.5 * size.y * render::mm_per_pixel(near, size);
+    const double nearer = std::min(1.0, kAround * radius_mm / half_height);
+    near.position = at + nearer * (near.position - at);
+    near.scale *= nearer;
+    return near;
+}
+
+Result<void> note(ActionContext& context, Arguments arguments) {
+    const auto& tree = context.document.tree();
+    if (!tree) return fail("there is no tree");
+    RAMUS_TRY(index, list_index(arguments, tree->notes.size(), "note"));
+    const tree::Note& chosen = tree->notes[index];
+    if (!chosen.at) return fail("this note is about the whole tree, not about a place", {}, chosen.text);
+    if (context.window != nullptr) context.window->show_note(static_cast<int>(index));
+    context.document.set_camera(looking_at(context.document.session().camera, *chosen.at,
+                                           radius_near(*tree, *chosen.at), context.picture.picture_size()));
+    context.picture.camera_leapt();
+    return {};
+}
+
+bool shows_doctor(const ActionContext& context, const Command&) {
+    return context.window != nullptr && context.window->shows("doctor");
+}
+
+} // namespace
+
+std::vector<Command> reading_commands() {
+    return {
+        Command("doctor", "",
+                "Shows or hides the import doctor: what reading the file assumed, repaired and finds strange.", doctor)
+            .in_menu("View", "Import doctor", {"Shift+D"})
+            .when(has_tree)
+            .in_use_when(shows_doctor),
+        Command("note", "N",
+                "Goes to the place of the N-th note of the import doctor, as ramus info --json counts them.", note)
+            .when(has_tree),
+        Command(
+            "read-as", "OPTION VALUE...|usual",
+            "Reads the file again: units UNIT, radius-is radius|diameter, axes ras|lps, repair LIST; of a mask labels "
+            "apart|together|N[+M...],..., fill-holes on|off, bulge-size X, islands MM, root X,Y,Z; auto leaves it to "
+            "the "
+            "file.",
+            read_as)
+            .when(has_tree),
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,59 @@
+#include "app/commands/printing.h"
+
+#include "app/session/numbers.h"
+
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+using measure::Thickness;
+
+nlohmann::ordered_json json_of(const Thickness& thickness) {
+    nlohmann::ordered_json json = {{"mm", thickness.mm}, {"at", {thickness.at.x, thickness.at.y, thickness.at.z}}};
+    if (thickness.branch != tree::kNoBranch) json["branch"] = thickness.branch;
+    return json;
+}
+
+} // namespace
+
+void add_printing_flags(CLI::App& command, PrintingFlags& flags) {
+    CLI::Option* wanted = command.add_flag(
+        "--for-printing", flags.wanted,
+        "Make sure that the surface is closed and in mm, and say how thin it is at its thinnest place, and where");
+    command.add_option("--thinnest", flags.thinnest_mm, "With --for-printing: warn of what is thinner (default 0.8)")
+        ->type_name("MM")
+        ->needs(wanted)
+        ->check(CLI::Validator(
+            [](std::string& text) -> std::string {
+                double value = 0.0;
+                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0
+                           ? ""
+                           : text + " is not a positive number of mm";
+            },
+            ""));
+}
+
+nlohmann::ordered_json printing_json(const PrintingFlags& flags, std::span<const Thickness> thicknesses) {
+    nlohmann::ordered_json json = {{"closed", true}, {"units", "mm"}};
+    if (!thicknesses.empty()) json["thinnest"] = json_of(thicknesses.front());
+    json["thin_below_mm"] = flags.thinnest_mm;
+    json["thin"] = nlohmann::ordered_json::array();
+    for (const Thickness& thin : thinner_than(thicknesses, flags.thinnest_mm)) json["thin"].push_back(json_of(thin));
+    return json;
+}
+
+void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written) {
+    if (const std::string thin = thin_text(written.thicknesses, flags.thinnest_mm); !thin.empty())
+        std::cerr << "ramus: " << thin
+                  << "; print it larger, leave thin vessels out with --prune or hidden in a --session, or say with "
+                     "--thinnest what your printer can do\n";
+    if (written.components > 1)
+        std::cerr << "ramus: " << counted(static_cast<std::uint64_t>(written.components), "piece comes", "pieces come")
+                  << " out of the printer: what is not connected falls apart\n";
+}
+
+} // namespace ramus::app

@@ -1,0 +1,326 @@
+// The import doctor: a panel over the picture's left edge that lists what reading the tree's file assumed, repaired and
+// finds strange, leads to each place, and reads the file again with other assumptions and repairs.
+#include "app/panels/choice_row.h"
+#include "app/panels/interface.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+#include "app/session/numbers.h"
+#include "app/session/reading_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+using tree::Note;
+
+const ImVec4 kSuspectText{1.00F, 0.55F, 0.76F, 1.00F};
+
+struct RepairRow {
+    tree::Repair repair;
+    const char *label, *help;
+};
+constexpr std::array kRepairRows{
+    RepairRow{tree::Repair::kZeroRadii, "Fill in radii of 0", "A radius of 0 becomes the mean of its neighbours'"},
+    RepairRow{tree::Repair::kRepeatedPoints, "Merge repeated points", "Connected points at one place become one"},
+    RepairRow{tree::Repair::kLonelyPoints, "Leave out points on their own", "Points that are connected to nothing"},
+    RepairRow{tree::Repair::kRepeatedTrunks, "Keep repeated trunks once",
+              "What several centerlines trace alike becomes one vessel"},
+    RepairRow{tree::Repair::kRadiusJumps, "Even out jumps of the radius",
+              "A radius far from those on both sides becomes their mean"},
+    RepairRow{tree::Repair::kOrphans, "Accept missing parents", "A point whose parent is missing becomes a root"}};
+
+ImVec4 colour_of(Note::Kind kind) {
+    return kind == Note::Kind::kSuspect    ? kSuspectText
+           : kind == Note::Kind::kRepaired ? theme::kHighlight
+                                           : theme::kQuiet;
+}
+
+const char* heading_of(Note::Kind kind) {
+    return kind == Note::Kind::kSuspect ? "Suspicious" : kind == Note::Kind::kRepaired ? "Repaired" : "Assumed";
+}
+
+void replace(std::string& text, std::string_view words, std::string_view by) {
+    if (const std::size_t at = text.find(words); at != std::string::npos) text.replace(at, words.size(), by);
+}
+
+// Without the file's name, which all of them are about, as a sentence; flags of the command line are rows here.
+std::string text_of(const Note& note, const std::string& path, bool of_mask) {
+    std::string text = note.text;
+    if (of_mask) text.erase(std::min(text.find("; --repair"), text.size())); // which is of files of trees
+    replace(text, "--repair all takes", "a repair takes");
+    replace(text, "--units", "Unit");
+    if (text.starts_with(path + ":")) {
+        text.erase(0, path.size() + 1);
+        text.erase(0, text.find_first_not_of(' '));
+        if (!text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0) text.insert(0, "line ");
+    }
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+// Its beginning says most.
+std::string cut_to(std::string text, float width) {
+    const std::string more = "\xE2\x80\xA6";
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    while (!text.empty() && ImGui::CalcTextSize((text + more).c_str()).x > width) {
+        while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+        text.pop_back();
+    }
+    return text + more;
+}
+
+bool says_about(const tree::VesselTree& tree, const char* topic, const char* words) {
+    return std::ranges::any_of(tree.notes, [&](const Note& note) {
+        return note.kind == Note::Kind::kAssumed && note.topic == topic && note.text.find(words) != std::string::npos;
+    });
+}
+
+void draw_voxel_row(InterfaceContext& context) {
+    Doctor& doctor = context.interface.doctor;
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet("Voxel");
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool entered = ImGui::InputTextWithHint("##voxel", "mm: 0.62 or 0.3x0.3x0.6", doctor.voxel.data(),
+                                                  doctor.voxel.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    widgets::tooltip("The size of a voxel in mm, or three; Enter takes it");
+    if (!entered) return;
+    context.perform("read-as", {"units", doctor.voxel.data()});
+    doctor.voxels = false;
+}
+
+void draw_unit(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
+    constexpr const char* kVoxels = "voxels";
+    const std::string unit_by_itself =
+        says_about(tree, "units", "names no unit") || says_about(tree, "mask", "names no unit") ? "mm (assumed)"
+                                                                                                : "As the file says";
+    Doctor& doctor = context.interface.doctor;
+    const auto unit = widgets::choice_row("Unit", "What one unit of the file's coordinates is",
+                                          options.unit ? app::spelled(*options.unit) : "auto",
+                                          {{"auto", options.unit ? "By the file" : unit_by_itself},
+                                           {"mm", "Millimetres (mm)"},
+                                           {"cm", "Centimetres (cm)"},
+                                           {"um", "Micrometres (um)"},
+                                           {"m", "Metres (m)"},
+                                           {kVoxels, "Voxels\xE2\x80\xA6"}});
+    if (unit) doctor.voxels = *unit == kVoxels;
+    if (unit && !doctor.voxels) context.perform("read-as", {"units", *unit});
+    if (doctor.voxels) draw_voxel_row(context);
+}
+
+// What a tree's file leaves open beside the unit.
+void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
+    const std::string axes_by_itself = says_about(tree, "axes", "does not say") ? "RAS (assumed)" : "As the file says";
+    const std::string width_by_itself = says_about(tree, "radius-is", "is taken as the radius") ? "Radius (assumed)"
+                                        : says_about(tree, "radius-is", "is taken as the diameter")
+                                            ? "Diameter (assumed)"
+                                            : "As the file says";
+    if (const auto width =
+            widgets::choice_row("Widths", "Whether the file's widths are radii or diameters",
+                                options.radius_is ? std::string(app::spelled(*options.radius_is)) : "auto",
+                                {{"auto", options.radius_is ? "By the file" : width_by_itself},
+                                 {"radius", "Radii"},
+                                 {"diameter", "Diameters"}}))
+        context.perform("read-as", {"radius-is", *width});
+    if (const auto axes = widgets::choice_row("Axes", "Where the file's axes lead",
+                                              options.axes ? std::string(app::spelled(*options.axes)) : "auto",
+                                              {{"auto", options.axes ? "By the file" : axes_by_itself},
+                                               {"ras", "Right, anterior, superior (RAS)"},
+                                               {"lps", "Left, posterior, superior (LPS)"}}))
+        context.perform("read-as", {"axes", *axes});
+}
+
+void draw_repairs(InterfaceContext& context, const io::ReadOptions& options) {
+    const bool open = ImGui::TreeNodeEx("Repairs", ImGuiTreeNodeFlags_SpanAvailWidth);
+    widgets::tooltip("What may be mended when the file is read");
+    if (!open) return;
+    for (const RepairRow& row : kRepairRows) {
+        bool allowed = tree::allows(options.repair, row.repair);
+        if (ImGui::Checkbox(row.label, &allowed)) {
+            const unsigned bits = static_cast<unsigned>(options.repair) ^ static_cast<unsigned>(row.repair);
+            context.perform("read-as", {"repair", app::spelled(static_cast<tree::Repair>(bits))});
+        }
+        widgets::tooltip(row.help);
+    }
+    ImGui::TreePop();
+}
+
+// One note, on several lines where it needs them (`whole`) or cut to one. A click goes to its place.
+void draw_note(InterfaceContext& context, std::size_t index, bool whole) {
+    const Document& document = context.workspace.document;
+    const std::shared_ptr<const tree::VesselTree> tree = document.tree();
+    const Note& note = tree->notes[index];
+    const std::string text = text_of(note, document.session().tree.path.string(), context.interface.doctor.of_mask);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string shown = whole ? text : cut_to(text, width);
+    const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, width);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string name = "Note " + std::to_string(index + 1);
+    ImGui::PushID(static_cast<int>(index));
+    if (note.at) {
+        const bool current = context.interface.doctor.current == static_cast<int>(index);
+        if (ImGui::Selectable("##note", current, 0, {width, size.y}))
+            context.perform("note", {std::to_string(index + 1)});
+        widgets::note_item(name.c_str());
+        if (ImGui::IsItemHovered()) widgets::tooltip(whole ? "Click to look at the place" : text.c_str());
+    } else {
+        ImGui::Dummy({width, size.y});
+        widgets::note_item(name.c_str());
+    }
+    ImGui::PopID();
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(theme::kText),
+                                        shown.c_str(), nullptr, whole ? width : 0.0F);
+}
+
+void draw_group(InterfaceContext& context, const tree::NoteGroup& group) {
+    constexpr std::size_t kShownWhole = 3;
+    const bool few = group.notes.size() <= kShownWhole;
+    ImGui::PushID(static_cast<int>(group.notes.front()));
+    ImGui::PushFont(theme::small_font());
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    const std::string label = topic_label(group.topic);
+    bool open = true;
+    if (few) {
+        ImGui::TextUnformatted(label.c_str());
+    } else {
+        open =
+            ImGui::TreeNodeEx(label.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+        widgets::note_item(label.c_str());
+        ImGui::SameLine();
+        widgets::quiet_right(grouped(group.notes.size()));
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (few) {
+        for (const std::size_t index : group.notes) draw_note(context, index, true);
+    } else if (open) {
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(group.notes.size()), ImGui::GetTextLineHeightWithSpacing());
+        while (clipper.Step())
+            for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n)
+                draw_note(context, group.notes[static_cast<std::size_t>(n)], false);
+    }
+    ImGui::PopID();
+}
+
+void draw_notes(InterfaceContext& context, const tree::VesselTree& tree) {
+    const std::vector<tree::NoteGroup> groups = note_groups(tree);
+    for (const Note::Kind kind : {Note::Kind::kSuspect, Note::Kind::kRepaired, Note::Kind::kAssumed}) {
+        std::size_t count = 0;
+        for (const tree::NoteGroup& group : groups) count += group.kind == kind ? group.notes.size() : 0;
+        if (count == 0) continue;
+        widgets::rule();
+        ImGui::TextColored(colour_of(kind), "%s", heading_of(kind));
+        ImGui::SameLine();
+        widgets::quiet_right(grouped(count));
+        for (const tree::NoteGroup& group : groups)
+            if (group.kind == kind) draw_group(context, group);
+    }
+    if (groups.empty()) {
+        widgets::rule();
+        widgets::quiet_wrapped("The file says all that is needed, and nothing in it is strange.");
+    }
+}
+
+// The viewport that the panel lies over: the isosurface's, for the tree is what changes.
+std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
+    if (comparison.mode != Comparison::Mode::kSideBySide) return 0;
+    const auto at = static_cast<std::size_t>(std::ranges::find(comparison.surfaces, mesh::Method::kIsosurface) -
+                                             comparison.surfaces.begin());
+    return at < layout.viewports_at.size() && layout.viewports_at[at].y == 0 ? at : 0;
+}
+
+// Below the tools and the heading, above the scale bar and the cube, as high as it needs to be.
+void begin_panel(const Layout& layout, const Comparison& comparison) {
+    const float scale = theme::scale();
+    const std::size_t viewport = viewport_below(layout, comparison);
+    const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
+    const float top = (56.0F + heading) * scale, margin = 10.0F * scale;
+    const float below = (viewport > 0 ? 128.0F : 52.0F) * scale;
+    // The middle of the picture, where places are looked at, stays free where there is room for both.
+    const auto view_width = static_cast<float>(viewport > 0 ? layout.viewport_size.x : layout.view_size.x);
+    const float free_width = viewport > 0 ? view_width : 0.5F * view_width - margin;
+    const float width =
+        std::min(std::clamp(free_width - 2.0F * margin, 260.0F * scale, 330.0F * scale), view_width - 2.0F * margin);
+    const float most = std::max(140.0F * scale, static_cast<float>(layout.view_size.y) - top - below);
+    ImGui::SetNextWindowPos({static_cast<float>(layout.view_at.x + layout.viewports_at[viewport].x) + margin,
+                             static_cast<float>(layout.view_at.y) + top});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, most});
+    ImGui::SetNextWindowBgAlpha(0.97F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
+    ImGui::Begin("import doctor", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void draw_doctor(InterfaceContext& context) {
+    Doctor& doctor = context.interface.doctor;
+    // Kept here: what is done here makes the document another.
+    const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document.tree();
+    if (!doctor.open || !tree) return;
+    const io::ReadOptions options = context.workspace.document.marks().reading;
+    begin_panel(context.layout, context.workspace.document.marks().comparison);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("How the file was read");
+    ImGui::SameLine();
+    io::ReadOptions usual;
+    usual.columns = options.columns;
+    const bool reset = options != usual;
+    const float scale = theme::scale();
+    widgets::align_right(ImGui::CalcTextSize(reset ? "ResetClose" : "Close").x + (reset ? 32.0F : 14.0F) * scale);
+    if (reset && widgets::small_button("Reset", "Reads the file as usual again")) context.perform("read-as", {"usual"});
+    if (reset) ImGui::SameLine(0.0F, 4.0F * scale);
+    if (widgets::small_button("Close", "Hides this panel; Shift+D shows it again")) doctor.open = false;
+    ImGui::BeginDisabled(context.commands.busy());
+    draw_unit(context, *tree, options);
+    if (doctor.of_mask) {
+        draw_mask_reading(context, options.mask);
+    } else {
+        draw_assumptions(context, *tree, options);
+        draw_repairs(context, options);
+    }
+    ImGui::EndDisabled();
+    if (std::ranges::any_of(tree->notes, [](const Note& note) { return note.at.has_value(); })) {
+        ImGui::Checkbox("Mark places in the picture", &doctor.mark);
+        widgets::tooltip("Rings where something was repaired, or looks wrong");
+    }
+    draw_notes(context, *tree);
+    ImGui::End();
+}
+
+void draw_doctor_line(InterfaceContext& context) {
+    const tree::VesselTree& tree = *context.workspace.document.tree();
+    // What weighs least is left out where there is no room.
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("Import    ").x;
+    std::string found;
+    for (const Note::Kind kind : {Note::Kind::kSuspect, Note::Kind::kRepaired, Note::Kind::kAssumed}) {
+        const auto count = static_cast<std::size_t>(std::ranges::count(tree.notes, kind, &Note::kind));
+        if (count == 0) continue;
+        const char* word = kind == Note::Kind::kSuspect ? "suspicious" : tree::name_of(kind).data(); // of a literal
+        const std::string more = found + (found.empty() ? "" : ", ") + grouped(count) + " " + word;
+        if (found.empty() || ImGui::CalcTextSize(more.c_str()).x <= room) found = more;
+    }
+    if (found.empty()) found = "nothing to tell";
+    const ImVec2 at = ImGui::GetCursorPos();
+    if (ImGui::Selectable("##doctor", false, 0, {0.0F, ImGui::GetTextLineHeight()})) context.perform("doctor", {});
+    widgets::tooltip("Shows what reading the file assumed, repaired and finds strange", "Shift+D");
+    ImGui::SetCursorPos(at);
+    widgets::quiet("Import");
+    ImGui::SameLine();
+    const std::string shown = widgets::fitted(found, ImGui::GetContentRegionAvail().x);
+    widgets::align_right(ImGui::CalcTextSize(shown.c_str()).x);
+    const bool misleads = could_mislead(tree, context.workspace.document.marks().reading);
+    ImGui::TextColored(misleads ? theme::kHighlight : theme::kAccent, "%s", shown.c_str());
+}
+
+} // namespace ramus::app

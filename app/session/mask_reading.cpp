@@ -1,0 +1,96 @@
+#include "app/session/mask_reading.h"
+
+#include "app/session/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kKeys{"labels", "fill-holes", "bulge-size", "islands", "root"};
+
+std::optional<double> number_in(std::string_view text, double least) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value < least)
+        return std::nullopt;
+    return value;
+}
+
+std::optional<glm::dvec3> place_in(std::string_view text) {
+    glm::dvec3 place(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t comma = text.find(',');
+        if ((comma == std::string_view::npos) != (axis == 2)) return std::nullopt;
+        const auto value = number_in(text.substr(0, comma), -HUGE_VAL);
+        if (!value) return std::nullopt;
+        place[axis] = *value;
+        text.remove_prefix(axis == 2 ? 0 : comma + 1);
+    }
+    return place;
+}
+
+std::string exact_text(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+} // namespace
+
+bool is_mask_option(std::string_view key) { return std::ranges::find(kKeys, key) != kKeys.end(); }
+
+Result<io::MaskReading> with(io::MaskReading mask, std::string_view key, const std::string& value) {
+    const bool reset = value == "auto";
+    const auto refused = [&](const std::string& hint) { return fail("\"" + value + "\" is not known", {}, hint); };
+    if (key == "labels") {
+        mask.labels.reset();
+        if (value == "together")
+            mask.labels.emplace();
+        else if (!reset && value != "apart" && !(mask.labels = label_groups(value)))
+            return refused("labels takes apart, together, those of each system as 1+3,2, or auto");
+    } else if (key == "fill-holes") {
+        mask.fill_holes = reset ? std::nullopt : std::optional(value == "on");
+        if (!reset && value != "on" && value != "off") return refused("fill-holes takes on, off or auto");
+    } else if (key == "bulge-size") {
+        mask.bulge_size = number_in(value, 0.0);
+        if (!mask.bulge_size && !reset) return refused("bulge-size takes a number that is not negative, or auto");
+    } else if (key == "islands") {
+        mask.islands_mm = number_in(value, 0.0);
+        if (!mask.islands_mm && !reset) return refused("islands takes a length in mm, or auto");
+    } else if (key == "root") {
+        mask.root = place_in(value);
+        if (!mask.root && !reset) return refused("root takes a place as X,Y,Z in mm (RAS), or auto");
+    } else {
+        return fail(std::string(key) + " is no option of masks", {}, "labels, fill-holes, bulge-size, islands or root");
+    }
+    return mask;
+}
+
+io::MaskReading over(const io::MaskReading& said, io::MaskReading session) {
+    if (said.labels) session.labels = said.labels;
+    if (said.bulge_size) session.bulge_size = said.bulge_size;
+    if (said.islands_mm) session.islands_mm = said.islands_mm;
+    if (said.fill_holes) session.fill_holes = said.fill_holes;
+    if (said.root) session.root = said.root;
+    return session;
+}
+
+std::string spelled(const std::vector<std::vector<std::int32_t>>& labels) {
+    if (labels.empty()) return "together";
+    std::string text;
+    for (const std::vector<std::int32_t>& group : labels) {
+        if (!text.empty()) text += ',';
+        for (std::size_t i = 0; i < group.size(); ++i) text.append(i > 0 ? "+" : "").append(std::to_string(group[i]));
+    }
+    return text;
+}
+
+std::string exact_place(const glm::dvec3& place) {
+    return exact_text(place.x) + "," + exact_text(place.y) + "," + exact_text(place.z);
+}
+
+} // namespace ramus::app

@@ -1,0 +1,63 @@
+#include "app/session/reading_json.h"
+
+#include "app/session/json_values.h"
+#include "app/session/mask_reading.h"
+#include "app/session/reading_options.h"
+
+namespace ramus::app::session_json {
+
+namespace {
+
+void read_mask(const json& value, io::MaskReading& mask) {
+    constexpr double kMost = 1e9;
+    if (value.contains("fill_holes")) mask.fill_holes = truth(value["fill_holes"], "fill_holes");
+    if (value.contains("bulge_size")) mask.bulge_size = number(value["bulge_size"], "bulge_size", 0.0, kMost);
+    if (value.contains("islands")) mask.islands_mm = number(value["islands"], "islands", 0.0, kMost);
+    if (!value.contains("root")) return;
+    const json& root = value["root"];
+    if (!root.is_array() || root.size() != 3) throw Refusal{"root is not [x, y, z]"};
+    mask.root.emplace();
+    for (int axis = 0; axis < 3; ++axis)
+        (*mask.root)[axis] = number(root[static_cast<std::size_t>(axis)], "coordinate of root", -kMost, kMost);
+}
+
+} // namespace
+
+json reading_json(const io::ReadOptions& reading) {
+    json value = json::object();
+    if (reading.unit) value["units"] = spelled(*reading.unit);
+    if (reading.radius_is) value["radius_is"] = spelled(*reading.radius_is);
+    if (reading.axes) value["axes"] = spelled(*reading.axes);
+    if (reading.repair != tree::Repair::kUsual) value["repair"] = spelled(reading.repair);
+    if (!reading.columns.empty()) value["columns"] = reading.columns;
+    const io::MaskReading& mask = reading.mask;
+    if (mask.labels) value["labels"] = spelled(*mask.labels);
+    if (mask.fill_holes) value["fill_holes"] = *mask.fill_holes;
+    if (mask.bulge_size) value["bulge_size"] = *mask.bulge_size;
+    if (mask.islands_mm) value["islands"] = *mask.islands_mm;
+    if (mask.root) value["root"] = {mask.root->x, mask.root->y, mask.root->z};
+    return value;
+}
+
+io::ReadOptions reading_in(const json& value) {
+    expect_only(
+        value, "reading",
+        {"units", "radius_is", "axes", "repair", "columns", "labels", "fill_holes", "bulge_size", "islands", "root"});
+    io::ReadOptions reading;
+    for (const auto& [name, key] :
+         {std::pair("units", "units"), std::pair("radius_is", "radius-is"), std::pair("axes", "axes"),
+          std::pair("repair", "repair"), std::pair("labels", "labels")}) {
+        if (!value.contains(name)) continue;
+        auto next = with(std::move(reading), key, text(value[name], name));
+        if (!next) throw Refusal{std::string(name) + ": " + next.error().message()};
+        reading = std::move(*next);
+    }
+    if (value.contains("columns")) {
+        if (!value["columns"].is_object()) throw Refusal{"columns is not an object"};
+        for (const auto& [what, name] : value["columns"].items()) reading.columns[what] = text(name, "column " + what);
+    }
+    read_mask(value, reading.mask);
+    return reading;
+}
+
+} // namespace ramus::app::session_json

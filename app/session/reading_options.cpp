@@ -1,0 +1,157 @@
+#include "app/session/reading_options.h"
+
+#include "app/session/mask_reading.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iterator>
+
+namespace ramus::app {
+
+namespace {
+
+using tree::Note;
+using tree::Repair;
+
+constexpr std::array kTopics{std::pair{"units", "Unit of length"},
+                             std::pair{"axes", "Axes"},
+                             std::pair{"radius-is", "Radius or diameter"},
+                             std::pair{"radius", "Radii of whole vessels"},
+                             std::pair{"radii", "Absurd radii"},
+                             std::pair{"joining", "Joints"},
+                             std::pair{"zero-radii", "Radii of 0"},
+                             std::pair{"repeated-points", "Repeated points"},
+                             std::pair{"lonely-points", "Points on their own"},
+                             std::pair{"repeated-trunks", "Repeated trunks"},
+                             std::pair{"radius-jumps", "Jumps of the radius"},
+                             std::pair{"orphans", "Missing parents"},
+                             std::pair{"loops", "Loops"},
+                             std::pair{"pieces", "Pieces"},
+                             std::pair{"systems", "Systems"},
+                             std::pair{"mask", "Mask"},
+                             std::pair{"labels", "Labels"},
+                             std::pair{"fill-holes", "Holes"},
+                             std::pair{"islands", "Islands"}};
+
+std::string exact(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+} // namespace
+
+std::string repair_names() {
+    std::string names;
+    for (const auto& [repair, name] : tree::kRepairNames) names.append(names.empty() ? "" : ",").append(name);
+    return names;
+}
+
+std::optional<Repair> repairs_in(const std::string& list) {
+    if (list == "usual") return Repair::kUsual;
+    if (list == "all") return Repair::kAll;
+    if (list == "none") return Repair::kNone;
+    Repair chosen = Repair::kNone;
+    for (std::size_t at = 0; at <= list.size();) {
+        const std::size_t end = std::min(list.find(',', at), list.size());
+        const std::string_view word = std::string_view(list).substr(at, end - at);
+        const auto* const known =
+            std::ranges::find_if(tree::kRepairNames, [&](const auto& entry) { return word == entry.second; });
+        if (known == std::end(tree::kRepairNames)) return std::nullopt;
+        chosen = chosen | known->first;
+        at = end + 1;
+    }
+    return chosen;
+}
+
+std::string spelled(Repair repair) {
+    if (repair == Repair::kUsual) return "usual";
+    if (repair == Repair::kAll) return "all";
+    if (repair == Repair::kNone) return "none";
+    std::string names;
+    for (const auto& [one, name] : tree::kRepairNames)
+        if (allows(repair, one)) names.append(names.empty() ? "" : ",").append(name);
+    return names;
+}
+
+std::string spelled(const io::LengthUnit& unit) {
+    if (std::string name = io::name_of(unit); io::length_unit(name) == unit) return name;
+    const glm::dvec3& mm = unit.mm;
+    return mm.x == mm.y && mm.y == mm.z ? exact(mm.x) : exact(mm.x) + "x" + exact(mm.y) + "x" + exact(mm.z);
+}
+
+std::string_view spelled(io::RadiusIs width) { return width == io::RadiusIs::kRadius ? "radius" : "diameter"; }
+std::string_view spelled(io::Axes axes) { return axes == io::Axes::kRas ? "ras" : "lps"; }
+
+std::optional<io::RadiusIs> width_in(std::string_view text) {
+    for (const io::RadiusIs width : {io::RadiusIs::kRadius, io::RadiusIs::kDiameter})
+        if (text == spelled(width)) return width;
+    return std::nullopt;
+}
+
+std::optional<io::Axes> axes_in(std::string_view text) {
+    for (const io::Axes axes : {io::Axes::kRas, io::Axes::kLps})
+        if (text == spelled(axes)) return axes;
+    return std::nullopt;
+}
+
+Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, const std::string& value) {
+    const bool reset = value == "auto";
+    const auto refused = [&](const std::string& hint) { return fail("\"" + value + "\" is not known", {}, hint); };
+    if (key == "units") {
+        options.unit = io::length_unit(value);
+        if (!options.unit && !reset) return refused("units takes mm, um, cm, m, a size of voxels in mm, or auto");
+    } else if (key == "radius-is") {
+        options.radius_is = width_in(value);
+        if (!options.radius_is && !reset) return refused("radius-is takes radius, diameter or auto");
+    } else if (key == "axes") {
+        options.axes = axes_in(value);
+        if (!options.axes && !reset) return refused("axes takes ras, lps or auto");
+    } else if (key == "repair") {
+        const auto repair = reset ? std::optional(Repair::kUsual) : repairs_in(value);
+        if (!repair) return refused("repair takes usual, all, none, or some of " + repair_names());
+        options.repair = *repair;
+    } else if (is_mask_option(key)) {
+        RAMUS_TRY(mask, with(options.mask, key, value));
+        options.mask = std::move(mask);
+    } else {
+        return fail(std::string(key) + " is no option of reading", {},
+                    "units, radius-is, axes, repair; of masks labels, fill-holes, bulge-size, islands, root");
+    }
+    return options;
+}
+
+io::ReadOptions over(const io::ReadOptions& said, io::ReadOptions session) {
+    if (said.repair != Repair::kUsual) session.repair = said.repair;
+    if (said.unit) session.unit = said.unit;
+    if (said.radius_is) session.radius_is = said.radius_is;
+    if (said.axes) session.axes = said.axes;
+    for (const auto& [what, name] : said.columns) session.columns[what] = name;
+    session.mask = over(said.mask, std::move(session.mask));
+    return session;
+}
+
+std::string topic_label(std::string_view topic) {
+    for (const auto& [name, label] : kTopics)
+        if (topic == name) return label;
+    return topic.empty() ? "Other" : std::string(topic);
+}
+
+bool could_mislead(const Note& note, const io::ReadOptions& options) {
+    switch (note.kind) {
+    case Note::Kind::kSuspect:
+        return note.topic == "units";
+    case Note::Kind::kAssumed:
+        return note.topic == "radius-is" && !options.radius_is;
+    case Note::Kind::kRepaired:
+        // Holes and islands of a mask go where somebody wants it, cavities because there is no other way.
+        return note.topic != name_of(Repair::kRepeatedPoints) && note.topic != "fill-holes" && note.topic != "islands";
+    }
+    return false;
+}
+
+bool could_mislead(const tree::VesselTree& tree, const io::ReadOptions& options) {
+    return std::ranges::any_of(tree.notes, [&](const Note& note) { return could_mislead(note, options); });
+}
+
+} // namespace ramus::app

@@ -1,0 +1,110 @@
+#include "core/base/own_process.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <string_view>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace ramus {
+
+namespace {
+
+constexpr char kComplete = '.'; // behind a whole answer
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+    void close() {
+        if (number_ >= 0) ::close(std::exchange(number_, -1));
+    }
+    [[nodiscard]] int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+std::uint64_t own_address_space() {
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t pages = 0;
+    statm >> pages;
+    return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void limit(decltype(RLIMIT_AS) what, std::uint64_t most) {
+    const rlimit both{most, most};
+    ::setrlimit(what, &both);
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+[[noreturn]] void work_and_end(const std::function<std::string()>& work, const ProcessLimits& limits, int answer) {
+    // Crashes are expected: silent, without the handlers of this program.
+    for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT, SIGTERM, SIGPIPE})
+        std::signal(number, SIG_DFL);
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere >= 0) ::dup2(nowhere, STDOUT_FILENO), ::dup2(nowhere, STDERR_FILENO);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, limits.seconds);
+    if (const std::uint64_t now = own_address_space(); now > 0) limit(RLIMIT_AS, now + limits.memory);
+    bool done = false;
+    try {
+        done = write_all(answer, work() + kComplete);
+    } catch (...) { // most likely out of memory
+        done = false;
+    }
+    std::_Exit(done ? EXIT_SUCCESS : EXIT_FAILURE); // nothing that belongs to the other process is closed or written
+}
+
+} // namespace
+
+Result<std::string> run_in_own_process(const std::function<std::string()>& work, const ProcessLimits& limits) {
+    std::array<int, 2> ends{};
+    const auto cannot = [] {
+        return fail(std::string("a helper process cannot be started: ") + std::strerror(errno), {}, "free some memory");
+    };
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return cannot();
+    const Descriptor reading(ends[0]);
+    Descriptor writing(ends[1]);
+    const pid_t child = ::fork();
+    if (child < 0) return cannot();
+    if (child == 0) work_and_end(work, limits, writing.number());
+    writing.close();
+    std::string answer;
+    std::array<char, 1 << 16> part{};
+    const auto too_long = [&] { return answer.size() > limits.answer + 1; }; // with the mark behind it
+    while (!too_long()) {
+        const ssize_t count = ::read(reading.number(), part.data(), part.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) break;
+        answer.append(part.data(), static_cast<std::size_t>(count));
+    }
+    if (too_long()) ::kill(child, SIGKILL);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (too_long() || !WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS || !answer.ends_with(kComplete))
+        return fail("the work in a process of its own did not come to its end");
+    answer.pop_back();
+    return answer;
+}
+
+} // namespace ramus

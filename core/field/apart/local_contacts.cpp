@@ -1,0 +1,62 @@
+#include "core/field/apart/local_contacts.h"
+
+#include <algorithm>
+
+namespace ramus::field {
+
+namespace {
+
+// Pieces of the segments that have partners anywhere, ascending.
+void list_pieces(const tree::Contacts& contacts, SegmentIndices list, std::vector<std::uint32_t>& pieces) {
+    pieces.clear();
+    for (const std::uint32_t segment : list) {
+        const std::uint32_t piece = contacts.piece_of_segment[segment];
+        if (contacts.first_partner[piece] == contacts.first_partner[piece + 1]) continue;
+        if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
+    }
+    std::ranges::sort(pieces);
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+}
+
+// Both are ascending, and the pieces are fewer.
+bool any_partner(std::span<const tree::Contacts::Partner> partners, const std::vector<std::uint32_t>& pieces) {
+    auto next = pieces.begin();
+    for (const tree::Contacts::Partner& partner : partners) {
+        while (next != pieces.end() && *next < partner.piece) ++next;
+        if (next == pieces.end()) return false;
+        if (*next == partner.piece) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+bool any_apart(const tree::Contacts& contacts, SegmentIndices list, std::vector<std::uint32_t>& scratch) {
+    list_pieces(contacts, list, scratch);
+    return scratch.size() > 1 && std::ranges::any_of(scratch, [&](std::uint32_t piece) {
+               return any_partner(contacts.partners_of(piece), scratch);
+           });
+}
+
+bool LocalContacts::enter(SegmentIndices list) {
+    list_pieces(contacts_, list, listed_);
+    pieces_.clear();
+    if (listed_.size() < 2) return false;
+    for (const std::uint32_t piece : listed_)
+        if (any_partner(contacts_.partners_of(piece), listed_)) pieces_.push_back(piece);
+    if (pieces_.empty()) return false;
+    const auto number_of = [&](std::uint32_t piece) {
+        const auto found = std::ranges::lower_bound(pieces_, piece);
+        return found != pieces_.end() && *found == piece ? static_cast<int>(found - pieces_.begin()) : -1;
+    };
+    piece_of_.clear();
+    for (const std::uint32_t segment : list) piece_of_.push_back(number_of(contacts_.piece_of_segment[segment]));
+    matrix_.assign(pieces_.size() * pieces_.size(), {});
+    for (std::size_t a = 0; a < pieces_.size(); ++a)
+        for (const tree::Contacts::Partner& partner : contacts_.partners_of(pieces_[a]))
+            if (const int b = number_of(partner.piece); b >= 0)
+                matrix_[a * pieces_.size() + static_cast<std::size_t>(b)] = {partner.apart_from, partner.aside};
+    return true;
+}
+
+} // namespace ramus::field

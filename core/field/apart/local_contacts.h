@@ -1,0 +1,46 @@
+// LocalContacts: which of the segments that reach a brick are kept apart.
+#pragma once
+
+#include "core/field/brick_field.h"
+#include "core/tree/contacts/contacts.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ramus::field {
+
+// Of a piece toward another one.
+struct PieceRelation {
+    float apart_from = -1.0F; // the closeness from which on they count as together, 0 for a near miss; -1: not apart
+    glm::vec3 aside{0.0F};    // how far its axis counts as moved where the wall is drawn, mm
+};
+
+class LocalContacts {
+public:
+    explicit LocalContacts(const tree::Contacts& contacts) : contacts_(contacts) {}
+
+    // Whether any two of the segments are apart. Only then the rest may be asked.
+    bool enter(SegmentIndices list);
+
+    // Of the n-th segment of the list: the number of its piece among those with partners here, or -1.
+    [[nodiscard]] int piece(std::size_t n) const { return piece_of_[n]; }
+    [[nodiscard]] int piece_count() const { return static_cast<int>(pieces_.size()); }
+    // Of two pieces, the first toward the second.
+    [[nodiscard]] const PieceRelation& relation(int a, int b) const {
+        return a < 0 || b < 0 ? kNone : matrix_[static_cast<std::size_t>(a * piece_count() + b)];
+    }
+    [[nodiscard]] bool apart(int a, int b) const { return relation(a, b).apart_from >= 0.0F; }
+
+private:
+    const tree::Contacts& contacts_;
+    std::vector<std::uint32_t> pieces_; // of the list that have partners in it, ascending
+    std::vector<std::uint32_t> listed_; // scratch: all of the list that have partners anywhere
+    std::vector<int> piece_of_;
+    std::vector<PieceRelation> matrix_;
+    static constexpr PieceRelation kNone{};
+};
+
+// Whether two of the segments are apart.
+[[nodiscard]] bool any_apart(const tree::Contacts& contacts, SegmentIndices list, std::vector<std::uint32_t>& scratch);
+
+} // namespace ramus::field

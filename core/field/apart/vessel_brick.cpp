@@ -1,0 +1,130 @@
+#include "core/field/apart/vessel_brick.h"
+
+#include "core/field/apart/wall.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ramus::field {
+
+namespace {
+
+// Where the points of a group lie on the grid, as GridGroups orders them.
+struct GridPlace {
+    std::uint8_t x, y, z;
+};
+constexpr std::array<std::array<GridPlace, kGroupPoints>, kGroups> kPlaces = [] {
+    std::array<std::array<GridPlace, kGroupPoints>, kGroups> places{};
+    for (std::uint8_t b = 0; b < 4; ++b)
+        for (std::uint8_t a = 0; a < 4; ++a) {
+            const auto n = static_cast<std::size_t>(a + 4 * b);
+            for (std::uint8_t z = 0; z < 4; ++z) places[z][n] = {a, b, z};
+            places[4][n] = {4, a, b};
+            places[5][n] = {a, 4, b};
+            places[6][n] = {a, b, 4};
+        }
+    for (std::uint8_t a = 0; a < 4; ++a) {
+        places[7][a] = {a, 4, 4};
+        places[7][4U + a] = {4, a, 4};
+        places[7][8U + a] = {4, 4, a};
+    }
+    for (std::size_t n = 12; n < kGroupPoints; ++n) places[7][n] = {4, 4, 4};
+    return places;
+}();
+
+} // namespace
+
+VesselBrick::VesselBrick(const ConvolutionField& sum, const tree::Contacts& contacts)
+    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, contacts) {}
+
+void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
+    sum_->enter(list, axes);
+    axes_ = axes;
+    parts_ = views_.enter(list);
+}
+
+float VesselBrick::value_at(const glm::dvec3& point, float plain) {
+    if (!views_.look(point)) return plain;
+    kernels_ += views_.add_terms();
+    views_.list_vessels();
+    return static_cast<float>(views_.judge().value);
+}
+
+std::uint64_t VesselBrick::sample_groups(unsigned groups, GridGroups& samples) {
+    std::uint64_t kernels = sum_->sample_groups(groups, samples);
+    if (!parts_) return kernels;
+    const float isovalue = views_.isovalue();
+    for (std::size_t group = 0; group < kGroups; ++group) {
+        if ((groups >> group & 1U) == 0) continue;
+        const std::size_t count = group + 1 < kGroups ? kGroupPoints : kEdgePoints;
+        for (std::size_t n = 0; n < count; ++n) {
+            const GridPlace at = kPlaces[group][n];
+            float& value = samples.value[group][n];
+            value = value_at({axes_.x[at.x], axes_.y[at.y], axes_.z[at.z]}, value);
+            const auto bit = static_cast<std::uint16_t>(1U << n);
+            samples.inside[group] = static_cast<std::uint16_t>(value >= isovalue ? samples.inside[group] | bit
+                                                                                 : samples.inside[group] & ~bit);
+        }
+    }
+    return kernels + std::exchange(kernels_, 0);
+}
+
+std::uint64_t VesselBrick::sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                          std::span<float> values) {
+    const std::uint64_t kernels = sum_->sample_lattice(lattice, points, values);
+    if (!parts_) return kernels;
+    for (std::size_t n = 0; n < points.size(); ++n)
+        values[n] = value_at({lattice.x[points[n].i], lattice.y[points[n].j], lattice.z[points[n].k]}, values[n]);
+    return kernels + std::exchange(kernels_, 0);
+}
+
+std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                       std::span<Owner> owners) {
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        const bool differs = views_.look({lattice.x[points[n].i], lattice.y[points[n].j], lattice.z[points[n].k]});
+        std::size_t owner = VesselViews::kNone;
+        if (differs) {
+            kernels_ += views_.add_terms();
+            views_.list_vessels();
+            owner = views_.judge().owner;
+        }
+        if (owner == VesselViews::kNone) owner = views_.nearest();
+        owners[n] =
+            owner == VesselViews::kNone ? kNoOwner : static_cast<Owner>(views_.list()[views_.seen()[owner].place]);
+    }
+    return std::exchange(kernels_, 0);
+}
+
+std::uint32_t VesselBrick::place_of(Owner owner) const {
+    const SegmentIndices list = views_.list();
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(list, static_cast<std::uint32_t>(owner)) - list.begin());
+}
+
+bool VesselBrick::apart(Owner a, Owner b) const {
+    if (a == b || a == kNoOwner || b == kNoOwner) return false;
+    const LocalContacts& contacts = views_.contacts();
+    return contacts.apart(contacts.piece(place_of(a)), contacts.piece(place_of(b)));
+}
+
+std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
+                                         const SurfacePoints& to) {
+    for (const OwnedGuess& one : owned) {
+        if (one.owner == kNoOwner) continue;
+        const std::size_t n = one.guess;
+        const glm::dvec3 corner = axes_.corner();
+        const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
+        if (!views_.look(guess) && !one.at_wall) continue;
+        const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
+        const WallPoint point =
+            move_to_wall(views_, place_of(one.owner), guess, middle, static_cast<double>(guesses.reach[n]), kernels_);
+        to.positions[n] = glm::vec3(point.position);
+        to.normals[n] = glm::vec3(point.normal);
+        to.radii[n] = static_cast<float>(point.radius);
+        to.branches[n] = point.branch;
+        to.dominance[n] = point.dominance;
+    }
+    return std::exchange(kernels_, 0);
+}
+
+} // namespace ramus::field

@@ -1,0 +1,44 @@
+// VesselBrick: a VesselField in one brick after another. The plain sum does all the work where no vessels are kept
+// apart, and the rest of it elsewhere.
+#pragma once
+
+#include "core/field/apart/vessel_views.h"
+#include "core/field/convolution_field.h"
+
+#include <memory>
+#include <vector>
+
+namespace ramus::field {
+
+class VesselBrick final : public BrickField {
+public:
+    VesselBrick(const ConvolutionField& sum, const tree::Contacts& contacts);
+
+    void enter(SegmentIndices list, const GridAxes& axes) override;
+    std::uint64_t sample_groups(unsigned groups, GridGroups& samples) override;
+    std::uint64_t sample_lattice(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                                 std::span<float> values) override;
+    std::uint64_t project(Projection& guesses, const SurfacePoints& to) override { return sum_->project(guesses, to); }
+    void find_depths(const GridValues& values, GridValues& depths) const override { sum_->find_depths(values, depths); }
+    [[nodiscard]] float crossing(float from, float to) const override { return sum_->crossing(from, to); }
+
+    [[nodiscard]] bool parts_vessels() const override { return parts_; }
+    std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
+                              std::span<Owner> owners) override;
+    [[nodiscard]] bool apart(Owner a, Owner b) const override;
+    std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
+                                const SurfacePoints& to) override;
+
+private:
+    [[nodiscard]] std::uint32_t place_of(Owner owner) const; // in the list
+    float value_at(const glm::dvec3& point, float plain);
+
+    std::unique_ptr<BrickField> sum_;
+    const FieldSegment* segments_;
+    VesselViews views_;
+    GridAxes axes_;
+    bool parts_ = false;
+    std::uint64_t kernels_ = 0; // evaluated since this was last asked for
+};
+
+} // namespace ramus::field

@@ -1,0 +1,115 @@
+#include "core/field/apart/wall.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace ramus::field {
+
+namespace {
+
+// How deep a point is within something, and the way out of it.
+struct Depth {
+    double mm = 0.0; // negative: outside
+    glm::dvec3 outward{0.0};
+};
+
+// To first order, from the field: phi = sqrt(-ln F) is linear in the distance from a straight vessel's axis.
+Depth depth_within(const VesselViews& views, const VesselView& view) {
+    const double f = std::clamp(view.value, 1e-12, 0.999);
+    const double phi = std::sqrt(-std::log(f));
+    const double steepness = glm::length(view.gradient) / (2.0 * f * phi); // of phi, per mm
+    const SeenSegment& seen = views.seen()[view.seen];
+    const glm::dvec3 away = (views.point() - seen.foot) / std::max(seen.distance, 1e-9 * seen.radius);
+    if (!(steepness > 1e-6 / seen.radius)) return {seen.radius - seen.distance, away};
+    const double mm = (views.surface_phi() - phi) / steepness;
+    return {mm, -view.gradient / glm::length(view.gradient)};
+}
+
+// How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
+// where that claims it and is nearer. Half of the gap is left free.
+Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other) {
+    const SeenSegment& a = views.seen()[own];
+    const SeenSegment& b = views.seen()[other];
+    const double gap = kWallRadii * std::min(a.radius, b.radius);
+    const Depth within_other = depth_within(views, views.view(other));
+    const VesselViews::Beside sides = views.beside(own, other);
+    const double from_own = std::max(glm::length(sides.from_own), 1e-9 * a.radius);
+    const double from_other = std::max(glm::length(sides.from_other), 1e-9 * b.radius);
+    const glm::dvec3 slope = 0.5 * (sides.from_other / from_other - sides.from_own / from_own);
+    const double steepness = std::max(glm::length(slope), 0.1);
+    const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
+    Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
+    if (const VesselViews::Layer layer = views.layer_behind(own, other); layer.spare < depth.mm)
+        return {layer.spare, layer.inward};
+    depth.mm -= 0.5 * gap;
+    return depth;
+}
+
+// Names the strongest branches, as they are seen from the vessel.
+void name(const VesselViews& views, std::size_t own, WallPoint& point) {
+    struct Share {
+        std::int32_t branch = 0;
+        double share = 0.0;
+    };
+    std::array<Share, 3> most{};
+    const float* value = views.terms().row(SegmentTerms::kValue);
+    const auto rank = [&](Share share) {
+        for (Share& there : most)
+            if (share.share > there.share) std::swap(share, there);
+    };
+    Share branch{views.branch(own), 0.0};
+    most.fill({branch.branch, 0.0});
+    double strongest = -1.0;
+    for (std::size_t n = 0; n < views.seen().size(); ++n) {
+        const double share = (1.0 - views.left_out(views.seen()[own], views.seen()[n])) * static_cast<double>(value[n]);
+        if (views.branch(n) != branch.branch) rank(branch), branch = {views.branch(n), 0.0};
+        branch.share += share;
+        if (share > strongest) strongest = share, point.radius = views.seen()[n].radius;
+    }
+    rank(branch);
+    point.branch = most[0].branch;
+    for (std::size_t n = 0; n < 2; ++n) {
+        const double over = most[n + 1].share > 0.0 ? std::log(most[0].share / most[n + 1].share) : kMostDominance;
+        point.dominance.over[n] = static_cast<std::uint8_t>(std::clamp(over / kMostDominance, 0.0, 1.0) * 255.0);
+        point.dominance.rivals[n] =
+            most[n + 1].share > 0.0 ? static_cast<std::uint8_t>(most[n + 1].branch & 255) : std::uint8_t{0};
+    }
+}
+
+} // namespace
+
+WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess, const glm::dvec3& middle,
+                       double reach, std::uint64_t& kernels) {
+    constexpr int kSteps = 6;
+    constexpr double kShortStep = 0.002; // of the radius
+    WallPoint point;
+    point.position = guess;
+    for (int step = 0; step < kSteps; ++step) {
+        (void)views.look(point.position);
+        kernels += views.add_terms();
+        const std::size_t own = views.nearest_of_vessel(place);
+        if (own == VesselViews::kNone) break;
+        Depth depth = depth_within(views, views.view(own));
+        views.list_vessels();
+        for (const std::size_t other : views.vessels()) {
+            if (other == own || !views.apart(views.seen()[own], views.seen()[other])) continue;
+            const Depth beside = depth_beside(views, own, other);
+            if (beside.mm < depth.mm) depth = beside;
+        }
+        name(views, own, point);
+        const double outward = glm::length(depth.outward);
+        if (outward > 0.0) point.normal = depth.outward / outward;
+        const glm::dvec3 aim = point.position + depth.outward * std::clamp(depth.mm, -reach, reach);
+        const glm::dvec3 next = glm::clamp(aim, middle - reach, middle + reach);
+        const double moved = glm::distance(next, point.position);
+        point.position = next;
+        if (moved < kShortStep * views.seen()[own].radius) break;
+    }
+    return point;
+}
+
+} // namespace ramus::field

@@ -1,0 +1,29 @@
+// The surface of one vessel where others are kept apart from it: its own isosurface, and where others claim what it
+// claims, a wall.
+#pragma once
+
+#include "core/field/apart/vessel_views.h"
+#include "core/field/dominance.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace ramus::field {
+
+// How far apart the two sides of a wall are, in radii of the thinner vessel.
+inline constexpr double kWallRadii = 0.02;
+
+struct WallPoint {
+    glm::dvec3 position{0.0}; // mm
+    glm::dvec3 normal{0.0};   // unit, outward
+    double radius = 0.0;      // local radius, mm
+    std::int32_t branch = 0;
+    Dominance dominance{};
+};
+
+// Moves a point onto the surface of the vessel of a segment (by its place in the brick's list), within `reach` of
+// `middle` along every axis. Adds up the kernels evaluated.
+[[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
+                                     const glm::dvec3& middle, double reach, std::uint64_t& kernels);
+
+} // namespace ramus::field

@@ -1,0 +1,64 @@
+#include "core/field/vessel_field.h"
+
+#include "core/field/apart/vessel_brick.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace ramus::field {
+
+VesselField::VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts)
+    : sum_(std::move(sum)), contacts_(std::move(contacts)) {}
+
+VesselField VesselField::without(std::span<const std::uint8_t> hidden) const {
+    return {sum_.without(hidden), contacts_};
+}
+
+std::optional<SegmentChanges> VesselField::changes_since(const VesselField& before) const {
+    auto changes = sum_.changes_since(before.sum_);
+    if (!changes || contacts_ == before.contacts_ || (contacts_->empty() && before.contacts_->empty())) return changes;
+    if (contacts_->piece_of_segment != before.contacts_->piece_of_segment) return std::nullopt;
+    // Segments that stay where they are may have other partners.
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t segment : skeleton().present()) {
+        const std::uint32_t piece = contacts_->piece_of_segment[segment];
+        if (!std::ranges::equal(contacts_->partners_of(piece), before.contacts_->partners_of(piece)))
+            others.push_back(segment);
+    }
+    const auto add = [&](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& present) {
+        std::vector<std::uint32_t> there;
+        std::ranges::set_intersection(others, present, std::back_inserter(there));
+        std::vector<std::uint32_t> both;
+        std::ranges::set_union(to, there, std::back_inserter(both));
+        to = std::move(both);
+    };
+    add(changes->before, before.skeleton().present());
+    add(changes->after, skeleton().present());
+    return changes;
+}
+
+ChildBounds VesselField::bound_children(SegmentIndices list, const ChildCubes& cubes,
+                                        std::span<std::uint8_t> reaching) const {
+    ChildBounds bounds = sum_.bound_children(list, cubes, reaching);
+    if (contacts_->empty()) return bounds;
+    thread_local std::vector<std::uint32_t> there;
+    thread_local std::vector<std::uint32_t> scratch;
+    for (std::size_t child = 0; child < kChildren; ++child) {
+        if (bounds.lower[child] < isovalue()) continue;
+        there.clear();
+        for (std::size_t n = 0; n < list.size(); ++n)
+            if ((reaching[n] >> child & 1) != 0) there.push_back(list[n]);
+        // A wall may go through what is inside of both vessels.
+        if (any_apart(*contacts_, there, scratch)) bounds.lower[child] = 0.0F;
+    }
+    return bounds;
+}
+
+std::unique_ptr<BrickField> VesselField::in_brick() const {
+    if (contacts_->empty()) return sum_.in_brick();
+    return std::make_unique<VesselBrick>(sum_, *contacts_);
+}
+
+} // namespace ramus::field

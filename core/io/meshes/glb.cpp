@@ -1,0 +1,224 @@
+#include "core/io/meshes/glb.h"
+
+#include "core/io/meshes/mesh_sections.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+namespace ramus::io {
+
+static_assert(std::endian::native == std::endian::little, "GLB is written as it lies in memory");
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers of the format.
+constexpr int kFloat = 5126, kUnsigned = 5125;              // component types
+constexpr int kArrayBuffer = 34962, kElementBuffer = 34963; // targets
+constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+
+double linear(std::uint8_t srgb) {
+    const double c = srgb / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+Json vector(const glm::vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
+
+// The text of the file's first chunk, from the sections of the mesh: one for each part, in the order of their numbers.
+class Scene {
+public:
+    Scene(const mesh::TriangleMesh& mesh, const MeshNames& names, const MeshSections& cut)
+        : names_(names), cut_(cut), has_normals_(!mesh.normals.empty()), has_radii_(!mesh.radii.empty()) {
+        json_["asset"] = {{"version", "2.0"}, {"generator", "ramus " RAMUS_VERSION}};
+        json_["scene"] = 0;
+        json_["scenes"].push_back({{"name", names.name}, {"nodes", Json::array({0})}});
+        // (x, y, z) of RAS becomes (-x, z, y) / 1000: half a turn about (0, 1, 1).
+        const double half = std::sqrt(0.5);
+        nodes_.push_back({{"name", names.name},
+                          {"rotation", {0.0, half, half, 0.0}},
+                          {"scale", {0.001, 0.001, 0.001}},
+                          {"extras", {{"units", "mm"}, {"orientation", "RAS"}}}});
+        add_views();
+    }
+
+    void add_part(std::size_t number) {
+        if (cut_.sections[number].triangles == 0) return;
+        switch (names_.by) {
+        case PartsBy::kNone:
+            nodes_[0]["mesh"] = mesh_of(number, names_.name, names_.colour, {});
+            break;
+        case PartsBy::kSystem: {
+            const tree::System& system = names_.systems[number];
+            add_node(0, {{"name", system.name}, {"mesh", mesh_of(number, system.name, system.colour, number)}});
+            break;
+        }
+        case PartsBy::kBranch: {
+            const MeshNames::Branch& branch = names_.branches[number];
+            std::optional<std::size_t> system;
+            if (!names_.systems.empty()) system = static_cast<std::size_t>(branch.system);
+            add_node(system ? node_of_system(*system) : 0,
+                     {{"name", branch.name},
+                      {"mesh", mesh_of(number, branch.name, branch.colour, system)},
+                      {"extras", Json::object({{"branch", number}})}});
+            break;
+        }
+        }
+    }
+
+    [[nodiscard]] std::string text() && {
+        json_["nodes"] = std::move(nodes_);
+        json_["meshes"] = std::move(meshes_);
+        json_["materials"] = std::move(materials_);
+        json_["accessors"] = std::move(accessors_);
+        json_["bufferViews"] = std::move(views_);
+        json_["buffers"] = Json::array({Json::object({{"byteLength", bytes_}})});
+        // A name from a file may hold anything.
+        std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        return text;
+    }
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+private:
+    void add_views() {
+        const std::size_t vertices = cut_.vertices.size();
+        const auto add = [&](std::size_t count, std::size_t stride, int target) {
+            Json view = {{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", count * stride}};
+            if (target == kArrayBuffer) view["byteStride"] = stride;
+            view["target"] = target;
+            views_.push_back(std::move(view));
+            bytes_ += count * stride;
+            return static_cast<int>(views_.size()) - 1;
+        };
+        positions_ = add(vertices, sizeof(glm::vec3), kArrayBuffer);
+        if (has_normals_) normals_ = add(vertices, sizeof(glm::vec3), kArrayBuffer);
+        if (has_radii_) radii_ = add(vertices, sizeof(float), kArrayBuffer);
+        indices_ = add(3 * cut_.triangles.size(), sizeof(std::uint32_t), kElementBuffer);
+    }
+
+    std::size_t add_accessor(int view, std::size_t offset, std::size_t count, int component, const char* type) {
+        accessors_.push_back({{"bufferView", view},
+                              {"byteOffset", offset},
+                              {"componentType", component},
+                              {"count", count},
+                              {"type", type}});
+        return accessors_.size() - 1;
+    }
+
+    std::size_t mesh_of(std::size_t number, const std::string& name, const Colour& colour,
+                        std::optional<std::size_t> system) {
+        const MeshSections::Section& section = cut_.sections[number];
+        const auto of_vertices = [&](int view, std::size_t size, const char* type) {
+            return add_accessor(view, size * section.first_vertex, section.vertices, kFloat, type);
+        };
+        Json attributes;
+        attributes["POSITION"] = of_vertices(positions_, sizeof(glm::vec3), "VEC3");
+        accessors_.back()["min"] = vector(section.least);
+        accessors_.back()["max"] = vector(section.most);
+        if (has_normals_) attributes["NORMAL"] = of_vertices(normals_, sizeof(glm::vec3), "VEC3");
+        if (has_radii_) attributes["_RADIUS"] = of_vertices(radii_, sizeof(float), "SCALAR");
+        const std::size_t indices = add_accessor(indices_, section.first_triangle * sizeof(glm::uvec3),
+                                                 3 * section.triangles, kUnsigned, "SCALAR");
+        Json primitives = Json::array();
+        primitives.push_back(
+            {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", material_of(colour, system)}});
+        meshes_.push_back({{"name", name}, {"primitives", std::move(primitives)}});
+        return meshes_.size() - 1;
+    }
+
+    // One for each colour of a system.
+    std::size_t material_of(const Colour& colour, std::optional<std::size_t> system) {
+        const auto [at, fresh] = material_numbers_.try_emplace({system, colour}, materials_.size());
+        if (fresh)
+            materials_.push_back({{"name", system ? names_.systems[*system].name : "vessels"},
+                                  {"pbrMetallicRoughness",
+                                   {{"baseColorFactor", {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0}},
+                                    {"metallicFactor", 0.0},
+                                    {"roughnessFactor", 0.5}}}});
+        return at->second;
+    }
+
+    std::size_t add_node(std::size_t parent, Json node) {
+        nodes_.push_back(std::move(node));
+        nodes_[parent]["children"].push_back(nodes_.size() - 1);
+        return nodes_.size() - 1;
+    }
+
+    std::size_t node_of_system(std::size_t system) {
+        const auto [at, fresh] = system_nodes_.try_emplace(system, 0);
+        if (fresh) at->second = add_node(0, {{"name", names_.systems[system].name}});
+        return at->second;
+    }
+
+    const MeshNames& names_;
+    const MeshSections& cut_;
+    bool has_normals_, has_radii_;
+    Json json_; // the rest: lists
+    Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(), accessors_ = Json::array(),
+         views_ = Json::array();
+    int positions_ = 0, normals_ = 0, radii_ = 0, indices_ = 0; // views
+    std::map<std::pair<std::optional<std::size_t>, Colour>, std::size_t> material_numbers_;
+    std::map<std::size_t, std::size_t> system_nodes_;
+    std::uint64_t bytes_ = 0;
+};
+
+// What is asked for may not be there: the surface of a mask has no branches, many trees have no systems.
+PartsBy possible(const mesh::TriangleMesh& mesh, const MeshNames& names) {
+    if (!names_all(names, mesh.branches)) return PartsBy::kNone;
+    return names.by == PartsBy::kSystem && names.systems.empty() ? PartsBy::kNone : names.by;
+}
+
+MeshSections cut_into_parts(const mesh::TriangleMesh& mesh, const MeshNames& names) {
+    const auto branch = [&](const glm::uvec3& triangle) {
+        return static_cast<std::size_t>(branch_of(triangle, mesh.branches));
+    };
+    switch (names.by) {
+    case PartsBy::kSystem:
+        return sections_of(mesh, names.systems.size(), [&](const glm::uvec3& triangle) {
+            return static_cast<std::size_t>(names.branches[branch(triangle)].system);
+        });
+    case PartsBy::kBranch:
+        return sections_of(mesh, names.branches.size(), branch);
+    case PartsBy::kNone:
+        break;
+    }
+    return sections_of(mesh, 1, [](const glm::uvec3&) { return std::size_t{0}; });
+}
+
+} // namespace
+
+Result<void> write_glb(const mesh::TriangleMesh& mesh, const MeshNames& names, const std::string& where,
+                       BufferedFile& file) {
+    MeshNames wanted = names;
+    wanted.by = possible(mesh, names);
+    const MeshSections cut = cut_into_parts(mesh, wanted);
+    Scene scene(mesh, wanted, cut);
+    for (std::size_t part = 0; part < cut.sections.size(); ++part) scene.add_part(part);
+    const std::uint64_t binary = scene.bytes();
+    const std::string text = std::move(scene).text();
+    const std::uint64_t total = 12 + 8 + text.size() + 8 + binary;
+    if (total > std::numeric_limits<std::uint32_t>::max())
+        return fail("the surface is larger than the 4 GiB that a .glb file can have", where,
+                    "use a lower --detail, or .ply");
+    for (const std::uint64_t number :
+         {std::uint64_t{kMagic}, std::uint64_t{2}, total, std::uint64_t{text.size()}, std::uint64_t{kJsonChunk}})
+        file.write_value(static_cast<std::uint32_t>(number));
+    file.write(text);
+    file.write_value(static_cast<std::uint32_t>(binary));
+    file.write_value(kBinaryChunk);
+    for (const std::uint32_t v : cut.vertices) file.write_value(mesh.positions[v]);
+    if (!mesh.normals.empty())
+        for (const std::uint32_t v : cut.vertices) file.write_value(mesh.normals[v]);
+    if (!mesh.radii.empty())
+        for (const std::uint32_t v : cut.vertices) file.write_value(mesh.radii[v]);
+    file.write(cut.triangles.data(), cut.triangles.size() * sizeof(glm::uvec3));
+    return {};
+}
+
+} // namespace ramus::io

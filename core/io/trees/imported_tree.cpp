@@ -1,0 +1,281 @@
+#include "core/io/trees/imported_tree.h"
+
+#include "core/base/grouped.h"
+#include "core/io/text_numbers.h"
+#include "core/tree/merge_trunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace ramus::io {
+
+namespace {
+
+using tree::Note;
+
+void assume(ImportedTree& imported, std::string topic, std::string text) {
+    imported.notes.push_back({Note::Kind::kAssumed, std::move(topic), std::move(text), {}});
+}
+
+Result<void> check_lengths(const ImportedTree& imported) {
+    const tree::Graph& graph = imported.graph;
+    if (graph.points.size() >= std::numeric_limits<std::uint32_t>::max())
+        return fail("the file has more points than can be counted", {}, "split it");
+    for (const auto& [a, b] : graph.edges)
+        if (a >= graph.points.size() || b >= graph.points.size())
+            return fail("a connection names point " + std::to_string(std::max(a, b)) + ", but there are only " +
+                            std::to_string(graph.points.size()),
+                        imported.place_of(0), "correct the file");
+    return {};
+}
+
+// Thickest vessel and longest side of the box around all points, in the file's numbers.
+std::pair<double, double> sizes_of(const tree::Graph& graph) {
+    double radius = 0.0;
+    glm::dvec3 least(HUGE_VAL), most(-HUGE_VAL);
+    for (const tree::Point& p : graph.points) {
+        radius = std::max(radius, p.radius);
+        least = glm::min(least, p.position), most = glm::max(most, p.position);
+    }
+    const glm::dvec3 side = most - least;
+    return {radius, std::max({side.x, side.y, side.z, 0.0})};
+}
+
+// No vessel of any animal is wider than the one, no tree reaches farther than the other; no vessel that carries cells
+// of blood is thinner than the third, and nothing so short as the fourth was traced. No whole tree of an adult's large
+// vessels is so small as the rest say: thresholds of a suspicion, not of a decision.
+constexpr double kWidestRadius = 25.0, kFarthest = 1000.0, kThinnestRadius = 0.001, kShortest = 0.02;
+constexpr double kNarrowestRadius = 0.6, kNearest = 100.0, kRadiusInMetres = 0.02, kNearestInMetres = 1.5;
+// The same where something speaks for cm: those of an adult's aorta and its branches in cm.
+constexpr double kNarrowestHinted = 2.5, kNearestHinted = 60.0;
+constexpr std::size_t kManyPoints = 100; // fewer may all have whole coordinates by hand
+
+void suspect(ImportedTree& imported, std::string text) {
+    imported.notes.push_back({Note::Kind::kSuspect, "units", std::move(text), {}});
+}
+
+std::string sizes_text(double radius, double side) {
+    return "the tree spans " + short_number(side) + " mm and its thickest vessel is " + short_number(2.0 * radius) +
+           " mm wide";
+}
+
+// Of a unit that was assumed.
+void suspect_unit(ImportedTree& imported) {
+    const auto [radius, side] = sizes_of(imported.graph);
+    const std::string spans = "taken as mm, " + sizes_text(radius, side);
+    if (radius > kWidestRadius || side > kFarthest)
+        suspect(imported, spans + ": that is too large; --units um, or the size of a voxel, may be what is meant");
+    else if (!imported.unit_hint.empty() && radius < kNarrowestHinted && side < kNearestHinted)
+        suspect(imported, spans + ", and " + imported.unit_hint + ": --units cm is likely what is meant");
+    else if (radius < kRadiusInMetres && side < kNearestInMetres)
+        suspect(imported, spans + ": if these are vessels of a patient, --units m is what is meant");
+    else if (radius < kNarrowestRadius && side < kNearest)
+        suspect(imported, spans + ": if these are large vessels of an adult, --units cm is what is meant");
+    const auto whole = [](const tree::Point& p) { return p.position == glm::floor(p.position); };
+    if (imported.graph.points.size() >= kManyPoints && std::ranges::all_of(imported.graph.points, whole))
+        suspect(imported, "every coordinate is a whole number, as those of voxels are: --units takes the size of a "
+                          "voxel in mm, as 0.62 or 0.3x0.3x0.6");
+}
+
+// Of one that the file states, or that was asked for: the tree is in mm by now. A file that keeps notes has said it.
+void suspect_sizes(ImportedTree& imported, const LengthUnit& unit) {
+    for (const Note& note : imported.notes)
+        if (note.kind == Note::Kind::kSuspect && note.topic == "units") return;
+    const auto [radius, side] = sizes_of(imported.graph);
+    const bool large = radius > kWidestRadius || side > kFarthest;
+    if (!large && (radius >= kThinnestRadius || radius <= 0.0) && side >= kShortest) return;
+    suspect(imported, "read in " + name_of(unit) + ", " + sizes_text(radius, side) + ": that is too " +
+                          (large ? "large" : "small") + " for vessels; --units takes another unit");
+}
+
+void apply_unit(ImportedTree& imported, const ReadOptions& options) {
+    if (!imported.unit && !options.unit) {
+        assume(imported, "units", "the file names no unit of length: taken as mm");
+        suspect_unit(imported);
+        return;
+    }
+    const LengthUnit unit = options.unit ? *options.unit : *imported.unit;
+    if (options.unit && imported.unit && *imported.unit != unit)
+        assume(imported, "units",
+               "lengths are in " + name_of(unit) + " as asked for; the file says " + name_of(*imported.unit));
+    else if (options.unit && !imported.unit)
+        assume(imported, "units", "lengths are in " + name_of(unit) + " as asked for; the file does not say");
+    const glm::dvec3 mm = unit.mm;
+    const bool cubes = mm.x == mm.y && mm.y == mm.z;
+    if (!cubes) assume(imported, "units", "radii are multiplied by the geometric mean of the three sizes");
+    const double radius_mm = cubes ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
+    for (tree::Point& p : imported.graph.points) p.position *= mm, p.radius *= radius_mm;
+    for (Note& note : imported.notes)
+        if (note.at) *note.at *= mm;
+    suspect_sizes(imported, unit);
+}
+
+void apply_axes(ImportedTree& imported, const ReadOptions& options) {
+    if (!imported.axes && !options.axes)
+        assume(imported, "axes", "the file does not say where its axes lead: taken as right, anterior, superior (RAS)");
+    if (options.axes.value_or(imported.axes.value_or(Axes::kRas)) == Axes::kRas) return;
+    const auto turn = [](glm::dvec3& p) { p.x = -p.x, p.y = -p.y; };
+    for (tree::Point& p : imported.graph.points) turn(p.position);
+    for (Note& note : imported.notes)
+        if (note.at) turn(*note.at);
+}
+
+void apply_radius_meaning(ImportedTree& imported, const ReadOptions& options) {
+    const RadiusIs is = options.radius_is.value_or(imported.radius_is);
+    if (options.radius_is && *options.radius_is != imported.radius_is)
+        assume(imported, "radius-is",
+               std::string("widths are taken as ") + (is == RadiusIs::kDiameter ? "diameters" : "radii") +
+                   " as asked for");
+    else if (!options.radius_is && !imported.radius_name.empty())
+        assume(imported, "radius-is",
+               "\"" + imported.radius_name + "\" is taken as the " +
+                   (is == RadiusIs::kDiameter ? "diameter" : "radius"));
+    if (is == RadiusIs::kRadius) return;
+    for (tree::Point& p : imported.graph.points) p.radius *= 0.5;
+    for (double& radius : imported.edge_radii) radius *= 0.5;
+}
+
+// Of several vessels that run straight between the same two points, all but the first get a point in their middle, by
+// which they stay what they are.
+void keep_parallel_vessels(ImportedTree& imported) {
+    tree::Graph& graph = imported.graph;
+    if (!imported.edges_are_vessels) return;
+    const std::size_t count = graph.edges.size();
+    const auto first_new = static_cast<std::uint32_t>(graph.points.size());
+    const auto key = [&](std::size_t e) {
+        const auto [a, b] = graph.edges[e];
+        return tree::Edge(std::min(a, b), std::max(a, b));
+    };
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t x, std::size_t y) { return key(x) < key(y); });
+    std::vector<bool> again(count, false);
+    for (std::size_t n = 1; n < count; ++n) again[order[n]] = key(order[n]) == key(order[n - 1]);
+    std::vector<std::uint32_t> beside; // by new point: one that was there
+    for (std::size_t e = 0; e < count; ++e) {
+        const auto [a, b] = graph.edges[e];
+        if (a == b || !again[e]) continue;
+        const tree::Point &from = graph.points[a], &to = graph.points[b];
+        const auto middle = static_cast<std::uint32_t>(graph.points.size());
+        graph.points.push_back({0.5 * (from.position + to.position), 0.5 * (from.radius + to.radius)});
+        if (!graph.labels.empty()) graph.labels.push_back(graph.labels[a]);
+        if (!graph.point_systems.empty()) graph.point_systems.push_back(graph.point_systems[a]);
+        if (e < imported.edge_radii.size()) imported.edge_radii.push_back(imported.edge_radii[e]);
+        graph.edges[e].second = middle;
+        graph.edges.emplace_back(middle, b);
+        beside.push_back(a);
+    }
+    if (beside.empty()) return;
+    assume(imported, "joining",
+           std::to_string(beside.size()) + (beside.size() == 1 ? " vessel runs" : " vessels run") +
+               " straight between the same two points as another; a point in the middle keeps them apart");
+    imported.place_of = [place = std::move(imported.place_of), first_new, beside = std::move(beside)](std::uint32_t p) {
+        return place(p < first_new ? p : beside[p - first_new]);
+    };
+}
+
+// The radius of an edge is that of the point where flow along it ends, so that each stands at one point at least: the
+// edges of a spanning tree from the roots (or each component's thickest end) are followed.
+Result<void> move_radii_to_points(ImportedTree& imported) {
+    tree::Graph& graph = imported.graph;
+    if (imported.edge_radii.empty()) return {};
+    if (imported.edge_radii.size() != graph.edges.size())
+        return fail(std::to_string(imported.edge_radii.size()) + " radii for " + std::to_string(graph.edges.size()) +
+                        " connections",
+                    imported.place_of(0), "correct the file");
+    const Grouped<std::uint32_t> at(graph.points.size(), [&](const auto& put) {
+        for (std::uint32_t e = 0; e < graph.edges.size(); ++e)
+            put(graph.edges[e].first, e), put(graph.edges[e].second, e);
+    });
+    std::vector<std::uint32_t> starts = graph.roots;
+    std::vector<std::uint32_t> order(graph.points.size());
+    for (std::uint32_t p = 0; p < order.size(); ++p) order[p] = p;
+    const auto thickness = [&](std::uint32_t p) {
+        double most = 0.0;
+        for (const std::uint32_t e : at.of(p)) most = std::max(most, imported.edge_radii[e]);
+        return std::pair(at.of(p).size() == 1, most);
+    };
+    std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return thickness(a) > thickness(b); });
+    starts.insert(starts.end(), order.begin(), order.end());
+    std::vector<bool> reached(graph.points.size(), false);
+    std::vector<std::uint32_t> open;
+    for (const std::uint32_t start : starts) {
+        if (start >= reached.size() || reached[start]) continue;
+        reached[start] = true;
+        if (!at.of(start).empty()) graph.points[start].radius = thickness(start).second;
+        open.assign(1, start);
+        for (std::size_t n = 0; n < open.size(); ++n) {
+            for (const std::uint32_t e : at.of(open[n])) {
+                const std::uint32_t other =
+                    graph.edges[e].first == open[n] ? graph.edges[e].second : graph.edges[e].first;
+                if (reached[other]) continue;
+                reached[other] = true;
+                graph.points[other].radius = imported.edge_radii[e];
+                open.push_back(other);
+            }
+        }
+    }
+    assume(imported, "radius", "the radius of a vessel that has but one is that of its far end; it tapers toward it");
+    return {};
+}
+
+std::string counted_points(std::size_t count) { return std::to_string(count) + (count == 1 ? " point" : " points"); }
+
+Result<void> join(ImportedTree& imported, tree::Repair repair) {
+    tree::Graph& graph = imported.graph;
+    bool repeats_points = false; // trunks that repeat each other point by point are one after this
+    if (imported.joining != Joining::kByIndex) {
+        tree::Joined joined = tree::join_coincident(graph, imported.joining == Joining::kAtCoincidingEnds);
+        imported.place_of = [place = std::move(imported.place_of), first = std::move(joined.first)](std::uint32_t p) {
+            return place(first[p]);
+        };
+        if (joined.points > 0)
+            assume(imported, "joining",
+                   counted_points(joined.points) +
+                       " joined with others at the same place: so the file connects its vessels");
+        repeats_points = joined.edges > 0;
+        if (joined.edges > 0)
+            imported.notes.push_back({Note::Kind::kRepaired, std::string(name_of(tree::Repair::kRepeatedTrunks)),
+                                      std::to_string(joined.edges) +
+                                          (joined.edges == 1 ? " segment that is" : " segments that are") +
+                                          " traced several times were kept once",
+                                      joined.repeat});
+    }
+    if (!imported.may_repeat_trunks || repeats_points || !tree::allows(repair, tree::Repair::kRepeatedTrunks))
+        return {};
+    for (const tree::RepeatedTrunk& trunk : tree::merge_repeated_trunks(graph))
+        imported.notes.push_back(
+            {Note::Kind::kRepaired, std::string(name_of(tree::Repair::kRepeatedTrunks)),
+             counted_points(trunk.points) + " of a trunk that another centerline traces too were left out",
+             0.5 * (trunk.from + trunk.to)});
+    return {};
+}
+
+} // namespace
+
+Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& options) {
+    if (auto good = check_lengths(imported); !good) return tl::unexpected(good.error());
+    keep_parallel_vessels(imported);
+    if (auto moved = move_radii_to_points(imported); !moved) return tl::unexpected(moved.error());
+    apply_radius_meaning(imported, options);
+    apply_unit(imported, options);
+    apply_axes(imported, options);
+    if (auto joined = join(imported, options.repair); !joined) return tl::unexpected(joined.error());
+    auto tree = tree::build_tree(std::move(imported.graph), options.repair, imported.place_of);
+    if (!tree) return tree;
+    if (tree->source.empty()) tree->source = std::move(imported.source);
+    // What is known already, from a file that keeps notes, is not told twice.
+    std::set<std::string> known;
+    for (const Note& note : imported.notes) known.insert(note.text);
+    for (Note& note : tree->notes)
+        if (!known.contains(note.text)) imported.notes.push_back(std::move(note));
+    tree->notes = std::move(imported.notes);
+    return tree;
+}
+
+} // namespace ramus::io

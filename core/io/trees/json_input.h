@@ -1,0 +1,33 @@
+// JSON files of trees: read as a whole, with the line of what is wrong, and their numbers without trust.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <glm/vec3.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ramus::io {
+
+// Fails on what is no JSON, and on numbers that no double can hold. Members called `left_out` are not kept: what
+// nothing needs takes no memory.
+[[nodiscard]] Result<nlohmann::json> parsed_json(std::string_view text, const std::string& name,
+                                                 std::string_view left_out = {});
+
+// Whether what begins so may be a JSON object.
+[[nodiscard]] bool begins_json_object(std::string_view head);
+
+// The member of an object; null: it has none, or is no object.
+[[nodiscard]] const nlohmann::json* json_member(const nlohmann::json& object, const char* key);
+// The same where it is a list.
+[[nodiscard]] const nlohmann::json* json_list(const nlohmann::json& object, const char* key);
+// Its text; empty: there is none.
+[[nodiscard]] std::string json_text(const nlohmann::json& object, const char* key);
+// A list of three numbers.
+[[nodiscard]] std::optional<glm::dvec3> json_position(const nlohmann::json* value);
+// A number; none where it is missing, or no number at all.
+[[nodiscard]] std::optional<double> json_real(const nlohmann::json* value);
+
+} // namespace ramus::io

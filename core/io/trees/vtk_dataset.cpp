@@ -1,0 +1,249 @@
+#include "core/io/trees/vtk_dataset.h"
+
+#include "core/io/text_numbers.h"
+#include "core/io/trees/vtk.h"
+#include "core/io/trees/width_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace ramus::io {
+
+namespace {
+
+// Arrays of VMTK's centerlines, each of which runs from the inlet to one outlet.
+constexpr std::string_view kCenterlineNames[] = {"MaximumInscribedSphereRadius", "CenterlineIds", "GroupIds",
+                                                 "TractIds", "Blanking"};
+
+// Arrays that only SimVascular writes, whose models are in cm.
+constexpr std::string_view kSimVascularNames[] = {"BranchId",    "BifurcationId",         "CenterlineId",
+                                                  "BranchIdTmp", "CenterlineSectionArea", "GlobalNodeId"};
+
+bool has_values(const VtkArray& array) {
+    return array.of != VtkOf::kWhole && array.components == 1 && !array.values.empty();
+}
+
+struct WidthArray {
+    const VtkArray* array = nullptr;
+    WidthName name{};
+};
+
+// The array that a person named, else the surest; null: there is none.
+Result<WidthArray> find_widths(const VtkDataset& data, const TreeInput& input) {
+    if (const auto asked = input.options.columns.find("radius"); asked != input.options.columns.end()) {
+        for (const VtkOf of : {VtkOf::kPoints, VtkOf::kCells})
+            if (const VtkArray* array = data.find(of, asked->second); array != nullptr && has_values(*array))
+                return WidthArray{array,
+                                  width_by_word(array->name).value_or(WidthName{array->name, RadiusIs::kRadius, true})};
+        return fail("there is no array \"" + asked->second + "\" of one number for each point or cell", input.name,
+                    "name another one");
+    }
+    for (const WidthName& known : kWidthNames)
+        for (const VtkOf of : {VtkOf::kPoints, VtkOf::kCells})
+            if (const VtkArray* array = data.find(of, known.name); array != nullptr && has_values(*array))
+                return WidthArray{array, known};
+    for (const VtkArray& array : data.arrays)
+        if (const auto word = width_by_word(array.name); word && has_values(array)) return WidthArray{&array, *word};
+    return WidthArray{};
+}
+
+std::string list_of_arrays(const VtkDataset& data) {
+    std::string list;
+    for (const VtkArray& array : data.arrays)
+        if (array.of != VtkOf::kWhole)
+            list += (list.empty() ? "" : ", ") + array.name + (array.of == VtkOf::kPoints ? " (points)" : " (cells)");
+    return list.empty() ? "it has no arrays at all" : "it has " + list;
+}
+
+tl::unexpected<Error> no_lines(const VtkDataset& data, const std::string& name) {
+    if (data.surface_cells > 0)
+        return fail("this is a surface mesh of " + std::to_string(data.surface_cells) + " faces, not a tree", name,
+                    "`ramus compare` takes meshes; a tree needs centerlines");
+    if (data.volume_cells > 0)
+        return fail("this is a volume mesh of " + std::to_string(data.volume_cells) + " cells, not a tree", name,
+                    "a tree needs centerlines: cells that are lines");
+    return fail("there are points, but no lines that connect them", name,
+                "a tree needs centerlines: cells that are lines or polylines");
+}
+
+bool has_any(const VtkDataset& data, std::span<const std::string_view> names) {
+    return std::ranges::any_of(names, [&](std::string_view name) {
+        return data.find(VtkOf::kPoints, name) != nullptr || data.find(VtkOf::kCells, name) != nullptr;
+    });
+}
+
+// What arrays that one program alone writes say about the unit; empty: there are none.
+std::string hint_of_arrays(const VtkDataset& data) {
+    std::vector<std::string_view> found;
+    for (const std::string_view name : kSimVascularNames)
+        if (found.size() < 3 && has_any(data, std::span(&name, 1))) found.push_back(name);
+    if (found.empty()) return {};
+    std::string names;
+    for (const std::string_view name : found) names += (names.empty() ? "" : ", ") + std::string(name);
+    return "its arrays (" + names + ") are those of SimVascular, whose models are in cm as a rule";
+}
+
+// Whether several lines begin where no other ends: lines that share their points begin at one root.
+bool begins_several_times(const tree::Graph& graph) {
+    std::vector<bool> in(graph.points.size(), false), out(graph.points.size(), false);
+    for (const auto& [a, b] : graph.edges) out[a] = true, in[b] = true;
+    std::size_t beginnings = 0;
+    for (std::size_t p = 0; p < in.size(); ++p) beginnings += out[p] && !in[p] ? 1 : 0;
+    return beginnings > 1;
+}
+
+void set_widths(const VtkDataset& data, const WidthArray& widths, ImportedTree& imported) {
+    imported.radius_is = widths.name.is;
+    if (widths.name.open) imported.radius_name = widths.array->name;
+    const std::vector<double>& values = widths.array->values;
+    if (widths.array->of == VtkOf::kPoints) {
+        for (std::size_t p = 0; p < values.size(); ++p) imported.graph.points[p].radius = values[p];
+        return;
+    }
+    for (const VtkLine& line : data.lines)
+        for (std::size_t i = line.begin + 1; i < line.end; ++i) imported.edge_radii.push_back(values[line.cell]);
+}
+
+// What only files that this program wrote have.
+Result<void> read_own_arrays(const VtkDataset& data, const std::string& name, ImportedTree& imported) {
+    const VtkArray* marks = data.find(VtkOf::kWhole, kVtkMark);
+    if (marks == nullptr) return {};
+    imported.unit = LengthUnit{};
+    imported.axes = Axes::kRas;
+    imported.joining = Joining::kByIndex;
+    imported.may_repeat_trunks = false;
+    imported.unit_hint.clear();
+    if (const VtkArray* roots = data.find(VtkOf::kWhole, kVtkRoots))
+        for (const double root : roots->values)
+            if (root >= 0.0 && root < static_cast<double>(data.points.size()))
+                imported.graph.roots.push_back(static_cast<std::uint32_t>(root));
+    if (const VtkArray* labels = data.find(VtkOf::kPoints, kVtkLabels); labels != nullptr && has_values(*labels))
+        for (const double label : labels->values)
+            imported.graph.labels.push_back(std::abs(label) < 2147483648.0 ? static_cast<int>(label) : 0);
+    const VtkArray *names = data.find(VtkOf::kWhole, kVtkSystemNames), *ids = data.find(VtkOf::kCells, kVtkSystemIds),
+                   *colours = data.find(VtkOf::kWhole, kVtkSystemColours);
+    if (names == nullptr || ids == nullptr || names->texts.empty()) return {};
+    for (std::size_t s = 0; s < names->texts.size(); ++s) {
+        tree::System system{names->texts[s], {}};
+        if (colours != nullptr && colours->values.size() == 3 * names->texts.size())
+            for (std::size_t c = 0; c < 3; ++c)
+                if (const double value = colours->values[3 * s + c]; value >= 0.0 && value <= 255.0)
+                    system.colour[c] = static_cast<std::uint8_t>(value);
+        imported.graph.systems.push_back(std::move(system));
+    }
+    imported.graph.point_systems.assign(data.points.size(), 0);
+    for (const VtkLine& line : data.lines) {
+        const double id = line.cell < ids->values.size() ? ids->values[line.cell] : -1.0;
+        if (!(id >= 0.0 && id < static_cast<double>(names->texts.size())))
+            return fail("cell " + std::to_string(line.cell) + " is of a system that has no name", name,
+                        "correct the array " + std::string(kVtkSystemIds));
+        for (std::size_t i = line.begin; i < line.end; ++i)
+            imported.graph.point_systems[data.line_points[i]] = static_cast<int>(id);
+    }
+    return {};
+}
+
+} // namespace
+
+bool vtk_needs(std::string_view name, const ReadOptions& options) {
+    if (const auto asked = options.columns.find("radius"); asked != options.columns.end() && asked->second == name)
+        return true;
+    return width_by_word(name).has_value() || name == kVtkMark || name == kVtkRoots || name == kVtkSystemNames ||
+           name == kVtkSystemIds || name == kVtkSystemColours || name == kVtkLabels || name == kVtkSpace;
+}
+
+const VtkArray* VtkDataset::find(VtkOf of, std::string_view name) const {
+    const std::string lower = lower_case(name);
+    for (const VtkArray& array : arrays)
+        if (array.of == of && array.name == name) return &array;
+    for (const VtkArray& array : arrays)
+        if (array.of == of && lower_case(array.name) == lower) return &array;
+    return nullptr;
+}
+
+VtkDataset::Cell vtk_cell(int type) {
+    switch (type) {
+    case 0: // empty
+    case 1:
+    case 2:
+        return VtkDataset::Cell::kVertex;
+    case 3:
+    case 4:
+        return VtkDataset::Cell::kLine;
+    case 21:
+        return VtkDataset::Cell::kQuadraticLine;
+    case 35:
+        return VtkDataset::Cell::kCubicLine;
+    case 5:
+    case 6:
+    case 7:
+    case 8:
+    case 9:
+    case 22:
+    case 23:
+    case 28:
+    case 30:
+    case 34:
+    case 36:
+        return VtkDataset::Cell::kSurface;
+    default:
+        return VtkDataset::Cell::kVolume;
+    }
+}
+
+Result<void> VtkDataset::add_cell(Cell kind, const std::vector<std::int64_t>& corners, std::size_t first_point,
+                                  const std::string& where) {
+    const std::size_t cell = cells++;
+    if (kind == Cell::kVertex) ++vertex_cells;
+    if (kind == Cell::kSurface) ++surface_cells;
+    if (kind == Cell::kVolume) ++volume_cells;
+    if (kind == Cell::kVertex || kind == Cell::kSurface || kind == Cell::kVolume) return {};
+    for (const std::int64_t corner : corners)
+        if (corner < 0 || static_cast<std::uint64_t>(corner) >= points.size() - first_point)
+            return fail("cell " + std::to_string(cell) + " names point " + std::to_string(corner) +
+                            ", but there are only " + std::to_string(points.size() - first_point),
+                        where, "the file is damaged; get it again");
+    // Curved lines name their two ends first.
+    std::vector<std::int64_t> along = corners;
+    if (kind != Cell::kLine && along.size() > 2) std::rotate(along.begin() + 1, along.begin() + 2, along.end());
+    VtkLine line{line_points.size(), 0, cell};
+    for (const std::int64_t corner : along)
+        line_points.push_back(static_cast<std::uint32_t>(first_point + static_cast<std::size_t>(corner)));
+    line.end = line_points.size();
+    lines.push_back(line);
+    return {};
+}
+
+Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input) {
+    const std::string& name = input.name;
+    if (data.lines.empty()) return no_lines(data, name);
+    RAMUS_TRY(widths, find_widths(data, input));
+    if (widths.array == nullptr)
+        return fail("no array of points or lines gives the radius: " + list_of_arrays(data), name,
+                    "name the array \"Radius\"; VMTK calls it MaximumInscribedSphereRadius");
+    ImportedTree imported;
+    for (const glm::dvec3& position : data.points) imported.graph.points.push_back({position, 0.0});
+    for (const VtkLine& line : data.lines)
+        for (std::size_t i = line.begin + 1; i < line.end; ++i)
+            imported.graph.edges.emplace_back(data.line_points[i - 1], data.line_points[i]);
+    set_widths(data, widths, imported);
+    imported.joining = Joining::kAtAnyPoint;
+    imported.may_repeat_trunks = has_any(data, kCenterlineNames) && begins_several_times(imported.graph);
+    imported.unit_hint = hint_of_arrays(data);
+    if (const VtkArray* space = data.find(VtkOf::kWhole, kVtkSpace); space != nullptr && space->texts.size() == 1) {
+        if (space->texts[0] == "LPS") imported.axes = Axes::kLps;
+        if (space->texts[0] == "RAS") imported.axes = Axes::kRas;
+    }
+    imported.place_of = [name](std::uint32_t point) { return name + ": point " + std::to_string(point); };
+    if (auto own = read_own_arrays(data, name, imported); !own) return tl::unexpected(own.error());
+    if (data.surface_cells > 0)
+        imported.notes.push_back({tree::Note::Kind::kAssumed,
+                                  "lines",
+                                  counted(data.surface_cells, "face") + " beside the lines were left out",
+                                  {}});
+    return imported;
+}
+
+} // namespace ramus::io

@@ -1,0 +1,221 @@
+#include "core/io/trees/vtk_xml_data.h"
+
+#include "core/io/inflate.h"
+#include "core/io/text_numbers.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace ramus::io {
+
+namespace {
+
+constexpr const char* kGetVtkAgain = "the file is incomplete or damaged; get it again";
+
+std::optional<NumberType> xml_type(std::string_view name) {
+    constexpr std::pair<std::string_view, NumberType> kTypes[] = {
+        {"Int8", NumberType::kInt8},      {"UInt8", NumberType::kUInt8},   {"Int16", NumberType::kInt16},
+        {"UInt16", NumberType::kUInt16},  {"Int32", NumberType::kInt32},   {"UInt32", NumberType::kUInt32},
+        {"Int64", NumberType::kInt64},    {"UInt64", NumberType::kUInt64}, {"Float32", NumberType::kFloat},
+        {"Float64", NumberType::kDouble}, {"String", NumberType::kUInt8}};
+    for (const auto& [known, type] : kTypes)
+        if (name == known) return type;
+    return std::nullopt;
+}
+
+// Bytes in base64 or as they are, taken one piece after the other. Each piece has its own padding.
+class EncodedBytes {
+public:
+    EncodedBytes(std::string_view data, bool base64) : data_(data), base64_(base64) {}
+
+    // None: there are not so many, or they are no base64.
+    std::optional<std::string> take(std::uint64_t count) {
+        if (count > (base64_ ? data_.size() / 4 * 3 + 3 : data_.size())) return std::nullopt;
+        if (!base64_) {
+            std::string bytes(data_.substr(0, count));
+            data_.remove_prefix(count);
+            return bytes;
+        }
+        if (held_.size() < count) {
+            const std::optional<std::string> more = decode(count - held_.size());
+            if (!more) return std::nullopt;
+            held_ += *more;
+        }
+        if (held_.size() < count) return std::nullopt;
+        std::string bytes = held_.substr(0, count);
+        held_.erase(0, count);
+        return bytes;
+    }
+    // What comes next begins with a piece of its own.
+    void next_piece() { held_.clear(); }
+
+private:
+    // Whole groups of four digits, until there are `count` bytes.
+    std::optional<std::string> decode(std::size_t count) {
+        std::string bytes;
+        while (bytes.size() < count && !data_.empty()) {
+            // Padding ends a piece, so that groups are not always three bytes: try, then go on.
+            std::size_t end = 0, digits = 0;
+            const std::size_t wanted = (count - bytes.size() + 2) / 3 * 4;
+            while (end < data_.size() && digits < wanted && data_[end] != '<') {
+                const char c = data_[end++];
+                if (c != ' ' && c != '\n' && c != '\r' && c != '\t') ++digits;
+            }
+            if (digits == 0) break;
+            const auto part = base64_decoded(data_.substr(0, end), std::numeric_limits<std::size_t>::max());
+            if (!part) return std::nullopt;
+            bytes += *part;
+            data_.remove_prefix(end);
+        }
+        return bytes;
+    }
+
+    std::string_view data_;
+    bool base64_;
+    std::string held_; // decoded, not taken
+};
+
+} // namespace
+
+std::string VtkXmlData::place(const pugi::xml_node& node) const {
+    const std::ptrdiff_t offset = node.offset_debug();
+    const auto line = std::ranges::lower_bound(line_ends_, offset < 0 ? 0 : static_cast<std::size_t>(offset));
+    return name_ + ":" + std::to_string(line - line_ends_.begin() + 1);
+}
+
+Result<VtkXmlData> VtkXmlData::parse(std::string_view text, const std::string& name) {
+    VtkXmlData data;
+    data.text_ = text;
+    data.name_ = name;
+    data.document_ = std::make_unique<pugi::xml_document>();
+    std::string head;
+    const std::size_t tag = text.find("<AppendedData");
+    if (tag != std::string_view::npos) {
+        const std::size_t close = text.find('>', tag), begin = text.find('_', std::min(close, text.size()));
+        if (begin == std::string_view::npos)
+            return fail("the file ends where its data should begin", name + ":" + std::to_string(line_at(text, tag)),
+                        kGetVtkAgain);
+        data.appended_ = text.substr(begin + 1);
+        data.appended_base64_ = text.substr(tag, close - tag).find("raw") == std::string_view::npos;
+        head = std::string(text.substr(0, tag)) + "</VTKFile>";
+    }
+    const std::string_view xml = head.empty() ? text : std::string_view(head);
+    for (std::size_t end = xml.find('\n'); end != std::string_view::npos; end = xml.find('\n', end + 1))
+        data.line_ends_.push_back(end);
+    const pugi::xml_parse_result result = data.document_->load_buffer(xml.data(), xml.size());
+    if (!result)
+        return fail(std::string("this is not valid XML: ") + result.description(),
+                    name + ":" + std::to_string(line_at(text, static_cast<std::size_t>(result.offset))), kGetVtkAgain);
+    if (auto good = data.read_header(data.document_->child("VTKFile")); !good) return tl::unexpected(good.error());
+    return data;
+}
+
+Result<void> VtkXmlData::read_header(const pugi::xml_node& root) {
+    if (!root) return fail("there is no element VTKFile", name_, "this is not a file of VTK");
+    if (std::string_view(root.attribute("byte_order").value()) == "BigEndian") order_ = std::endian::big;
+    const std::string_view header = root.attribute("header_type").as_string("UInt32");
+    if (header == "UInt64")
+        header_ = NumberType::kUInt64;
+    else if (header != "UInt32")
+        return fail("the header type " + shown(header) + " is neither UInt32 nor UInt64", place(root), kGetVtkAgain);
+    const std::string_view compressor = root.attribute("compressor").value();
+    compressed_ = !compressor.empty();
+    if (compressed_ && compressor != "vtkZLibDataCompressor")
+        return fail("the data are compressed by " + shown(compressor), place(root),
+                    "write the file anew with zlib or without compression");
+    return {};
+}
+
+Result<std::string> VtkXmlData::decoded(std::string_view data, bool base64, const std::string& where) const {
+    EncodedBytes bytes(data, base64);
+    const auto header = [&](std::uint64_t count) -> std::optional<std::vector<std::int64_t>> {
+        if (count > data.size()) return std::nullopt; // each takes more than a character
+        const auto taken = bytes.take(count * size_of(header_));
+        return taken ? std::optional(whole_numbers_in(*taken, header_, order_)) : std::nullopt;
+    };
+    const auto ends = [&] { return fail("the data of this array end too early", where, kGetVtkAgain); };
+    const auto first = header(1);
+    if (!first || first->front() < 0) return ends();
+    if (!compressed_) {
+        if (auto all = bytes.take(static_cast<std::uint64_t>(first->front()))) return std::move(*all);
+        return ends();
+    }
+    const auto count = static_cast<std::uint64_t>(first->front());
+    const auto sizes = header(2);
+    if (!sizes) return ends();
+    const auto packed = header(count);
+    if (!packed) return ends();
+    bytes.next_piece();
+    std::string all;
+    for (std::uint64_t b = 0; b < count; ++b) {
+        const std::int64_t last = sizes->at(1), full = sizes->at(0);
+        const std::int64_t size = b + 1 == count && last != 0 ? last : full, small = packed->at(b);
+        if (size < 0 || small < 0 ||
+            static_cast<std::uint64_t>(size) / kMostInflation > static_cast<std::uint64_t>(small))
+            return fail("a block of this array claims a size that it cannot have", where, kGetVtkAgain);
+        if (all.size() + static_cast<std::uint64_t>(size) > inflation_limit(text_.size()))
+            return fail("the compressed data of this array grow beyond " +
+                            std::to_string(inflation_limit(text_.size()) >> 20) + " MiB",
+                        where, "write the file anew without compression");
+        const auto block = bytes.take(static_cast<std::uint64_t>(small));
+        if (!block) return ends();
+        const auto plain = inflated(*block, static_cast<std::uint64_t>(size), where);
+        if (!plain || plain->size() != static_cast<std::size_t>(size))
+            return fail("a compressed block of this array is damaged", where, kGetVtkAgain);
+        all += *plain;
+    }
+    return all;
+}
+
+Result<std::string> VtkXmlData::bytes_of(const pugi::xml_node& array) const {
+    const std::string where = place(array);
+    if (std::string_view(array.attribute("format").value()) == "appended") {
+        const std::uint64_t offset = array.attribute("offset").as_ullong(std::numeric_limits<std::uint64_t>::max());
+        if (offset >= appended_.size())
+            return fail("the data of this array would lie beyond the end of the file", where, kGetVtkAgain);
+        return decoded(appended_.substr(offset), appended_base64_, where);
+    }
+    return decoded(trimmed(array.child_value()), true, where);
+}
+
+namespace {
+
+template <class T, class Read>
+Result<std::vector<T>> text_values(std::string_view text, const std::string& where, const Read& read) {
+    std::vector<T> values;
+    const std::string no_name;
+    WordScanner words(text, no_name);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        const auto value = read(word);
+        if (!value) return fail(shown(word) + " is not a number", where, "correct the file");
+        values.push_back(*value);
+    }
+    return values;
+}
+
+} // namespace
+
+Result<std::vector<double>> VtkXmlData::numbers(const pugi::xml_node& array) const {
+    const std::string_view format = array.attribute("format").as_string("ascii");
+    if (format == "ascii") return text_values<double>(array.child_value(), place(array), to_real);
+    const auto type = xml_type(array.attribute("type").value());
+    if (!type)
+        return fail("the type " + shown(array.attribute("type").value()) + " is not one of numbers", place(array),
+                    kGetVtkAgain);
+    RAMUS_TRY(bytes, bytes_of(array));
+    return numbers_in(bytes, *type, order_);
+}
+
+Result<std::vector<std::int64_t>> VtkXmlData::whole_numbers(const pugi::xml_node& array) const {
+    const std::string_view format = array.attribute("format").as_string("ascii");
+    if (format == "ascii") return text_values<std::int64_t>(array.child_value(), place(array), to_whole);
+    const auto type = xml_type(array.attribute("type").value());
+    if (!type)
+        return fail("the type " + shown(array.attribute("type").value()) + " is not one of numbers", place(array),
+                    kGetVtkAgain);
+    RAMUS_TRY(bytes, bytes_of(array));
+    return whole_numbers_in(bytes, *type, order_);
+}
+
+} // namespace ramus::io

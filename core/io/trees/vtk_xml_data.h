@@ -1,0 +1,47 @@
+// The numbers of VTK's XML files, however they are written: text, base64 in place, or appended to the end as base64 or
+// raw, compressed block by block or not. Sizes that a file claims are believed only as far as there are bytes for them.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/io/trees/binary_numbers.h"
+
+#include <bit>
+#include <memory>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::io {
+
+class VtkXmlData {
+public:
+    // Cuts off what is appended behind the XML, and parses that. `text` must outlive this.
+    [[nodiscard]] static Result<VtkXmlData> parse(std::string_view text, const std::string& name);
+
+    [[nodiscard]] const pugi::xml_document& document() const { return *document_; }
+    // "liver.vtp:12", where an element stands.
+    [[nodiscard]] std::string place(const pugi::xml_node& node) const;
+
+    // The values of a DataArray.
+    [[nodiscard]] Result<std::vector<double>> numbers(const pugi::xml_node& array) const;
+    [[nodiscard]] Result<std::vector<std::int64_t>> whole_numbers(const pugi::xml_node& array) const;
+
+private:
+    VtkXmlData() = default;
+    [[nodiscard]] Result<void> read_header(const pugi::xml_node& root);
+    [[nodiscard]] Result<std::string> bytes_of(const pugi::xml_node& array) const;
+    [[nodiscard]] Result<std::string> decoded(std::string_view data, bool base64, const std::string& where) const;
+
+    std::string_view text_;
+    std::string name_;
+    std::vector<std::size_t> line_ends_; // of the XML, so that places are found in time in files of many elements
+    std::unique_ptr<pugi::xml_document> document_;
+    std::string_view appended_;
+    bool appended_base64_ = false;
+    std::endian order_ = std::endian::little;
+    NumberType header_ = NumberType::kUInt32;
+    bool compressed_ = false;
+};
+
+} // namespace ramus::io

@@ -1,0 +1,177 @@
+#include "core/io/output_file.h"
+#include "core/io/trees/binary_numbers.h"
+#include "core/io/trees/vtk.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ramus::io {
+
+namespace {
+
+class VtpWriter {
+public:
+    explicit VtpWriter(OutputFile& output) : output_(output) {}
+
+    void begin(const std::vector<std::string>& comments) {
+        output_.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"");
+        output_.write(std::endian::native == std::endian::big ? "BigEndian" : "LittleEndian");
+        output_.write("\" header_type=\"UInt64\">\n");
+        for (std::string comment : comments) {
+            // What ends a comment in XML, and what no text of XML may hold.
+            std::ranges::replace_if(
+                comment, [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, ' ');
+            for (std::size_t at = comment.find("--"); at != std::string::npos; at = comment.find("--"))
+                comment.replace(at, 2, "- -");
+            output_.write("<!-- " + comment + " -->\n");
+        }
+        output_.write("<PolyData>\n");
+    }
+
+    template <class T>
+    void array(const char* type, std::string_view name, const std::vector<T>& values, int parts = 1) {
+        static_assert(std::is_arithmetic_v<T>);
+        const std::uint64_t size = values.size() * sizeof(T);
+        std::string bytes(reinterpret_cast<const char*>(&size), sizeof(size));
+        bytes.append(reinterpret_cast<const char*>(values.data()), size);
+        open("DataArray", type, name);
+        output_.write(" NumberOfComponents=\"" + std::to_string(parts) + "\"");
+        if (whole_) output_.write(" NumberOfTuples=\"" + std::to_string(values.size() / parts) + "\"");
+        output_.write(" format=\"binary\">");
+        output_.write(base64_encoded(bytes));
+        output_.write("</DataArray>\n");
+    }
+
+    void texts(std::string_view name, const std::vector<std::string>& texts) {
+        output_.write(vtk_text_array(name, texts));
+    }
+
+    void element(const char* name, const auto& write_arrays) {
+        output_.write("<" + std::string(name) + ">\n");
+        whole_ = std::string_view(name) == "FieldData";
+        write_arrays();
+        output_.write("</" + std::string(name) + ">\n");
+    }
+
+    void write(std::string_view text) { output_.write(text); }
+
+private:
+    void open(std::string_view element, std::string_view type, std::string_view name) {
+        output_.write("<" + std::string(element) + " type=\"" + std::string(type) + "\" Name=\"" + std::string(name) +
+                      "\"");
+    }
+
+    OutputFile& output_;
+    bool whole_ = false; // arrays of the whole set say how long they are
+};
+
+// By branch: the first of the ways from a root to a leaf that run through it.
+std::vector<std::int32_t> centerline_ids(const tree::VesselTree& tree) {
+    std::vector<std::int32_t> ids(tree.branches.size(), 0);
+    std::vector<std::uint32_t> order(tree.branches.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::int32_t leaves = 0;
+    for (const std::uint32_t b : order)
+        if (tree.branches[b].children.empty()) ids[b] = leaves++;
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [&](std::uint32_t b) { return tree.branches[b].generation; });
+    for (const std::uint32_t b : order)
+        if (const auto& children = tree.branches[b].children; !children.empty()) {
+            ids[b] = ids[static_cast<std::size_t>(children.front())];
+            for (const int child : children) ids[b] = std::min(ids[b], ids[static_cast<std::size_t>(child)]);
+        }
+    return ids;
+}
+
+template <class Value> std::vector<std::int32_t> by_branch(const tree::VesselTree& tree, const Value& value) {
+    std::vector<std::int32_t> values;
+    for (const tree::Branch& branch : tree.branches) values.push_back(value(branch));
+    return values;
+}
+
+void write_fields(VtpWriter& vtp, const tree::VesselTree& tree) {
+    vtp.texts(kVtkMark, {"mm", "RAS"});
+    vtp.texts(kVtkSpace, {"RAS"});
+    vtp.array("Int64", kVtkRoots, std::vector<std::int64_t>(tree.roots.begin(), tree.roots.end()));
+    if (tree.systems.empty()) return;
+    std::vector<std::string> names;
+    std::vector<std::uint8_t> colours;
+    for (const tree::System& system : tree.systems) {
+        names.push_back(system.name);
+        colours.insert(colours.end(), system.colour.begin(), system.colour.end());
+    }
+    vtp.texts(kVtkSystemNames, names);
+    vtp.array("UInt8", kVtkSystemColours, colours, 3);
+}
+
+void write_points(VtpWriter& vtp, const tree::VesselTree& tree) {
+    vtp.element("PointData", [&] {
+        std::vector<double> radii;
+        for (const tree::Point& point : tree.points) radii.push_back(point.radius);
+        vtp.array("Float64", "MaximumInscribedSphereRadius", radii);
+        if (!tree.labels.empty())
+            vtp.array("Int32", kVtkLabels, std::vector<std::int32_t>(tree.labels.begin(), tree.labels.end()));
+    });
+}
+
+void write_cell_data(VtpWriter& vtp, const tree::VesselTree& tree) {
+    vtp.element("CellData", [&] {
+        std::vector<std::int32_t> groups(tree.branches.size());
+        std::iota(groups.begin(), groups.end(), 0);
+        vtp.array("Int32", kVtkBranchIds, groups);
+        vtp.array("Int32", "CenterlineIds", centerline_ids(tree));
+        vtp.array("Int32", "TractIds", by_branch(tree, [](const tree::Branch& branch) { return branch.generation; }));
+        vtp.array("Int32", "Blanking", std::vector<std::int32_t>(tree.branches.size(), 0));
+        if (!tree.systems.empty())
+            vtp.array("Int32", kVtkSystemIds,
+                      by_branch(tree, [](const tree::Branch& branch) { return branch.system; }));
+    });
+}
+
+void write_geometry(VtpWriter& vtp, const tree::VesselTree& tree) {
+    vtp.element("Points", [&] {
+        std::vector<double> positions;
+        for (const tree::Point& point : tree.points)
+            positions.insert(positions.end(), {point.position.x, point.position.y, point.position.z});
+        vtp.array("Float64", "Points", positions, 3);
+    });
+    vtp.element("Lines", [&] {
+        std::vector<std::int64_t> corners, ends;
+        for (const tree::Branch& branch : tree.branches) {
+            corners.insert(corners.end(), branch.points.begin(), branch.points.end());
+            ends.push_back(static_cast<std::int64_t>(corners.size()));
+        }
+        vtp.array("Int64", "connectivity", corners);
+        vtp.array("Int64", "offsets", ends);
+    });
+}
+
+} // namespace
+
+std::string vtk_text_array(std::string_view name, const std::vector<std::string>& texts) {
+    std::string array = "<Array type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
+                        std::to_string(texts.size()) + "\" format=\"ascii\">";
+    for (const std::string& text : texts) {
+        for (const char c : text) array += std::to_string(static_cast<unsigned char>(c)) + " ";
+        array += "0 ";
+    }
+    return array + "</Array>\n";
+}
+
+Result<void> write_vtp(const tree::VesselTree& tree, const std::filesystem::path& file,
+                       const std::vector<std::string>& comments) {
+    RAMUS_TRY(output, OutputFile::create(file));
+    VtpWriter vtp(output);
+    vtp.begin(comments);
+    vtp.element("FieldData", [&] { write_fields(vtp, tree); });
+    vtp.write("<Piece NumberOfPoints=\"" + std::to_string(tree.points.size()) +
+              "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(tree.branches.size()) +
+              "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n");
+    write_points(vtp, tree);
+    write_cell_data(vtp, tree);
+    write_geometry(vtp, tree);
+    vtp.write("</Piece>\n</PolyData>\n</VTKFile>\n");
+    return output.commit();
+}
+
+} // namespace ramus::io

@@ -1,0 +1,167 @@
+#include "core/io/volumes/nrrd_reader.h"
+
+#include "core/base/memory.h"
+#include "core/io/input_file.h"
+#include "core/io/volumes/header_text.h"
+#include "core/io/volumes/nrrd_space.h"
+#include "core/io/volumes/voxel_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace ramus::io {
+
+namespace {
+
+struct NrrdType {
+    NumberType number;
+    std::array<std::string_view, 6> words;
+};
+constexpr std::array<NrrdType, 10> kNrrdTypes = {
+    {{NumberType::kInt8, {"signed char", "int8", "int8_t"}},
+     {NumberType::kUint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+     {NumberType::kInt16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+     {NumberType::kUint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+     {NumberType::kInt32, {"int", "signed int", "int32", "int32_t"}},
+     {NumberType::kUint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+     {NumberType::kInt64,
+      {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64"}},
+     {NumberType::kUint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+     {NumberType::kFloat32, {"float"}},
+     {NumberType::kFloat64, {"double"}}}};
+
+Result<NumberType> nrrd_type(const HeaderText& header) {
+    const std::string* text = header.find({"type"});
+    if (text == nullptr) return header.refused("type", "is missing");
+    const std::string word = lower_case(*text);
+    for (const NrrdType& type : kNrrdTypes)
+        if (!word.empty() && std::ranges::find(type.words, word) != type.words.end()) return type.number;
+    if (word == "int64_t") return NumberType::kInt64;
+    if (word == "block") return fail("its voxels are blocks of bytes", header.file, "convert it to numbers");
+    return header.refused("type", "is not known: " + *text);
+}
+
+// The fields: names without blanks, as the format has them with and without ("data file", "datafile").
+Result<HeaderText> nrrd_header(ByteSource& source) {
+    HeaderText header{source.name(), {}};
+    std::string line;
+    std::size_t bytes = 0;
+    RAMUS_TRY(magic, source.read_line(line, kMostHeaderBytes));
+    while (magic) {
+        RAMUS_TRY(more, source.read_line(line, kMostHeaderBytes));
+        if (!more || line.empty()) break;
+        bytes += line.size();
+        if (bytes > kMostHeaderBytes)
+            return fail("its header has more than 16 MB", source.name(), "write the file again");
+        if (line.front() == '#') continue;
+        const std::size_t colon = line.find(':');
+        if (colon == std::string::npos)
+            return fail("its header has a line that is no field: " + line.substr(0, 40), source.name(),
+                        "correct the header, or write the file again");
+        // Keys and values of programs: by ":key".
+        const bool own = line.substr(colon, 2) == ":=";
+        std::string key = (own ? ":" : "") + lower_case(line.substr(0, colon));
+        std::erase(key, ' ');
+        header.fields[key] = trimmed(std::string_view(line).substr(colon + (own ? 2 : 1)));
+    }
+    return header;
+}
+
+enum class NrrdEncoding { kRaw, kText, kGzip };
+
+Result<NrrdEncoding> nrrd_encoding(const HeaderText& header) {
+    const std::string* text = header.find({"encoding"});
+    if (text == nullptr) return header.refused("encoding", "is missing");
+    const std::string word = lower_case(*text);
+    if (word == "raw") return NrrdEncoding::kRaw;
+    if (word == "gz" || word == "gzip") return NrrdEncoding::kGzip;
+    if (word == "txt" || word == "text" || word == "ascii") return NrrdEncoding::kText;
+    if (word == "bz2" || word == "bzip2" || word == "hex")
+        return fail("its values are encoded as " + word, header.file, "write it with the encoding gzip or raw");
+    return header.refused("encoding", "is not known: " + *text);
+}
+
+// Where values of several bytes are: in which order, and what is assumed.
+Result<Encoding> nrrd_byte_order(const HeaderText& header, NrrdEncoding encoding, NumberType type,
+                                 std::vector<std::string>& notes) {
+    if (encoding == NrrdEncoding::kText) return Encoding::kText;
+    if (bytes_of(type) == 1) return Encoding::kBinary;
+    const std::string* text = header.find({"endian"});
+    const std::string word = text == nullptr ? "" : lower_case(*text);
+    if (word == "big" || word == "little") return binary_encoding(word == "big");
+    if (text != nullptr) return header.refused("endian", "is neither little nor big");
+    notes.emplace_back("the file does not say in which order the bytes of a number stand: taken as little endian");
+    return binary_encoding(false);
+}
+
+// Goes to where the values begin; returns how many bytes of them to skip.
+Result<std::uint64_t> nrrd_begin(const HeaderText& header, NrrdEncoding encoding, double bytes, ByteSource& source) {
+    RAMUS_TRY(lines, header.whole_number({"lineskip"}));
+    RAMUS_TRY(skip, header.whole_number({"byteskip"}));
+    if (lines.value_or(0) < 0) return header.refused("line skip", "is negative");
+    std::string line;
+    for (std::int64_t n = 0; n < lines.value_or(0); ++n) {
+        RAMUS_TRY(more, source.read_line(line, kMostHeaderBytes));
+        if (!more) return header.refused("line skip", "leads beyond the end of the file");
+    }
+    if (encoding == NrrdEncoding::kGzip) source.inflate_rest();
+    const std::int64_t offset = skip.value_or(0);
+    if (offset >= 0) return static_cast<std::uint64_t>(offset);
+    const auto there = source.exact_bytes();
+    if (offset != -1 || encoding != NrrdEncoding::kRaw || !there)
+        return header.refused("byte skip", "makes no sense with this encoding: " + std::to_string(offset));
+    // The last bytes of the file. Those that are missing are found missing later.
+    const auto left = static_cast<double>(*there);
+    return left > bytes ? *there - static_cast<std::uint64_t>(bytes) : std::uint64_t{0};
+}
+
+// What 3D Slicer calls the labels of a segmentation: the fields Segment0_Name, Segment0_LabelValue and so on.
+std::vector<volume::LabelName> segment_names(const HeaderText& header) {
+    std::vector<volume::LabelName> names;
+    for (int n = 0;; ++n) {
+        const std::string of = ":segment" + std::to_string(n) + "_";
+        const auto name = header.fields.find(of + "name");
+        if (name == header.fields.end()) break;
+        // Older files leave the number out: labels count from 1.
+        const auto value = header.fields.find(of + "labelvalue");
+        const auto label = value == header.fields.end() ? std::nullopt : whole_numbers_in(value->second);
+        const std::int64_t number = label && label->size() == 1 ? label->front() : n + 1;
+        if (number > 0 && number <= std::numeric_limits<std::int32_t>::max())
+            names.push_back({static_cast<std::int32_t>(number), name->second});
+    }
+    std::ranges::stable_sort(names, {}, &volume::LabelName::label);
+    return names;
+}
+
+} // namespace
+
+Result<volume::Volume> read_nrrd(ByteSource& source, const ReadVolumeOptions& options, Job& job) {
+    RAMUS_TRY(header, nrrd_header(source));
+    std::vector<std::string> notes;
+    RAMUS_TRY(space, nrrd_space(header, notes));
+    RAMUS_TRY(type, nrrd_type(header));
+    RAMUS_TRY(encoding, nrrd_encoding(header));
+    RAMUS_TRY(order, nrrd_byte_order(header, encoding, type, notes));
+    const double bytes =
+        static_cast<double>(bytes_of(type)) * double(space.size.x) * double(space.size.y) * double(space.size.z);
+    std::optional<ByteSource> values;
+    if (const std::string* file = header.find({"datafile"})) {
+        RAMUS_TRY(opened, open_values(source, *file));
+        values = std::move(opened);
+    }
+    ByteSource& from = values ? *values : source;
+    RAMUS_TRY(offset, nrrd_begin(header, encoding, bytes, from));
+    auto volume = read_voxels(from, offset, {space.size, type, order, {}}, memory_left(options.memory_bytes), job);
+    if (!volume) return volume;
+    volume->to_patient = space.to_patient;
+    volume->type = "NRRD, " + std::string(name_of(type));
+    volume->unit_mm = space.unit_mm;
+    volume->notes = std::move(notes);
+    volume->label_names = segment_names(header);
+    return volume;
+}
+
+} // namespace ramus::io

@@ -1,0 +1,50 @@
+#include "core/io/volumes/volume_unit.h"
+
+#include "core/io/text_numbers.h"
+#include "core/io/volumes/voxel_numbers.h"
+
+#include <algorithm>
+
+namespace ramus::io {
+
+namespace {
+
+// Of a patient's volume in mm: no longest side is shorter than the first nor longer than the last, and none as short
+// has pixels as coarse as they are in metres or fine enough only in cm. Thresholds of a suspicion, not of a decision.
+constexpr double kShortestInMm = 60.0, kShortestInCm = 2.0, kLongest = 3000.0, kFineStep = 0.2;
+
+void suspect_unit(volume::Volume& volume) {
+    const glm::dvec3 step = volume::spacing_mm(volume.to_patient);
+    const glm::dvec3 sides = step * glm::dvec3(volume.size);
+    const double side = std::max({sides.x, sides.y, sides.z});
+    const double finest = std::min({step.x, step.y, step.z});
+    const std::string spans = "taken as mm, the volume is " + short_number(side) + " mm long, with voxels of " +
+                              short_number(finest) + " mm: ";
+    if (side > kLongest)
+        volume.suspicions.push_back(spans + "that is too large for a patient; --units um may be what is meant");
+    else if (side < kShortestInCm && finest < kFineStep / 10.0)
+        volume.suspicions.push_back(spans + "if this is a patient, --units m is what is meant");
+    else if (side < kShortestInMm && side >= kShortestInCm && finest < kFineStep)
+        volume.suspicions.push_back(spans + "if this is a patient, --units cm is what is meant");
+}
+
+} // namespace
+
+Result<void> apply_unit(volume::Volume& volume, const std::optional<LengthUnit>& asked, const std::string& name) {
+    const std::optional<double> stated = volume.unit_mm;
+    if (!asked) {
+        if (stated) return {};
+        volume.notes.emplace_back("the file names no unit of length: taken as mm");
+        suspect_unit(volume);
+        return {};
+    }
+    if (!stated)
+        volume.notes.push_back("lengths are in " + name_of(*asked) + " as asked for; the file does not say");
+    else if (const LengthUnit said{glm::dvec3(*stated)}; said != *asked)
+        volume.notes.push_back("lengths are in " + name_of(*asked) + " as asked for; the file says " + name_of(said));
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) volume.to_patient[column][row] *= asked->mm[row] / stated.value_or(1.0);
+    return check_affine(volume.to_patient, volume.size, "geometry, in " + name_of(*asked), "correct --units", name);
+}
+
+} // namespace ramus::io

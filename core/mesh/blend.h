@@ -1,0 +1,43 @@
+// Where vessels blend, one row each: the command line, sessions and commands read them here.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ramus::mesh {
+
+// Wherever they come close, as in the paper, or along the tree and not across contacts (core/tree/contacts/contacts.h).
+enum class Blend : std::uint8_t { kPaper, kTree };
+
+struct BlendRow {
+    Blend blend;
+    std::string_view key; // in files, commands and on the command line
+    std::string_view help;
+};
+
+// In the order of `Blend`.
+inline constexpr std::array<BlendRow, 2> kBlends = {{
+    {Blend::kPaper, "paper", "vessels merge wherever they come close (default)"},
+    {Blend::kTree, "tree", "vessels that only press on each other stay apart"},
+}};
+
+[[nodiscard]] constexpr std::string_view name_of(Blend blend) { return kBlends[static_cast<std::size_t>(blend)].key; }
+
+[[nodiscard]] inline std::optional<Blend> blend_named(std::string_view key) {
+    const auto* found = std::ranges::find(kBlends, key, &BlendRow::key);
+    return found == kBlends.end() ? std::nullopt : std::optional(found->blend);
+}
+
+// "paper: vessels merge wherever they come close (default); tree: ..."
+[[nodiscard]] inline std::string blend_help() {
+    std::string text;
+    for (const BlendRow& row : kBlends)
+        text.append(text.empty() ? "" : "; ").append(row.key).append(": ").append(row.help);
+    return text;
+}
+
+} // namespace ramus::mesh

@@ -1,0 +1,48 @@
+// BrickOwners: whose the points inside the surface are, in a brick in which vessels are kept apart, and where walls
+// between them go through edges of its grid.
+#pragma once
+
+#include "core/field/brick_field.h"
+#include "core/mesh/polygonize/cells/brick_cells.h"
+#include "core/mesh/polygonize/cells/cell_loops.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace ramus::mesh::bricks {
+
+class BrickOwners {
+public:
+    // The brick's points at half-cell spacing, 9 a side.
+    static constexpr int kFineSide = 2 * kBrickCells + 1;
+    static constexpr int fine_index(int x, int y, int z) { return x + kFineSide * (y + kFineSide * z); }
+
+    // `field` is in the brick; `hanging`: points of the lattice that are inside, besides those of the grid.
+    void find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
+              std::span<const field::LatticePoint> hanging, SampleCounts& counts);
+
+    [[nodiscard]] const std::array<GridBits, 3>& walls() const { return walls_; } // by axis, first points of the edges
+    [[nodiscard]] bool any_walls() const { return walls_[0] != 0 || walls_[1] != 0 || walls_[2] != 0 || hanging_ != 0; }
+    // Cells with walls on their edges, one bit each; those too that have them on a half of an edge only.
+    [[nodiscard]] std::uint64_t cells() const { return cells_; }
+
+    [[nodiscard]] field::Owner at(int x, int y, int z) const { // in half cells
+        return owner_[static_cast<std::size_t>(fine_index(x, y, z))];
+    }
+    // Which points of a cell belong to vessels that are apart.
+    [[nodiscard]] ApartPoints apart_points(const field::BrickField& field, glm::ivec3 cell) const;
+    // Whose the loop through a crossing of a cell is.
+    [[nodiscard]] field::Owner of_crossing(glm::ivec3 cell, int crossing) const;
+
+private:
+    std::array<field::Owner, kFineSide * kFineSide * kFineSide> owner_{};
+    std::array<GridBits, 3> walls_{};
+    std::uint64_t cells_ = 0, hanging_ = 0;
+    std::vector<field::LatticePoint> points_;
+    std::vector<field::Owner> owners_;
+};
+
+} // namespace ramus::mesh::bricks

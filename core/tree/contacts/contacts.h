@@ -1,0 +1,77 @@
+// Contacts: where two stretches of vessel press on each other without being connected there.
+//
+// Think of two walkers on the centerlines, each at a place of its own. The tubes touch where the closeness of the two
+// places, axis distance over the sum of the radii, is below a limit. Where the walkers can get from there to one and
+// the same place without ever being apart, the vessels are together: daughters of a fork near their joint, the inner
+// side of a tight bend. Where they cannot, the touching is a contact.
+//
+// All pairs of links that come near each other are the places of such a pair of walkers. Those from which a joint can
+// be reached below the limit at which a plain sum of kernels merges are left alone. What remains falls into islands. An
+// island that goes below that limit itself is a contact; how far apart the walkers have to be to get from it to a joint
+// says from which closeness on the vessels count as together again. An island that stays above the limit, and from
+// which no joint can be reached, is a near miss: nothing merges there, but cells of a mesh may be larger than the gap.
+#pragma once
+
+#include "core/tree/prepare.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace ramus::tree {
+
+// One of the two vessels of a contact.
+struct ContactSide {
+    std::vector<int> branches; // ids in the file's tree, ascending
+    int branch = kNoBranch;    // where the two are closest
+    glm::dvec3 at{0.0};        // on the centerline there, mm
+    double radius = 0.0;       // there, mm
+    double narrowed = 0.0;     // how much less of it is left toward the other vessel, mm
+    glm::dvec3 aside{0.0};     // mm: how far the axis counts as moved away from the other one, where the wall is drawn
+    double length = 0.0;       // of the centerlines along which the two are close, mm
+};
+
+struct Contact {
+    std::array<ContactSide, 2> sides;
+    double gap = 0.0;        // between the two tubes where they are closest, mm; negative: they overlap
+    double closeness = 0.0;  // axis distance over the sum of the radii, there
+    double apart_from = 0.0; // the closeness from which on the two count as together again
+    [[nodiscard]] glm::dvec3 at() const { return 0.5 * (sides[0].at + sides[1].at); }
+    // The axes cross, or nearly.
+    [[nodiscard]] bool crossing() const { return closeness < 0.005; }
+};
+
+struct Contacts {
+    // A piece of vessel that another one is kept apart from.
+    struct Partner {
+        std::uint32_t piece = 0;
+        float apart_from = 0.0F; // of the contact; 0: a near miss
+        glm::vec3 aside{0.0F};   // of the side that has this partner
+        bool operator==(const Partner&) const = default;
+    };
+
+    std::vector<Contact> list; // the closest first
+    // Segments of the file's tree are taken together to short pieces. Partners of each, ascending; symmetric.
+    std::vector<std::uint32_t> piece_of_segment;
+    std::vector<std::uint32_t> first_partner; // by piece, and one past the last
+    std::vector<Partner> partners;
+
+    [[nodiscard]] std::span<const Partner> partners_of(std::uint32_t piece) const {
+        return std::span(partners).subspan(first_partner[piece], first_partner[piece + 1] - first_partner[piece]);
+    }
+    [[nodiscard]] bool empty() const { return partners.empty(); }
+};
+
+// Closenesses that depend on the kernel's width (core/field/kernels/gaussian.h): the lower, the farther it blends.
+struct ContactLimits {
+    double merged;  // two equal parallel vessels merge below this: sqrt(1 + 1 / width), 1.0954 at width 5
+    double bundled; // four of them
+    double reach;   // beyond, one changes nothing at the other's surface
+    explicit ContactLimits(double width);
+};
+
+[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, double width);
+
+} // namespace ramus::tree

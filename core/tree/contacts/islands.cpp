@@ -1,0 +1,236 @@
+#include "core/tree/contacts/islands.h"
+
+#include "core/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace ramus::tree {
+
+namespace {
+
+using PairId = std::uint32_t;
+constexpr PairId kNone = TouchingLinks::kNone;
+
+// A step from one pair to the next: one of the walkers goes on through a point of the tree, while the other waits.
+struct Step {
+    PairId to = kNone;
+    bool moves_first = false; // the walker on the link of the lower number of the pair that is left
+    std::uint32_t link = 0;   // onto this one
+    double closeness = 0.0;   // on the way
+};
+
+class Walks {
+public:
+    Walks(const Links& links, const TouchingLinks& touching) : links_(links), touching_(touching) {
+        low_.resize(touching.size());
+        for (std::uint32_t a = 0; a < links.all().size(); ++a)
+            for (PairId pair = touching.first(a); pair < touching.first(a + 1); ++pair) low_[pair] = a;
+    }
+
+    [[nodiscard]] std::size_t size() const { return low_.size(); }
+    [[nodiscard]] std::uint32_t low(PairId pair) const { return low_[pair]; }
+    [[nodiscard]] std::uint32_t high(PairId pair) const { return touching_.other(pair).link; }
+    [[nodiscard]] double closeness(PairId pair) const { return static_cast<double>(touching_.other(pair).closeness); }
+
+    // All steps on which the two stay closer than `limit`.
+    template <class Call> void for_each_step(PairId pair, double limit, const Call& call) const {
+        steps(pair, low(pair), high(pair), true, limit, call);
+        steps(pair, high(pair), low(pair), false, limit, call);
+    }
+
+private:
+    template <class Call>
+    void steps(PairId pair, std::uint32_t moving, std::uint32_t waiting, bool first, double limit,
+               const Call& call) const {
+        const Link& link = links_[moving];
+        for (const bool at_end : {false, true}) {
+            const double on_the_way = tree::closeness(at_end ? link.b : link.a, links_[waiting]);
+            if (on_the_way >= limit) continue;
+            for (const std::uint32_t next : links_.at(at_end ? link.to : link.from)) {
+                if (next == moving || next == waiting) continue;
+                if (const PairId to = touching_.find(next, waiting); to != kNone && to != pair)
+                    call(Step{to, first, next, on_the_way});
+            }
+        }
+    }
+
+    const Links& links_;
+    const TouchingLinks& touching_;
+    std::vector<std::uint32_t> low_; // the link of the lower number, by pair
+};
+
+constexpr std::int32_t kUnknown = -2, kTogether = -1; // else the number of an island
+
+// Marks the pairs from which a joint can be reached while the two stay closer than `limit`.
+std::vector<std::int32_t> mark_together(const Links& links, const Walks& walks, double limit) {
+    std::vector<std::int32_t> mark(walks.size(), kUnknown);
+    std::vector<PairId> open;
+    for (PairId pair = 0; pair < walks.size(); ++pair)
+        if (links.joined(walks.low(pair), walks.high(pair))) mark[pair] = kTogether, open.push_back(pair);
+    while (!open.empty()) {
+        const PairId pair = open.back();
+        open.pop_back();
+        walks.for_each_step(pair, limit, [&](const Step& step) {
+            if (mark[step.to] == kUnknown) mark[step.to] = kTogether, open.push_back(step.to);
+        });
+    }
+    return mark;
+}
+
+struct Region {
+    std::vector<PairId> pairs;
+    double closest = std::numeric_limits<double>::max();
+    bool reaches_joint = false;
+};
+
+// All that can be reached from a pair, closer than `limit`, among the pairs that are not marked yet.
+Region region_of(const Walks& walks, PairId start, double limit, std::vector<std::int32_t>& mark, std::int32_t number) {
+    Region region;
+    region.pairs.push_back(start);
+    mark[start] = number;
+    for (std::size_t n = 0; n < region.pairs.size(); ++n) {
+        const PairId pair = region.pairs[n];
+        region.closest = std::min(region.closest, walks.closeness(pair));
+        walks.for_each_step(pair, limit, [&](const Step& step) {
+            if (mark[step.to] == kTogether) region.reaches_joint = true;
+            if (mark[step.to] == kUnknown) mark[step.to] = number, region.pairs.push_back(step.to);
+        });
+    }
+    return region;
+}
+
+struct Edge {
+    double closeness;
+    std::uint32_t a, b; // numbers within the region; the last: together
+};
+
+// Cuts a region from which joints can be reached into what belongs to them and what does not: floods it from the
+// closest pairs on (as one watches water rise). Where a basin that goes below `merged` meets the joints' only above
+// that, it is a contact and stays one. Returns for each pair of the region its basin (the region's size: the joints'),
+// and by basin the closeness at which it met them.
+struct Basins {
+    std::vector<std::uint32_t> of_pair;
+    std::map<std::uint32_t, double> met;
+};
+Basins flood(const Walks& walks, const Region& region, const std::vector<std::int32_t>& mark, double merged,
+             double limit) {
+    const auto count = static_cast<std::uint32_t>(region.pairs.size());
+    std::map<PairId, std::uint32_t> number;
+    for (std::uint32_t n = 0; n < count; ++n) number[region.pairs[n]] = n;
+    std::vector<Edge> edges;
+    for (std::uint32_t n = 0; n < count; ++n)
+        walks.for_each_step(region.pairs[n], limit, [&](const Step& step) {
+            if (mark[step.to] == kTogether)
+                edges.push_back({step.closeness, n, count});
+            else if (const auto other = number.find(step.to); other != number.end() && other->second > n)
+                edges.push_back({step.closeness, n, other->second});
+        });
+    std::ranges::stable_sort(edges, {}, &Edge::closeness);
+    // A set's lowest number stands for it, so that of the joints' is not known beforehand.
+    DisjointSets sets(count + 1);
+    std::vector<double> closest(count + 1);
+    for (std::uint32_t n = 0; n < count; ++n) closest[n] = walks.closeness(region.pairs[n]);
+    closest[count] = 0.0;
+    std::map<std::uint32_t, double> met;
+    for (const Edge& edge : edges) {
+        const std::uint32_t a = sets.find(edge.a);
+        const std::uint32_t b = sets.find(edge.b);
+        if (a == b) continue;
+        const std::uint32_t joints = sets.find(count);
+        const bool kept_a = met.contains(a);
+        const bool kept_b = met.contains(b);
+        if (a == joints || b == joints) {
+            const std::uint32_t other = a == joints ? b : a;
+            if (met.contains(other)) continue;
+            if (closest[other] < merged && edge.closeness >= merged) {
+                met[other] = edge.closeness;
+                continue;
+            }
+        } else if (kept_a && kept_b) {
+            continue;
+        }
+        const double least = std::min(closest[a], closest[b]);
+        const auto kept = met.extract(kept_a ? a : b);
+        sets.join(a, b);
+        const std::uint32_t stands = sets.find(a);
+        closest[stands] = least;
+        if (!kept.empty()) met[stands] = kept.mapped();
+    }
+    Basins basins{std::vector<std::uint32_t>(count), met};
+    const std::uint32_t joints = sets.find(count);
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const std::uint32_t set = sets.find(n);
+        basins.of_pair[n] = set == joints ? count : set;
+    }
+    return basins;
+}
+
+// Says of each pair of an island which link is whose: steps leave one walker where it is.
+std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& pairs, double limit) {
+    std::map<PairId, int> swapped; // -1: not known yet
+    for (const PairId pair : pairs) swapped[pair] = -1;
+    std::vector<PairId> open;
+    for (const PairId start : pairs) {
+        if (swapped[start] >= 0) continue;
+        swapped[start] = 0;
+        open.assign(1, start);
+        while (!open.empty()) {
+            const PairId pair = open.back();
+            open.pop_back();
+            const int here = swapped[pair];
+            walks.for_each_step(pair, limit, [&](const Step& step) {
+                const auto next = swapped.find(step.to);
+                if (next == swapped.end() || next->second >= 0) return;
+                // The one that waits keeps its side.
+                const std::uint32_t waits = step.moves_first ? walks.high(pair) : walks.low(pair);
+                const int side_of_waiting = step.moves_first ? 1 - here : here;
+                next->second = walks.low(step.to) == waits ? side_of_waiting : 1 - side_of_waiting;
+                open.push_back(step.to);
+            });
+        }
+    }
+    std::vector<OrientedPair> oriented;
+    for (const auto& [pair, other_way] : swapped) {
+        const std::uint32_t low = walks.low(pair);
+        const std::uint32_t high = walks.high(pair);
+        if (other_way == 1)
+            oriented.push_back({{high, low}});
+        else
+            oriented.push_back({{low, high}});
+    }
+    return oriented;
+}
+
+} // namespace
+
+Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
+    const Walks walks(links, touching);
+    std::vector<std::int32_t> mark = mark_together(links, walks, limits.merged);
+    Islands islands;
+    const auto add = [&](const std::vector<PairId>& pairs, bool contact, double apart_from) {
+        islands.all.push_back({orient(walks, pairs, limits.reach), contact, apart_from});
+    };
+    std::int32_t number = 0;
+    for (PairId start = 0; start < walks.size(); ++start) {
+        if (mark[start] != kUnknown) continue;
+        const Region region = region_of(walks, start, limits.reach, mark, number++);
+        if (!region.reaches_joint) {
+            add(region.pairs, region.closest < limits.bundled, limits.reach);
+            continue;
+        }
+        if (region.closest >= limits.merged) continue;
+        const Basins basins = flood(walks, region, mark, limits.merged, limits.reach);
+        std::map<std::uint32_t, std::vector<PairId>> members;
+        for (std::size_t n = 0; n < region.pairs.size(); ++n)
+            if (basins.of_pair[n] != region.pairs.size()) members[basins.of_pair[n]].push_back(region.pairs[n]);
+        for (const auto& [basin, pairs] : members) {
+            const auto met = basins.met.find(basin);
+            add(pairs, true, met == basins.met.end() ? limits.reach : met->second);
+        }
+    }
+    return islands;
+}
+
+} // namespace ramus::tree

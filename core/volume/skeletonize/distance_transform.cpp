@@ -1,0 +1,97 @@
+#include "core/volume/skeletonize/distance_transform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <vector>
+
+namespace ramus::volume {
+
+namespace {
+
+// Squared distances along a run of voxels of one line, `across` those that come from the other axes so far: the least
+// of across[m] + (step (n - m))^2 over all m, and of the outside right before and behind the run.
+void sweep(const std::vector<float>& across, float step, std::vector<float>& least) {
+    const auto count = static_cast<int>(across.size());
+    least.resize(across.size());
+    for (int n = 0; n < count; ++n) {
+        const auto to_end = static_cast<float>(std::min(n + 1, count - n)) * step;
+        float best = std::min(across[static_cast<std::size_t>(n)], to_end * to_end);
+        // Farther off than the best so far nothing is nearer.
+        for (int away = 1; away < count; ++away) {
+            const float along = static_cast<float>(away) * step;
+            if (along * along >= best) break;
+            if (n >= away) best = std::min(best, across[static_cast<std::size_t>(n - away)] + along * along);
+            if (n + away < count) best = std::min(best, across[static_cast<std::size_t>(n + away)] + along * along);
+        }
+        least[static_cast<std::size_t>(n)] = best;
+    }
+}
+
+struct Line {
+    std::vector<float> across, least;
+    std::vector<std::uint32_t> numbers;
+};
+
+// All runs along y or z: those that begin in each row, where the voxel before them is outside.
+void sweep_all(const VoxelSet& set, LargeArray<float>& squared, int axis) {
+    const BitMask& bits = set.bits();
+    const VoxelSet::Address stride = axis == 1 ? set.row_bits() : set.slice_bits();
+    const auto step = static_cast<float>(set.spacing()[axis]);
+    tbb::enumerable_thread_specific<Line> lines;
+    tbb::parallel_for(1, bits.size().z - 1, [&](int k) {
+        Line& line = lines.local();
+        for (int j = 1; j + 1 < bits.size().y; ++j) {
+            const auto row = bits.row(j, k), before = axis == 1 ? bits.row(j - 1, k) : bits.row(j, k - 1);
+            for (std::size_t w = 0; w < row.size(); ++w)
+                for (std::uint64_t begins = row[w] & ~before[w]; begins != 0; begins &= begins - 1) {
+                    line.across.clear(), line.numbers.clear();
+                    VoxelSet::Address at =
+                        set.address({-1, j, k}) + w * 64 + static_cast<VoxelSet::Address>(std::countr_zero(begins));
+                    for (; set.test(at); at += stride) {
+                        line.numbers.push_back(set.number(at));
+                        line.across.push_back(squared[line.numbers.back()]);
+                    }
+                    sweep(line.across, step, line.least);
+                    for (std::size_t n = 0; n < line.numbers.size(); ++n) squared[line.numbers[n]] = line.least[n];
+                }
+        }
+    });
+}
+
+} // namespace
+
+LargeArray<float> distances_to_outside(const VoxelSet& set) {
+    LargeArray<float> squared;
+    squared.resize(set.count());
+    const BitMask& bits = set.bits();
+    const auto step = static_cast<float>(set.spacing().x);
+    tbb::parallel_for(1, bits.size().z - 1, [&](int k) {
+        for (int j = 1; j + 1 < bits.size().y; ++j) {
+            VoxelSet::Address at = set.address({0, j, k});
+            const VoxelSet::Address end = at + static_cast<VoxelSet::Address>(bits.size().x);
+            const auto row = bits.row(j, k);
+            if (std::ranges::all_of(row, [](std::uint64_t word) { return word == 0; })) continue;
+            for (; at < end; ++at) {
+                if (!set.test(at)) continue;
+                const std::uint32_t first = set.number(at);
+                std::uint32_t count = 1;
+                while (set.test(at + count)) ++count;
+                for (std::uint32_t n = 0; n < count; ++n) {
+                    const float away = static_cast<float>(std::min(n + 1, count - n)) * step;
+                    squared[first + n] = away * away;
+                }
+                at += count;
+            }
+        }
+    });
+    sweep_all(set, squared, 1);
+    sweep_all(set, squared, 2);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, squared.size(), 1 << 14), [&](const auto& range) {
+        for (std::size_t n = range.begin(); n != range.end(); ++n) squared[n] = std::sqrt(squared[n]);
+    });
+    return squared;
+}
+
+} // namespace ramus::volume

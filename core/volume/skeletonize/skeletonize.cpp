@@ -1,0 +1,198 @@
+#include "core/volume/skeletonize/skeletonize.h"
+
+#include "core/base/memory.h"
+#include "core/tree/build_tree.h"
+#include "core/volume/bit_mask.h"
+#include "core/volume/skeletonize/centerline.h"
+#include "core/volume/skeletonize/distance_transform.h"
+#include "core/volume/skeletonize/prune.h"
+#include "core/volume/skeletonize/thin.h"
+#include "core/volume/skeletonize/tips.h"
+#include "core/volume/skeletonize/topology.h"
+#include "core/volume/skeletonize/voxel_graph.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <new>
+#include <utility>
+
+namespace ramus::volume {
+
+namespace {
+
+using tree::Note;
+
+// sRGB; the colours of systems in their order: vein, artery, and what may come.
+constexpr std::array<std::array<std::uint8_t, 3>, 8> kColours = {{{86, 134, 212},
+                                                                  {212, 92, 84},
+                                                                  {224, 176, 76},
+                                                                  {104, 178, 120},
+                                                                  {168, 122, 200},
+                                                                  {92, 186, 196},
+                                                                  {214, 132, 176},
+                                                                  {150, 150, 120}}};
+
+// Of more systems than there are colours those that come again are dark, then pale, so that no two of 24 are alike.
+std::array<std::uint8_t, 3> colour_of_system(std::size_t system) {
+    auto colour = kColours[system % kColours.size()];
+    const std::size_t round = system / kColours.size() % 3;
+    for (std::uint8_t& part : colour)
+        part = static_cast<std::uint8_t>(round == 1 ? part * 5 / 9 : round == 2 ? 255 - (255 - part) * 4 / 9 : part);
+    return colour;
+}
+
+// What the arrays by number of a voxel and those of the box take, at most at one time.
+constexpr double kBytesPerVoxel = 48.0, kBytesPerBoxWord = 8.0 * 3 + 4.0;
+
+Result<void> check_memory(const BitMask& mask, std::uint64_t voxels, const SkeletonizeOptions& options) {
+    const double words = static_cast<double>(mask.row_words()) * mask.size().y * mask.size().z;
+    const double bytes = kBytesPerVoxel * static_cast<double>(voxels) + kBytesPerBoxWord * words;
+    const double left = memory_left(options.memory_bytes);
+    if (bytes > left)
+        return fail("the skeleton of " + std::to_string(voxels) + " voxels takes " +
+                        std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
+                        std::to_string(std::llround(left / 1e6)) + " MB are left to it",
+                    {}, "crop the volume, or raise --memory");
+    return {};
+}
+
+glm::dvec3 in_patient(const glm::dvec3& along_axes, const glm::dmat4& to_patient) {
+    return glm::dvec3(to_patient * glm::dvec4(along_axes / spacing_mm(to_patient), 1.0));
+}
+
+void close_loops_of(VoxelGraph& graph, const glm::dmat4& to_patient, std::vector<Note>& notes) {
+    for (const ClosedLoop& loop : close_loops(graph))
+        notes.push_back({Note::Kind::kRepaired, "fill-holes", "a loop was closed at its thinnest place",
+                         in_patient(loop.at, to_patient)});
+}
+
+// Points and edges of one mask, in mm, RAS. Empty: cancelled.
+tree::Graph graph_of_mask(BitMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
+                          std::vector<Note>& notes, const JobRange& job) {
+    const glm::dvec3 spacing = spacing_mm(to_patient);
+    const VoxelSet set(mask, spacing);
+    mask = BitMask(glm::ivec3(0)); // the set has its own
+    job.report(0.1F);
+    const LargeArray<float> distances = distances_to_outside(set);
+    job.report(0.2F);
+    const std::vector<VoxelSet::Address> tips = find_tips(set, distances, options.bulge_size, job.part(0.2F, 0.5F));
+    if (job.cancelled()) return {};
+    const Thinned thinned = thin(set, distances, tips, job.part(0.5F, 0.85F));
+    if (job.cancelled()) return {};
+    VoxelGraph graph = graph_of(thinned.skeleton, set, distances);
+    if (options.fill_holes) close_loops_of(graph, to_patient, notes);
+    prune_bulges(graph, options.bulge_size, spacing);
+    tree::Graph lines = centerlines_of(graph, set, Territories(set, thinned, graph), job.part(0.85F, 1.0F));
+    for (tree::Point& point : lines.points) point.position = in_patient(point.position, to_patient);
+    return lines;
+}
+
+void append(tree::Graph& all, const tree::Graph& more, int system) {
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), more.points.begin(), more.points.end());
+    for (const auto& [a, b] : more.edges) all.edges.emplace_back(first + a, first + b);
+    all.point_systems.resize(all.points.size(), system);
+}
+
+// The end nearest to where the root shall be.
+void choose_root(tree::Graph& graph, const glm::dvec3& wanted) {
+    std::vector<int> degree(graph.points.size(), 0);
+    for (const auto& [a, b] : graph.edges) ++degree[a], ++degree[b];
+    double nearest = HUGE_VAL;
+    for (std::uint32_t p = 0; p < graph.points.size(); ++p) {
+        const double away = glm::distance(graph.points[p].position, wanted);
+        if (degree[p] != 1 || away >= nearest) continue;
+        nearest = away;
+        graph.roots.assign(1, p);
+    }
+}
+
+struct Masks {
+    tree::Graph graph;
+    SkeletonizeFigures figures;
+    std::vector<Note> notes;
+};
+
+Result<void> add_mask(Masks& masks, BitMask mask, int system, const glm::dmat4& to_patient,
+                      const SkeletonizeOptions& options, const JobRange& job) {
+    if (auto fits = check_memory(mask, mask.count(), options); !fits) return fits;
+    SkeletonizeFigures& figures = masks.figures;
+    if (options.islands_mm > 0.0)
+        figures.islands_dropped += drop_islands(mask, spacing_mm(to_patient), options.islands_mm);
+    figures.cavities_filled += fill_cavities(mask);
+    const Topology topology = topology_of(mask);
+    figures.pieces += topology.pieces, figures.tunnels += topology.tunnels;
+    figures.voxels += mask.count();
+    if (topology.pieces == 0)
+        return fail("no piece is longer than " + std::to_string(options.islands_mm) + " mm", {}, "lower --islands");
+    append(masks.graph, graph_of_mask(std::move(mask), to_patient, options, masks.notes, job), system);
+    return job.cancelled() ? fail("cancelled") : Result<void>();
+}
+
+Result<tree::VesselTree> tree_of(Masks masks, const SkeletonizeOptions& options, SkeletonizeFigures* figures) {
+    if (figures != nullptr) *figures = masks.figures;
+    if (options.root) choose_root(masks.graph, *options.root);
+    auto tree = tree::build_tree(std::move(masks.graph), tree::Repair::kUsual, [](std::uint32_t point) {
+        return "point " + std::to_string(point) + " of the skeleton";
+    });
+    if (!tree) return tree;
+    std::vector<Note>& notes = masks.notes;
+    const auto tell = [&](std::uint64_t count, const char* topic, const std::string& one, const std::string& several) {
+        if (count > 0)
+            notes.push_back(
+                {Note::Kind::kRepaired, topic, std::to_string(count) + " " + (count == 1 ? one : several), {}});
+    };
+    tell(masks.figures.cavities_filled, "fill-holes", "cavity was filled", "cavities were filled");
+    tell(masks.figures.islands_dropped, "islands", "island was left out", "islands were left out");
+    tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
+    return tree;
+}
+
+template <class Work> Result<tree::VesselTree> guarded(const Work& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory for this skeleton", {}, "crop the volume");
+    }
+}
+
+} // namespace
+
+Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
+                                     Job& job, SkeletonizeFigures* figures) {
+    return guarded([&]() -> Result<tree::VesselTree> {
+        Masks masks;
+        if (auto added = add_mask(masks, std::move(mask), 0, to_patient, options, JobRange(job, 0.0F, 1.0F)); !added)
+            return tl::unexpected(added.error());
+        masks.graph.point_systems.clear();
+        return tree_of(std::move(masks), options, figures);
+    });
+}
+
+Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask> systems,
+                                     const SkeletonizeOptions& options, Job& job, SkeletonizeFigures* figures) {
+    return guarded([&]() -> Result<tree::VesselTree> {
+        Masks masks;
+        const auto share = 1.0F / static_cast<float>(systems.size());
+        for (std::size_t s = 0; s < systems.size(); ++s) {
+            const JobRange part(job, share * static_cast<float>(s), share * static_cast<float>(s + 1));
+            RAMUS_TRY(mask, inside(volume, {systems[s].labels, std::nullopt}, part.part(0.0F, 0.2F)));
+            if (s + 1 == systems.size()) volume.voxels = {};
+            if (auto added = add_mask(masks, std::move(mask), static_cast<int>(s), volume.to_patient, options,
+                                      part.part(0.2F, 1.0F));
+                !added)
+                return tl::unexpected(added.error());
+        }
+        if (systems.size() > 1 || !systems[0].name.empty())
+            for (std::size_t s = 0; s < systems.size(); ++s)
+                masks.graph.systems.push_back({systems[s].name, colour_of_system(s)});
+        else
+            masks.graph.point_systems.clear();
+        return tree_of(std::move(masks), options, figures);
+    });
+}
+
+} // namespace ramus::volume

@@ -1,0 +1,71 @@
+#include "core/volume/skeletonize/systems.h"
+
+#include "core/volume/label_counts.h"
+
+#include <algorithm>
+#include <set>
+
+namespace ramus::volume {
+
+namespace {
+
+// More values are not those of vessels, but the greys of a scan.
+constexpr std::size_t kMostSystems = 64;
+
+std::string name_of(const Volume& volume, const std::vector<std::int32_t>& labels) {
+    std::string name;
+    for (const std::int32_t label : labels) {
+        const auto named = std::ranges::find(volume.label_names, label, &LabelName::label);
+        if (!name.empty()) name += " + ";
+        name += named != volume.label_names.end() ? named->name : "label " + std::to_string(label);
+    }
+    return name;
+}
+
+Result<void> check_groups(const std::vector<std::vector<std::int32_t>>& groups, const std::vector<LabelCount>& counts) {
+    std::set<std::int32_t> seen;
+    for (const std::vector<std::int32_t>& group : groups)
+        for (const std::int32_t label : group) {
+            if (std::ranges::find(counts, label, &LabelCount::label) == counts.end())
+                return fail("label " + std::to_string(label) + " is not there", {},
+                            "ramus info lists the labels of a mask");
+            if (!seen.insert(label).second)
+                return fail("label " + std::to_string(label) + " is asked for twice", {},
+                            "a voxel belongs to one system");
+        }
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGroups& groups) {
+    const bool chosen = groups && !groups->empty();
+    if (!holds_whole_numbers(volume)) {
+        if (chosen) return fail("a volume of fractions has no labels", {}, "leave out --label");
+        if (!looks_like_a_mask(volume))
+            return fail("this looks like a scan, not like a mask of vessels", {},
+                        "segment the vessels first; the mask is what becomes a tree");
+        return std::vector<SystemMask>(1);
+    }
+    const std::vector<LabelCount> counts = label_counts(volume);
+    if (counts.empty()) return fail("nothing is inside: every voxel is 0");
+    if (!chosen && counts.size() > kMostSystems)
+        return fail("it has " + std::to_string(counts.size()) +
+                        " different values, and looks like a scan, not like a mask of vessels",
+                    {}, "say which are vessels: --label N,M");
+    if (!groups) return std::vector<SystemMask>(1);
+    std::vector<std::vector<std::int32_t>> labels = *groups;
+    if (auto good = check_groups(labels, counts); !good) return tl::unexpected(good.error());
+    if (labels.empty())
+        for (const LabelCount& count : counts) labels.push_back({count.label});
+    std::vector<SystemMask> systems;
+    for (std::vector<std::int32_t>& group : labels) {
+        std::string name = name_of(volume, group);
+        systems.push_back({std::move(group), std::move(name)});
+    }
+    // A lone label that nobody named needs no name.
+    if (systems.size() == 1 && volume.label_names.empty()) systems[0].name.clear();
+    return systems;
+}
+
+} // namespace ramus::volume

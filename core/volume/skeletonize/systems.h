@@ -1,0 +1,27 @@
+// Which labels of a mask become which systems of a tree.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/volume/volume.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ramus::volume {
+
+// One system of a tree: the part of a mask that it is made of, and how it is called.
+struct SystemMask {
+    std::vector<std::int32_t> labels; // empty: everything that is inside
+    std::string name;                 // empty where it is the only one and the file does not name it
+};
+
+// Labels of each system; without any, each label is a system of its own. None: all labels are one system.
+using LabelGroups = std::optional<std::vector<std::vector<std::int32_t>>>;
+
+// A volume of fractions has but one system. Fails on a label that is not there, on one that is in two groups, and when
+// the volume looks like a scan.
+[[nodiscard]] Result<std::vector<SystemMask>> systems_of(const Volume& volume, const LabelGroups& groups);
+
+} // namespace ramus::volume

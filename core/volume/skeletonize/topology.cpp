@@ -1,0 +1,202 @@
+#include "core/volume/skeletonize/topology.h"
+
+#include "core/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <bit>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <vector>
+
+namespace ramus::volume {
+
+namespace {
+
+// Voxels of a row from `begin` to before `end`, and which piece they belong to.
+struct Run {
+    int begin, end;
+};
+
+// The runs of a mask's rows, inside or outside, joined where they touch: pieces without a number for every voxel.
+class Runs {
+public:
+    enum class Of : std::uint8_t { kInside, kOutside };
+
+    Runs(const BitMask& mask, Of of) : size_(mask.size()) {
+        first_.reserve(static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z) + 1);
+        for (int k = 0; k < size_.z; ++k)
+            for (int j = 0; j < size_.y; ++j) {
+                first_.push_back(runs_.size());
+                add_row(mask.row(j, k), of);
+            }
+        first_.push_back(runs_.size());
+        sets_.add(runs_.size());
+        const int reach = of == Of::kInside ? 1 : 0; // diagonal neighbours touch, or not
+        for (int k = 0; k < size_.z; ++k)
+            for (int j = 0; j < size_.y; ++j) {
+                join(j, k, j - 1, k, reach);
+                join(j, k, j, k - 1, reach);
+                if (of == Of::kInside) join(j, k, j - 1, k - 1, reach), join(j, k, j + 1, k - 1, reach);
+            }
+    }
+
+    // call(run, j, k, representative of its piece)
+    template <class Call> void for_each(const Call& call) {
+        for (int k = 0; k < size_.z; ++k)
+            for (int j = 0; j < size_.y; ++j)
+                for (std::size_t r = first_of(j, k); r < first_[row(j, k) + 1]; ++r)
+                    call(runs_[r], j, k, sets_.find(static_cast<std::uint32_t>(r)));
+    }
+    [[nodiscard]] std::size_t count() const { return runs_.size(); }
+
+private:
+    [[nodiscard]] std::size_t row(int j, int k) const {
+        return static_cast<std::size_t>(j) + static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(k);
+    }
+    [[nodiscard]] std::size_t first_of(int j, int k) const { return first_[row(j, k)]; }
+
+    void add_row(std::span<const std::uint64_t> words, Of of) {
+        const int end = size_.x + 1; // in bits; voxel i is bit i + 1
+        const auto next = [&](int bit, bool set) {
+            while (bit < end) {
+                const std::uint64_t word =
+                    set ? words[static_cast<std::size_t>(bit / 64)] : ~words[static_cast<std::size_t>(bit / 64)];
+                const std::uint64_t rest = word >> (bit % 64);
+                if (rest != 0) return std::min(bit + std::countr_zero(rest), end);
+                bit = (bit / 64 + 1) * 64;
+            }
+            return end;
+        };
+        const bool inside = of == Of::kInside;
+        for (int bit = next(1, inside); bit < end;) {
+            const int stop = next(bit, !inside);
+            runs_.push_back({bit - 1, stop - 1});
+            bit = next(stop, inside);
+        }
+    }
+
+    void join(int j, int k, int other_j, int other_k, int reach) {
+        if (other_j < 0 || other_j >= size_.y || other_k < 0) return;
+        std::size_t a = first_of(j, k), b = first_of(other_j, other_k);
+        const std::size_t a_end = first_[row(j, k) + 1], b_end = first_[row(other_j, other_k) + 1];
+        while (a < a_end && b < b_end) {
+            if (runs_[a].begin < runs_[b].end + reach && runs_[b].begin < runs_[a].end + reach)
+                sets_.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+            (runs_[a].end < runs_[b].end ? a : b) += 1;
+        }
+    }
+
+    glm::ivec3 size_;
+    std::vector<Run> runs_;
+    std::vector<std::size_t> first_; // run of each row, and one past the last
+    DisjointSets sets_;
+};
+
+// By representative: whether its piece of the outside reaches the border of the box.
+std::vector<bool> open_pieces(Runs& outside, std::size_t count, const glm::ivec3& size) {
+    std::vector<bool> open(count, false);
+    outside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
+        if (run.begin == 0 || run.end == size.x || j == 0 || j == size.y - 1 || k == 0 || k == size.z - 1)
+            open[piece] = true;
+    });
+    return open;
+}
+
+// Vertices minus edges plus faces minus cubes of the union of closed unit cubes, counted in words of 64.
+std::int64_t euler_number(const BitMask& mask) {
+    const glm::ivec3 size = mask.size();
+    const std::size_t words = mask.row_words();
+    const std::vector<std::uint64_t> none(words, 0);
+    const auto row = [&](int j, int k) -> std::span<const std::uint64_t> {
+        return j < 0 || k < 0 || j >= size.y || k >= size.z ? std::span<const std::uint64_t>(none) : mask.row(j, k);
+    };
+    std::int64_t number = 0;
+    // Cells whose upper corner in y and z is that of voxel (j, k): each voxel, pair and four of rows once.
+    for (int k = 0; k <= size.z; ++k)
+        for (int j = 0; j <= size.y; ++j) {
+            const auto a = row(j, k), b = row(j - 1, k), c = row(j, k - 1), d = row(j - 1, k - 1);
+            const auto upto = [&](std::size_t w, auto... rows) { return (std::uint64_t{0} | ... | rows[w]); };
+            const auto count = [&](auto... rows) {
+                std::int64_t crossing = 0, within = 0; // cells at right angles to x, and along it
+                std::uint64_t before = 0;
+                for (std::size_t w = 0; w < words; ++w) {
+                    const std::uint64_t any = upto(w, rows...);
+                    within += std::popcount(any);
+                    crossing += std::popcount(any | any << 1 | before >> 63);
+                    before = any;
+                }
+                if (before >> 63 != 0) ++crossing;
+                return std::pair(crossing, within);
+            };
+            const auto [face_x, cube] = count(a);
+            const auto [edge_z, face_y] = count(a, b);
+            const auto [edge_y, face_z] = count(a, c);
+            const auto [vertex, edge_x] = count(a, b, c, d);
+            number += vertex - (edge_x + edge_y + edge_z) + (face_x + face_y + face_z) - cube;
+        }
+    return number;
+}
+
+std::uint64_t count_cavities(const BitMask& mask) {
+    Runs outside(mask, Runs::Of::kOutside);
+    const std::vector<bool> open = open_pieces(outside, outside.count(), mask.size());
+    std::vector<bool> seen(outside.count(), false);
+    std::uint64_t cavities = 0;
+    outside.for_each([&](const Run&, int, int, std::uint32_t piece) {
+        if (!open[piece] && !seen[piece]) seen[piece] = true, ++cavities;
+    });
+    return cavities;
+}
+
+} // namespace
+
+Topology topology_of(const BitMask& mask) {
+    Topology found;
+    Runs inside(mask, Runs::Of::kInside);
+    std::vector<bool> seen(inside.count(), false);
+    inside.for_each([&](const Run&, int, int, std::uint32_t piece) {
+        if (!seen[piece]) seen[piece] = true, ++found.pieces;
+    });
+    found.cavities = count_cavities(mask);
+    const std::int64_t number = euler_number(mask); // pieces - tunnels + cavities
+    found.tunnels = static_cast<std::uint64_t>(static_cast<std::int64_t>(found.pieces + found.cavities) - number);
+    return found;
+}
+
+std::uint64_t fill_cavities(BitMask& mask) {
+    Runs outside(mask, Runs::Of::kOutside);
+    const std::vector<bool> open = open_pieces(outside, outside.count(), mask.size());
+    std::vector<bool> seen(outside.count(), false);
+    std::uint64_t filled = 0;
+    outside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
+        if (open[piece]) return;
+        if (!seen[piece]) seen[piece] = true, ++filled;
+        for (int i = run.begin; i < run.end; ++i) mask.set({i, j, k});
+    });
+    return filled;
+}
+
+std::uint64_t drop_islands(BitMask& mask, const glm::dvec3& spacing, double extent_mm) {
+    Runs inside(mask, Runs::Of::kInside);
+    struct Box {
+        glm::ivec3 least{1 << 30}, most{-1};
+    };
+    std::vector<Box> boxes(inside.count());
+    inside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
+        boxes[piece].least = glm::min(boxes[piece].least, glm::ivec3(run.begin, j, k));
+        boxes[piece].most = glm::max(boxes[piece].most, glm::ivec3(run.end - 1, j, k));
+    });
+    std::uint64_t dropped = 0;
+    const auto small = [&](const Box& box) {
+        return glm::all(glm::lessThanEqual(spacing * glm::dvec3(box.most - box.least + 1), glm::dvec3(extent_mm)));
+    };
+    for (const Box& box : boxes)
+        if (box.most.x >= 0 && small(box)) ++dropped;
+    inside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
+        if (small(boxes[piece]))
+            for (int i = run.begin; i < run.end; ++i) mask.clear({i, j, k});
+    });
+    return dropped;
+}
+
+} // namespace ramus::volume

@@ -1,0 +1,255 @@
+#include "core/volume/skeletonize/voxel_graph.h"
+
+#include "core/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <set>
+#include <utility>
+
+namespace ramus::volume {
+
+namespace {
+
+using Address = VoxelSet::Address;
+
+enum class Kind : std::uint8_t { kEnd, kLine, kKnot };
+
+class GraphBuilder {
+public:
+    GraphBuilder(const BitMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances)
+        : voxels_(skeleton, set.spacing()) {
+        addresses_.reserve(voxels_.count());
+        voxels_.for_each([&](Address at) { addresses_.push_back(at); });
+        kinds_.reserve(addresses_.size());
+        middles_.reserve(addresses_.size());
+        for (const Address at : addresses_) {
+            kinds_.push_back(kind_of(at));
+            const glm::ivec3 inner = voxels_.voxel(at); // in the box of `set`
+            const std::uint32_t number = set.number(set.address(inner));
+            middles_.push_back(
+                {set.spacing() * glm::dvec3(inner + set.origin()), static_cast<double>(distances[number]), number});
+        }
+        node_of_.assign(addresses_.size(), kNone);
+        walked_.assign(addresses_.size(), false);
+    }
+
+    VoxelGraph build() && {
+        make_knots();
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+            if (kinds_[v] == Kind::kEnd) node_of_[v] = add_node(middles_[v]);
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+            if (kinds_[v] == Kind::kEnd) connect_end(v);
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+            if (kinds_[v] == Kind::kKnot)
+                for_neighbours(v, [&](std::uint32_t next) {
+                    if (kinds_[next] == Kind::kLine && !walked_[next]) walk(v, next);
+                });
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v) // rings
+            if (kinds_[v] == Kind::kLine && !walked_[v]) walk_ring(v);
+        return std::move(graph_);
+    }
+
+private:
+    static constexpr int kNone = -1;
+
+    [[nodiscard]] Neighbourhood around(Address at) const { return neighbourhood(voxels_.bits(), at) & kNeighbours; }
+
+    [[nodiscard]] static bool touch(int a, int b) { // of two bits of a neighbourhood
+        return std::abs(a % 3 - b % 3) <= 1 && std::abs(a / 3 % 3 - b / 3 % 3) <= 1 && std::abs(a / 9 - b / 9) <= 1;
+    }
+    [[nodiscard]] Kind kind_of(Address at) const {
+        const Neighbourhood near = around(at);
+        const int count = std::popcount(near);
+        if (count > 2) return Kind::kKnot;
+        if (count < 2) return Kind::kEnd;
+        return touch(std::countr_zero(near), 31 - std::countl_zero(near)) ? Kind::kEnd : Kind::kLine;
+    }
+    template <class Call> void for_neighbours(std::uint32_t v, const Call& call) const {
+        for (Neighbourhood left = around(addresses_[v]); left != 0; left &= left - 1)
+            call(voxels_.number(
+                static_cast<Address>(static_cast<std::int64_t>(addresses_[v]) + voxels_.step(std::countr_zero(left)))));
+    }
+    int add_node(const MidPoint& at) {
+        graph_.nodes.push_back(at);
+        return static_cast<int>(graph_.nodes.size()) - 1;
+    }
+
+    void make_knots() {
+        DisjointSets sets(kinds_.size());
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+            if (kinds_[v] == Kind::kKnot)
+                for_neighbours(v, [&](std::uint32_t other) {
+                    if (kinds_[other] == Kind::kKnot) sets.join(v, other);
+                });
+        std::vector<std::vector<std::uint32_t>> knots;
+        std::vector<int> knot_of(kinds_.size(), kNone);
+        for (std::uint32_t v = 0; v < kinds_.size(); ++v) {
+            if (kinds_[v] != Kind::kKnot) continue;
+            int& knot = knot_of[sets.find(v)];
+            if (knot == kNone) knot = static_cast<int>(knots.size()), knots.emplace_back();
+            knots[static_cast<std::size_t>(knot)].push_back(v);
+        }
+        for (const std::vector<std::uint32_t>& knot : knots) {
+            if (const int rings = rings_in(knot); rings > 0)
+                add_knot_with_rings(knot, rings);
+            else
+                add_knot(knot);
+        }
+    }
+
+    void add_knot(const std::vector<std::uint32_t>& knot) {
+        MidPoint middle;
+        middle.voxel = middles_[knot[0]].voxel;
+        for (const std::uint32_t v : knot) {
+            middle.position += middles_[v].position / static_cast<double>(knot.size());
+            middle.distance = std::max(middle.distance, middles_[v].distance);
+        }
+        const int node = add_node(middle);
+        for (const std::uint32_t v : knot) node_of_[v] = node;
+    }
+
+    // 1 - (vertices - edges + faces - cubes) of the union of the closed cubes.
+    [[nodiscard]] int rings_in(const std::vector<std::uint32_t>& knot) const {
+        if (knot.size() < 4) return 0;
+        std::set<std::array<int, 3>> cells; // by twice the coordinates of their middles
+        for (const std::uint32_t v : knot) {
+            const glm::ivec3 at = voxels_.inner(addresses_[v]);
+            for (int bit = 0; bit < 27; ++bit)
+                cells.insert({2 * at.x + bit % 3 - 1, 2 * at.y + bit / 3 % 3 - 1, 2 * at.z + bit / 9 - 1});
+        }
+        int number = 0;
+        for (const auto& cell : cells) {
+            int dimension = 0;
+            for (const int c : cell) dimension += c % 2 == 0 ? 1 : 0; // middles of voxels are even
+            number += dimension % 2 == 0 ? 1 : -1;
+        }
+        return 1 - number;
+    }
+
+    // Each voxel a node; a spanning tree, and as many connections more as there are rings: such as are no side of a
+    // triangle come first, for triangles are filled.
+    void add_knot_with_rings(const std::vector<std::uint32_t>& knot, int rings) {
+        for (const std::uint32_t v : knot) node_of_[v] = add_node(middles_[v]);
+        struct Link {
+            bool in_triangle;
+            double length;
+            std::uint32_t a, b;
+        };
+        std::vector<Link> links;
+        for (const std::uint32_t v : knot)
+            for_neighbours(v, [&](std::uint32_t other) {
+                if (other <= v || kinds_[other] != Kind::kKnot) return;
+                bool in_triangle = false;
+                for_neighbours(v, [&](std::uint32_t third) {
+                    if (third != other) for_neighbours(third, [&](std::uint32_t u) { in_triangle |= u == other; });
+                });
+                links.push_back({in_triangle, glm::distance(middles_[v].position, middles_[other].position), v, other});
+            });
+        std::ranges::stable_sort(links, {}, [](const Link& link) { return std::pair(link.in_triangle, link.length); });
+        DisjointSets joined(kinds_.size());
+        std::vector<Link> further;
+        for (const Link& link : links) {
+            if (joined.join(link.a, link.b))
+                graph_.lines.push_back({node_of_[link.a], node_of_[link.b], {}});
+            else
+                further.push_back(link);
+        }
+        for (std::size_t n = 0; n < further.size() && n < static_cast<std::size_t>(rings); ++n)
+            graph_.lines.push_back({node_of_[further[n].a], node_of_[further[n].b], {}});
+    }
+
+    // An end has one way on, to the nearest of its neighbours.
+    void connect_end(std::uint32_t v) {
+        std::uint32_t next = v;
+        double nearest = 1e300;
+        for_neighbours(v, [&](std::uint32_t other) {
+            const double distance = glm::distance(middles_[v].position, middles_[other].position);
+            if (distance < nearest) nearest = distance, next = other;
+        });
+        if (next == v) return; // alone
+        if (kinds_[next] == Kind::kLine) {
+            if (!walked_[next]) walk(v, next);
+            return;
+        }
+        // Of two ends side by side, the later one connects.
+        if (kinds_[next] == Kind::kEnd && next > v) {
+            bool comes_back = false;
+            for_neighbours(next, [&](std::uint32_t other) { comes_back |= other == v; });
+            if (comes_back && std::popcount(around(addresses_[next])) == 1) return;
+        }
+        graph_.lines.push_back({node_of_[v], node_of_[next], {}});
+    }
+
+    void walk(std::uint32_t from, std::uint32_t first) {
+        VoxelGraph::Line line{node_of_[from], kNone, {}};
+        std::uint32_t before = from, at = first;
+        while (kinds_[at] == Kind::kLine && !walked_[at]) {
+            walked_[at] = true;
+            line.points.push_back(middles_[at]);
+            std::uint32_t next = at;
+            for_neighbours(at, [&](std::uint32_t other) {
+                if (other != before) next = other;
+            });
+            before = at, at = next;
+        }
+        line.to = node_of_[at];
+        if (line.to == line.from) { // with the voxels of the knot, or nothing would lie between
+            line.points.insert(line.points.begin(), middles_[from]);
+            line.points.push_back(middles_[at]);
+        }
+        graph_.lines.push_back(std::move(line));
+    }
+
+    void walk_ring(std::uint32_t v) {
+        node_of_[v] = add_node(middles_[v]);
+        walked_[v] = true;
+        VoxelGraph::Line line{node_of_[v], node_of_[v], {}};
+        std::uint32_t before = v, at = v;
+        while (true) {
+            std::uint32_t next = v;
+            for_neighbours(at, [&](std::uint32_t other) {
+                if (other != before && !walked_[other]) next = other;
+            });
+            if (next == v) break;
+            before = at, at = next;
+            walked_[at] = true;
+            line.points.push_back(middles_[at]);
+        }
+        graph_.lines.push_back(std::move(line));
+    }
+
+    VoxelSet voxels_;
+    std::vector<Address> addresses_;
+    std::vector<Kind> kinds_;
+    std::vector<MidPoint> middles_;
+    std::vector<int> node_of_;
+    std::vector<bool> walked_;
+    VoxelGraph graph_;
+};
+
+} // namespace
+
+std::vector<int> VoxelGraph::degrees() const {
+    std::vector<int> degrees(nodes.size(), 0);
+    for (const Line& line : lines)
+        ++degrees[static_cast<std::size_t>(line.from)], ++degrees[static_cast<std::size_t>(line.to)];
+    return degrees;
+}
+
+VoxelGraph graph_of(const BitMask& skeleton, const VoxelSet& set, const LargeArray<float>& distances) {
+    return GraphBuilder(skeleton, set, distances).build();
+}
+
+double length_mm(const VoxelGraph& graph, const VoxelGraph::Line& line) {
+    double sum = 0.0;
+    glm::dvec3 last = graph.nodes[static_cast<std::size_t>(line.from)].position;
+    for (const MidPoint& point : line.points) {
+        sum += glm::distance(last, point.position);
+        last = point.position;
+    }
+    return sum + glm::distance(last, graph.nodes[static_cast<std::size_t>(line.to)].position);
+}
+
+} // namespace ramus::volume

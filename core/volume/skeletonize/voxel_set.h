@@ -1,0 +1,124 @@
+// VoxelSet: the voxels of a mask as a set that can be walked: one bit each in a box cropped to them with a border of
+// outside all around, a number from 0 for each (the rank of its bit), and the bits of its 26 neighbours in one word.
+// What an algorithm keeps for each voxel is an array by number, so that memory follows the vessels, not the box.
+#pragma once
+
+#include "core/base/large_array.h"
+#include "core/volume/bit_mask.h"
+
+#include <bit>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace ramus::volume {
+
+// The 27 bits of a voxel and its neighbours: bit x + 3 y + 9 z with offsets 0 to 2; the voxel itself is bit 13.
+using Neighbourhood = std::uint32_t;
+inline constexpr int kCentreBit = 13;
+inline constexpr Neighbourhood kNeighbours = ((1U << 27U) - 1U) & ~(1U << kCentreBit);
+
+// In line: where the instruction is not taken for granted, std::popcount is a call and a table.
+[[nodiscard]] constexpr std::uint32_t count_bits(std::uint64_t word) {
+    word -= word >> 1U & 0x5555555555555555U;
+    word = (word & 0x3333333333333333U) + (word >> 2U & 0x3333333333333333U);
+    return static_cast<std::uint32_t>(((word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU) * 0x0101010101010101U >> 56U);
+}
+
+class VoxelSet {
+public:
+    using Address = std::uint64_t; // of a bit, of all of the box
+
+    // Cropped to what is set. `spacing`: of the mask's voxels along its axes, mm.
+    VoxelSet(const BitMask& mask, const glm::dvec3& spacing);
+
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    [[nodiscard]] const glm::dvec3& spacing() const { return spacing_; }
+    [[nodiscard]] const BitMask& bits() const { return bits_; }
+    [[nodiscard]] BitMask& bits() { return bits_; }
+    // After bits were set or cleared: the voxels are numbered anew.
+    void renumber();
+
+    [[nodiscard]] Address address(const glm::ivec3& inner) const {
+        return row_bits() * (static_cast<Address>(inner.y) +
+                             static_cast<Address>(bits_.size().y) * static_cast<Address>(inner.z)) +
+               static_cast<Address>(inner.x) + 1;
+    }
+    // In the cropped box, and in the mask that it came from.
+    [[nodiscard]] glm::ivec3 inner(Address at) const {
+        const Address row = at / row_bits();
+        const auto height = static_cast<Address>(bits_.size().y);
+        return {static_cast<int>(at % row_bits()) - 1, static_cast<int>(row % height), static_cast<int>(row / height)};
+    }
+    [[nodiscard]] glm::ivec3 voxel(Address at) const { return inner(at) + origin_; }
+    [[nodiscard]] const glm::ivec3& origin() const { return origin_; }
+
+    [[nodiscard]] bool test(Address at) const { return (words()[at / 64] >> (at % 64) & 1U) != 0; }
+    [[nodiscard]] std::uint32_t number(Address at) const { // of a voxel of the set
+        const std::uint64_t below = words()[at / 64] & ((std::uint64_t{1} << (at % 64)) - 1);
+        return ranks_[at / 64] + count_bits(below);
+    }
+    [[nodiscard]] Address row_bits() const { return bits_.row_words() * 64; }
+    [[nodiscard]] Address slice_bits() const { return row_bits() * static_cast<Address>(bits_.size().y); }
+
+    // How far each of the 27 bits of a neighbourhood is in addresses, and in mm.
+    [[nodiscard]] std::int64_t step(int bit) const {
+        return bit % 3 - 1 + (bit / 3 % 3 - 1) * static_cast<std::int64_t>(row_bits()) +
+               (bit / 9 - 1) * static_cast<std::int64_t>(slice_bits());
+    }
+    [[nodiscard]] double step_mm(int bit) const;
+
+    // Calls `call(address, number, bit)` for every neighbour of a voxel that is in the set.
+    template <class Call> void for_neighbours(Address at, const Call& call) const;
+
+    template <class Call> void for_each(const Call& call) const { // in order of addresses
+        const std::size_t count =
+            bits_.row_words() * static_cast<std::size_t>(bits_.size().y) * static_cast<std::size_t>(bits_.size().z);
+        for (std::size_t w = 0; w < count; ++w)
+            for (std::uint64_t left = words()[w]; left != 0; left &= left - 1)
+                call(static_cast<Address>(w) * 64 + static_cast<Address>(std::countr_zero(left)));
+    }
+
+private:
+    [[nodiscard]] const std::uint64_t* words() const { return bits_.slice(0).data(); }
+
+    glm::ivec3 origin_{0};
+    glm::dvec3 spacing_;
+    BitMask bits_;
+    LargeArray<std::uint32_t> ranks_; // voxels before each word
+    std::uint32_t count_ = 0;
+};
+
+// The bits around a voxel of the box (not of its border) in any mask of the same size.
+[[nodiscard]] inline Neighbourhood neighbourhood(const BitMask& mask, VoxelSet::Address at) {
+    const std::uint64_t* words = mask.slice(0).data();
+    const auto row_bits = static_cast<std::int64_t>(mask.row_words() * 64);
+    const std::int64_t slice_bits = row_bits * mask.size().y;
+    Neighbourhood found = 0;
+    for (int z = 0; z < 3; ++z)
+        for (int y = 0; y < 3; ++y) {
+            const auto first = static_cast<std::uint64_t>(static_cast<std::int64_t>(at) - 1 + (y - 1) * row_bits +
+                                                          (z - 1) * slice_bits);
+            const std::uint64_t shift = first % 64;
+            std::uint64_t bits = words[first / 64] >> shift;
+            if (shift > 61) bits |= words[first / 64 + 1] << (64 - shift);
+            found |= static_cast<Neighbourhood>(bits & 7U) << (3 * y + 9 * z);
+        }
+    return found;
+}
+
+template <class Call> void VoxelSet::for_neighbours(Address at, const Call& call) const {
+    const Neighbourhood around = neighbourhood(bits_, at);
+    for (int row = 0; row < 9; ++row) {
+        std::uint32_t left = around >> (3 * row) & 7U;
+        if (left == 0) continue;
+        const auto first = static_cast<Address>(static_cast<std::int64_t>(at) + step(3 * row));
+        std::uint32_t next = number(first + static_cast<Address>(std::countr_zero(left)));
+        for (; left != 0; left &= left - 1, ++next) { // voxels of a row have numbers in a row
+            const int bit = 3 * row + std::countr_zero(left);
+            if (bit != kCentreBit) call(first + static_cast<Address>(std::countr_zero(left)), next, bit);
+        }
+    }
+}
+
+} // namespace ramus::volume

@@ -1,0 +1,179 @@
+#include "app/actions/command_runner.h"
+#include "app/actions/export_kinds.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/trees/tree_file.h"
+#include "tests/support/built_tree.h"
+#include "tests/support/command_stage.h"
+#include "tests/support/temporary_folder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+// A stem with two children, the right one with two of its own: branches 0 to 4. Mm apart, so that nothing blends.
+tree::VesselTree export_forks() {
+    return test::built_tree({{{0, 0, 0}, 1.0},
+                             {{0, 0, 20}, 1.0},
+                             {{-20, 0, 40}, 0.3},
+                             {{20, 0, 40}, 1.0},
+                             {{10, 0, 60}, 0.8},
+                             {{40, 0, 60}, 0.8}},
+                            {{0, 1}, {1, 2}, {1, 3}, {3, 4}, {3, 5}});
+}
+
+struct ExportStage : test::CommandStage {
+    TemporaryFolder folder;
+    ExportStage() : test::CommandStage(export_forks()) {}
+    [[nodiscard]] std::string at(const std::string& name) const { return (folder.path() / name).string(); }
+    std::string exported(const std::string& words, const std::string& name, const std::string& more = "") {
+        return good("export " + words + " \"" + at(name) + "\" " + more);
+    }
+};
+
+std::set<int> exported_sides(const std::filesystem::path& file) {
+    const auto mesh = io::read_mesh(file);
+    REQUIRE(mesh);
+    std::set<int> sides; // where there is surface, by the corner of the tree that is there alone
+    for (const glm::vec3& p : mesh->positions) {
+        if (p.z < 15.0F) sides.insert(0);
+        if (p.x < -5.0F) sides.insert(1);
+        if (p.x > 5.0F && p.z < 38.0F) sides.insert(2);
+        if (p.z > 50.0F && p.x < 18.0F) sides.insert(3);
+        if (p.z > 50.0F && p.x > 25.0F) sides.insert(4);
+    }
+    return sides;
+}
+
+} // namespace
+
+TEST_CASE("a surface is exported of what is visible, selected or all") {
+    ExportStage stage;
+    CHECK(stage.exported("surface", "all.ply", "--of all") == "Surface saved: " + stage.at("all.ply"));
+    CHECK(exported_sides(stage.at("all.ply")) == std::set{0, 1, 2, 3, 4});
+    stage.good("select 3\nhide\nselect 1 4");
+    stage.exported("surface", "visible.ply");
+    CHECK(exported_sides(stage.at("visible.ply")) == std::set{0, 1, 2, 4});
+    stage.exported("surface", "selected.ply", "--of selected");
+    CHECK(exported_sides(stage.at("selected.ply")) == std::set{1, 4});
+    stage.exported("surface", "all again.ply", "--of all");
+    CHECK(stage.folder.text("all again.ply") == stage.folder.text("all.ply"));
+    CHECK(stage.document.position() == stage.document.step_count()); // nothing of this is a step
+    CHECK(stage.last_step().starts_with("select"));
+}
+
+TEST_CASE("a tree and a table are exported of the same branches") {
+    ExportStage stage;
+    stage.exported("tree", "all.json");
+    const auto all = io::read_tree(stage.at("all.json"));
+    REQUIRE(all);
+    CHECK(all->points == export_forks().points);
+    stage.good("select 1 3\nhide\nselect 4");
+    CHECK(stage.exported("tree", "visible.swc") == "Tree saved: " + stage.at("visible.swc"));
+    const auto visible = io::read_tree(stage.at("visible.swc"));
+    REQUIRE(visible);
+    CHECK(visible->points.size() == 4);
+    CHECK(visible->branches.size() == 1); // no fork is left
+    stage.exported("tree", "selected.vtp", "--of selected");
+    CHECK(io::read_tree(stage.at("selected.vtp"))->segment_count() == 1);
+    CHECK(stage.exported("table", "visible.csv") == "Table saved: " + stage.at("visible.csv"));
+    const std::string csv = stage.folder.text("visible.csv");
+    CHECK(std::ranges::count(csv, '\n') == 1 + 3);
+    CHECK(csv.starts_with("branch,name,"));
+    stage.exported("table", "all.csv", "--of all");
+    CHECK(std::ranges::count(stage.folder.text("all.csv"), '\n') == 1 + 5);
+}
+
+TEST_CASE("a picture is that of the picture's host, whatever is selected") {
+    ExportStage stage;
+    stage.exported("picture", "seen.png");
+    REQUIRE(stage.host.pictures.size() == 1);
+    CHECK(stage.host.pictures[0] == stage.folder.path() / "seen.png");
+    stage.good("select-invert\nhide");
+    stage.exported("picture", "empty.png");
+}
+
+TEST_CASE("for printing, the export says what is thin") {
+    ExportStage stage;
+    // Branch 1 narrows to a radius of 0.3 mm at its end.
+    const std::string thin = stage.exported("surface", "p.stl", "--for-printing");
+    CHECK(thin.find("; 1 branch is thinner than 0.800 mm, the thinnest with 0.6") != std::string::npos);
+    CHECK(thin.find("(branch 1 at (") != std::string::npos);
+    stage.good("select 1\nhide");
+    const std::string thick = stage.exported("surface", "p.stl", "--for-printing");
+    CHECK(thick.find("; closed, in mm; thinnest place 1.5") != std::string::npos);
+    CHECK(stage.bad("export surface \"" + stage.at("p.glb") + "\" --for-printing").find("metres") != std::string::npos);
+}
+
+TEST_CASE("an export that cannot be says why, and writes nothing") {
+    ExportStage stage;
+    const auto refused = [&](const std::string& words) { return stage.bad("export " + words); };
+    CHECK(refused("sculpture x.stl").find("there is no export of \"sculpture\"") != std::string::npos);
+    CHECK(refused("surface").find("takes a file") != std::string::npos);
+    CHECK(refused("surface a.stl b.stl").find("one file") != std::string::npos);
+    CHECK(refused("surface a.stl --off all").find("export surface|tree") != std::string::npos);
+    CHECK(refused("surface a.stl --of some").find("visible, selected or all") != std::string::npos);
+    CHECK(refused("surface a.stl --of").find("visible, selected or all") != std::string::npos);
+    CHECK(refused("surface a.glb --parts leaf").find("branch, system or none") != std::string::npos);
+    CHECK(refused("surface a.stl --parts branch").find("no parts") != std::string::npos);
+    CHECK(refused("surface a.glb --parts system").find("no systems") != std::string::npos);
+    CHECK(refused("tree a.swc --for-printing").find("only a surface") != std::string::npos);
+    CHECK(refused("surface a.swc").find("cannot be written") != std::string::npos);
+    CHECK(refused("tree a.stl").find("no tree format has the extension") != std::string::npos);
+    CHECK(refused("table a.txt").find("of type .csv") != std::string::npos);
+    CHECK(refused("picture a.jpg").find("of type .png") != std::string::npos);
+    CHECK(refused("surface a.stl --of selected").find("nothing is selected") != std::string::npos);
+    CHECK(refused("surface \"" + stage.at("missing/a.stl") + "\"").find("missing") != std::string::npos);
+    CHECK(refused("").find("export needs a file here") != std::string::npos);
+    stage.good("select-invert\nhide");
+    CHECK(refused("tree a.swc").find("every branch is hidden") != std::string::npos);
+    CHECK(stage.folder.names().empty());
+}
+
+TEST_CASE("in a window an export is work behind it, which can be cancelled") {
+    ExportStage stage;
+    CommandRunner runner({});
+    const std::vector<std::string> words = {"export", "surface", stage.at("later.glb"), "--parts", "branch"};
+    REQUIRE(runner.run(stage.context, words));
+    CHECK(runner.busy());
+    CHECK(runner.activity() == "Exporting later.glb");
+    for (int i = 0; i < 5000 && runner.busy(); ++i) {
+        CHECK(runner.update(stage.context).empty());
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    CHECK_FALSE(runner.busy());
+    CHECK(stage.said == "Surface saved: " + stage.at("later.glb"));
+    CHECK(std::filesystem::exists(stage.at("later.glb")));
+    stage.said.clear();
+    REQUIRE(runner.run(stage.context, std::vector<std::string>{"export", "surface", stage.at("never.stl")}));
+    runner.cancel();
+    CHECK(runner.update(stage.context).empty());
+    CHECK(stage.said.empty());
+}
+
+TEST_CASE("the kinds of export have every format that is written") {
+    const auto extensions_of = [](ExportWhat what) {
+        std::vector<std::string_view> extensions;
+        for (const ExportFormat& format : export_kinds()[static_cast<std::size_t>(what)].formats)
+            extensions.emplace_back(format.extension);
+        return extensions;
+    };
+    for (std::size_t i = 0; i < export_kinds().size(); ++i) {
+        const ExportKind& kind = export_kinds()[i];
+        CHECK(static_cast<std::size_t>(kind.what) == i);
+        CHECK(export_kind_named(kind.key) == kind.what);
+        REQUIRE_FALSE(kind.formats.empty());
+    }
+    for (std::size_t i = 0; i < kExportScopes.size(); ++i) CHECK(static_cast<std::size_t>(kExportScopes[i].of) == i);
+    for (const auto& format : io::mesh_formats())
+        CHECK(is_written(format) ==
+              (std::ranges::count(extensions_of(ExportWhat::kSurface), format.extensions.front()) == 1));
+    for (const auto& format : io::tree_formats())
+        CHECK(is_written(format) ==
+              (std::ranges::count(extensions_of(ExportWhat::kTree), format.extensions.front()) == 1));
+}

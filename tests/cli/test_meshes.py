@@ -1,0 +1,133 @@
+"""ramus mesh: formats with parts, and what it says about surfaces that are to be printed."""
+
+import json
+import struct
+import unittest
+
+import glb
+from nifti import nifti
+from ply import read_ply
+from ramus import GOOD, TUBE, CommandLineTest
+
+# Two systems in ramus' own format.
+SYSTEMS = {
+    "format": "ramus-tree", "version": 2, "units": "mm", "orientation": "RAS",
+    "points": [[0, 0, 0, 1], [0, 0, 10, 1], [5, 0, 20, 1], [-5, 0, 20, 1], [40, 0, 0, 2], [40, 0, 20, 2]],
+    "branches": [[0, 1], [1, 2], [1, 3], [4, 5]], "roots": [0, 4],
+    "systems": [{"name": "portal vein", "colour": [0, 0, 255]}, {"name": "artery", "colour": [255, 0, 0]}],
+    "branch_systems": [0, 0, 0, 1],
+}
+
+
+class GlbTest(CommandLineTest):
+    def test_a_node_for_each_branch(self):
+        self.write("tree.swc", GOOD)
+        self.expect_done("mesh", "tree.swc", "-o", "m.glb")
+        self.expect_done("mesh", "tree.swc", "-o", "m.ply")
+        gltf, parts = glb.check(self.folder / "m.glb")
+        self.assertEqual([name for name, _, _ in parts], ["branch 0", "branch 1", "branch 2"])
+        root = gltf["nodes"][gltf["scenes"][0]["nodes"][0]]
+        self.assertEqual(root["name"], "tree")
+        self.assertEqual(root["scale"], [0.001] * 3)
+        self.assertEqual([round(part * part, 9) for part in root["rotation"]], [0, 0.5, 0.5, 0])
+        # The same triangles as PLY, at the same places to the bit.
+        _, vertices, faces = read_ply(self.folder / "m.ply")
+        places = [struct.pack("<3f", *vertex[:3]) for vertex in vertices]
+        expected = sorted(tuple(places[n] for n in face) for face in faces)
+        found = sorted(tuple(struct.pack("<3f", *positions[n]) for n in triangle)
+                       for _, positions, triangles in parts for triangle in triangles)
+        self.assertEqual(found, expected)
+
+    def test_parts(self):
+        self.write("tree.json", json.dumps(SYSTEMS))
+        for words, expected in (((), ["portal vein", "artery"]), (("--parts", "system"), ["portal vein", "artery"]),
+                                (("--parts", "branch"), ["branch 0", "branch 1", "branch 2", "branch 3"]),
+                                (("--parts", "none"), ["tree"])):
+            self.expect_done("mesh", "tree.json", "-o", "m.glb", *words)
+            gltf, parts = glb.check(self.folder / "m.glb")
+            self.assertEqual([name for name, _, _ in parts], expected)
+        self.expect_done("mesh", "tree.json", "-o", "m.glb", "--parts", "branch")
+        gltf, _ = glb.check(self.folder / "m.glb")
+        nodes = {node["name"]: node for node in gltf["nodes"]}
+        children = {gltf["nodes"][child]["name"] for child in nodes["portal vein"]["children"]}
+        self.assertEqual(children, {"branch 0", "branch 1", "branch 2"})
+        colours = {material["name"]: material["pbrMetallicRoughness"]["baseColorFactor"] for material in gltf["materials"]}
+        self.assertEqual(colours, {"portal vein": [0, 0, 1, 1], "artery": [1, 0, 0, 1]})
+
+    def test_names_and_colours_of_a_session(self):
+        self.write("tree.swc", GOOD)
+        self.write("c.txt", 'name 0 "Stem \\"of\\" all"\ncolour-by branch\nselect 2\nhide\nsave s.ramus.json\n'.replace('\\"', "'"))
+        self.expect_done("render", "tree.swc", "-o", "p.png", "--size", "64x64", "--commands", "c.txt")
+        self.expect_done("mesh", "--session", "s.ramus.json", "-o", "m.glb")
+        gltf, parts = glb.check(self.folder / "m.glb")
+        self.assertEqual([name for name, _, _ in parts], ["Stem 'of' all", "Stem 'of' all, branch 1"])
+        self.assertEqual(len({tuple(m["pbrMetallicRoughness"]["baseColorFactor"]) for m in gltf["materials"]}), 2)
+
+    def test_a_mask_has_one_part(self):
+        self.write("ball.nii", nifti((9, 9, 9), bytes(1 if (x - 4) ** 2 + (y - 4) ** 2 + (z - 4) ** 2 < 12 else 0
+                                                      for z in range(9) for y in range(9) for x in range(9))))
+        self.expect_done("mesh", "ball.nii", "-o", "m.glb", "--method", "iso")
+        _, parts = glb.check(self.folder / "m.glb")
+        self.assertEqual([name for name, _, _ in parts], ["ball"])
+        self.expect_failure("mesh", "ball.nii", "-o", "m.glb", "--method", "iso", "--parts", "branch", status=2,
+                            says=("--parts", "--method iso"))
+
+    def test_refusals_leave_nothing(self):
+        self.write("tree.swc", GOOD)
+        self.expect_failure("mesh", "tree.swc", "-o", "m.stl", "--parts", "branch", says=("m.stl", "no parts", ".glb"))
+        self.expect_failure("mesh", "tree.swc", "-o", "m.glb", "--parts", "system", says=("no systems", "--parts branch"))
+        self.expect_failure("mesh", "tree.swc", "-o", "m.glb", "--parts", "leaf", status=2, says=("leaf",))
+        self.expect_failure("mesh", "tree.swc", "-o", "m.glb", "--for-printing", says=("metres", ".stl"))
+        self.write("tube.swc", TUBE)
+        self.expect_failure("mesh", "tube.swc", "-o", "m.glb", "--detail", "512", "--memory", "200M",
+                            says=("cannot be written in parts", "use .ply, .stl or .obj"))
+        self.assertEqual(self.names(), ["tree.swc", "tube.swc"])
+
+
+class PrintingTest(CommandLineTest):
+    # A stem of 4 mm that forks into a branch of 2 mm and one of 0.5 mm.
+    FORK = "1 0 0 0 0 2 -1\n2 0 0 0 30 2 1\n3 0 20 0 60 1 2\n4 0 -10 0 40 0.25 2\n5 0 -40 0 70 0.25 4\n"
+
+    def test_what_is_thin_is_said(self):
+        self.write("fork.swc", self.FORK)
+        result = self.expect_done("mesh", "fork.swc", "-o", "m.stl", "--for-printing", "--smooth", "0")
+        self.assertIn("closed, in mm; thinnest place 0.49", result.stdout)
+        self.assertIn("1 branch is thinner than 0.800 mm", result.stderr)
+        figures = self.json("mesh", "fork.swc", "-o", "m.stl", "--for-printing", "--smooth", "0", "--json")["printing"]
+        self.assertEqual((figures["closed"], figures["units"], figures["thin_below_mm"]), (True, "mm", 0.8))
+        thin = self.json("info", "fork.swc", "--json", "--branches")["branch_list"]
+        thinnest = min(thin, key=lambda branch: branch["diameter_mm"]["mean"])["id"]
+        self.assertEqual([each["branch"] for each in figures["thin"]], [thinnest])
+        # 16 triangles around: a chord is at least (1 + cos(pi / 16)) r = 1.981 r.
+        self.assertGreater(figures["thinnest"]["mm"], 1.97 * 0.25)
+        self.assertLess(figures["thinnest"]["mm"], 2.01 * 0.25)
+
+    def test_the_threshold(self):
+        self.write("fork.swc", self.FORK)
+        fine = self.expect_done("mesh", "fork.swc", "-o", "m.ply", "--for-printing", "--thinnest", "0.4")
+        self.assertNotIn("thinner", fine.stderr)
+        two = self.expect_done("mesh", "fork.swc", "-o", "m.ply", "--for-printing", "--thinnest", "3")
+        self.assertIn("2 branches are thinner than 3.00 mm", two.stderr)
+        for wrong in ("0", "-1", "nan", "thin"):
+            self.expect_failure("mesh", "fork.swc", "-o", "x.ply", "--for-printing", "--thinnest", wrong, status=2)
+        self.expect_failure("mesh", "fork.swc", "-o", "x.ply", "--thinnest", "1", status=2, says=("--for-printing",))
+        self.expect_failure("mesh", "fork.swc", "-o", "x.ply", "--for-printing", "--method", "cones", says=("cones",))
+
+    def test_pieces_fall_apart(self):
+        self.write("two.swc", "1 0 0 0 0 2 -1\n2 0 0 0 9 2 1\n3 0 30 0 0 2 -1\n4 0 30 0 9 2 3\n")
+        result = self.expect_done("mesh", "two.swc", "-o", "m.stl", "--for-printing")
+        self.assertIn("2 pieces come out of the printer", result.stderr)
+
+    def test_of_a_mask(self):
+        # A plate of 2 voxels of 3 mm: 6 mm thick.
+        voxels = bytes(1 if 2 <= z < 4 and 2 <= y < 18 and 2 <= x < 18 else 0
+                       for z in range(6) for y in range(20) for x in range(20))
+        self.write("plate.nii", nifti((20, 20, 6), voxels, rows=((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 3, 0))))
+        figures = self.json("mesh", "plate.nii", "-o", "m.stl", "--method", "iso", "--for-printing", "--json")["printing"]
+        self.assertAlmostEqual(figures["thinnest"]["mm"], 6.0, places=4)
+        self.assertNotIn("branch", figures["thinnest"])
+        self.assertEqual(figures["thin"], [])
+
+
+if __name__ == "__main__":
+    unittest.main()

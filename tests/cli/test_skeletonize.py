@@ -1,0 +1,103 @@
+"""ramus skeletonize: from a mask to a tree file."""
+
+import json
+import struct
+import unittest
+
+from ramus import CommandLineTest
+
+
+def nifti(size, label_at):
+    """The bytes of a NIfTI-1 file with voxels of 1 mm and `label_at(i, j, k)`."""
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *size, 1, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, 2, 8)
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 0, 0, 0, 0)
+    struct.pack_into("<f", header, 108, 352)
+    struct.pack_into("<f", header, 112, 1)
+    header[123] = 2  # mm
+    struct.pack_into("<2h", header, 252, 0, 1)
+    struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
+    header[344:348] = b"n+1\0"
+    return bytes(header) + bytes(
+        label_at(i, j, k) for k in range(size[2]) for j in range(size[1]) for i in range(size[0]))
+
+
+def two_tubes(i, j, k):
+    if not 2 <= i < 48:
+        return 0
+    return 1 if (j - 6) ** 2 + (k - 8) ** 2 <= 16 else 2 if (j - 14) ** 2 + (k - 8) ** 2 <= 16 else 0
+
+
+class Skeletonize(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "mask.nii").write_bytes(nifti((50, 22, 18), two_tubes))
+
+    def test_labels_together_and_apart(self):
+        report = json.loads(self.expect_done("skeletonize", "mask.nii", "-o", "one.json", "--json").stdout)
+        self.assertEqual((report["roots"], report["loops"], report["systems"]), (1, 0, []))
+        self.assertEqual(report["mask"]["pieces"], 1)
+        report = json.loads(
+            self.expect_done("skeletonize", "mask.nii", "-o", "two.json", "--label", "all", "--json").stdout)
+        self.assertEqual(report["roots"], 2)
+        self.assertEqual([system["name"] for system in report["systems"]], ["label 1", "label 2"])
+        self.expect_done("skeletonize", "mask.nii", "-o", "third.swc", "--label", "2")
+        info = json.loads(self.expect_done("info", "third.swc", "--json").stdout)
+        self.assertEqual((info["branches"], info["loops"]), (1, 0))
+
+    def test_units(self):
+        self.expect_done("skeletonize", "mask.nii", "-o", "mm.json", "--label", "1")
+        self.expect_done("skeletonize", "mask.nii", "-o", "cm.json", "--label", "1", "--units", "cm")
+        radius = [json.loads((self.folder / name).read_text())["points"][0][3] for name in ("mm.json", "cm.json")]
+        self.assertAlmostEqual(radius[1], 10 * radius[0], places=6)
+
+    def test_a_mask_is_read_wherever_a_tree_is(self):
+        self.expect_done("mesh", "mask.nii", "-o", "surface.stl")
+        self.expect_done("render", "mask.nii", "-o", "picture.png", "--size", "200x150")
+
+    def test_how_a_mask_becomes_a_tree_is_asked_wherever_one_is_read(self):
+        def branches(*arguments):
+            self.expect_done("convert", *arguments, "-o", "tree.json")
+            return self.json("info", "tree.json", "--json")
+
+        apart, together = branches("mask.nii"), branches("mask.nii", "--labels", "together")
+        self.assertEqual((apart["systems"], together["systems"]), (["label 1", "label 2"], []))
+        self.assertEqual((apart["roots"], together["roots"]), (2, 1))
+        self.assertEqual(branches("mask.nii", "--labels", "2+1")["roots"], 1)
+        self.assertEqual(branches("mask.nii", "--labels", "2")["length_mm"], apart["system_list"][1]["length_mm"])
+        far = branches("mask.nii", "--root", "47,6,8", "--labels", "1")
+        self.expect_done("convert", "mask.nii", "--root", "47,6,8", "--labels", "1", "-o", "far.swc")
+        first = next(line for line in (self.folder / "far.swc").read_text().splitlines() if line.split()[-1] == "-1")
+        self.assertGreater(float(first.split()[2]), 40)
+        self.assertEqual(far["branches"], 1)
+        self.expect_failure("convert", "mask.nii", "--islands", "100", "-o", "x.json", says=("lower --islands",))
+        for wrong in (("--labels", "1,1+"), ("--root", "1,2"), ("--islands", "-1"), ("--bulge-size", "x")):
+            self.assertEqual(self.run_ramus("mesh", "mask.nii", "-o", "x.ply", *wrong).returncode, 2, wrong)
+        self.assertEqual(self.run_ramus("mesh", "mask.nii", "--method", "iso", "--fill-holes", "-o", "x.ply").returncode, 2)
+
+    def test_a_session_keeps_how_its_mask_is_read(self):
+        (self.folder / "commands.txt").write_text("read-as labels together fill-holes on bulge-size 1 root 47,6,8\n"
+                                                  "save s.ramus.json\n")
+        self.expect_done("render", "mask.nii", "--commands", "commands.txt", "--size", "64x48")
+        session = json.loads((self.folder / "s.ramus.json").read_text())
+        self.assertEqual(session["reading"], {"labels": "together", "fill_holes": True, "bulge_size": 1.0,
+                                              "root": [47.0, 6.0, 8.0]})
+        self.expect_done("convert", "--session", "s.ramus.json", "-o", "tree.json")
+        self.assertEqual(self.json("info", "tree.json", "--json")["systems"], [])
+        self.expect_done("convert", "--session", "s.ramus.json", "--labels", "apart", "-o", "tree.json")
+        self.assertEqual(self.json("info", "tree.json", "--json")["systems"], ["label 1", "label 2"])
+
+    def test_what_is_wrong_is_said(self):
+        self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--label", "7", says=("label 7 is not there",))
+        self.expect_failure("skeletonize", "mask.nii", "-o", "t.xyz", says=("t.xyz",))
+        self.expect_failure("skeletonize", "mask.nii", "-o", "t.json", "--islands", "100", says=("lower --islands",))
+        self.expect_failure("skeletonize", "nothing.nii", "-o", "t.json", says=("nothing.nii",))
+        (self.folder / "scan.nii").write_bytes(nifti((50, 22, 18), lambda i, j, k: (i * j + k) % 251))
+        self.expect_failure("skeletonize", "scan.nii", "-o", "t.json", says=("looks like a scan", "--label"))
+        self.assertFalse((self.folder / "t.json").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,67 @@
+"""A command or an option that does not exist: what was meant is said, on standard error, with exit status 2."""
+
+import re
+import unittest
+
+from ramus import GOOD, CommandLineTest
+
+
+class SuggestionsTest(CommandLineTest):
+    def commands(self):
+        helped = self.expect_done("--help").stdout.split("Subcommands:")[1]
+        return re.findall(r"^  ([a-z]+) ", helped, re.MULTILINE)
+
+    def refused(self, *arguments, says):
+        return self.expect_failure(*arguments, status=2, says=says)
+
+    def test_a_mistyped_command_is_known_whatever_follows_it(self):
+        for command in self.commands():
+            swapped = command[:-2] + command[-1] + command[-2]
+            for rest in ((), ("liver.swc",), ("liver.swc", "-o", "x.stl"), ("--json", "--size", "1x1")):
+                self.refused(swapped, *rest, says=(f"{swapped}: neither a command nor a file", f"did you mean {command}?"))
+
+    def test_a_word_like_no_command_is_told_where_they_are_listed(self):
+        result = self.refused("xyzzy", says=("xyzzy: neither a command nor a file", "ramus --help"))
+        self.assertNotIn("did you mean", result.stderr)
+
+    def test_every_long_option_of_every_command_is_found_again(self):
+        for command in self.commands():
+            options = set(re.findall(r"(--[a-z][a-z-]{4,})", self.expect_done(command, "--help").stdout))
+            self.assertGreater(len(options), 2)
+            for option in options:
+                wrong = option[:4] + "q" + option[4:]
+                self.assertNotIn(wrong, options)
+                result = self.run_ramus(command, wrong)
+                if "required" in result.stderr.lower():
+                    continue  # the first thing to say
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(f"Did you mean {option}?", result.stderr)
+
+    def test_a_mistyped_option(self):
+        self.write("tree.swc", GOOD)
+        for words in (("--detial", "16"), ("--detial=16",), ("--det", "16")):
+            self.refused("mesh", "tree.swc", "-o", "x.stl", *words, says=("not expected", "Did you mean --detail?",
+                                                                        "Run ramus mesh --help"))
+        self.refused("info", "tree.swc", "--jsno", says=("Did you mean --json?", "Run ramus info --help"))
+        self.refused("convert", "tree.swc", "-o", "x.swc", "--outptu", "y.swc", says=("Did you mean --output?",))
+        self.refused("--ui-scael", "2", says=("Did you mean --ui-scale?", "Run ramus --help"))
+        self.assertEqual(self.names(), ["tree.swc"])
+
+    def test_an_option_of_another_command(self):
+        self.write("tree.swc", GOOD)
+        self.refused("info", "tree.swc", "--isovalue", "1", says=("--isovalue is an option of ramus mesh",))
+
+    def test_an_option_like_none(self):
+        self.write("tree.swc", GOOD)
+        result = self.refused("info", "tree.swc", "--xyzzy", says=("not expected: --xyzzy",))
+        self.assertNotIn("Did you mean", result.stderr)
+
+    def test_a_mistyped_line_of_a_commands_file(self):
+        self.write("tree.swc", GOOD)
+        self.write("c.txt", "slect 2\n")
+        self.expect_failure("render", "tree.swc", "-o", "x.png", "--commands", "c.txt",
+                            says=("c.txt:1", "did you mean select?"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+// Surfaces of vessels that only press on each other, blended along the tree: pieces, loops and what is left of each.
+#include "core/base/disjoint_sets.h"
+#include "core/field/vessel_field.h"
+#include "core/mesh/polygonize/polygonize.h"
+#include "core/mesh/polygonize/polygonizer.h"
+#include "core/mesh/surface.h"
+#include "tests/support/built_tree.h"
+#include "tests/support/mesh_topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <memory>
+#include <numbers>
+
+namespace ramus::mesh {
+
+namespace {
+
+std::vector<tree::Point> straight(glm::dvec3 from, glm::dvec3 to, double radius, int steps = 40) {
+    std::vector<tree::Point> points;
+    for (int n = 0; n <= steps; ++n) points.push_back({from + (to - from) * (static_cast<double>(n) / steps), radius});
+    return points;
+}
+
+TriangleMesh blended_surface(const std::vector<std::vector<tree::Point>>& vessels, int detail = 16) {
+    tree::PreparedTree prepared;
+    for (const auto& vessel : vessels) test::add_branch(prepared, vessel);
+    auto contacts = std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0));
+    PolygonizeOptions options;
+    options.detail = detail;
+    Job job;
+    auto mesh = polygonize(field::VesselField(field::ConvolutionField(prepared, 5.0), contacts), options, job);
+    REQUIRE(mesh.has_value());
+    return std::move(*mesh);
+}
+
+struct Shape {
+    long pieces = 0, loops = 0;
+};
+Shape shape_of(const TriangleMesh& mesh) {
+    const test::Topology topology = test::topology(mesh);
+    REQUIRE(topology.closed_manifold());
+    DisjointSets sets(mesh.positions.size());
+    for (const glm::uvec3& t : mesh.triangles) sets.join(t.x, t.y), sets.join(t.y, t.z);
+    const auto pieces = static_cast<long>(sets.count());
+    return {pieces, pieces - topology.euler / 2};
+}
+
+} // namespace
+
+TEST_CASE("two vessels that cross stay two closed pieces however much they overlap") {
+    for (const double closeness : {0.1, 0.5, 0.9, 1.0, 1.05}) {
+        for (const double other : {1.0, 5.0}) {
+            CAPTURE(closeness);
+            CAPTURE(other);
+            const double distance = closeness * (1.0 + other);
+            const TriangleMesh mesh = blended_surface({straight({-12, 0.03, 0}, {12, 0.01, 0}, 1.0),
+                                                       straight({0.02, -12, distance}, {-0.05, 12, distance}, other)});
+            const Shape shape = shape_of(mesh);
+            CHECK(shape.pieces == 2);
+            // A thin vessel that lies wholly within a thick one leaves a tunnel in it.
+            const bool within = distance + 1.0 < other;
+            CHECK(shape.loops == (within ? 1 : 0));
+        }
+    }
+}
+
+TEST_CASE("two vessels side by side for long stay two closed pieces") {
+    for (const double closeness : {0.5, 0.9, 1.0, 1.05}) {
+        CAPTURE(closeness);
+        const double distance = closeness * 2.0;
+        const TriangleMesh mesh = blended_surface(
+            {straight({-10, 0, 0}, {10, 0.1, 0}, 1.0), straight({-10, distance, 0.1}, {10, distance, 0}, 1.0)});
+        const Shape shape = shape_of(mesh);
+        CHECK(shape.pieces == 2);
+        CHECK(shape.loops == 0);
+    }
+}
+
+TEST_CASE("the S-shape of 3 mm stays open up to a radius of 1.49 mm, and its vessel as thick as it was") {
+    for (const double radius : {1.37, 1.45, 1.49}) {
+        CAPTURE(radius);
+        std::vector<tree::Point> points;
+        const auto add = [&](double x, double y) { points.push_back({{x, y, 0.0}, radius}); };
+        for (int n = 0; n <= 60; ++n) add(0.5 * n, 0.0);
+        for (int n = 1; n < 24; ++n)
+            add(30.0 + 1.5 * std::sin(n * std::numbers::pi / 24), 1.5 - 1.5 * std::cos(n * std::numbers::pi / 24));
+        for (int n = 60; n >= 0; --n) add(0.5 * n, 3.0);
+        for (int n = 1; n < 24; ++n)
+            add(-1.5 * std::sin(n * std::numbers::pi / 24), 4.5 - 1.5 * std::cos(n * std::numbers::pi / 24));
+        for (int n = 0; n <= 60; ++n) add(0.5 * n, 6.0);
+        const Shape shape = shape_of(blended_surface({points}));
+        CHECK(shape.pieces == 1);
+        CHECK(shape.loops == 0);
+    }
+}
+
+TEST_CASE("without contacts the surface is that of the plain sum, to the bit") {
+    tree::PreparedTree prepared;
+    test::add_branch(prepared, straight({-12, 0, 0}, {12, 0, 0}, 1.0));
+    test::add_branch(prepared, straight({0, -12, 3.2}, {0, 12, 3.2}, 1.0));
+    const field::ConvolutionField sum(prepared, 5.0);
+    const auto contacts = std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0));
+    Job job;
+    const auto plain = polygonize(sum, {}, job);
+    const auto apart = polygonize(field::VesselField(sum, contacts), {}, job);
+    REQUIRE((plain.has_value() && apart.has_value()));
+    CHECK(plain->positions == apart->positions);
+    CHECK(plain->normals == apart->normals);
+    CHECK(plain->triangles == apart->triangles);
+}
+
+TEST_CASE("where one of two vessels is hidden the other is whole again, and both are back afterwards, to the bit") {
+    tree::PreparedTree prepared;
+    test::add_branch(prepared, straight({-12, 0, 0}, {12, 0, 0}, 1.0));
+    test::add_branch(prepared, straight({0, -12, 1.2}, {0, 12, 1.2}, 1.0));
+    const field::ConvolutionField sum(prepared, 5.0);
+    const field::VesselField both(sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0)));
+    const std::vector<std::uint8_t> second{0, 1};
+    Polygonizer polygonizer;
+    Job job;
+    REQUIRE(polygonizer.update(both, {}, job));
+    REQUIRE(polygonizer.update(both.without(second), {}, job));
+    const auto alone = polygonize(sum.without(second), {}, job);
+    REQUIRE(alone.has_value());
+    CHECK(polygonizer.compact() == *alone);
+    REQUIRE(polygonizer.update(both, {}, job));
+    const auto anew = polygonize(both, {}, job);
+    REQUIRE(anew.has_value());
+    CHECK(polygonizer.compact() == *anew);
+}
+
+} // namespace ramus::mesh

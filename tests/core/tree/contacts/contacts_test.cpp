@@ -1,0 +1,150 @@
+// Contacts of vessels whose courses are known.
+#include "core/tree/contacts/contacts.h"
+#include "tests/support/built_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace ramus::tree {
+
+namespace {
+
+constexpr double kWidth = 5.0;
+
+// Points every `step` along a line.
+std::vector<Point> straight(glm::dvec3 from, glm::dvec3 to, double radius, int steps = 40) {
+    std::vector<Point> points;
+    for (int n = 0; n <= steps; ++n) points.push_back({from + (to - from) * (static_cast<double>(n) / steps), radius});
+    return points;
+}
+
+Contacts contacts_of(const std::vector<std::vector<Point>>& vessels) {
+    PreparedTree prepared;
+    for (const auto& vessel : vessels) test::add_branch(prepared, vessel);
+    return find_contacts(prepared, kWidth);
+}
+
+// Two that cross at a right angle, their axes `distance` apart.
+Contacts crossing(double distance, double radius_a = 1.0, double radius_b = 1.0) {
+    return contacts_of(
+        {straight({-10, 0, 0}, {10, 0, 0}, radius_a), straight({0, -10, distance}, {0, 10, distance}, radius_b)});
+}
+
+} // namespace
+
+TEST_CASE("two vessels that cross are a contact as long as their surfaces would merge") {
+    for (const double closeness : {0.1, 0.5, 0.9, 1.0, 1.05, 1.09}) {
+        for (const double other : {1.0, 5.0}) {
+            CAPTURE(closeness);
+            CAPTURE(other);
+            const double sum = 1.0 + other;
+            const Contacts contacts = crossing(closeness * sum, 1.0, other);
+            REQUIRE(contacts.list.size() == 1);
+            const Contact& contact = contacts.list[0];
+            CHECK(contact.closeness == doctest::Approx(closeness).epsilon(1e-6));
+            CHECK(contact.gap == doctest::Approx((closeness - 1.0) * sum).epsilon(1e-6));
+            CHECK(contact.sides[0].branches == std::vector<int>{0});
+            CHECK(contact.sides[1].branches == std::vector<int>{1});
+            CHECK(glm::length(contact.sides[0].at) < 1e-6);
+            // What is left of each is half the axis distance at least.
+            for (const ContactSide& side : contact.sides)
+                CHECK(side.radius - side.narrowed >= std::min(side.radius, 0.5 * closeness * sum) - 1e-9);
+        }
+    }
+    CHECK(crossing(2.5).list.empty());
+    CHECK_FALSE(crossing(2.5).partners.empty()); // a near miss: nothing merges, but cells may be larger than the gap
+    CHECK(crossing(3.1).partners.empty());
+}
+
+TEST_CASE("daughters of a fork that stay together for a while are no contact, but are one where they meet again") {
+    // Two daughters that part slowly, and then for good; or come back to each other.
+    const auto fork = [](bool back) {
+        std::vector<Point> points = straight({-10, 0, 0}, {0, 0, 0}, 1.0, 20);
+        std::vector<Edge> edges;
+        for (std::uint32_t n = 1; n < points.size(); ++n) edges.emplace_back(n - 1, n);
+        const auto joint = static_cast<std::uint32_t>(points.size() - 1);
+        for (const double side : {-1.0, 1.0}) {
+            std::uint32_t before = joint;
+            for (int n = 1; n <= 60; ++n) {
+                const double x = 0.5 * n;
+                const double apart = back ? 3.0 * std::sin(x / 30.0 * 1.8 * std::numbers::pi) : 0.25 * x;
+                const double off = x < 1.0 ? 0.25 * x : std::max(0.25, std::abs(apart));
+                points.push_back({{x, side * (back && x > 12.0 ? std::max(0.8, std::abs(apart)) : off), 0.0}, 0.8});
+                const auto here = static_cast<std::uint32_t>(points.size() - 1);
+                edges.emplace_back(before, here);
+                before = here;
+            }
+        }
+        PreparedTree prepared;
+        prepared.tree = test::built_tree(points, edges);
+        for (std::size_t b = 0; b < prepared.tree.branches.size(); ++b)
+            prepared.segment_source.insert(prepared.segment_source.end(), prepared.tree.branches[b].points.size() - 1,
+                                           static_cast<int>(b));
+        return find_contacts(prepared, kWidth);
+    };
+    CHECK(fork(false).list.empty());
+    const Contacts again = fork(true);
+    REQUIRE(again.list.size() == 1);
+    CHECK(again.list[0].sides[0].at.x > 10.0);
+}
+
+TEST_CASE("a vessel that turns back on itself is a contact, and a bend is none") {
+    const auto arc = [](double bend_radius, double radius, double legs) {
+        std::vector<Point> points = straight({-legs, -bend_radius, 0}, {0, -bend_radius, 0}, radius, 60);
+        for (int n = 1; n < 40; ++n) {
+            const double angle = std::numbers::pi * (n / 40.0 - 0.5);
+            points.push_back({{bend_radius * std::cos(angle), bend_radius * std::sin(angle), 0.0}, radius});
+        }
+        for (const Point& point : straight({0, bend_radius, 0}, {-legs, bend_radius, 0}, radius, 60))
+            points.push_back(point);
+        return contacts_of({points});
+    };
+    CHECK(arc(3.0, 1.0, 20.0).list.empty());  // far apart
+    CHECK(arc(1.05, 1.0, 20.0).list.empty()); // together from the bend on
+    // Legs that come together again beyond a wide bend.
+    std::vector<Point> points = straight({-30, -1.02, 0}, {-10, -1.02, 0}, 1.0, 40);
+    for (int n = 1; n < 80; ++n) {
+        const double angle = std::numbers::pi * (2.0 * n / 80.0 - 1.0);
+        points.push_back(
+            {{-10.0 + 4.0 * (1.0 + std::cos(angle)), 1.02 * angle / std::numbers::pi + 4.0 * std::sin(angle), 0.0},
+             1.0});
+    }
+    for (const Point& point : straight({-10, 1.02, 0}, {-30, 1.02, 0}, 1.0, 40)) points.push_back(point);
+    const Contacts loop = contacts_of({points});
+    REQUIRE(loop.list.size() == 1);
+    CHECK(loop.list[0].sides[0].branches == loop.list[0].sides[1].branches);
+}
+
+TEST_CASE("turns of a coil are kept apart from their neighbours") {
+    std::vector<Point> points;
+    for (int n = 0; n <= 600; ++n) {
+        const double angle = 2.0 * std::numbers::pi * n / 100.0;
+        points.push_back({{5.0 * std::cos(angle), 5.0 * std::sin(angle), 1.9 * n / 100.0}, 1.0});
+    }
+    const Contacts coil = contacts_of({points});
+    REQUIRE(coil.list.size() == 1);
+    CHECK(coil.list[0].gap == doctest::Approx(-0.1).epsilon(0.2));
+    // Each place touches the turn below and the one above.
+    const std::uint32_t middle = coil.piece_of_segment[300];
+    REQUIRE(coil.partners_of(middle).size() > 2);
+    CHECK(coil.partners_of(middle).front().piece < middle);
+    CHECK(coil.partners_of(middle).back().piece > middle);
+}
+
+TEST_CASE("how densely a file samples its vessels does not change their contacts") {
+    const auto at = [](int steps) {
+        return contacts_of(
+            {straight({-10, 0, 0}, {10, 0, 0}, 1.0, steps), straight({0, -10, 1.5}, {0, 10, 1.5}, 1.0, steps)});
+    };
+    const Contacts coarse = at(1);
+    const Contacts fine = at(2000);
+    REQUIRE(coarse.list.size() == 1);
+    REQUIRE(fine.list.size() == 1);
+    CHECK(coarse.list[0].gap == doctest::Approx(fine.list[0].gap).epsilon(1e-3));
+    CHECK(fine.first_partner.size() < 300);
+}
+
+} // namespace ramus::tree

@@ -1,0 +1,61 @@
+// The readers of volumes, by the table of formats, and headers whose values stand in another file.
+#include "core/base/memory.h"
+#include "core/io/volumes/volume_file.h"
+#include "tests/fuzz/target.h"
+
+#include <cmath>
+#include <glm/mat4x4.hpp>
+
+namespace ramus::fuzz {
+
+namespace {
+
+void check_volume(const volume::Volume& volume) {
+    must(volume.size.x > 0 && volume.size.y > 0 && volume.size.z > 0, "a volume is empty");
+    must(volume.minimum <= volume.maximum, "the least value is above the greatest");
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) must(std::isfinite(volume.to_patient[column][row]), "a volume lies nowhere");
+    must(glm::determinant(volume.to_patient) != 0.0, "the voxels of a volume are flat");
+    for (const glm::ivec3& voxel : {glm::ivec3(0), volume.size / 2, volume.size - 1}) {
+        // Fractions are kept in single precision; the range is that of the file's numbers.
+        const auto value = static_cast<float>(value_at(volume, voxel));
+        must(value >= static_cast<float>(volume.minimum) && value <= static_cast<float>(volume.maximum),
+             "a value is out of range");
+    }
+}
+
+void read_from(const io::VolumeFormat& format, Result<io::ByteSource> source, const std::string& name) {
+    if (!source) return check_error(source.error(), name);
+    if (!format.has_signature(source->head())) return; // as read_volume() sees to
+    constexpr double kMemory = 256e6;
+    Job job;
+    const auto volume = format.read(*source, {process_memory() + kMemory, {}}, job);
+    if (volume) return check_volume(*volume);
+    must(!volume.error().what.empty() && !volume.error().where.empty() && !volume.error().hint.empty(),
+         "an error does not say enough: " + volume.error().message());
+}
+
+} // namespace
+
+std::vector<Target> volume_targets() {
+    std::vector<Target> targets;
+    for (const io::VolumeFormat& format : io::volume_formats()) {
+        if (!io::is_read(format)) continue;
+        const std::string extension(format.extensions.front());
+        targets.push_back({extension.substr(1), [&format, name = "volume" + extension](std::string_view bytes) {
+                               read_from(format, io::ByteSource::of_memory(bytes, name), name);
+                           }});
+        if (extension != ".nrrd" && extension != ".mha") continue;
+        // A header, and the values beside it as "values.raw".
+        const std::string detached(format.extensions.back());
+        targets.push_back({detached.substr(1), [&format, detached](std::string_view bytes) {
+                               const auto [header, values] = two_files(bytes);
+                               (void)written_file("values.raw", values);
+                               const std::string path = written_file("volume" + detached, header);
+                               read_from(format, io::ByteSource::open(path), path);
+                           }});
+    }
+    return targets;
+}
+
+} // namespace ramus::fuzz
