@@ -42,8 +42,6 @@ private:
     enum Flag : std::uint8_t { kQueued = 1, kKept = 2 };
     static constexpr float kLevels = 8.0F; // of the queue for each least voxel size
 
-    void take_out(Address at) { left_.row(0, 0).data()[at / 64] &= ~(std::uint64_t{1} << (at % 64)); }
-
     void queue(Address at) {
         const std::uint32_t number = set_.number(at);
         if (flags_[number] != 0) return;
@@ -74,7 +72,7 @@ private:
         flags_[set_.number(at)] &= static_cast<std::uint8_t>(~kQueued);
         const Neighbourhood around = neighbourhood(left_, at);
         if (!is_simple(around)) return; // it is looked at again when a neighbour goes
-        take_out(at);
+        clear_bit(left_, at);
         const float here = distances_[set_.number(at)];
         float steepest = -std::numeric_limits<float>::infinity();
         int uphill = kCentreBit;

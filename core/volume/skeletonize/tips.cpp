@@ -18,7 +18,9 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 // Lengths of ways through the set, by number of the voxel, from wherever spread() was told to begin.
 class Ways {
 public:
-    Ways(const VoxelSet& set, const JobRange& job) : set_(set), job_(job), lengths_(set.count(), kFar) {
+    // `open`: the set, from which a piece is gone once it is spread through.
+    Ways(const VoxelSet& set, BitMask& open, const JobRange& job)
+        : set_(set), open_(open), job_(job), lengths_(set.count(), kFar) {
         for (int bit = 0; bit < 27; ++bit) {
             if (bit == kCentreBit) continue;
             lengths_mm_[static_cast<std::size_t>(bit)] = static_cast<float>(set.step_mm(bit));
@@ -43,6 +45,7 @@ public:
                 const float here = length(at);
                 if (static_cast<std::size_t>(here / width_) != b) continue; // reached on a shorter way meanwhile
                 reached.push_back(at);
+                clear_bit(open_, at);
                 relax(at, here);
             }
             std::vector<Address>().swap(buckets_[b]);
@@ -59,7 +62,7 @@ public:
 
 private:
     void relax(Address at, float here) {
-        set_.for_neighbours(at, [&](Address to, std::uint32_t number, int bit) {
+        set_.for_neighbours(at, open_, [&](Address to, std::uint32_t number, int bit) {
             float& length = lengths_[number];
             const float through = here + lengths_mm_[static_cast<std::size_t>(bit)];
             if (!(through < length)) return;
@@ -74,6 +77,7 @@ private:
     }
 
     const VoxelSet& set_;
+    BitMask& open_;
     const JobRange& job_;
     LargeArray<float> lengths_;
     std::array<float, 27> lengths_mm_{};
@@ -94,19 +98,19 @@ public:
             double bulge_size)
         : set_(set), distances_(distances), lengths_(lengths), bulge_size_(static_cast<float>(bulge_size)),
           voxel_(static_cast<float>(std::max({set.spacing().x, set.spacing().y, set.spacing().z}))),
-          summit_of_(set.count(), kNone) {}
+          summit_of_(set.count()) {}
 
-    // `order`: the voxels of a piece, the nearest to its start first.
-    void find(const std::vector<Address>& order, std::vector<Address>& tips) {
+    // `order`: the voxels of a piece, the nearest to its start first. `done`: a mask without them; they are put there.
+    void find(const std::vector<Address>& order, BitMask& done, std::vector<Address>& tips) {
         summits_.clear(), joined_.clear();
         for (auto next = order.rbegin(); next != order.rend(); ++next) {
             const Address at = *next;
             const std::uint32_t number = set_.number(at);
             std::uint32_t own = kNone;
             std::uint32_t last = kNone;
-            set_.for_neighbours(at, [&](Address, std::uint32_t neighbour, int) {
+            set_.for_neighbours(at, done, [&](Address, std::uint32_t neighbour, int) {
                 const std::uint32_t other = summit_of_[neighbour];
-                if (other == kNone || other == last) return;
+                if (other == last) return;
                 last = other;
                 const std::uint32_t root = find_root(other);
                 own = own == kNone || own == root ? root : join(own, root, lengths_[number], tips);
@@ -118,6 +122,7 @@ public:
             }
             summits_[own].thickness = std::max(summits_[own].thickness, distances_[number]);
             summit_of_[number] = own;
+            set_bit(done, at);
         }
         if (!order.empty()) tips.push_back(summits_[find_root(0)].farthest);
     }
@@ -210,7 +215,8 @@ Address middle_of_end(Address tip, const VoxelSet& set, const LargeArray<float>&
 std::vector<Address> find_tips(const VoxelSet& set, const LargeArray<float>& distances, double bulge_size,
                                const JobRange& job) {
     std::vector<Address> tips, reached;
-    Ways ways(set, job);
+    BitMask ahead = set.bits();
+    Ways ways(set, ahead, job);
     Summits summits(set, distances, ways.lengths(), bulge_size);
     BitMask open = set.bits();
     std::uint64_t done = 0;
@@ -219,7 +225,7 @@ std::vector<Address> find_tips(const VoxelSet& set, const LargeArray<float>& dis
         const Address start = farthest_from(first, set, open); // the end of a vessel
         ways.spread(start, reached);
         const std::size_t before = tips.size();
-        summits.find(reached, tips);
+        summits.find(reached, ahead, tips);
         if (std::find(tips.begin() + static_cast<std::ptrdiff_t>(before), tips.end(), start) == tips.end())
             tips.push_back(start);
         for (std::size_t t = before; t < tips.size(); ++t)

@@ -6,6 +6,7 @@
 #include "core/base/large_array.h"
 #include "core/volume/bit_mask.h"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -69,7 +70,9 @@ public:
     [[nodiscard]] double step_mm(int bit) const;
 
     // Calls `call(address, number, bit)` for every neighbour of a voxel that is in the set.
-    template <class Call> void for_neighbours(Address at, const Call& call) const;
+    template <class Call> void for_neighbours(Address at, const Call& call) const { for_neighbours(at, bits_, call); }
+    // Of those that are in `part` too, a part of the set.
+    template <class Call> void for_neighbours(Address at, const BitMask& part, const Call& call) const;
 
     template <class Call> void for_each(const Call& call) const { // in order of addresses
         const std::size_t count =
@@ -89,6 +92,14 @@ private:
     std::uint32_t count_ = 0;
 };
 
+// One bit of any mask of the same size.
+inline void set_bit(BitMask& mask, VoxelSet::Address at) {
+    mask.row(0, 0).data()[at / 64] |= std::uint64_t{1} << (at % 64);
+}
+inline void clear_bit(BitMask& mask, VoxelSet::Address at) {
+    mask.row(0, 0).data()[at / 64] &= ~(std::uint64_t{1} << (at % 64));
+}
+
 // The bits around a voxel of the box (not of its border) in any mask of the same size.
 [[nodiscard]] inline Neighbourhood neighbourhood(const BitMask& mask, VoxelSet::Address at) {
     const std::uint64_t* words = mask.slice(0).data();
@@ -107,16 +118,21 @@ private:
     return found;
 }
 
-template <class Call> void VoxelSet::for_neighbours(Address at, const Call& call) const {
-    const Neighbourhood around = neighbourhood(bits_, at);
+template <class Call> void VoxelSet::for_neighbours(Address at, const BitMask& part, const Call& call) const {
+    const Neighbourhood all = neighbourhood(bits_, at);
+    const Neighbourhood wanted = &part == &bits_ ? all : neighbourhood(part, at);
     for (int row = 0; row < 9; ++row) {
-        std::uint32_t left = around >> (3 * row) & 7U;
+        std::uint32_t left = wanted >> (3 * row) & 7U;
         if (left == 0) continue;
         const auto first = static_cast<Address>(static_cast<std::int64_t>(at) + step(3 * row));
-        std::uint32_t next = number(first + static_cast<Address>(std::countr_zero(left)));
-        for (; left != 0; left &= left - 1, ++next) { // voxels of a row have numbers in a row
-            const int bit = 3 * row + std::countr_zero(left);
-            if (bit != kCentreBit) call(first + static_cast<Address>(std::countr_zero(left)), next, bit);
+        const std::uint32_t number_of_first = number(first);
+        const std::uint32_t there = all >> (3 * row) & 7U;
+        const std::array<std::uint32_t, 3> before{0, there & 1U, (there & 1U) + (there >> 1U & 1U)};
+        for (; left != 0; left &= left - 1) { // voxels of a row have numbers in a row
+            const int x = std::countr_zero(left);
+            if (3 * row + x != kCentreBit)
+                call(first + static_cast<Address>(x), number_of_first + before[static_cast<std::size_t>(x)],
+                     3 * row + x);
         }
     }
 }
