@@ -10,7 +10,8 @@
 namespace ramus::field {
 
 VesselField::VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts)
-    : sum_(std::move(sum)), contacts_(std::move(contacts)) {}
+    : sum_(std::move(sum)), contacts_(std::move(contacts)),
+      pieces_(std::make_shared<const Pieces>(*contacts_, sum_.skeleton())) {}
 
 VesselField VesselField::without(std::span<const std::uint8_t> hidden) const {
     return {sum_.without(hidden), contacts_};
@@ -18,15 +19,12 @@ VesselField VesselField::without(std::span<const std::uint8_t> hidden) const {
 
 std::optional<SegmentChanges> VesselField::changes_since(const VesselField& before) const {
     auto changes = sum_.changes_since(before.sum_);
-    if (!changes || contacts_ == before.contacts_ || (contacts_->empty() && before.contacts_->empty())) return changes;
+    if (!changes || (contacts_->empty() && before.contacts_->empty())) return changes;
     if (contacts_->piece_of_segment != before.contacts_->piece_of_segment) return std::nullopt;
-    // Segments that stay where they are may have other partners.
+    // Segments that stay where they are may have other partners, or the same with other shapes.
     std::vector<std::uint32_t> others;
-    for (const std::uint32_t segment : skeleton().present()) {
-        const std::uint32_t piece = contacts_->piece_of_segment[segment];
-        if (!std::ranges::equal(contacts_->partners_of(piece), before.contacts_->partners_of(piece)))
-            others.push_back(segment);
-    }
+    for (const std::uint32_t segment : skeleton().present())
+        if (!pieces_->same_around(contacts_->piece_of_segment[segment], *before.pieces_)) others.push_back(segment);
     const auto add = [&](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& present) {
         std::vector<std::uint32_t> there;
         std::ranges::set_intersection(others, present, std::back_inserter(there));
@@ -51,14 +49,14 @@ ChildBounds VesselField::bound_children(SegmentIndices list, const ChildCubes& c
         for (std::size_t n = 0; n < list.size(); ++n)
             if ((reaching[n] >> child & 1) != 0) there.push_back(list[n]);
         // A wall may go through what is inside of both vessels.
-        if (any_apart(*contacts_, there, scratch)) bounds.lower[child] = 0.0F;
+        if (any_apart(*pieces_, there, scratch)) bounds.lower[child] = 0.0F;
     }
     return bounds;
 }
 
 std::unique_ptr<BrickField> VesselField::in_brick() const {
     if (contacts_->empty()) return sum_.in_brick();
-    return std::make_unique<VesselBrick>(sum_, *contacts_);
+    return std::make_unique<VesselBrick>(sum_, *pieces_);
 }
 
 } // namespace ramus::field

@@ -31,31 +31,39 @@ bool any_partner(std::span<const tree::Contacts::Partner> partners, const std::v
 
 } // namespace
 
-bool any_apart(const tree::Contacts& contacts, SegmentIndices list, std::vector<std::uint32_t>& scratch) {
-    list_pieces(contacts, list, scratch);
-    return scratch.size() > 1 && std::ranges::any_of(scratch, [&](std::uint32_t piece) {
-               return any_partner(contacts.partners_of(piece), scratch);
-           });
+bool any_apart(const Pieces& pieces, SegmentIndices list, std::vector<std::uint32_t>& scratch) {
+    list_pieces(pieces.contacts(), list, scratch);
+    return std::ranges::any_of(scratch, [&](std::uint32_t piece) {
+        return pieces.in_contact(piece) || any_partner(pieces.contacts().partners_of(piece), scratch);
+    });
 }
 
 bool LocalContacts::enter(SegmentIndices list) {
-    list_pieces(contacts_, list, listed_);
+    const tree::Contacts& contacts = all_.contacts();
+    list_pieces(contacts, list, listed_);
     pieces_.clear();
-    if (listed_.size() < 2) return false;
     for (const std::uint32_t piece : listed_)
-        if (any_partner(contacts_.partners_of(piece), listed_)) pieces_.push_back(piece);
+        if (all_.in_contact(piece) || any_partner(contacts.partners_of(piece), listed_)) pieces_.push_back(piece);
     if (pieces_.empty()) return false;
     const auto number_of = [&](std::uint32_t piece) {
         const auto found = std::ranges::lower_bound(pieces_, piece);
         return found != pieces_.end() && *found == piece ? static_cast<int>(found - pieces_.begin()) : -1;
     };
     piece_of_.clear();
-    for (const std::uint32_t segment : list) piece_of_.push_back(number_of(contacts_.piece_of_segment[segment]));
+    for (const std::uint32_t segment : list) piece_of_.push_back(number_of(all_.of_segment(segment)));
     matrix_.assign(pieces_.size() * pieces_.size(), {});
-    for (std::size_t a = 0; a < pieces_.size(); ++a)
-        for (const tree::Contacts::Partner& partner : contacts_.partners_of(pieces_[a]))
+    first_obstacle_.assign(1, 0);
+    obstacles_.clear();
+    for (std::size_t a = 0; a < pieces_.size(); ++a) {
+        for (const tree::Contacts::Partner& partner : contacts.partners_of(pieces_[a])) {
+            const PieceRelation relation{partner.apart_from, partner.aside};
             if (const int b = number_of(partner.piece); b >= 0)
-                matrix_[a * pieces_.size() + static_cast<std::size_t>(b)] = {partner.apart_from, partner.aside};
+                matrix_[a * pieces_.size() + static_cast<std::size_t>(b)] = relation;
+            const PieceShape* shape = all_.shape(partner.piece);
+            if (partner.apart_from > 0.0F && shape != nullptr) obstacles_.push_back({shape, relation});
+        }
+        first_obstacle_.push_back(obstacles_.size());
+    }
     return true;
 }
 

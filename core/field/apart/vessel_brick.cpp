@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace ramus::field {
@@ -35,8 +36,8 @@ constexpr std::array<std::array<GridPlace, kGroupPoints>, kGroups> kPlaces = [] 
 
 } // namespace
 
-VesselBrick::VesselBrick(const ConvolutionField& sum, const tree::Contacts& contacts)
-    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, contacts) {}
+VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces)
+    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces) {}
 
 void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
@@ -45,7 +46,14 @@ void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
 }
 
 float VesselBrick::value_at(const glm::dvec3& point, float plain) {
-    if (!views_.look(point)) return plain;
+    switch (views_.look(point)) {
+    case VesselViews::Sight::kPlain:
+        return plain;
+    case VesselViews::Sight::kCut:
+        return std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
+    case VesselViews::Sight::kParted:
+        break;
+    }
     kernels_ += views_.add_terms();
     views_.list_vessels();
     return static_cast<float>(views_.judge().value);
@@ -82,9 +90,10 @@ std::uint64_t VesselBrick::sample_lattice(const LatticeAxes& lattice, std::span<
 std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                                        std::span<Owner> owners) {
     for (std::size_t n = 0; n < points.size(); ++n) {
-        const bool differs = views_.look({lattice.x[points[n].i], lattice.y[points[n].j], lattice.z[points[n].k]});
+        const auto sight = views_.look({lattice.x[points[n].i], lattice.y[points[n].j], lattice.z[points[n].k]});
         std::size_t owner = VesselViews::kNone;
-        if (differs) {
+        if (sight == VesselViews::Sight::kPlain) views_.see_all();
+        if (sight == VesselViews::Sight::kParted) {
             kernels_ += views_.add_terms();
             views_.list_vessels();
             owner = views_.judge().owner;
@@ -114,7 +123,7 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
         const std::size_t n = one.guess;
         const glm::dvec3 corner = axes_.corner();
         const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
-        if (!views_.look(guess) && !one.at_wall) continue;
+        if (views_.look(guess) == VesselViews::Sight::kPlain && !views_.beside_contact() && !one.at_wall) continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
         const WallPoint point =
             move_to_wall(views_, place_of(one.owner), guess, middle, static_cast<double>(guesses.reach[n]), kernels_);

@@ -12,7 +12,7 @@ namespace ramus::field {
 
 class VesselBrick final : public BrickField {
 public:
-    VesselBrick(const ConvolutionField& sum, const tree::Contacts& contacts);
+    VesselBrick(const ConvolutionField& sum, const Pieces& pieces);
 
     void enter(SegmentIndices list, const GridAxes& axes) override;
     std::uint64_t sample_groups(unsigned groups, GridGroups& samples) override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -11,6 +12,38 @@ namespace {
 
 // Beyond this many radii from its axis no point is inside a vessel, four of whose kind meet there.
 constexpr double kClaimRadii = 1.25;
+// What is cut off behind an obstacle is this much wider than it: no thin rest is left beside it.
+constexpr double kWiderRadii = 1.1;
+// So near to what is cut off, in radii, a point may have to be moved away.
+constexpr double kBesideRadii = 0.5;
+constexpr double kFarAway = std::numeric_limits<double>::infinity();
+
+// The share of the way along `line` at which it is nearest to a point `from` its start.
+double share_along(const glm::dvec3& from, const glm::dvec3& line) {
+    const double length2 = glm::dot(line, line);
+    return length2 > 0.0 ? std::clamp(glm::dot(from, line) / length2, 0.0, 1.0) : 0.0;
+}
+
+// A way outward from a vessel's axis, and another vessel's axis that it passes, as a whole line or the end of one.
+struct Passing {
+    double nearest; // how far along the way the axis is nearest, mm
+    double middle;  // from where on it is nearer than the way is long
+    double sine;    // of the angle between the two
+    [[nodiscard]] double deepest() const { return std::max(nearest, middle); }
+};
+Passing pass(const glm::dvec3& foot, const glm::dvec3& way, const glm::dvec3& end) {
+    const double toward = glm::dot(end - foot, way);
+    return {toward, toward > 0.0 ? 0.5 * glm::dot(end - foot, end - foot) / toward : kFarAway, 1.0};
+}
+Passing pass(const glm::dvec3& foot, const glm::dvec3& way, const glm::dvec3& start, const glm::dvec3& along) {
+    const double cosine = glm::dot(way, along);
+    const glm::dvec3 between = foot - start - glm::dot(foot - start, along) * along;
+    const double toward = -glm::dot(between, way - cosine * along);
+    const double apart2 = glm::dot(between, between);
+    const double sine2 = std::max(1.0 - cosine * cosine, 1e-12);
+    const double root = toward + std::sqrt(toward * toward + cosine * cosine * apart2);
+    return {toward / sine2, root > 0.0 ? apart2 / root : kFarAway, std::sqrt(sine2)};
+}
 
 SeenSegment seen_from(const FieldSegment& s, const glm::dvec3& point, std::uint32_t place, int piece) {
     const glm::dvec3 start(s.ax, s.ay, s.az);
@@ -25,48 +58,71 @@ SeenSegment seen_from(const FieldSegment& s, const glm::dvec3& point, std::uint3
 
 } // namespace
 
-VesselViews::VesselViews(const Kernel& kernel, const FieldSegment* segments, const tree::Contacts& contacts)
+VesselViews::VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces)
     : kernel_(kernel), surface_phi_(std::sqrt(-std::log(kernel.isovalue))),
-      merged_(tree::ContactLimits(kernel.width).merged), segments_(segments), contacts_(contacts) {}
+      merged_(tree::ContactLimits(kernel.width).merged), segments_(segments), contacts_(pieces) {}
 
 bool VesselViews::enter(SegmentIndices list) {
     list_ = list;
-    return contacts_.enter(list);
+    kept_apart_.clear();
+    if (!contacts_.enter(list)) return false;
+    for (std::uint32_t n = 0; n < list_.size(); ++n)
+        if (contacts_.piece(n) >= 0) kept_apart_.push_back(n);
+    return true;
 }
 
-bool VesselViews::look(const glm::dvec3& point) {
+VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     point_ = point;
+    near_.clear();
+    beside_contact_ = false;
+    for (const std::uint32_t n : kept_apart_) {
+        const SeenSegment seen = seen_from(segments_[list_[n]], point, n, contacts_.piece(n));
+        if (seen.distance < kernel_.support_radii * seen.radius) near_.push_back(seen);
+    }
+    bool parted = false;
+    for (std::size_t a = 0; a < near_.size() && !parted; ++a)
+        for (std::size_t b = a + 1; b < near_.size() && !parted; ++b) parted = left_out(near_[a], near_[b]) > 0.0;
+    if (parted) {
+        see_all();
+        return Sight::kParted;
+    }
+    for (const SeenSegment& own : near_)
+        if (own.relative() < kClaimRadii && nearest_shadow(own).spare < kBesideRadii * own.radius) {
+            beside_contact_ = true;
+            break;
+        }
+    if (!beside_contact_) return Sight::kPlain;
+    see_all();
+    return nearest_shadow(seen_[nearest()]).spare < 0.0 ? Sight::kCut : Sight::kPlain;
+}
+
+void VesselViews::see_all() {
     seen_.clear();
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
-        const SeenSegment seen = seen_from(segments_[list_[n]], point, n, contacts_.piece(n));
+        const SeenSegment seen = seen_from(segments_[list_[n]], point_, n, contacts_.piece(n));
         if (seen.distance < kernel_.support_radii * seen.radius) seen_.push_back(seen);
     }
-    terms_.clear(seen_.size());
-    for (std::size_t a = 0; a < seen_.size(); ++a) {
-        if (seen_[a].piece < 0) continue;
-        for (std::size_t b = a + 1; b < seen_.size(); ++b)
-            if (left_out(seen_[a], seen_[b]) > 0.0) {
-                for (const SeenSegment& seen : seen_) terms_.add(segments_[list_[seen.place]], point);
-                return true;
-            }
-    }
-    for (const SeenSegment& seen : seen_) terms_.add(segments_[list_[seen.place]], point);
-    return false;
 }
 
 std::uint64_t VesselViews::add_terms() {
+    terms_.clear(seen_.size());
+    for (const SeenSegment& seen : seen_) terms_.add(segments_[list_[seen.place]], point_);
     kernel_.sum->find_terms(kernel_, terms_);
     return terms_.count;
 }
 
-double VesselViews::left_out(const SeenSegment& a, const SeenSegment& b) const {
-    const auto apart_from = static_cast<double>(contacts_.relation(a.piece, b.piece).apart_from);
-    if (!(apart_from > 0.0)) return 0.0;
-    const double closeness = glm::distance(a.foot, b.foot) / (a.radius + b.radius);
+double VesselViews::share_left_out(double apart_from, const glm::dvec3& foot, double radius,
+                                   const glm::dvec3& other_foot, double other_radius) const {
+    const double closeness = glm::distance(foot, other_foot) / (radius + other_radius);
     const double whole = 0.5 * (std::min(merged_, apart_from) + apart_from);
     const double begin = std::min(whole, 1.12 * merged_); // a little above, for more than two vessels
     const double x = std::clamp((apart_from - closeness) / (apart_from - begin), 0.0, 1.0);
     return x * x * (3.0 - 2.0 * x);
+}
+
+double VesselViews::left_out(const SeenSegment& a, const SeenSegment& b) const {
+    const auto apart_from = static_cast<double>(contacts_.relation(a.piece, b.piece).apart_from);
+    return apart_from > 0.0 ? share_left_out(apart_from, a.foot, a.radius, b.foot, b.radius) : 0.0;
 }
 
 VesselView VesselViews::view(std::size_t seen) const {
@@ -84,33 +140,70 @@ VesselView VesselViews::view(std::size_t seen) const {
     return view;
 }
 
-VesselViews::Beside VesselViews::beside(std::size_t own, std::size_t other) const {
-    const SeenSegment& a = seen_[own];
-    const SeenSegment& b = seen_[other];
-    const double share = left_out(a, b);
-    return {point_ - a.foot - share * glm::dvec3(contacts_.relation(a.piece, b.piece).aside),
-            point_ - b.foot - share * glm::dvec3(contacts_.relation(b.piece, a.piece).aside)};
+SeenSegment VesselViews::moved(const SeenSegment& own, const glm::dvec3& aside) const {
+    if (aside == glm::dvec3(0.0)) return own;
+    SeenSegment nearest = own;
+    nearest.distance = kFarAway;
+    for (const SeenSegment& other : near_) {
+        if (other.place != own.place && apart(own, other)) continue;
+        SeenSegment seen = seen_from(segments_[list_[other.place]], point_ - aside, other.place, other.piece);
+        if (seen.distance >= nearest.distance) continue;
+        seen.foot += aside;
+        nearest = seen;
+    }
+    return nearest;
 }
 
-VesselViews::Layer VesselViews::layer_behind(std::size_t own, std::size_t other) const {
-    constexpr double kThin = 0.8, kGroove = 0.5; // of the thinner vessel's radius
-    const SeenSegment& a = seen_[own];
-    const SeenSegment& b = seen_[other];
-    Layer layer{std::numeric_limits<double>::infinity(), {}};
-    if (!(a.distance > 0.0)) return layer;
-    const glm::dvec3 way = (point_ - a.foot) / a.distance;
-    const glm::dvec3 to_other = b.foot - a.foot;
-    const double along = glm::dot(to_other, way);
-    const glm::dvec3 aside = to_other - along * way;
-    const double off2 = glm::dot(aside, aside);
-    if (along <= 0.0 || off2 >= b.radius * b.radius) return layer;
-    const double exit = along + std::sqrt(b.radius * b.radius - off2);
-    if (a.distance <= exit || left_out(a, b) < 0.5) return layer;
-    const double thinner = std::min(a.radius, b.radius);
-    const double off = std::sqrt(off2);
-    layer.spare = std::min(a.radius - exit - kThin * thinner, off - kGroove * thinner);
-    if (off > 0.0) layer.inward = aside / off;
-    return layer;
+VesselViews::Beside VesselViews::beside(std::size_t own, std::size_t other) const {
+    const glm::dvec3 aside(contacts_.relation(seen_[own].piece, seen_[other].piece).aside);
+    return {point_ - moved(seen_[own], aside).foot, point_ - moved(seen_[other], -aside).foot};
+}
+
+// `own` as it counts there, with the obstacle moved the other way.
+VesselViews::Shadow VesselViews::shadow_of(const Obstacle& obstacle, const SeenSegment& own) const {
+    const PieceShape& shape = *obstacle.shape;
+    const glm::dvec3 start = shape.start - glm::dvec3(obstacle.relation.aside);
+    const glm::dvec3 line = shape.end - shape.start;
+    const double length = glm::length(line);
+    const double distance = own.distance;
+    if (!(distance > 0.0) || !(length > 0.0)) return {kFarAway, {}};
+    const glm::dvec3 way = (point_ - own.foot) / distance;
+    Passing passing = pass(own.foot, way, start, line / length);
+    double beside = share_along(own.foot + passing.deepest() * way - start, line);
+    if (beside <= 0.0 || beside >= 1.0) passing = pass(own.foot, way, start + beside * line);
+    const double deepest = passing.deepest();
+    if (!(deepest > 0.0) || deepest > distance + own.radius) return {kFarAway, {}};
+    const glm::dvec3 at = own.foot + deepest * way;
+    beside = share_along(at - start, line);
+    const glm::dvec3 off = at - start - beside * line;
+    const double off_mm = glm::length(off);
+    const double radius = kWiderRadii * (shape.start_radius + beside * (shape.end_radius - shape.start_radius));
+    const double lateral = (off_mm - radius) * std::min(distance / deepest, 1.0);
+    const double chord = std::sqrt(std::max(radius * radius - off_mm * off_mm, 0.0)) / passing.sine;
+    const Shadow front{std::max(passing.middle, passing.nearest - chord) - distance, way};
+    if (front.spare >= lateral || !(off_mm > 0.0)) return front;
+    return {lateral, -off / off_mm};
+}
+
+VesselViews::Shadow VesselViews::nearest_shadow(const SeenSegment& own) const {
+    Shadow nearest{kFarAway, {}};
+    glm::vec3 aside(0.0F); // of the obstacle before: those of one contact follow each other
+    SeenSegment counts = own;
+    for (const Obstacle& obstacle : contacts_.obstacles(own.piece)) {
+        const PieceShape& shape = *obstacle.shape;
+        const double thickness = std::max(shape.start_radius, shape.end_radius);
+        const double apart =
+            glm::distance(own.foot, 0.5 * (shape.start + shape.end)) - 0.5 * glm::distance(shape.start, shape.end);
+        if (apart > thickness + own.distance + own.radius) continue;
+        const double beside = share_along(own.foot - shape.start, shape.end - shape.start);
+        const double share = share_left_out(static_cast<double>(obstacle.relation.apart_from), own.foot, own.radius,
+                                            glm::mix(shape.start, shape.end, beside),
+                                            glm::mix(shape.start_radius, shape.end_radius, beside));
+        if (!(share > 0.0)) continue;
+        if (obstacle.relation.aside != aside) aside = obstacle.relation.aside, counts = moved(own, glm::dvec3(aside));
+        if (const Shadow shadow = shadow_of(obstacle, counts); shadow.spare < nearest.spare) nearest = shadow;
+    }
+    return nearest;
 }
 
 void VesselViews::list_vessels() {
@@ -134,9 +227,7 @@ VesselViews::Verdict VesselViews::judge() const {
     for (const std::size_t vessel : vessels_) {
         if (seen_[vessel].relative() > kClaimRadii) break;
         double value = view(vessel).value;
-        if (std::ranges::any_of(vessels_,
-                                [&](std::size_t v) { return v != vessel && layer_behind(vessel, v).spare < 0.0; }))
-            value = std::min(value, below);
+        if (nearest_shadow(seen_[vessel]).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;
         bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;
         if (claims && !better) {

@@ -33,7 +33,7 @@ public:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     // `segments`: of the whole field.
-    VesselViews(const Kernel& kernel, const FieldSegment* segments, const tree::Contacts& contacts);
+    VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces);
 
     // Begins a brick. Whether vessels are kept apart there; only then the rest may be asked.
     bool enter(SegmentIndices list);
@@ -42,10 +42,17 @@ public:
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
     [[nodiscard]] double surface_phi() const { return surface_phi_; } // sqrt(-ln isovalue)
 
-    // Looks at a point, given in mm. Whether the field there differs from the plain sum.
-    bool look(const glm::dvec3& point);
+    // The plain sum holds; it holds, but the point is behind another vessel, which takes it away; or parts of the sum
+    // are left out.
+    enum class Sight : std::uint8_t { kPlain, kCut, kParted };
+    // Looks at a point, given in mm.
+    Sight look(const glm::dvec3& point);
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
-    // What was seen from there, in the list's order. The next ones add the segments' terms.
+    // After a plain sight: sees what the others see.
+    void see_all();
+    // After a plain sight: whether a vessel's way to the point may be cut nearby.
+    [[nodiscard]] bool beside_contact() const { return beside_contact_; }
+    // What was seen from there, in the list's order, but after a plain sight. The next ones add the segments' terms.
     [[nodiscard]] const std::vector<SeenSegment>& seen() const { return seen_; }
     [[nodiscard]] std::uint64_t add_terms(); // returns the number of kernels evaluated
     [[nodiscard]] const SegmentTerms& terms() const { return terms_; }
@@ -66,14 +73,14 @@ public:
         glm::dvec3 from_own{0.0}, from_other{0.0}; // mm
     };
     [[nodiscard]] Beside beside(std::size_t own, std::size_t other) const;
-    // What of a vessel lies behind another one, seen from its axis, is given up where it is thin, and everywhere in a
-    // groove: a vessel that another one runs through would have a tunnel, which is a loop. How far the point is from
-    // what is given up, mm; infinite where it is not behind the other one.
-    struct Layer {
+    // How far the point is from what lies behind an obstacle, seen from a vessel's axis, mm: negative within. With the
+    // way there, unit.
+    struct Shadow {
         double spare = 0.0;
-        glm::dvec3 inward{0.0}; // toward the middle of the groove, unit
+        glm::dvec3 toward{0.0};
     };
-    [[nodiscard]] Layer layer_behind(std::size_t own, std::size_t other) const;
+    [[nodiscard]] Shadow shadow_of(const Obstacle& obstacle, const SeenSegment& own) const;
+    [[nodiscard]] Shadow nearest_shadow(const SeenSegment& own) const;
 
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first.
     void list_vessels();
@@ -89,13 +96,21 @@ public:
     [[nodiscard]] std::size_t nearest_of_vessel(std::uint32_t place) const;
 
 private:
+    // The nearest place of a vessel whose axis is moved.
+    [[nodiscard]] SeenSegment moved(const SeenSegment& own, const glm::dvec3& aside) const;
+    [[nodiscard]] double share_left_out(double apart_from, const glm::dvec3& foot, double radius,
+                                        const glm::dvec3& other_foot, double other_radius) const;
+
     Kernel kernel_;
     double surface_phi_, merged_;
     const FieldSegment* segments_;
     LocalContacts contacts_;
     SegmentIndices list_;
     glm::dvec3 point_{0.0};
+    std::vector<std::uint32_t> kept_apart_; // places in the list whose pieces have partners
+    std::vector<SeenSegment> near_;         // of these
     std::vector<SeenSegment> seen_;
+    bool beside_contact_ = false;
     std::vector<std::size_t> vessels_;
     SegmentTerms terms_;
 };

@@ -43,8 +43,6 @@ Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other)
     const double steepness = std::max(glm::length(slope), 0.1);
     const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
     Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
-    if (const VesselViews::Layer layer = views.layer_behind(own, other); layer.spare < depth.mm)
-        return {layer.spare, layer.inward};
     depth.mm -= 0.5 * gap;
     return depth;
 }
@@ -89,7 +87,7 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
     WallPoint point;
     point.position = guess;
     for (int step = 0; step < kSteps; ++step) {
-        (void)views.look(point.position);
+        if (views.look(point.position) == VesselViews::Sight::kPlain) views.see_all();
         kernels += views.add_terms();
         const std::size_t own = views.nearest_of_vessel(place);
         if (own == VesselViews::kNone) break;
@@ -100,6 +98,8 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
             const Depth beside = depth_beside(views, own, other);
             if (beside.mm < depth.mm) depth = beside;
         }
+        if (const auto shadow = views.nearest_shadow(views.seen()[own]); shadow.spare < depth.mm)
+            depth = {shadow.spare, shadow.toward};
         name(views, own, point);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;

@@ -2,6 +2,7 @@
 
 #include "core/tree/contacts/islands.h"
 #include "core/tree/contacts/links.h"
+#include "core/tree/contacts/move_apart.h"
 #include "core/tree/contacts/touching_links.h"
 
 #include <algorithm>
@@ -16,22 +17,6 @@ namespace {
 // What is left of a vessel's radius toward another one: where both tubes claim a place the nearer axis has it.
 double kept(double radius, double other, double distance) {
     return std::min(radius, std::max(0.5 * distance, distance - other));
-}
-
-// Axes closer than this, in radii of the thinner vessel, count as moved apart to that distance: a wall in the middle
-// between axes that nearly cross would pinch both vessels.
-constexpr double kLeastDistance = 0.8;
-
-// A direction across both links at their closest, from the first to the second.
-glm::dvec3 across(const Link& a, const Link& b, const glm::dvec3& between) {
-    const glm::dvec3 u = glm::normalize(a.b.position - a.a.position);
-    const glm::dvec3 v = glm::normalize(b.b.position - b.a.position);
-    const double distance = glm::length(between);
-    if (distance > 1e-3 * (a.a.radius + b.a.radius)) return between / distance;
-    glm::dvec3 normal = glm::cross(u, v);
-    if (glm::length(normal) > 1e-3) return glm::normalize(normal);
-    normal = glm::cross(u, std::abs(u.x) < 0.8 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0));
-    return glm::normalize(normal);
 }
 
 // The pairs of one contact, as links of its first vessel and links of its second.
@@ -59,10 +44,6 @@ Contact describe(const Links& links, std::span<const OrientedPair> pairs, double
         };
         put(contact.sides[0], a, p, q);
         put(contact.sides[1], b, q, p);
-        const double least = kLeastDistance * std::min(p.radius, q.radius);
-        const glm::dvec3 aside = 0.5 * std::max(0.0, least - distance) * across(a, b, q.position - p.position);
-        contact.sides[0].aside = -aside;
-        contact.sides[1].aside = aside;
     }
     for (std::size_t side = 0; side < 2; ++side) {
         auto& stretch = stretches[side];
@@ -76,6 +57,9 @@ Contact describe(const Links& links, std::span<const OrientedPair> pairs, double
         std::ranges::sort(branches);
         branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
     }
+    const glm::dvec3 aside = 0.5 * move_apart(links, pairs);
+    contact.sides[0].aside = -aside;
+    contact.sides[1].aside = aside;
     return contact;
 }
 
