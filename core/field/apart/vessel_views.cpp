@@ -12,8 +12,6 @@ namespace {
 
 // Beyond this many radii from its axis no point is inside a vessel, four of whose kind meet there.
 constexpr double kClaimRadii = 1.25;
-// What is cut off behind an obstacle is this much wider than it: no thin rest is left beside it.
-constexpr double kWiderRadii = 1.1;
 // So near to what is cut off, in radii, a point may have to be moved away.
 constexpr double kBesideRadii = 0.5;
 constexpr double kFarAway = std::numeric_limits<double>::infinity();
@@ -24,25 +22,12 @@ double share_along(const glm::dvec3& from, const glm::dvec3& line) {
     return length2 > 0.0 ? std::clamp(glm::dot(from, line) / length2, 0.0, 1.0) : 0.0;
 }
 
-// A way outward from a vessel's axis, and another vessel's axis that it passes, as a whole line or the end of one.
-struct Passing {
-    double nearest; // how far along the way the axis is nearest, mm
-    double middle;  // from where on it is nearer than the way is long
-    double sine;    // of the angle between the two
-    [[nodiscard]] double deepest() const { return std::max(nearest, middle); }
-};
-Passing pass(const glm::dvec3& foot, const glm::dvec3& way, const glm::dvec3& end) {
-    const double toward = glm::dot(end - foot, way);
-    return {toward, toward > 0.0 ? 0.5 * glm::dot(end - foot, end - foot) / toward : kFarAway, 1.0};
-}
-Passing pass(const glm::dvec3& foot, const glm::dvec3& way, const glm::dvec3& start, const glm::dvec3& along) {
+// How far along a way a straight line is nearest to it, mm; both directions are unit vectors.
+double nearest_to_line(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& start,
+                       const glm::dvec3& along) {
     const double cosine = glm::dot(way, along);
-    const glm::dvec3 between = foot - start - glm::dot(foot - start, along) * along;
-    const double toward = -glm::dot(between, way - cosine * along);
-    const double apart2 = glm::dot(between, between);
     const double sine2 = std::max(1.0 - cosine * cosine, 1e-12);
-    const double root = toward + std::sqrt(toward * toward + cosine * cosine * apart2);
-    return {toward / sine2, root > 0.0 ? apart2 / root : kFarAway, std::sqrt(sine2)};
+    return glm::dot(start - from, way - cosine * along) / sine2;
 }
 
 SeenSegment seen_from(const FieldSegment& s, const glm::dvec3& point, std::uint32_t place, int piece) {
@@ -159,36 +144,45 @@ VesselViews::Beside VesselViews::beside(std::size_t own, std::size_t other) cons
     return {point_ - moved(seen_[own], aside).foot, point_ - moved(seen_[other], -aside).foot};
 }
 
-// `own` as it counts there, with the obstacle moved the other way.
-VesselViews::Shadow VesselViews::shadow_of(const Obstacle& obstacle, const SeenSegment& own) const {
+VesselViews::Shadow VesselViews::shadow_of(const Obstacle& obstacle, const Way& way) const {
     const PieceShape& shape = *obstacle.shape;
-    const glm::dvec3 start = shape.start - glm::dvec3(obstacle.relation.aside);
     const glm::dvec3 line = shape.end - shape.start;
     const double length = glm::length(line);
-    const double distance = own.distance;
-    if (!(distance > 0.0) || !(length > 0.0)) return {kFarAway, {}};
-    const glm::dvec3 way = (point_ - own.foot) / distance;
-    Passing passing = pass(own.foot, way, start, line / length);
-    double beside = share_along(own.foot + passing.deepest() * way - start, line);
-    if (beside <= 0.0 || beside >= 1.0) passing = pass(own.foot, way, start + beside * line);
-    const double deepest = passing.deepest();
-    if (!(deepest > 0.0) || deepest > distance + own.radius) return {kFarAway, {}};
-    const glm::dvec3 at = own.foot + deepest * way;
-    beside = share_along(at - start, line);
-    const glm::dvec3 off = at - start - beside * line;
-    const double off_mm = glm::length(off);
-    const double radius = kWiderRadii * (shape.start_radius + beside * (shape.end_radius - shape.start_radius));
-    const double lateral = (off_mm - radius) * std::min(distance / deepest, 1.0);
-    const double chord = std::sqrt(std::max(radius * radius - off_mm * off_mm, 0.0)) / passing.sine;
-    const Shadow front{std::max(passing.middle, passing.nearest - chord) - distance, way};
-    if (front.spare >= lateral || !(off_mm > 0.0)) return front;
-    return {lateral, -off / off_mm};
+    if (!(way.length > 0.0) || !(length > 0.0)) return {kFarAway, {}};
+    // Where the way is nearest to the obstacle's axis, how far it is then, and how long it is within the obstacle.
+    double nearest = nearest_to_line(way.foot, way.direction, shape.start, line / length);
+    double beside = share_along(way.foot + nearest * way.direction - shape.start, line);
+    if (beside <= 0.0 || beside >= 1.0) {
+        nearest = glm::dot(shape.start + beside * line - way.foot, way.direction);
+        beside = share_along(way.foot + nearest * way.direction - shape.start, line);
+    }
+    if (!(nearest > 0.0) || nearest > way.length + way.radius) return {kFarAway, {}};
+    const glm::dvec3 axis = shape.start + beside * line;
+    const glm::dvec3 off = way.foot + nearest * way.direction - axis;
+    const double off2 = glm::dot(off, off);
+    const double radius = glm::mix(shape.start_radius, shape.end_radius, beside);
+    const double lateral = (std::sqrt(off2) - radius) * std::min(way.length / nearest, 1.0);
+    const double half_chord = std::sqrt(std::max(radius * radius - off2, 0.0));
+    // From where on it is nearer to the obstacle's axis, as that counts, than long.
+    const glm::dvec3 between = axis - glm::dvec3(obstacle.relation.aside) - way.foot;
+    const double ahead = glm::dot(between, way.direction);
+    const double middle = ahead > 0.0 ? 0.5 * glm::dot(between, between) / ahead : kFarAway;
+    if (middle >= nearest + half_chord && lateral < 0.0) return {kFarAway, {}};
+    const Shadow front{std::max(nearest, middle) - way.length, way.direction};
+    if (front.spare >= lateral || !(off2 > 0.0)) return front;
+    return {lateral, -off / std::sqrt(off2)};
+}
+
+VesselViews::Way VesselViews::way_to(const SeenSegment& own) const {
+    Way way{own.foot, point_ - own.foot, own.distance, own.radius};
+    way.direction /= std::max(way.length, 1e-300);
+    return way;
 }
 
 VesselViews::Shadow VesselViews::nearest_shadow(const SeenSegment& own) const {
     Shadow nearest{kFarAway, {}};
-    glm::vec3 aside(0.0F); // of the obstacle before: those of one contact follow each other
-    SeenSegment counts = own;
+    glm::vec3 moved_by(0.0F); // for the obstacle before: those of one contact follow each other
+    Way way = way_to(own);
     for (const Obstacle& obstacle : contacts_.obstacles(own.piece)) {
         const PieceShape& shape = *obstacle.shape;
         const double thickness = std::max(shape.start_radius, shape.end_radius);
@@ -200,8 +194,11 @@ VesselViews::Shadow VesselViews::nearest_shadow(const SeenSegment& own) const {
                                             glm::mix(shape.start, shape.end, beside),
                                             glm::mix(shape.start_radius, shape.end_radius, beside));
         if (!(share > 0.0)) continue;
-        if (obstacle.relation.aside != aside) aside = obstacle.relation.aside, counts = moved(own, glm::dvec3(aside));
-        if (const Shadow shadow = shadow_of(obstacle, counts); shadow.spare < nearest.spare) nearest = shadow;
+        if (obstacle.relation.aside != moved_by) {
+            moved_by = obstacle.relation.aside;
+            way = way_to(moved(own, glm::dvec3(moved_by)));
+        }
+        if (const Shadow shadow = shadow_of(obstacle, way); shadow.spare < nearest.spare) nearest = shadow;
     }
     return nearest;
 }

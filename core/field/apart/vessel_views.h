@@ -79,7 +79,6 @@ public:
         double spare = 0.0;
         glm::dvec3 toward{0.0};
     };
-    [[nodiscard]] Shadow shadow_of(const Obstacle& obstacle, const SeenSegment& own) const;
     [[nodiscard]] Shadow nearest_shadow(const SeenSegment& own) const;
 
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first.
@@ -96,6 +95,13 @@ public:
     [[nodiscard]] std::size_t nearest_of_vessel(std::uint32_t place) const;
 
 private:
+    // From an axis outward.
+    struct Way {
+        glm::dvec3 foot, direction; // mm; unit
+        double length, radius;      // mm, of the vessel
+    };
+    [[nodiscard]] Way way_to(const SeenSegment& own) const;
+    [[nodiscard]] Shadow shadow_of(const Obstacle& obstacle, const Way& way) const;
     // The nearest place of a vessel whose axis is moved.
     [[nodiscard]] SeenSegment moved(const SeenSegment& own, const glm::dvec3& aside) const;
     [[nodiscard]] double share_left_out(double apart_from, const glm::dvec3& foot, double radius,

@@ -66,7 +66,7 @@ glm::dvec3 move_apart(const Links& links, std::span<const OrientedPair> pairs) {
     }
     if (least >= kLeastDistance) return glm::dvec3(0.0);
     glm::dvec3 best(0.0);
-    for (const double share : {0.5, 0.75, 1.0}) {
+    for (const double share : {0.5, 0.75, 1.0, 1.25, 1.5}) {
         for (int n = 0; n < kDirections; ++n) {
             const glm::dvec3 move = share * kLeastDistance * thinnest * direction(n);
             const double distance = least_distance(close, move, least);

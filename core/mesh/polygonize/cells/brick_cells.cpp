@@ -19,11 +19,17 @@ const CellRecord& SurfaceCells::record(const Brick& brick, std::uint32_t index, 
 }
 
 std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const {
-    const std::uint32_t first = cells[index].first_vertex + cells[index].first[static_cast<std::size_t>(cell)];
+    const std::uint16_t in_brick = cells[index].first[static_cast<std::size_t>(cell)];
+    if (in_brick == kNoVertex) return kAbsent;
+    const std::uint32_t first = cells[index].first_vertex + in_brick;
     if (!is_recorded(index, cell)) return first;
     const CellRecord& r = record(brick, index, cell);
-    if (crossing < kUpperEnd) return first + r.loop_of[static_cast<std::size_t>(crossing)];
-    return first + subtrees[brick.subtree].upper_loops[r.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
+    std::uint8_t loop = kNoLoop;
+    if (crossing < kUpperEnd)
+        loop = r.loop_of[static_cast<std::size_t>(crossing)];
+    else if (r.walls != kNoWalls)
+        loop = subtrees[brick.subtree].upper_loops[r.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
+    return loop == kNoLoop ? kAbsent : first + loop;
 }
 
 void SurfaceCells::reuse_vertices() {

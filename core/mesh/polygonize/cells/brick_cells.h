@@ -119,7 +119,8 @@ struct SurfaceCells {
         return (cells[brick].recorded >> cell & 1U) != 0;
     }
     [[nodiscard]] const CellRecord& record(const Brick& brick, std::uint32_t index, int cell) const;
-    // Vertex (within the mesh once first_vertex is) of the loop through a crossing.
+    // Vertex (within the mesh once first_vertex is) of the loop through a crossing; kAbsent where a wall has none.
+    static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const;
     // Edges of a brick that walls go through, by axis.
     [[nodiscard]] const std::array<GridBits, 3>& walls(const Brick& brick, std::uint32_t index) const {

@@ -189,6 +189,29 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoint
     return arcs;
 }
 
+// A wall through one edge alone, whose ends are apart while all around belongs to both, has two sides without anything
+// between: loops of its two crossings, which are no surface.
+void drop_lenses(CellLoops& loops) {
+    std::array<int, kMostLoops> crossings{}, walls{};
+    for (int edge = 0; edge < kQuarterPoints; ++edge) {
+        const std::uint8_t lower = loops.loop_of[static_cast<std::size_t>(edge)];
+        const std::uint8_t upper = loops.loop_of[static_cast<std::size_t>(edge + kUpperEnd)];
+        if (lower != kNoLoop) ++crossings[lower];
+        if (upper != kNoLoop) ++crossings[upper];
+        if (lower != kNoLoop && lower == upper) ++walls[lower];
+    }
+    std::array<std::uint8_t, kMostLoops> number{};
+    int left = 0;
+    for (std::size_t loop = 0; loop < static_cast<std::size_t>(loops.loop_count); ++loop) {
+        const bool lens = crossings[loop] == 2 && walls[loop] == 1;
+        number[loop] = lens ? kNoLoop : static_cast<std::uint8_t>(left++);
+    }
+    if (left == loops.loop_count) return;
+    for (std::uint8_t& loop : loops.loop_of)
+        if (loop != kNoLoop) loop = number[loop];
+    loops.loop_count = left;
+}
+
 std::array<bool, 256> find_plain_cells() {
     std::array<bool, 256> plain{};
     for (unsigned mask = 0; mask < 256; ++mask) {
@@ -257,9 +280,10 @@ CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartP
         ++loops.loop_count;
     }
 
+    if (apart != nullptr) drop_lenses(loops);
     for (int n = 0; n < arc_count; ++n) {
         const Arc& arc = arcs[static_cast<std::size_t>(n)];
-        if (!arc.shared) continue;
+        if (!arc.shared || loops.loop_of[arc.first] == kNoLoop) continue;
         for (int m = 0; m < arc_count; ++m) {
             const Arc& other = arcs[static_cast<std::size_t>(m)];
             if (m == n || other.face != arc.face || loops.loop_of[other.first] != loops.loop_of[arc.first]) continue;

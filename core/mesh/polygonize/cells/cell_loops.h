@@ -65,7 +65,7 @@ struct FaceArc {
 
 struct CellLoops {
     int loop_count = 0;
-    std::array<std::uint8_t, kCrossings> loop_of{}; // by crossing
+    std::array<std::uint8_t, kCrossings> loop_of{}; // by crossing; kNoLoop too where a wall ends between points of both
     // Arcs of whole faces that some loop crosses more than once. If the cell beyond does the same, two arcs would join
     // the same two vertices: such arcs need a vertex of their own.
     std::vector<FaceArc> shared_arcs;

@@ -42,13 +42,25 @@ void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, Joi
     const Edge lower{index, axis, point, false, true};
     const Edge upper{index, axis, point, true, true};
     const Ring first = ring_around(lower);
-    if (first.count == 0) return;
+    if (first.count < 2) return;
     Ring second = ring_around(upper);
     assert(second.count == first.count);
     const auto reversed = [](Ring ring) {
         std::ranges::reverse(std::span(ring.cells).first(ring.count));
         return ring;
     };
+    if (first.count == 2) {
+        // The wall ends in the two others: what is left are triangles with the arc between these, if it has a vertex.
+        const bool across_start = first.cells[0].place == 0 && first.cells[1].place == 3;
+        const std::size_t from = across_start ? 1 : 0;
+        const std::uint32_t low = arc_vertex(first.cells[from], first.cells[1 - from]);
+        const std::uint32_t high = arc_vertex(second.cells[from], second.cells[1 - from]);
+        if (low != kNoArcVertex)
+            out.triangles.emplace_back(first.cells[from].vertex, low, first.cells[1 - from].vertex);
+        if (high != kNoArcVertex)
+            out.triangles.emplace_back(second.cells[1 - from].vertex, high, second.cells[from].vertex);
+        return;
+    }
     if (first.count == 3) {
         if (!emit_with_arcs(first.span(), lower, out)) emit(first.span(), lower, out);
         second = reversed(second);
@@ -121,8 +133,10 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
             assert(around.kind(direction[q]) == Neighbour::kCoarser);
             entry = coarser(brick, edge, cell[q]);
         }
+        if (entry.vertex == SurfaceCells::kAbsent) continue;
         if (ring.count > 0 && is_same_cell(ring.cells[ring.count - 1], entry)) continue;
         if (q == 3 && is_same_cell(ring.cells[0], entry)) continue;
+        entry.place = static_cast<std::int32_t>(q);
         ring.cells[ring.count++] = entry;
     }
     return ring;
@@ -169,6 +183,11 @@ std::uint32_t EdgePolygons::arc_vertex(const Around& a, const Around& b) const {
         if (la[axis] + sa == lb[axis]) side_of_a = 1;
         if (lb[axis] + sb == la[axis]) side_of_a = 0;
         if (side_of_a < 0) continue;
+        // Where a cell between them has no vertex, they only meet at the edge.
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        if (la[u] + sa <= lb[u] || lb[u] + sb <= la[u] || la[v] + sa <= lb[v] || lb[v] + sb <= la[v])
+            return kNoArcVertex;
         const bool a_owns = a.level != b.level ? a.level < b.level : side_of_a == 1;
         const Around& owner = a_owns ? a : b;
         if (!owner.recorded) return kNoArcVertex;

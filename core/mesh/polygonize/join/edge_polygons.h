@@ -57,12 +57,13 @@ private:
         std::int32_t cell = 0;
         std::int32_t level = 0;
         std::int32_t crossing = 0; // as the cell names it
+        std::int32_t place = 0;    // of four around the edge, the first that it takes
         bool recorded = false;
     };
 
     struct Ring {
         std::array<Around, 4> cells; // counter-clockwise about the axis
-        std::size_t count = 0;       // 0: another brick's to join
+        std::size_t count = 0;       // 0: another brick's to join; of a wall that ends there, some may be missing
         [[nodiscard]] std::span<const Around> span() const { return std::span(cells).first(count); }
     };
     // The edge, and which end of it looks at the surface.
