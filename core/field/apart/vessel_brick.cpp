@@ -46,6 +46,8 @@ void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
 }
 
 float VesselBrick::value_at(const glm::dvec3& point, float plain) {
+    // Leaving out makes sums smaller: what is outside of all stays there.
+    if (plain < views_.isovalue()) return plain;
     switch (views_.look(point)) {
     case VesselViews::Sight::kPlain:
         return plain;

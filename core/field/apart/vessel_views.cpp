@@ -22,6 +22,11 @@ double share_along(const glm::dvec3& from, const glm::dvec3& line) {
     return length2 > 0.0 ? std::clamp(glm::dot(from, line) / length2, 0.0, 1.0) : 0.0;
 }
 
+bool closer_than(double distance, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 between = b - a;
+    return glm::dot(between, between) < distance * distance;
+}
+
 // How far along a way a straight line is nearest to it, mm; both directions are unit vectors.
 double nearest_to_line(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& start,
                        const glm::dvec3& along) {
@@ -64,21 +69,20 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
         const SeenSegment seen = seen_from(segments_[list_[n]], point, n, contacts_.piece(n));
         if (seen.distance < kernel_.support_radii * seen.radius) near_.push_back(seen);
     }
-    bool parted = false;
-    for (std::size_t a = 0; a < near_.size() && !parted; ++a)
-        for (std::size_t b = a + 1; b < near_.size() && !parted; ++b) parted = left_out(near_[a], near_[b]) > 0.0;
-    if (parted) {
-        see_all();
-        return Sight::kParted;
-    }
-    for (const SeenSegment& own : near_)
-        if (own.relative() < kClaimRadii && nearest_shadow(own).spare < kBesideRadii * own.radius) {
-            beside_contact_ = true;
-            break;
-        }
-    if (!beside_contact_) return Sight::kPlain;
+    for (std::size_t a = 0; a < near_.size(); ++a)
+        for (std::size_t b = a + 1; b < near_.size(); ++b)
+            if (leaves_out(near_[a], near_[b])) {
+                see_all();
+                return Sight::kParted;
+            }
+    if (near_.empty()) return Sight::kPlain;
+    const SeenSegment& own = *std::ranges::min_element(near_, {}, &SeenSegment::relative);
+    if (own.relative() > kClaimRadii) return Sight::kPlain;
+    const double spare = nearest_shadow(own).spare;
+    beside_contact_ = spare < kBesideRadii * own.radius;
+    if (!(spare < 0.0)) return Sight::kPlain;
     see_all();
-    return nearest_shadow(seen_[nearest()]).spare < 0.0 ? Sight::kCut : Sight::kPlain;
+    return seen_[nearest()].place == own.place ? Sight::kCut : Sight::kPlain;
 }
 
 void VesselViews::see_all() {
@@ -96,18 +100,19 @@ std::uint64_t VesselViews::add_terms() {
     return terms_.count;
 }
 
-double VesselViews::share_left_out(double apart_from, const glm::dvec3& foot, double radius,
-                                   const glm::dvec3& other_foot, double other_radius) const {
-    const double closeness = glm::distance(foot, other_foot) / (radius + other_radius);
-    const double whole = 0.5 * (std::min(merged_, apart_from) + apart_from);
-    const double begin = std::min(whole, 1.12 * merged_); // a little above, for more than two vessels
-    const double x = std::clamp((apart_from - closeness) / (apart_from - begin), 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
+bool VesselViews::leaves_out(const SeenSegment& a, const SeenSegment& b) const {
+    const auto apart_from = static_cast<double>(contacts_.relation(a.piece, b.piece).apart_from);
+    return apart_from > 0.0 && closer_than(apart_from * (a.radius + b.radius), a.foot, b.foot);
 }
 
 double VesselViews::left_out(const SeenSegment& a, const SeenSegment& b) const {
     const auto apart_from = static_cast<double>(contacts_.relation(a.piece, b.piece).apart_from);
-    return apart_from > 0.0 ? share_left_out(apart_from, a.foot, a.radius, b.foot, b.radius) : 0.0;
+    if (!(apart_from > 0.0)) return 0.0;
+    const double closeness = glm::distance(a.foot, b.foot) / (a.radius + b.radius);
+    const double whole = 0.5 * (std::min(merged_, apart_from) + apart_from);
+    const double begin = std::min(whole, 1.12 * merged_); // a little above, for more than two vessels
+    const double x = std::clamp((apart_from - closeness) / (apart_from - begin), 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
 }
 
 VesselView VesselViews::view(std::size_t seen) const {
@@ -190,10 +195,10 @@ VesselViews::Shadow VesselViews::nearest_shadow(const SeenSegment& own) const {
             glm::distance(own.foot, 0.5 * (shape.start + shape.end)) - 0.5 * glm::distance(shape.start, shape.end);
         if (apart > thickness + own.distance + own.radius) continue;
         const double beside = share_along(own.foot - shape.start, shape.end - shape.start);
-        const double share = share_left_out(static_cast<double>(obstacle.relation.apart_from), own.foot, own.radius,
-                                            glm::mix(shape.start, shape.end, beside),
-                                            glm::mix(shape.start_radius, shape.end_radius, beside));
-        if (!(share > 0.0)) continue;
+        const double radii = own.radius + glm::mix(shape.start_radius, shape.end_radius, beside);
+        if (!closer_than(static_cast<double>(obstacle.relation.apart_from) * radii, own.foot,
+                         glm::mix(shape.start, shape.end, beside)))
+            continue;
         if (obstacle.relation.aside != moved_by) {
             moved_by = obstacle.relation.aside;
             way = way_to(moved(own, glm::dvec3(moved_by)));

@@ -104,8 +104,7 @@ private:
     [[nodiscard]] Shadow shadow_of(const Obstacle& obstacle, const Way& way) const;
     // The nearest place of a vessel whose axis is moved.
     [[nodiscard]] SeenSegment moved(const SeenSegment& own, const glm::dvec3& aside) const;
-    [[nodiscard]] double share_left_out(double apart_from, const glm::dvec3& foot, double radius,
-                                        const glm::dvec3& other_foot, double other_radius) const;
+    [[nodiscard]] bool leaves_out(const SeenSegment& a, const SeenSegment& b) const;
 
     Kernel kernel_;
     double surface_phi_, merged_;
