@@ -41,6 +41,11 @@ public:
         const auto p = static_cast<std::size_t>(piece);
         return std::span(obstacles_).subspan(first_obstacle_[p], first_obstacle_[p + 1] - first_obstacle_[p]);
     }
+    // The pieces that one is in contact with: a bit each, in so many words.
+    [[nodiscard]] std::size_t words() const { return (pieces_.size() + 63) / 64; }
+    [[nodiscard]] std::span<const std::uint64_t> partners(int piece) const {
+        return std::span(partner_bits_).subspan(static_cast<std::size_t>(piece) * words(), words());
+    }
     [[nodiscard]] bool apart(int a, int b) const { return relation(a, b).apart_from >= 0.0F; }
 
 private:
@@ -49,6 +54,7 @@ private:
     std::vector<std::uint32_t> listed_; // scratch: all of the list that have partners anywhere
     std::vector<int> piece_of_;
     std::vector<PieceRelation> matrix_;
+    std::vector<std::uint64_t> partner_bits_; // words() of each piece
     std::vector<std::size_t> first_obstacle_; // by piece, and one past the last
     std::vector<Obstacle> obstacles_;
     static constexpr PieceRelation kNone{};

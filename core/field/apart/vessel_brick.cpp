@@ -91,20 +91,25 @@ std::uint64_t VesselBrick::sample_lattice(const LatticeAxes& lattice, std::span<
 
 std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                                        std::span<Owner> owners) {
-    for (std::size_t n = 0; n < points.size(); ++n) {
-        const auto sight = views_.look({lattice.x[points[n].i], lattice.y[points[n].j], lattice.z[points[n].k]});
-        std::size_t owner = VesselViews::kNone;
-        if (sight == VesselViews::Sight::kPlain) views_.see_all();
-        if (sight == VesselViews::Sight::kParted) {
-            kernels_ += views_.add_terms();
-            views_.list_vessels();
-            owner = views_.judge().owner;
-        }
-        if (owner == VesselViews::kNone) owner = views_.nearest();
-        owners[n] =
-            owner == VesselViews::kNone ? kNoOwner : static_cast<Owner>(views_.list()[views_.seen()[owner].place]);
-    }
+    for (std::size_t n = 0; n < points.size(); ++n)
+        owners[n] = owner_at({lattice.x[points[n].i], lattice.y[points[n].j], lattice.z[points[n].k]});
     return std::exchange(kernels_, 0);
+}
+
+Owner VesselBrick::owner_at(const glm::dvec3& point) {
+    const VesselViews::Sight sight = views_.look(point);
+    std::size_t owner = VesselViews::kNone;
+    if (sight == VesselViews::Sight::kPlain) {
+        if (views_.alone()) return kNoOwner;
+        views_.see_all();
+    }
+    if (sight == VesselViews::Sight::kParted) {
+        kernels_ += views_.add_terms();
+        views_.list_vessels();
+        owner = views_.judge().owner;
+    }
+    if (owner == VesselViews::kNone) owner = views_.nearest();
+    return owner == VesselViews::kNone ? kNoOwner : static_cast<Owner>(views_.list()[views_.seen()[owner].place]);
 }
 
 std::uint32_t VesselBrick::place_of(Owner owner) const {

@@ -32,6 +32,7 @@ public:
 private:
     [[nodiscard]] std::uint32_t place_of(Owner owner) const; // in the list
     float value_at(const glm::dvec3& point, float plain);
+    Owner owner_at(const glm::dvec3& point); // of one that is inside; kNoOwner where nothing is kept apart
 
     std::unique_ptr<BrickField> sum_;
     const FieldSegment* segments_;

@@ -38,12 +38,21 @@ double nearest_to_line(const glm::dvec3& from, const glm::dvec3& way, const glm:
 SeenSegment seen_from(const FieldSegment& s, const glm::dvec3& point, std::uint32_t place, int piece) {
     const glm::dvec3 start(s.ax, s.ay, s.az);
     const glm::dvec3 u(s.ux, s.uy, s.uz);
-    const auto length = static_cast<double>(s.length);
-    const double t = std::clamp(glm::dot(point - start, u), 0.0, length);
+    const double t = std::clamp(glm::dot(point - start, u), 0.0, static_cast<double>(s.length));
     SeenSegment seen{place, piece, 0.0, static_cast<double>(s.radius) + static_cast<double>(s.slope) * t,
                      start + t * u};
     seen.distance = glm::distance(point, seen.foot);
     return seen;
+}
+
+// Whether the segment's support reaches the point.
+bool reaches(const FieldSegment& s, const glm::dvec3& point, double support_radii) {
+    const glm::dvec3 from = point - glm::dvec3(s.ax, s.ay, s.az);
+    const glm::dvec3 u(s.ux, s.uy, s.uz);
+    const double t = std::clamp(glm::dot(from, u), 0.0, static_cast<double>(s.length));
+    const glm::dvec3 off = from - t * u;
+    const double reach = support_radii * (static_cast<double>(s.radius) + static_cast<double>(s.slope) * t);
+    return glm::dot(off, off) < reach * reach;
 }
 
 } // namespace
@@ -66,15 +75,14 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     near_.clear();
     beside_contact_ = false;
     for (const std::uint32_t n : kept_apart_) {
-        const SeenSegment seen = seen_from(segments_[list_[n]], point, n, contacts_.piece(n));
-        if (seen.distance < kernel_.support_radii * seen.radius) near_.push_back(seen);
+        const FieldSegment& segment = segments_[list_[n]];
+        if (reaches(segment, point, kernel_.support_radii))
+            near_.push_back(seen_from(segment, point, n, contacts_.piece(n)));
     }
-    for (std::size_t a = 0; a < near_.size(); ++a)
-        for (std::size_t b = a + 1; b < near_.size(); ++b)
-            if (leaves_out(near_[a], near_[b])) {
-                see_all();
-                return Sight::kParted;
-            }
+    if (any_left_out()) {
+        see_all();
+        return Sight::kParted;
+    }
     if (near_.empty()) return Sight::kPlain;
     const SeenSegment& own = *std::ranges::min_element(near_, {}, &SeenSegment::relative);
     if (own.relative() > kClaimRadii) return Sight::kPlain;
@@ -87,10 +95,31 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
 
 void VesselViews::see_all() {
     seen_.clear();
+    auto next = near_.begin();
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
-        const SeenSegment seen = seen_from(segments_[list_[n]], point_, n, contacts_.piece(n));
-        if (seen.distance < kernel_.support_radii * seen.radius) seen_.push_back(seen);
+        if (next != near_.end() && next->place == n) {
+            seen_.push_back(*next++);
+            continue;
+        }
+        const FieldSegment& segment = segments_[list_[n]];
+        if (contacts_.piece(n) < 0 && reaches(segment, point_, kernel_.support_radii))
+            seen_.push_back(seen_from(segment, point_, n, -1));
     }
+}
+
+bool VesselViews::any_left_out() {
+    near_pieces_.assign(contacts_.words(), 0);
+    for (const SeenSegment& seen : near_) {
+        const auto piece = static_cast<std::size_t>(seen.piece);
+        near_pieces_[piece / 64] |= std::uint64_t{1} << piece % 64;
+    }
+    for (const SeenSegment& a : near_) {
+        const auto partners = contacts_.partners(a.piece);
+        bool any = false;
+        for (std::size_t w = 0; w < partners.size(); ++w) any = any || (partners[w] & near_pieces_[w]) != 0;
+        if (any && std::ranges::any_of(near_, [&](const SeenSegment& b) { return leaves_out(a, b); })) return true;
+    }
+    return false;
 }
 
 std::uint64_t VesselViews::add_terms() {

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
     // After a plain sight: sees what the others see.
     void see_all();
+    // After a plain sight: whether no vessel is near that is kept apart from another one.
+    [[nodiscard]] bool alone() const { return near_.empty(); }
     // After a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
     // What was seen from there, in the list's order, but after a plain sight. The next ones add the segments' terms.
@@ -104,6 +106,7 @@ private:
     [[nodiscard]] Shadow shadow_of(const Obstacle& obstacle, const Way& way) const;
     // The nearest place of a vessel whose axis is moved.
     [[nodiscard]] SeenSegment moved(const SeenSegment& own, const glm::dvec3& aside) const;
+    [[nodiscard]] bool any_left_out(); // of what is near
     [[nodiscard]] bool leaves_out(const SeenSegment& a, const SeenSegment& b) const;
 
     Kernel kernel_;
@@ -115,6 +118,7 @@ private:
     std::vector<std::uint32_t> kept_apart_; // places in the list whose pieces have partners
     std::vector<SeenSegment> near_;         // of these
     std::vector<SeenSegment> seen_;
+    std::vector<std::uint64_t> near_pieces_; // scratch: one bit each
     bool beside_contact_ = false;
     std::vector<std::size_t> vessels_;
     SegmentTerms terms_;
