@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <new>
+#include <oneapi/tbb/task_group.h>
 #include <utility>
 
 namespace ramus::volume {
@@ -76,9 +77,16 @@ tree::Graph graph_of_mask(BitMask mask, const glm::dmat4& to_patient, const Skel
     const VoxelSet set(mask, spacing);
     mask = BitMask(glm::ivec3(0)); // the set has its own
     job.report(0.1F);
-    const LargeArray<float> distances = distances_to_outside(set);
-    job.report(0.2F);
-    const std::vector<VoxelSet::Address> tips = find_tips(set, distances, options.bulge_size, job.part(0.2F, 0.5F));
+    // Ways along the vessels are found by one thread; distances are measured by the others meanwhile.
+    LargeArray<float> distances;
+    tbb::task_group measuring;
+    measuring.run([&] { distances = distances_to_outside(set); });
+    const auto measured = [&]() -> const LargeArray<float>& {
+        measuring.wait();
+        return distances;
+    };
+    const std::vector<VoxelSet::Address> tips = find_tips(set, measured, options.bulge_size, job.part(0.1F, 0.5F));
+    (void)measured();
     if (job.cancelled()) return {};
     const Thinned thinned = thin(set, distances, tips, job.part(0.5F, 0.85F));
     if (job.cancelled()) return {};
@@ -135,7 +143,9 @@ Result<void> add_mask(Masks& masks, BitMask mask, int system, const glm::dmat4& 
 Result<tree::VesselTree> tree_of(Masks masks, const SkeletonizeOptions& options, SkeletonizeFigures* figures) {
     if (figures != nullptr) *figures = masks.figures;
     if (options.root) choose_root(masks.graph, *options.root);
-    auto tree = tree::build_tree(std::move(masks.graph), tree::Repair::kUsual, [](std::uint32_t point) {
+    // Pieces of the mask stay pieces.
+    constexpr auto kRepair = tree::without(tree::Repair::kUsual, tree::Repair::kOpenEnds);
+    auto tree = tree::build_tree(std::move(masks.graph), kRepair, [](std::uint32_t point) {
         return "point " + std::to_string(point) + " of the skeleton";
     });
     if (!tree) return tree;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <oneapi/tbb/parallel_for.h>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -212,12 +213,12 @@ Address middle_of_end(Address tip, const VoxelSet& set, const LargeArray<float>&
 
 } // namespace
 
-std::vector<Address> find_tips(const VoxelSet& set, const LargeArray<float>& distances, double bulge_size,
-                               const JobRange& job) {
+std::vector<Address> find_tips(const VoxelSet& set, const std::function<const LargeArray<float>&()>& distances,
+                               double bulge_size, const JobRange& job) {
     std::vector<Address> tips, reached;
     BitMask ahead = set.bits();
     Ways ways(set, ahead, job);
-    Summits summits(set, distances, ways.lengths(), bulge_size);
+    std::optional<Summits> summits;
     BitMask open = set.bits();
     std::uint64_t done = 0;
     set.for_each([&](Address first) {
@@ -225,11 +226,12 @@ std::vector<Address> find_tips(const VoxelSet& set, const LargeArray<float>& dis
         const Address start = farthest_from(first, set, open); // the end of a vessel
         ways.spread(start, reached);
         const std::size_t before = tips.size();
-        summits.find(reached, ahead, tips);
+        if (!summits) summits.emplace(set, distances(), ways.lengths(), bulge_size);
+        summits->find(reached, ahead, tips);
         if (std::find(tips.begin() + static_cast<std::ptrdiff_t>(before), tips.end(), start) == tips.end())
             tips.push_back(start);
         for (std::size_t t = before; t < tips.size(); ++t)
-            tips[t] = middle_of_end(tips[t], set, distances, ways.lengths());
+            tips[t] = middle_of_end(tips[t], set, distances(), ways.lengths());
         done += reached.size();
         job.report(static_cast<float>(done) / static_cast<float>(set.count()));
     });

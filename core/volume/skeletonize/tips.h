@@ -9,13 +9,15 @@
 #include "core/base/large_array.h"
 #include "core/volume/skeletonize/voxel_set.h"
 
+#include <functional>
 #include <vector>
 
 namespace ramus::volume {
 
-// `distances`: of distance_transform.h. Every piece has at least one tip, and two if it has several voxels. Stops
-// early, with whatever was found, when `job` is cancelled.
-[[nodiscard]] std::vector<VoxelSet::Address> find_tips(const VoxelSet& set, const LargeArray<float>& distances,
+// `distances`: waits for those of distance_transform.h, which may be measured meanwhile. Every piece has at least one
+// tip, and two if it has several voxels. Stops early, with whatever was found, when `job` is cancelled.
+[[nodiscard]] std::vector<VoxelSet::Address> find_tips(const VoxelSet& set,
+                                                       const std::function<const LargeArray<float>&()>& distances,
                                                        double bulge_size, const JobRange& job);
 
 } // namespace ramus::volume

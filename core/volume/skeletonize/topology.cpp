@@ -115,14 +115,18 @@ std::int64_t euler_number(const BitMask& mask) {
     for (int k = 0; k <= size.z; ++k)
         for (int j = 0; j <= size.y; ++j) {
             const auto a = row(j, k), b = row(j - 1, k), c = row(j, k - 1), d = row(j - 1, k - 1);
+            const auto empty = [](auto words_of) {
+                return std::ranges::all_of(words_of, [](auto w) { return w == 0; });
+            };
+            if (empty(a) && empty(b) && empty(c) && empty(d)) continue;
             const auto upto = [&](std::size_t w, auto... rows) { return (std::uint64_t{0} | ... | rows[w]); };
             const auto count = [&](auto... rows) {
                 std::int64_t crossing = 0, within = 0; // cells at right angles to x, and along it
                 std::uint64_t before = 0;
                 for (std::size_t w = 0; w < words; ++w) {
                     const std::uint64_t any = upto(w, rows...);
-                    within += std::popcount(any);
-                    crossing += std::popcount(any | any << 1 | before >> 63);
+                    within += count_bits(any);
+                    crossing += count_bits(any | any << 1 | before >> 63);
                     before = any;
                 }
                 if (before >> 63 != 0) ++crossing;

@@ -63,7 +63,7 @@ void VoxelSet::renumber() {
     count_ = 0;
     for (std::size_t w = 0; w < words; ++w) {
         ranks_[w] = count_;
-        count_ += static_cast<std::uint32_t>(std::popcount(this->words()[w]));
+        count_ += count_bits(this->words()[w]);
     }
 }
 
