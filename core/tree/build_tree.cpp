@@ -1,6 +1,7 @@
 #include "core/tree/build_tree.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/tree/open_ends.h"
 #include "core/tree/suspicions.h"
 
 #include <algorithm>
@@ -215,24 +216,29 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     if (repairs.refused) return tl::unexpected(std::move(*repairs.refused));
 
     // Points that are left, renumbered in their old order.
-    std::vector<std::uint32_t> renumbered(graph.points.size(), 0);
-    std::vector<Point> points;
-    std::vector<int> labels, systems;
+    std::vector<std::uint32_t> renumbered(graph.points.size(), 0), kept;
+    Graph left;
     for (std::uint32_t p = 0; p < graph.points.size(); ++p) {
         if (!connected[p]) continue;
-        renumbered[p] = static_cast<std::uint32_t>(points.size());
-        points.push_back(graph.points[p]);
-        if (!graph.labels.empty()) labels.push_back(graph.labels[p]);
-        if (!graph.point_systems.empty()) systems.push_back(graph.point_systems[p]);
+        renumbered[p] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(p);
+        left.points.push_back(graph.points[p]);
+        if (!graph.labels.empty()) left.labels.push_back(graph.labels[p]);
+        if (!graph.point_systems.empty()) left.point_systems.push_back(graph.point_systems[p]);
     }
-    for (auto& [a, b] : edges) a = renumbered[a], b = renumbered[b];
-    std::ranges::move(check_radii(points, edges, allows(repair, Repair::kRadiusJumps)),
+    left.edges = std::move(edges);
+    for (auto& [a, b] : left.edges) a = renumbered[a], b = renumbered[b];
+    std::ranges::move(check_radii(left.points, left.edges, allows(repair, Repair::kRadiusJumps)),
                       std::back_inserter(repairs.done));
-    std::vector<std::uint32_t> roots;
     for (const std::uint32_t root : graph.roots)
-        if (root < stands.size() && connected[stands[root]]) roots.push_back(renumbered[stands[root]]);
-    roots = complete_roots(points, edges, std::move(roots));
-    VesselTree tree = assemble(std::move(points), std::move(labels), edges, roots, systems);
+        if (root < stands.size() && connected[stands[root]]) left.roots.push_back(renumbered[stands[root]]);
+    left.roots = complete_roots(left.points, left.edges, std::move(left.roots));
+    if (allows(repair, Repair::kOpenEnds))
+        for (const std::uint32_t end : join_open_ends(left))
+            repairs.add(Repair::kOpenEnds, source(kept[end]) + ": an end within another vessel was joined to it",
+                        left.points[end].position);
+    VesselTree tree =
+        assemble(std::move(left.points), std::move(left.labels), left.edges, left.roots, left.point_systems);
     tree.systems = std::move(graph.systems);
     tree.notes = std::move(repairs.done);
     std::ranges::move(check_network(tree), std::back_inserter(tree.notes));

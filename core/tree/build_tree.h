@@ -22,11 +22,15 @@ enum class Repair : unsigned {
     kRepeatedTrunks = 8, // what several polylines trace alike becomes one vessel (core/tree/merge_trunks.h)
     kRadiusJumps = 16,   // a radius far from those on both sides becomes their mean; else it is only told
     kOrphans = 32,       // a point whose parent is missing becomes a root; else the file is refused
-    kUsual = 15,         // all that leaves measured numbers alone, and invents no connections or ends
-    kAll = 63
+    kOpenEnds = 64,      // an end within a vessel of another piece is joined to it (core/tree/open_ends.h)
+    kUsual = 79,         // all that leaves measured numbers alone, and invents nothing that vessels do not show
+    kAll = 127
 };
 [[nodiscard]] constexpr Repair operator|(Repair a, Repair b) {
     return static_cast<Repair>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+[[nodiscard]] constexpr Repair without(Repair set, Repair one) {
+    return static_cast<Repair>(static_cast<unsigned>(set) & ~static_cast<unsigned>(one));
 }
 [[nodiscard]] constexpr bool allows(Repair set, Repair one) {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
@@ -36,7 +40,8 @@ enum class Repair : unsigned {
 inline constexpr std::pair<Repair, const char*> kRepairNames[] = {
     {Repair::kZeroRadii, "zero-radii"},       {Repair::kRepeatedPoints, "repeated-points"},
     {Repair::kLonelyPoints, "lonely-points"}, {Repair::kRepeatedTrunks, "repeated-trunks"},
-    {Repair::kRadiusJumps, "radius-jumps"},   {Repair::kOrphans, "orphans"}};
+    {Repair::kRadiusJumps, "radius-jumps"},   {Repair::kOrphans, "orphans"},
+    {Repair::kOpenEnds, "open-ends"}};
 [[nodiscard]] std::string_view name_of(Repair one);
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>; // points

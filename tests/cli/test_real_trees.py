@@ -29,12 +29,17 @@ class RealTrees(CommandLineTest):
     def test_counts(self):
         for name, (segments, branches, roots, loops, thickest, length) in COUNTS.items():
             with self.subTest(name):
-                info = self.json("info", TREES / (name + ".swc"), "--json")
+                as_it_is = "zero-radii,repeated-points,lonely-points,repeated-trunks"  # no ends joined
+                info = self.json("info", TREES / (name + ".swc"), "--json", "--repair", as_it_is)
                 found = (info["segments"], info["branches"], info["roots"], info["loops"])
                 self.assertEqual(found, (segments, branches, roots, loops))
                 self.assertAlmostEqual(info["length_mm"], length, delta=0.06)
                 self.assertAlmostEqual(info["radius_mm"]["max"], thickest, delta=5e-4)
                 self.assertEqual(len(info["repairs"]), 1 if name == "brain_BG0002" else 0)
+
+    def test_open_ends(self):
+        info = self.json("info", TREES / "brain_unjoined_7001.swc", "--json")
+        self.assertEqual((info["roots"], info["loops"], len(info["repairs"])), (4, 0, 82))
 
     def test_there_and_back_again(self):
         for name in COUNTS:

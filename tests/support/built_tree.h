@@ -10,11 +10,12 @@
 
 namespace ramus::test {
 
-// For who cannot go on without.
+// For who cannot go on without. Its pieces stay pieces.
 inline tree::VesselTree built_tree(std::vector<tree::Point> points, std::vector<tree::Edge> edges,
                                    std::vector<std::uint32_t> roots = {0}) {
     auto tree = tree::build_tree({std::move(points), {}, std::move(edges), std::move(roots), {}, {}},
-                                 tree::Repair::kUsual, [](std::uint32_t) { return std::string(); });
+                                 tree::without(tree::Repair::kUsual, tree::Repair::kOpenEnds),
+                                 [](std::uint32_t) { return std::string(); });
     REQUIRE_MESSAGE(tree, (tree ? "" : tree.error().message()));
     return std::move(*tree);
 }

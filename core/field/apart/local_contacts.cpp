@@ -61,7 +61,8 @@ bool LocalContacts::enter(SegmentIndices list) {
             if (const int b = number_of(partner.piece); b >= 0) {
                 const auto other = static_cast<std::size_t>(b);
                 matrix_[a * pieces_.size() + other] = relation;
-                if (partner.apart_from > 0.0F) partner_bits_[a * words() + other / 64] |= std::uint64_t{1} << other % 64;
+                if (partner.apart_from > 0.0F)
+                    partner_bits_[a * words() + other / 64] |= std::uint64_t{1} << other % 64;
             }
             const PieceShape* shape = all_.shape(partner.piece);
             if (partner.apart_from > 0.0F && shape != nullptr) obstacles_.push_back({shape, relation});

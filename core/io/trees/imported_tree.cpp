@@ -266,7 +266,9 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
     apply_unit(imported, options);
     apply_axes(imported, options);
     if (auto joined = join(imported, options.repair); !joined) return tl::unexpected(joined.error());
-    auto tree = tree::build_tree(std::move(imported.graph), options.repair, imported.place_of);
+    const tree::Repair repair =
+        imported.pieces_are_meant ? tree::without(options.repair, tree::Repair::kOpenEnds) : options.repair;
+    auto tree = tree::build_tree(std::move(imported.graph), repair, imported.place_of);
     if (!tree) return tree;
     if (tree->source.empty()) tree->source = std::move(imported.source);
     // What is known already, from a file that keeps notes, is not told twice.

@@ -59,11 +59,15 @@ struct ImportedTree {
     std::string radius_name; // "thickness": what the file calls it, where that leaves open which of both it is
     Joining joining = Joining::kByIndex;
     bool edges_are_vessels = false; // also where several connect the same two points: none of them repeats another
+    bool pieces_are_meant = false;  // what the file leaves apart is apart: open ends are not joined
     bool may_repeat_trunks = false; // polylines may each begin at the root, as VMTK's centerlines do
     std::string unit_hint;          // what speaks for another unit than mm, where the file states none; may be empty
     std::vector<tree::Note> notes;
     std::string source;                                 // the file that the tree came from first, where it says so
     std::function<std::string(std::uint32_t)> place_of; // of a point of `graph`, for messages: "liver.swc:41"
+
+    // The file is one that ramus wrote of a tree: nothing is left open.
+    void take_as_written() { unit = LengthUnit{}, axes = Axes::kRas, pieces_are_meant = true; }
 };
 
 // Fails like tree::build_tree, on numbers of the wrong length, and on a radius that no point has.

@@ -157,7 +157,7 @@ Result<ImportedTree> parse_swc(const TreeInput& input) {
     if (rows.size() == 1)
         return fail("the tree has a single point", imported.place_of(0), "a vessel needs two points at least");
     imported.graph = std::move(graph);
-    if (text.find(kSwcUnits) != std::string_view::npos) imported.unit = LengthUnit{}, imported.axes = Axes::kRas;
+    if (text.find(kSwcUnits) != std::string_view::npos) imported.take_as_written();
     return imported;
 }
 

@@ -253,8 +253,7 @@ Result<ImportedTree> parse_tree_json(const TreeInput& input) {
         reader.check_header();
         ImportedTree imported;
         imported.graph = reader.graph();
-        imported.unit = LengthUnit{};
-        imported.axes = Axes::kRas;
+        imported.take_as_written();
         imported.notes = reader.notes();
         imported.source = reader.source();
         imported.place_of = [name](std::uint32_t point) { return name + ": points[" + std::to_string(point) + "]"; };

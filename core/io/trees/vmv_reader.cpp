@@ -48,7 +48,7 @@ private:
     [[nodiscard]] std::string place() const { return name_ + ":" + std::to_string(line_); }
 
     void read_own_words(std::string_view line) {
-        if (line == kVmvUnits) imported_.unit = LengthUnit{}, imported_.axes = Axes::kRas;
+        if (line == kVmvUnits) imported_.take_as_written();
         if (!line.starts_with(kVmvRoots) || !imported_.unit) return;
         WordScanner words(line.substr(kVmvRoots.size()), name_);
         for (std::string_view word = words.next(); !word.empty(); word = words.next())

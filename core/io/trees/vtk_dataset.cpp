@@ -110,8 +110,7 @@ void set_widths(const VtkDataset& data, const WidthArray& widths, ImportedTree& 
 Result<void> read_own_arrays(const VtkDataset& data, const std::string& name, ImportedTree& imported) {
     const VtkArray* marks = data.find(VtkOf::kWhole, kVtkMark);
     if (marks == nullptr) return {};
-    imported.unit = LengthUnit{};
-    imported.axes = Axes::kRas;
+    imported.take_as_written();
     imported.joining = Joining::kByIndex;
     imported.may_repeat_trunks = false;
     imported.unit_hint.clear();

@@ -36,7 +36,9 @@ TEST_CASE("real trees have their true counts") {
     for (const auto& path : test::shared_trees()) {
         const std::string name = path.filename().string();
         CAPTURE(name);
-        const auto tree = io::read_tree(path);
+        io::ReadOptions as_it_is;
+        as_it_is.repair = tree::without(tree::Repair::kUsual, tree::Repair::kOpenEnds);
+        const auto tree = io::read_tree(path, as_it_is);
         REQUIRE(tree.has_value());
         const auto known = kTrue.find(name);
         REQUIRE(known != kTrue.end());
@@ -56,5 +58,16 @@ TEST_CASE("real trees have their true counts") {
         CHECK(length == doctest::Approx(expected.length_mm).epsilon(1e-4));
         CHECK(sentences(*tree, tree::Note::Kind::kRepaired).size() ==
               (name == "brain_BG0002.swc" ? 1U : 0U)); // its one radius of zero
+    }
+}
+
+TEST_CASE("of a real tree whose vessels are not connected the ends within others are joined") {
+    for (const auto& path : test::shared_trees()) {
+        if (path.filename() != "brain_unjoined_7001.swc") continue;
+        const auto tree = io::read_tree(path);
+        REQUIRE(tree.has_value());
+        CHECK(tree->roots.size() == 4);
+        CHECK(tree->loop_count == 0);
+        CHECK(sentences(*tree, tree::Note::Kind::kRepaired).size() == 86 - tree->roots.size());
     }
 }
