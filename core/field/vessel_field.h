@@ -5,9 +5,9 @@
 // is kept apart from; for these it is 1 where the feet of p on the two are as close as vessels that merge, and fades to
 // 0 where they are as far apart as the contact says. A vessel claims p where its Phi is at or above the isovalue. Where
 // several claim p it belongs to the one whose axis is nearest, so each keeps at least half the axis distance. What lies
-// behind another vessel, seen from the own axis, is given up as well: every way from the axis outward crosses a vessel's
-// surface once, so that a vessel has no tunnel where another one runs through it. Where no m is above 0 and nothing is
-// given up the field is the plain sum, to the bit.
+// behind another vessel, seen from the own axis, is given up as well: every way from the axis outward crosses a
+// vessel's surface once, so that a vessel has no tunnel where another one runs through it. Where no m is above 0 and
+// nothing is given up the field is the plain sum, to the bit.
 #pragma once
 
 #include "core/field/apart/pieces.h"

@@ -236,7 +236,7 @@ Result<VesselTree> build_tree(Graph graph, Repair repair, const SourceOf& source
     if (allows(repair, Repair::kOpenEnds))
         for (const std::uint32_t end : join_open_ends(left))
             repairs.add(Repair::kOpenEnds, source(kept[end]) + ": an end within another vessel was joined to it",
-                        left.points[end].position);
+                        graph.points[kept[end]].position);
     VesselTree tree =
         assemble(std::move(left.points), std::move(left.labels), left.edges, left.roots, left.point_systems);
     tree.systems = std::move(graph.systems);

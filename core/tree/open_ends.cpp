@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace ramus::tree {
@@ -31,19 +33,28 @@ PreparedTree tree_of(const Graph& graph) {
     return prepared;
 }
 
-// The nearest segment along a branch between two of its points, if the end is within it.
-void look_along(const VesselTree& tree, const Link& link, OpenEnd& end) {
+// Where each point is along its branch; of those at the ends of branches that says nothing.
+std::vector<std::uint32_t> places_along(const VesselTree& tree) {
+    std::vector<std::uint32_t> places(tree.points.size(), 0);
+    for (const Branch& branch : tree.branches)
+        for (std::uint32_t i = 1; i + 1 < branch.points.size(); ++i) places[branch.points[i]] = i;
+    return places;
+}
+
+// The nearest segment of a link, if the end is within it.
+void look_along(const VesselTree& tree, const std::vector<std::uint32_t>& places, const Link& link, OpenEnd& end) {
     const std::vector<std::uint32_t>& points = tree.branches[static_cast<std::size_t>(link.branch)].points;
     const glm::dvec3 at = tree.points[end.point].position;
-    auto next = std::ranges::find(points, link.from);
-    for (; next != points.end() && *next != link.to && next + 1 != points.end(); ++next) {
-        const Point& a = tree.points[*next];
-        const Point& b = tree.points[next[1]];
+    const std::size_t first = link.from == points.front() ? 0 : places[link.from];
+    for (std::size_t i = first; i + 1 < points.size(); ++i) {
+        const Point& a = tree.points[points[i]];
+        const Point& b = tree.points[points[i + 1]];
         const glm::dvec3 way = b.position - a.position;
         const double share = std::clamp(glm::dot(at - a.position, way) / glm::dot(way, way), 0.0, 1.0);
         const double radius = glm::mix(a.radius, b.radius, share);
         const double depth = glm::distance(at, a.position + share * way) / radius;
-        if (depth < end.depth) end = {depth, end.point, *next, next[1], share};
+        if (depth < end.depth) end = {depth, end.point, points[i], points[i + 1], share};
+        if (points[i + 1] == link.to) break;
     }
 }
 
@@ -51,12 +62,13 @@ std::vector<OpenEnd> find_open_ends(const Graph& graph, DisjointSets& pieces) {
     const PreparedTree prepared = tree_of(graph);
     const Links links(prepared);
     const TouchingLinks touching(links, 1.0); // who is in another's tube touches it
+    const std::vector<std::uint32_t> places = places_along(prepared.tree);
     std::vector<OpenEnd> ends(graph.points.size());
     const auto look = [&](std::uint32_t point, const Link& other) {
         if (links.at(point).size() != 1 || pieces.find(point) == pieces.find(other.from)) return;
         if (!graph.point_systems.empty() && graph.point_systems[point] != graph.point_systems[other.from]) return;
         ends[point].point = point;
-        look_along(prepared.tree, other, ends[point]);
+        look_along(prepared.tree, places, other, ends[point]);
     };
     for (std::uint32_t n = 0; n < links.all().size(); ++n)
         for (std::uint32_t pair = touching.first(n); pair < touching.first(n + 1); ++pair) {
@@ -70,38 +82,88 @@ std::vector<OpenEnd> find_open_ends(const Graph& graph, DisjointSets& pieces) {
     return ends;
 }
 
+// Nearer than this to the other axis, in radii, an end is on it.
+constexpr double kSamePlace = 1e-3;
+
 // Cuts segments at the places of ends that are joined, and connects these to them.
 class Joiner {
 public:
-    explicit Joiner(Graph& graph) : graph_(graph), joined_(graph.points.size()) {}
+    explicit Joiner(Graph& graph) : graph_(graph), joined_(graph.points.size(), 0), edge_of_(graph.points.size(), 0) {
+        stands_.resize(graph.points.size());
+        std::iota(stands_.begin(), stands_.end(), 0U);
+        for (std::uint32_t e = 0; e < graph.edges.size(); ++e) place_edge(e);
+    }
 
     void join(const OpenEnd& end) {
         joined_[end.point] = 1;
-        std::uint32_t host = 0;
-        if (const auto near = near_point(end))
-            host = *near;
+        const bool same = end.depth < kSamePlace;
+        if (const auto near = near_point(end); !near)
+            cut(end, same);
+        else if (same)
+            replace(end.point, *near);
         else
-            host = cut(end);
-        graph_.edges.emplace_back(end.point, host);
+            add_edge({end.point, *near});
     }
 
     // Of each piece the thickest root that is no joined end, or else the thickest.
     void choose_roots() {
+        for (std::uint32_t& root : graph_.roots) root = standing(root);
         DisjointSets pieces(graph_.points.size());
         for (const auto& [a, b] : graph_.edges) pieces.join(a, b);
+        const auto is_joined = [&](std::uint32_t p) { return p < joined_.size() && joined_[p] != 0; };
         const auto better = [&](std::uint32_t a, std::uint32_t b) {
-            const bool end_a = a < joined_.size() && joined_[a] != 0, end_b = b < joined_.size() && joined_[b] != 0;
-            return end_a != end_b ? end_b : graph_.points[a].radius > graph_.points[b].radius;
+            return is_joined(a) != is_joined(b) ? is_joined(b) : graph_.points[a].radius > graph_.points[b].radius;
         };
         std::map<std::uint32_t, std::uint32_t> kept; // by piece
         for (const std::uint32_t root : graph_.roots) {
             const auto [of_piece, first] = kept.emplace(pieces.find(root), root);
             if (!first && better(root, of_piece->second)) of_piece->second = root;
         }
-        std::erase_if(graph_.roots, [&](std::uint32_t root) { return kept.at(pieces.find(root)) != root; });
+        std::vector<std::uint32_t> roots;
+        for (const std::uint32_t root : graph_.roots) {
+            const auto of_piece = kept.find(pieces.find(root));
+            if (of_piece == kept.end() || of_piece->second != root) continue;
+            roots.push_back(root);
+            kept.erase(of_piece);
+        }
+        graph_.roots = std::move(roots);
+    }
+
+    // Points that others stand for are left out.
+    void compact() {
+        std::vector<std::uint32_t> number(graph_.points.size(), 0);
+        std::uint32_t next = 0;
+        for (std::uint32_t p = 0; p < graph_.points.size(); ++p) {
+            if (standing(p) != p) continue;
+            graph_.points[next] = graph_.points[p];
+            if (!graph_.labels.empty()) graph_.labels[next] = graph_.labels[p];
+            if (!graph_.point_systems.empty()) graph_.point_systems[next] = graph_.point_systems[p];
+            number[p] = next++;
+        }
+        graph_.points.resize(next);
+        if (!graph_.labels.empty()) graph_.labels.resize(next);
+        if (!graph_.point_systems.empty()) graph_.point_systems.resize(next);
+        for (auto& [a, b] : graph_.edges) a = number[a], b = number[b];
+        for (std::uint32_t& root : graph_.roots) root = number[root];
     }
 
 private:
+    [[nodiscard]] std::uint32_t standing(std::uint32_t point) const {
+        while (point < stands_.size() && stands_[point] != point) point = stands_[point];
+        return point;
+    }
+    static Edge either_way(const Edge& edge) { return std::minmax(edge.first, edge.second); }
+    void place_edge(std::uint32_t e) {
+        const Edge& edge = graph_.edges[e];
+        place_of_[either_way(edge)] = e;
+        for (const std::uint32_t point : {edge.first, edge.second})
+            if (point < edge_of_.size()) edge_of_[point] = e;
+    }
+    void add_edge(const Edge& edge) {
+        graph_.edges.push_back(edge);
+        place_edge(static_cast<std::uint32_t>(graph_.edges.size() - 1));
+    }
+
     // A point that is about as near: no short segment is made beside it.
     [[nodiscard]] std::optional<std::uint32_t> near_point(const OpenEnd& end) const {
         constexpr double kNear = 0.25; // of the radius there
@@ -109,47 +171,58 @@ private:
         const Point& b = graph_.points[end.to];
         const double length = glm::distance(a.position, b.position);
         const double near = kNear * glm::mix(a.radius, b.radius, end.share);
-        if (end.share * length < near) return end.from;
-        if ((1.0 - end.share) * length < near) return end.to;
+        if (end.share * length < near) return standing(end.from);
+        if ((1.0 - end.share) * length < near) return standing(end.to);
         return std::nullopt;
     }
 
-    std::uint32_t cut(const OpenEnd& end) {
-        // The segment may have been cut before: then the part that the place is on.
+    // An end that is on the other axis becomes the point there itself.
+    void cut(const OpenEnd& end, bool same) {
         const Point& a = graph_.points[end.from];
         const Point& b = graph_.points[end.to];
         const Point middle{glm::mix(a.position, b.position, end.share), glm::mix(a.radius, b.radius, end.share)};
-        const auto point = static_cast<std::uint32_t>(graph_.points.size());
-        const Edge edge = part_of(end, middle.position);
-        graph_.points.push_back(middle);
-        if (!graph_.labels.empty()) graph_.labels.push_back(graph_.labels[end.from]);
-        if (!graph_.point_systems.empty()) graph_.point_systems.push_back(graph_.point_systems[end.from]);
-        *std::ranges::find(graph_.edges, edge) = {edge.first, point};
-        graph_.edges.emplace_back(point, edge.second);
-        cuts_.push_back({end.from, end.to, point});
-        return point;
+        // The segment may have been cut before: then the part that the place is on.
+        std::vector<Cut>& cuts = cuts_[{end.from, end.to}];
+        const auto next = std::ranges::upper_bound(cuts, end.share, {}, &Cut::share);
+        const std::uint32_t before = next == cuts.begin() ? standing(end.from) : std::prev(next)->point;
+        const std::uint32_t behind = next == cuts.end() ? standing(end.to) : next->point;
+        const std::uint32_t point = same ? end.point : static_cast<std::uint32_t>(graph_.points.size());
+        cuts.insert(next, {end.share, point});
+        if (!same) {
+            graph_.points.push_back(middle);
+            if (!graph_.labels.empty()) graph_.labels.push_back(graph_.labels[end.from]);
+            if (!graph_.point_systems.empty()) graph_.point_systems.push_back(graph_.point_systems[end.from]);
+            add_edge({end.point, point});
+        } else {
+            graph_.points[point].radius = std::max(graph_.points[point].radius, middle.radius);
+        }
+        const auto placed = place_of_.extract(either_way({before, behind}));
+        graph_.edges[placed.mapped()] = {before, point};
+        place_edge(placed.mapped());
+        add_edge({point, behind});
     }
 
-    [[nodiscard]] Edge part_of(const OpenEnd& end, const glm::dvec3& place) const {
-        std::vector<std::uint32_t> along{end.from, end.to};
-        for (const Cut& cut : cuts_)
-            if (cut.from == end.from && cut.to == end.to) along.push_back(cut.point);
-        const glm::dvec3 start = graph_.points[end.from].position;
-        std::ranges::sort(along, {}, [&](std::uint32_t p) { return glm::distance(graph_.points[p].position, start); });
-        std::size_t n = 1;
-        while (n + 1 < along.size() &&
-               glm::distance(graph_.points[along[n]].position, start) < glm::distance(place, start))
-            ++n;
-        const Edge forth(along[n - 1], along[n]);
-        return std::ranges::find(graph_.edges, forth) != graph_.edges.end() ? forth : Edge(along[n], along[n - 1]);
+    // An end that is at another point goes, and what it is connected to begins there.
+    void replace(std::uint32_t end, std::uint32_t host) {
+        stands_[end] = host;
+        const std::uint32_t e = edge_of_[end];
+        Edge& edge = graph_.edges[e];
+        place_of_.erase(either_way(edge));
+        if (edge.first == end) edge.first = host;
+        if (edge.second == end) edge.second = host;
+        place_edge(e);
     }
 
     struct Cut {
-        std::uint32_t from, to, point;
+        double share; // of the way along the segment as it was
+        std::uint32_t point;
     };
     Graph& graph_;
-    std::vector<std::uint8_t> joined_;
-    std::vector<Cut> cuts_;
+    std::vector<std::uint8_t> joined_;   // by point, as it was before
+    std::vector<std::uint32_t> edge_of_; // that a point is at; of an end its only one
+    std::vector<std::uint32_t> stands_;  // the point that stands for it
+    std::map<Edge, std::uint32_t> place_of_;
+    std::map<Edge, std::vector<Cut>> cuts_; // of a segment as it was, in order along it
 };
 
 } // namespace
@@ -165,7 +238,9 @@ std::vector<std::uint32_t> join_open_ends(Graph& graph) {
         joiner.join(end);
         joined.push_back(end.point);
     }
-    if (!joined.empty()) joiner.choose_roots();
+    if (joined.empty()) return joined;
+    joiner.choose_roots();
+    joiner.compact();
     std::ranges::sort(joined);
     return joined;
 }

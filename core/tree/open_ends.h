@@ -12,7 +12,7 @@ namespace ramus::tree {
 // Joins what may be joined in a graph known to be good, with a root for each piece: the deepest end first, pieces of
 // one system only, and never twice, so that no loop comes about. The place on the other vessel becomes a point where
 // none is near. Of the roots of pieces that are one now the thickest stays that is no joined end. Returns the ends that
-// were joined, ascending.
+// were joined, ascending, by the numbers that they had before; one that was at a place of the other vessel is gone.
 [[nodiscard]] std::vector<std::uint32_t> join_open_ends(Graph& graph);
 
 } // namespace ramus::tree
