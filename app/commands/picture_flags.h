@@ -32,7 +32,7 @@ struct ComparisonFlags {
     std::string mask;       // empty: the session's, or the tree's own voxels
     std::string mask_units; // empty: as the file says
     std::vector<std::int32_t> labels;
-    std::optional<double> blend;
+    std::optional<double> share; // of the second surface, where two are blended
     bool skeleton = false;
 };
 

@@ -119,6 +119,7 @@ Facts option_facts(const Marks& marks) {
                 {"Smoothing passes", std::to_string(options.smooth_passes)},
                 {"Pruning ratio", options.prune_ratio > 0.0 ? digits(options.prune_ratio) : "off"},
                 {"Kernel width", digits(options.width)},
+                {"Blends", options.blend == mesh::Blend::kTree ? "along the tree" : "wherever vessels come close"},
                 options.cell_mm > 0.0
                     ? std::pair<std::string, std::string>{"Cell size", digits(options.cell_mm) + " mm"}
                     : std::pair<std::string, std::string>{"Triangles around a vessel", std::to_string(options.detail)},

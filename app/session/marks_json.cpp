@@ -31,7 +31,10 @@ json options_json(const Marks& marks) {
         const double set = option.value(options);
         if (!option.of_session || (option.only_when_set && set == 0.0)) continue;
         const std::string key(option.key);
-        option.whole ? value[key] = static_cast<int>(set) : value[key] = set;
+        if (!option.words.empty())
+            value[key] = spelled(option, set);
+        else
+            option.whole ? value[key] = static_cast<int>(set) : value[key] = set;
     }
     value["bands"] = marks.planning.bands_mm;
     value["reconstruct"] = marks.planning.reconstruct_mm;
@@ -42,6 +45,19 @@ json options_json(const Marks& marks) {
     for (const DepthCue& cue : depth_cues())
         if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(cue.name));
     return value;
+}
+
+// A surface option's value, as options_json() writes it.
+static double option_value(const SurfaceOption& option, const json& value) {
+    const std::string key(option.key);
+    if (!option.words.empty()) {
+        const auto word = value_in(option, text(value, key));
+        if (!word) throw Refusal{"unknown " + key + " \"" + value.get<std::string>() + "\""};
+        return *word;
+    }
+    const double least = option.only_when_set ? 0.0 : option.least;
+    return option.whole ? integer(value, key, static_cast<int>(least), static_cast<int>(option.most))
+                        : number(value, key, least, option.most);
 }
 
 void read_options(const json& value, Marks& marks) {
@@ -60,10 +76,7 @@ void read_options(const json& value, Marks& marks) {
     for (const SurfaceOption& option : surface_options()) {
         const std::string key(option.key);
         if (!option.of_session || !value.contains(key)) continue;
-        const double least = option.only_when_set ? 0.0 : option.least;
-        option.set(options, option.whole
-                                ? integer(value[key], key, static_cast<int>(least), static_cast<int>(option.most))
-                                : number(value[key], key, least, option.most));
+        option.set(options, option_value(option, value[key]));
     }
     if (value.contains("bands")) {
         if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
