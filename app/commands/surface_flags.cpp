@@ -216,6 +216,11 @@ CLI::Option* add_surface_flag(CLI::App& command, const SurfaceOption& option, me
 
 } // namespace
 
+void add_preparing_flags(CLI::App& command, SurfaceFlags& flags, CLI::Option* needing) {
+    for (const char* key : {"smooth", "prune", "width"})
+        add_surface_flag(command, *surface_option(key), flags.surface)->needs(needing);
+}
+
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
     flags.command = &command;
     mesh::SurfaceOptions& surface = flags.surface;
