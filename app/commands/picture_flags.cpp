@@ -108,6 +108,10 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
             "With --compare blend: how much of the second surface there is, from 0 to 1 (default 0.5)")
         ->type_name("SHARE");
     command.add_flag("--skeleton", flags.skeleton, "Draw centerlines, with rings of the radius, over the vessels");
+    command.add_flag(
+        "--contacts", flags.contacts,
+        "Mark where vessels press on each other without being connected there (`ramus info --contacts` lists "
+        "them)");
 }
 
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags) {
@@ -130,6 +134,7 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
     }
     if (flags.share) comparison.blend = *flags.share;
     if (flags.skeleton) marks.skeleton = true;
+    if (flags.contacts) marks.contact_marks = true;
 }
 
 } // namespace ramus::app

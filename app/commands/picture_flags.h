@@ -33,7 +33,7 @@ struct ComparisonFlags {
     std::string mask_units; // empty: as the file says
     std::vector<std::int32_t> labels;
     std::optional<double> share; // of the second surface, where two are blended
-    bool skeleton = false;
+    bool skeleton = false, contacts = false;
 };
 
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags);

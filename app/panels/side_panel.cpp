@@ -52,6 +52,7 @@ void draw_tree(InterfaceContext& context) {
             list.append(list.empty() ? "" : "\n").append(sentence(edits[i]));
         widgets::tooltip(list.c_str());
     }
+    draw_contacts_line(context);
     draw_doctor_line(context);
 }
 

@@ -215,6 +215,9 @@ std::string report_page(const Document& document, const Assets& assets, const st
     if (!pictures.empty()) page += "</div>\n";
     page += "<h2>Tree</h2>\n" + facts_html(tree_facts(document));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets), "");
+    if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())
+        page += table_html(contacts, "Where vessels press on each other without being connected there, the closest "
+                                     "first. A gap below 0 is an overlap.");
     const Marks& marks = document.marks();
     const Plan& plan = *assets.plan;
     page += lesions_html(document, plan);

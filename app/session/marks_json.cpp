@@ -41,6 +41,7 @@ json options_json(const Marks& marks) {
     value["glass_opacity"] = marks.glass.opacity;
     value["glass_grey"] = marks.glass.grey;
     if (marks.skeleton) value["skeleton"] = true;
+    if (marks.contact_marks) value["contact_marks"] = true;
     value["depth_cues"] = json::array();
     for (const DepthCue& cue : depth_cues())
         if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(cue.name));
@@ -61,8 +62,8 @@ static double option_value(const SurfaceOption& option, const json& value) {
 }
 
 void read_options(const json& value, Marks& marks) {
-    std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",     "reconstruct",
-                                           "glass_opacity", "glass_grey", "skeleton",   "depth_cues"};
+    std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",         "reconstruct",
+                                           "glass_opacity", "glass_grey", "skeleton",   "contact_marks", "depth_cues"};
     for (const SurfaceOption& option : surface_options())
         if (option.of_session) known.push_back(option.key);
     expect_only(value, "options", known);
@@ -89,9 +90,11 @@ void read_options(const json& value, Marks& marks) {
     if (value.contains("glass_opacity"))
         marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
     if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
-    if (value.contains("skeleton")) {
-        if (!value["skeleton"].is_boolean()) throw Refusal{"skeleton is not true or false"};
-        marks.skeleton = value["skeleton"].get<bool>();
+    for (const auto& [key, member] :
+         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks)}) {
+        if (!value.contains(key)) continue;
+        if (!value[key].is_boolean()) throw Refusal{std::string(key) + " is not true or false"};
+        marks.*member = value[key].get<bool>();
     }
     if (value.contains("depth_cues")) {
         if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};
