@@ -34,6 +34,7 @@ std::vector<Command> make_table() {
              overview_commands,  //
              colour_commands,    //
              surface_commands,   //
+             contact_commands,   //
              tool_commands,      //
              window_commands,    //
          })

@@ -24,6 +24,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> colour_commands();
 [[nodiscard]] std::vector<Command> depth_commands();
 [[nodiscard]] std::vector<Command> compare_commands();
+[[nodiscard]] std::vector<Command> contact_commands();
 [[nodiscard]] std::vector<Command> glass_commands();
 [[nodiscard]] std::vector<Command> surface_commands();
 [[nodiscard]] std::vector<Command> tool_commands();

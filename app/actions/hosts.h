@@ -60,16 +60,16 @@ public:
 class WindowHost {
 public:
     virtual ~WindowHost() = default;
-    // "help", "overview", "doctor", "panel"; "explore", "plan" and "other" open a half of the panel.
+    // "help", "overview", "doctor", "contacts", "panel"; "explore", "plan" and "other" open a half of the panel.
     virtual void toggle(std::string_view part) = 0;
-    [[nodiscard]] virtual bool
-    shows(std::string_view part) const = 0;                  // "help", "overview", "doctor", "panel", "fly-along"
-    virtual void set_overview(std::string_view setting) = 0; // "on", "off", "generation", "distance"
-    virtual void open_flight(int branch) = 0;                // the bar that flies to its end
+    [[nodiscard]] virtual bool shows(std::string_view part) const = 0; // those, and "fly-along"
+    virtual void set_overview(std::string_view setting) = 0;           // "on", "off", "generation", "distance"
+    virtual void open_flight(int branch) = 0;                          // the bar that flies to its end
     virtual void close_flight() = 0;
     virtual void ask_for_name(int branch) = 0;
     virtual void ask_for_radius() = 0;                      // of the selected branches
     virtual void show_note(int /*note*/) {}                 // in the import doctor's list, and in the picture
+    virtual void show_contact(int /*contact*/) {}           // in the list of contacts, and in the picture
     virtual bool dismiss() = 0;                             // closes what lies on top; false: nothing does
     virtual void set_ui_scale(double pixels_per_point) = 0; // 0: what the display says
     [[nodiscard]] virtual double ui_scale() const = 0;      // pixels per point

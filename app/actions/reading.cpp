@@ -1,6 +1,7 @@
 // How the tree's file was read: what that assumed, repaired and finds strange, and reading it again in another way.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/picture/fit.h"
 #include "app/session/carry_over.h"
 #include "app/session/mask_reading.h"
 #include "app/session/numbers.h"
@@ -92,17 +93,6 @@ double radius_near(const tree::VesselTree& tree, const glm::dvec3& at) {
         return glm::dot(way, way);
     });
     return nearest->radius;
-}
-
-// The camera from the same side, near enough to see what is around `at`; never farther than it is.
-render::Camera looking_at(const render::Camera& camera, const glm::dvec3& at, double radius_mm, glm::ivec2 size) {
-    constexpr double kAround = 15.0; // radii, from the middle of the picture to its edge
-    render::Camera near = render::centred_on(camera, at);
-    const double half_height = 0.5 * size.y * render::mm_per_pixel(near, size);
-    const double nearer = std::min(1.0, kAround * radius_mm / half_height);
-    near.position = at + nearer * (near.position - at);
-    near.scale *= nearer;
-    return near;
 }
 
 Result<void> note(ActionContext& context, Arguments arguments) {

@@ -16,17 +16,20 @@ namespace {
 struct Kind {
     std::string_view name;
     Table (*table)(const Document&, const Assets&);
-    bool (*there)(const Document&, const Plan&); // what its rows are about
+    bool (*there)(const Document&, const Assets&); // what its rows are about
 };
 
 // In the order of what is written when no kind is named.
-constexpr std::array<Kind, 5> kKinds{
-    {{"cuts", cuts_table, [](const Document& d, const Plan&) { return !d.marks().cuts.empty(); }},
-     {"bands", bands_table, [](const Document&, const Plan& p) { return !p.bands.empty(); }},
-     {"selection", selection_table, [](const Document& d, const Plan&) { return !d.marks().selection.empty(); }},
+constexpr std::array<Kind, 6> kKinds{
+    {{"cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
+     {"bands", bands_table, [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
+     {"selection", selection_table, [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
      {"measurements", measurements_table,
-      [](const Document& d, const Plan&) { return !d.marks().measurements.empty(); }},
-     {"systems", systems_table, [](const Document& d, const Plan&) { return !d.tree()->systems.empty(); }}}};
+      [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }},
+     {"systems", systems_table, [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
+     {"contacts", contacts_table, [](const Document& d, const Assets& a) {
+          return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
+      }}}};
 
 std::string now_text() {
     const std::time_t now = std::time(nullptr);
@@ -39,12 +42,12 @@ std::string now_text() {
 Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
     const Document& document = context.document;
     const Assets& assets = context.assets;
-    const auto there = [&](const Kind& kind) { return kind.there(document, *assets.plan); };
+    const auto there = [&](const Kind& kind) { return kind.there(document, assets); };
     const auto* kind =
         std::ranges::find_if(kKinds, [&](const Kind& k) { return wanted.empty() ? there(k) : k.name == wanted; });
     if (kind == kKinds.end())
         return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
-                              : fail("a report is of selection, cuts, bands, measurements or systems");
+                              : fail("a report is of selection, cuts, bands, measurements, systems or contacts");
     if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
@@ -89,6 +92,7 @@ Result<void> report(ActionContext& context, Arguments arguments) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     complete_lesions(context.assets, context.document);
+    if (context.window == nullptr) complete_contacts(context.assets, context.document); // a window has them soon
     if (extension == ".csv") return write_csv(context, path, arguments.size() == 2 ? arguments[1] : "");
     if (extension != ".html" && extension != ".htm")
         return fail("a report is a .csv or an .html file", path.string(), "give the name one of these endings");
@@ -109,7 +113,7 @@ std::vector<Command> report_commands() {
     return {
         Command("report", "[FILE [KIND]]",
                 "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
-                "measurements, systems, the first of them that there is unless told.",
+                "measurements, systems, contacts, the first of them that there is unless told.",
                 report)
             .in_menu("Plan", "Save report")
             .when(has_tree),

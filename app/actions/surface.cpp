@@ -18,13 +18,26 @@ Result<void> surface(ActionContext& context, Arguments arguments) {
     } else {
         const SurfaceOption* option = surface_option(arguments[0]);
         if (option == nullptr || option->label.empty()) return refused;
-        const auto value = number_in(arguments[1], option->least, option->most);
-        if (!value || !takes(*option, *value)) return refused;
+        const auto value = value_in(*option, arguments[1]);
+        if (!value) return refused;
         option->set(next.options, *value);
     }
     context.document.change(std::move(next));
     return {};
 }
+
+Result<void> blend(ActionContext& context, Arguments arguments) {
+    using mesh::Blend;
+    Blend wanted = context.document.marks().options.blend == Blend::kTree ? Blend::kPaper : Blend::kTree;
+    if (!arguments.empty()) {
+        const auto named = mesh::blend_named(arguments[0]);
+        if (!named || arguments.size() > 1) return fail("blend is paper or tree", {}, mesh::blend_help());
+        wanted = *named;
+    }
+    return edit(context, [&](Marks& marks) { marks.options.blend = wanted; });
+}
+
+bool keeps_apart(const Document& document) { return document.marks().options.blend == mesh::Blend::kTree; }
 
 } // namespace
 
@@ -34,6 +47,13 @@ std::vector<Command> surface_commands() {
         if (!option.label.empty()) names.append(names.empty() ? "" : ", ").append(option.key);
     return {
         Command("surface", "NAME VALUE", "Sets " + names + " or method (cs, cones) of the surface.", surface),
+        Command("blend", "[paper|tree]",
+                "Where vessels blend: wherever they come close (paper), or along the tree alone, so that vessels which "
+                "only press on each other stay apart (tree).",
+                blend)
+            .in_menu("View", "Keep touching vessels apart")
+            .when(has_tree)
+            .checked_when(keeps_apart),
     };
 }
 

@@ -39,6 +39,7 @@ void refresh_tree(Assets& assets, const Document& document) {
     assets.plan.reset();
     assets.measurements.reset();
     assets.centerlines = {};
+    assets.contacts = {};
 }
 
 } // namespace
@@ -140,8 +141,19 @@ Result<void> load_context(Assets& assets, const Marks& marks, Job& job) {
     return {};
 }
 
+bool contacts_awaited(const Assets& assets, const mesh::SurfaceOptions& options) {
+    return assets.tree && !assets.contacts.fits(options);
+}
+
+void complete_contacts(Assets& assets, const Document& document) {
+    refresh_tree(assets, document);
+    const mesh::SurfaceOptions& options = document.marks().options;
+    if (contacts_awaited(assets, options)) assets.contacts = contacts_of(*assets.tree, options);
+}
+
 Result<void> complete(Assets& assets, const Document& document, Job& job) {
     complete_lesions(assets, document);
+    if (document.marks().contact_marks) complete_contacts(assets, document);
     return load_context(assets, document.marks(), job);
 }
 

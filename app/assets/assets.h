@@ -12,6 +12,7 @@
 #pragma once
 
 #include "app/assets/centerlines.h"
+#include "app/assets/contacts.h"
 #include "app/assets/measured.h"
 #include "app/assets/plan.h"
 #include "app/assets/shapes.h"
@@ -39,6 +40,7 @@ struct Assets {
     std::shared_ptr<const Plan> plan;
     std::shared_ptr<const Measurements> measurements;
     SurfaceCenterlines centerlines;
+    TreeContacts contacts; // of the tree; of other options of the surface, perhaps, until those are looked for
 
     // Null: it was not read, or could not be.
     [[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh(const std::string& file) const;
@@ -51,7 +53,8 @@ struct Assets {
 };
 
 // Brings what is derived up to the document, but for what takes long: reads no file and measures no distances to
-// meshes; until those are there Plan::measuring is true. `options`: the surface's, where they are not the session's.
+// meshes; until those are there Plan::measuring is true. Nor does it look for contacts. `options`: the surface's, where
+// they are not the session's.
 void refresh(Assets& assets, const Document& document);
 void refresh(Assets& assets, const Document& document, const mesh::SurfaceOptions& options);
 // The plan alone: for commands.
@@ -77,8 +80,13 @@ void complete_lesions(Assets& assets, const Document& document);
 // All visible context, likewise. Fails with the first that cannot be read, and with what == "cancelled" when `job` is.
 [[nodiscard]] Result<void> load_context(Assets& assets, const Marks& marks, Job& job);
 
+// Whether complete_contacts() has something to do.
+[[nodiscard]] bool contacts_awaited(const Assets& assets, const mesh::SurfaceOptions& options);
+// Looks for the contacts of the document's tree under its options, in this thread.
+void complete_contacts(Assets& assets, const Document& document);
+
 // All that a picture or a report of the document needs, read, measured and derived in this thread. Fails as
-// load_context().
+// load_context(). Contacts are looked for where they are marked.
 [[nodiscard]] Result<void> complete(Assets& assets, const Document& document, Job& job);
 
 // What `from`, an earlier copy of `assets`, has read and measured since. Distances of another tree stay out.

@@ -1,5 +1,7 @@
 // ramus info FILE: what a vessel tree, a mask or a scan consists of.
+#include "app/assets/contacts.h"
 #include "app/commands/command.h"
+#include "app/commands/info_contacts.h"
 #include "app/commands/inputs.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
@@ -126,8 +128,11 @@ struct InfoFlags {
     SurfaceFlags surface;
     std::string file;
     bool json = false;
-    bool branches = false;
+    bool branches = false, contacts = false;
 };
+
+// Those of the tree as its surface sees it; null where they are not asked for.
+using ContactList = std::shared_ptr<const std::vector<tree::Contact>>;
 
 ordered_json range_json(const measure::Range& range) {
     return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
@@ -194,7 +199,8 @@ std::string topics_of(const std::vector<tree::NoteGroup>& groups, tree::Note::Ki
     return list;
 }
 
-void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& statistics, bool branches) {
+void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& statistics, bool branches,
+                const ContactList& contacts) {
     ordered_json report = {{"branches", tree.branches.size()},
                            {"segments", tree.segment_count()},
                            {"roots", tree.roots.size()},
@@ -210,6 +216,7 @@ void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& sta
                            {"systems", names_of(tree.systems)}};
     if (!tree.systems.empty()) report["system_list"] = system_list(tree);
     if (branches) report["branch_list"] = branch_list(tree, facts_of(tree));
+    if (contacts) report["contacts"] = contacts_json(*contacts);
     // File names in repairs may hold bytes that are not UTF-8.
     std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
@@ -265,7 +272,8 @@ void print_systems(const tree::VesselTree& tree) {
                   << rounded(facts[i].length_mm) << " mm, " << colour_text(tree.systems[i].colour) << '\n';
 }
 
-void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics) {
+void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
+                const ContactList& contacts) {
     const auto line = [](const std::string& name, const std::string& value) {
         std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
     };
@@ -290,21 +298,25 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
         for (const std::string& sentence : found) std::cout << "  " << sentence << '\n';
     }
     print_systems(tree);
+    if (contacts) print_contacts(std::cout, tree, *contacts);
     if (flags.branches) print_branches(tree);
 }
 
 Result<int> run_info(const InfoFlags& flags) {
     if (io::is_volume(flags.file)) {
-        if (flags.branches)
-            return fail("a volume has no branches", flags.file, "leave out --branches, or name a vessel tree");
+        if (flags.branches || flags.contacts)
+            return fail("a volume has no branches", flags.file,
+                        std::string("leave out ") + (flags.branches ? "--branches" : "--contacts") +
+                            ", or name a vessel tree");
         return run_volume_info(flags.file, flags.surface, flags.json);
     }
     RAMUS_TRY(tree, io::read_tree(flags.file, flags.surface.read));
     const measure::TreeStatistics statistics = measure::tree_statistics(tree);
+    const ContactList contacts = flags.contacts ? contacts_of(tree, flags.surface.surface).list : nullptr;
     if (flags.json)
-        print_json(tree, statistics, flags.branches);
+        print_json(tree, statistics, flags.branches, contacts);
     else
-        print_text(flags, tree, statistics);
+        print_text(flags, tree, statistics, contacts);
     return kDone;
 }
 
@@ -317,6 +329,9 @@ void register_info(CLI::App& app, Action& chosen) {
         ->required();
     command->add_flag("--json", flags->json, "Print one JSON object");
     command->add_flag("--branches", flags->branches, "List every branch too");
+    CLI::Option* contacts = command->add_flag("--contacts", flags->contacts,
+                                              "List where vessels press on each other without being connected there");
+    add_preparing_flags(*command, flags->surface, contacts);
     add_reading_flags(*command, flags->surface);
     command->callback([flags, &chosen] { chosen = [flags] { return run_info(*flags); }; });
 }

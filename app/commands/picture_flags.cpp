@@ -100,14 +100,18 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
     add_label_flag(command, flags.labels, "These labels of the mask alone, as 1 or 1,2 (default: all)")->needs(mask);
     command
         .add_option_function<double>(
-            "--blend",
+            "--share",
             [&flags](double share) {
-                if (!(share >= 0.0 && share <= 1.0)) throw CLI::ValidationError("--blend", "goes from 0 to 1");
-                flags.blend = share;
+                if (!(share >= 0.0 && share <= 1.0)) throw CLI::ValidationError("--share", "goes from 0 to 1");
+                flags.share = share;
             },
             "With --compare blend: how much of the second surface there is, from 0 to 1 (default 0.5)")
         ->type_name("SHARE");
     command.add_flag("--skeleton", flags.skeleton, "Draw centerlines, with rings of the radius, over the vessels");
+    command.add_flag(
+        "--contacts", flags.contacts,
+        "Mark where vessels press on each other without being connected there (`ramus info --contacts` lists "
+        "them)");
 }
 
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags) {
@@ -115,8 +119,8 @@ void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flag
     for (const char* name : {"--methods", "--mask", "--label"})
         if (off && command.get_option(name)->count() > 0)
             throw CLI::ValidationError(name, "has a meaning only with --compare");
-    if (flags.blend && (off || *flags.mode != Comparison::Mode::kBlend))
-        throw CLI::ValidationError("--blend", "has a meaning only with --compare blend");
+    if (flags.share && (off || *flags.mode != Comparison::Mode::kBlend))
+        throw CLI::ValidationError("--share", "has a meaning only with --compare blend");
 }
 
 void apply(const ComparisonFlags& flags, Marks& marks) {
@@ -128,8 +132,9 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
         comparison.mask_units = flags.mask_units;
         comparison.labels = flags.labels;
     }
-    if (flags.blend) comparison.blend = *flags.blend;
+    if (flags.share) comparison.blend = *flags.share;
     if (flags.skeleton) marks.skeleton = true;
+    if (flags.contacts) marks.contact_marks = true;
 }
 
 } // namespace ramus::app

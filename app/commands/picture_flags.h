@@ -32,8 +32,8 @@ struct ComparisonFlags {
     std::string mask;       // empty: the session's, or the tree's own voxels
     std::string mask_units; // empty: as the file says
     std::vector<std::int32_t> labels;
-    std::optional<double> blend;
-    bool skeleton = false;
+    std::optional<double> share; // of the second surface, where two are blended
+    bool skeleton = false, contacts = false;
 };
 
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags);

@@ -195,17 +195,37 @@ void add_method_flag(CLI::App& command, bool with_masks, const std::function<voi
         ->check(CLI::IsMember(keys));
 }
 
+namespace {
+
+CLI::Option* add_surface_flag(CLI::App& command, const SurfaceOption& option, mesh::SurfaceOptions& surface) {
+    const std::string name = flag_of(option.key), help(option.help), unit(option.unit);
+    if (option.words.empty())
+        return command
+            .add_option_function<double>(
+                name, [&surface, &option](double value) { option.set(surface, value); }, help)
+            ->type_name(unit)
+            ->check(domain_of(option));
+    std::vector<std::string> words;
+    for (const OptionWord& word : option.words) words.emplace_back(word.key);
+    return command
+        .add_option_function<std::string>(
+            name, [&surface, &option](const std::string& word) { option.set(surface, *value_in(option, word)); }, help)
+        ->type_name(unit)
+        ->check(CLI::IsMember(words).description(""));
+}
+
+} // namespace
+
+void add_preparing_flags(CLI::App& command, SurfaceFlags& flags, CLI::Option* needing) {
+    for (const char* key : {"smooth", "prune", "width"})
+        add_surface_flag(command, *surface_option(key), flags.surface)->needs(needing);
+}
+
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
     flags.command = &command;
     mesh::SurfaceOptions& surface = flags.surface;
     for (const SurfaceOption& option : surface_options()) {
-        CLI::Option* flag =
-            command
-                .add_option_function<double>(
-                    flag_of(option.key), [&surface, &option](double value) { option.set(surface, value); },
-                    std::string(option.help))
-                ->type_name(std::string(option.unit))
-                ->check(domain_of(option));
+        CLI::Option* flag = add_surface_flag(command, option, surface);
         if (!option.instead.empty()) flag->excludes(command.get_option(flag_of(option.instead)));
     }
     add_option(command, "--memory", "SIZE", surface.memory_bytes,

@@ -112,7 +112,7 @@ void draw_compare(InterfaceContext& context) {
         if (comparison.mode == Mode::kBlend) {
             widgets::Slider<float>& blend = context.interface.editing.blend;
             const bool changed = widgets::slider_row(
-                "Blend", "How much there is of the second surface", blend, static_cast<float>(comparison.blend),
+                "Share", "How much there is of the second surface", blend, static_cast<float>(comparison.blend),
                 [&](float& value) {
                     ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
                 },

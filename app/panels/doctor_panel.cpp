@@ -2,6 +2,7 @@
 // finds strange, leads to each place, and reads the file again with other assumptions and repairs.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
+#include "app/panels/left_panel.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
@@ -228,39 +229,6 @@ void draw_notes(InterfaceContext& context, const tree::VesselTree& tree) {
     }
 }
 
-// The viewport that the panel lies over: the isosurface's, for the tree is what changes.
-std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
-    if (comparison.mode != Comparison::Mode::kSideBySide) return 0;
-    const auto at = static_cast<std::size_t>(std::ranges::find(comparison.surfaces, mesh::Method::kIsosurface) -
-                                             comparison.surfaces.begin());
-    return at < layout.viewports_at.size() && layout.viewports_at[at].y == 0 ? at : 0;
-}
-
-// Below the tools and the heading, above the scale bar and the cube, as high as it needs to be.
-void begin_panel(const Layout& layout, const Comparison& comparison) {
-    const float scale = theme::scale();
-    const std::size_t viewport = viewport_below(layout, comparison);
-    const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
-    const float top = (56.0F + heading) * scale, margin = 10.0F * scale;
-    const float below = (viewport > 0 ? 128.0F : 52.0F) * scale;
-    // The middle of the picture, where places are looked at, stays free where there is room for both.
-    const auto view_width = static_cast<float>(viewport > 0 ? layout.viewport_size.x : layout.view_size.x);
-    const float free_width = viewport > 0 ? view_width : 0.5F * view_width - margin;
-    const float width =
-        std::min(std::clamp(free_width - 2.0F * margin, 260.0F * scale, 330.0F * scale), view_width - 2.0F * margin);
-    const float most = std::max(140.0F * scale, static_cast<float>(layout.view_size.y) - top - below);
-    ImGui::SetNextWindowPos({static_cast<float>(layout.view_at.x + layout.viewports_at[viewport].x) + margin,
-                             static_cast<float>(layout.view_at.y) + top});
-    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, most});
-    ImGui::SetNextWindowBgAlpha(0.97F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
-    ImGui::Begin("import doctor", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PopStyleVar();
-}
-
 } // namespace
 
 void draw_doctor(InterfaceContext& context) {
@@ -269,7 +237,7 @@ void draw_doctor(InterfaceContext& context) {
     const std::shared_ptr<const tree::VesselTree> tree = context.workspace.document.tree();
     if (!doctor.open || !tree) return;
     const io::ReadOptions options = context.workspace.document.marks().reading;
-    begin_panel(context.layout, context.workspace.document.marks().comparison);
+    begin_left_panel("import doctor", context.layout, context.workspace.document.marks().comparison);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("How the file was read");
     ImGui::SameLine();

@@ -83,6 +83,8 @@ bool Interface::dismiss() {
         fly.open = fly.playing = false;
     else if (doctor.open)
         doctor.open = false;
+    else if (contacts.open)
+        contacts.open = false;
     else
         return false;
     return true;
@@ -95,7 +97,7 @@ void Interface::forget_tree() {
     overview.shown_selection = tree::kNoBranch;
     overview.layout_of = nullptr;
     rename.open = radius.open = fly.open = fly.playing = false;
-    doctor.current = -1;
+    doctor.current = contacts.current = -1;
 }
 
 void InterfaceContext::perform(const Command& command) {
@@ -121,6 +123,7 @@ void draw_interface(InterfaceContext& context) {
     draw_tool_bar(context);
     draw_side_panel(context);
     draw_doctor(context);
+    draw_contacts(context);
     draw_overview(context);
     draw_fly(context);
     draw_status_bar(context);

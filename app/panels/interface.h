@@ -17,6 +17,7 @@
 #include <deque>
 #include <glm/vec2.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -113,6 +114,13 @@ struct Doctor {
     widgets::Slider<float> bulge_size, islands;
 };
 
+// What the list of contacts remembers.
+struct ContactList {
+    bool open = false;
+    int current = -1;                                     // that was gone to; -1: none
+    std::shared_ptr<const std::vector<tree::Contact>> of; // what `current` counts in
+};
+
 struct Interface {
     bool panel_open = true;
     bool menu_open = false, close_menu = false; // a menu of the bar: it is there; it shall go
@@ -136,6 +144,7 @@ struct Interface {
     RadiusDialog radius;
     Fly fly;
     Doctor doctor;
+    ContactList contacts;                                  // open: the doctor is not, and the other way about
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
     std::optional<double> tried_blend;                     // likewise
@@ -190,6 +199,8 @@ void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
 void draw_doctor(InterfaceContext& context);
+void draw_contacts(InterfaceContext& context);
+void draw_contacts_line(InterfaceContext& context); // in the side panel: how many there are, and the way there
 void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask); // in the import doctor's panel
 void draw_doctor_line(InterfaceContext& context); // in the side panel: what there is to see, and the way there
 void draw_rename(InterfaceContext& context);

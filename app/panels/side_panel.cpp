@@ -1,4 +1,5 @@
 // The panel at the right: the tree, its surface, what is selected, and the list of branches.
+#include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -12,6 +13,8 @@
 #include <imgui.h>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ramus::app {
 
@@ -49,6 +52,7 @@ void draw_tree(InterfaceContext& context) {
             list.append(list.empty() ? "" : "\n").append(sentence(edits[i]));
         widgets::tooltip(list.c_str());
     }
+    draw_contacts_line(context);
     draw_doctor_line(context);
 }
 
@@ -69,16 +73,24 @@ void draw_slider(const SurfaceOption& option, float& value) {
     value = static_cast<float>(whole);
 }
 
-// As the command takes it.
-std::string spelled(const SurfaceOption& option, float value) {
-    return option.whole ? std::to_string(static_cast<int>(value)) : digits(value, 4);
+// An option that takes no number.
+void draw_words(InterfaceContext& context, const SurfaceOption& option, const mesh::SurfaceOptions& options) {
+    std::vector<std::pair<std::string, std::string>> entries;
+    for (const OptionWord& word : option.words) entries.emplace_back(word.key, word.label);
+    if (const auto chosen = widgets::choice_row(option.label.data(), option.tooltip.data(),
+                                                spelled(option, option.value(options)), entries))
+        context.perform("surface", {std::string(option.key), *chosen});
 }
 
 void draw_options(InterfaceContext& context) {
-    const mesh::SurfaceOptions& options = context.workspace.document.marks().options;
+    const mesh::SurfaceOptions options = context.workspace.document.marks().options; // a choice changes it
     auto& sliders = context.interface.editing.options;
     for (const SurfaceOption& option : surface_options()) {
         if (option.label.empty()) continue;
+        if (!option.words.empty()) {
+            draw_words(context, option, options);
+            continue;
+        }
         widgets::Slider<float>& slider = sliders[option.key];
         const bool changed = widgets::slider_row(
             option.label.data(), option.tooltip.data(), slider, static_cast<float>(option.value(options)),
@@ -87,7 +99,7 @@ void draw_options(InterfaceContext& context) {
     }
     mesh::SurfaceOptions tried = options;
     for (const SurfaceOption& option : surface_options())
-        if (!option.label.empty() && sliders[option.key].held)
+        if (option.words.empty() && sliders[option.key].held)
             option.set(tried, std::stod(spelled(option, sliders[option.key].value)));
     context.workspace.try_options(tried == options ? std::nullopt : std::optional(tried));
 }

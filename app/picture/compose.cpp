@@ -4,6 +4,7 @@
 #include "app/assets/measured.h"
 #include "app/assets/plan.h"
 #include "app/picture/colouring.h"
+#include "app/picture/contact_marks.h"
 #include "app/picture/note_marks.h"
 #include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
@@ -110,6 +111,9 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     draw_cuts(frame, marks, plan);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
+    if (assets.contacts.fits(options))
+        mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,
+                      viewing.contact);
     return frame;
 }
 

@@ -25,6 +25,7 @@ struct Viewing {
     std::optional<mesh::SurfaceOptions> options{};     // likewise
     bool notes = false; // the places that reading the tree repaired or suspects are marked
     int note = -1;      // this one more than the others; -1: none
+    int contact = -1;   // of the contacts this one is marked, more than the others if these are; -1: none
 };
 
 // `assets` are those of the session; what is not there yet is not shown, and without a tree

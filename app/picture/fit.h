@@ -9,4 +9,9 @@ namespace ramus::app {
 // reaches beyond the ends of its centerlines.
 [[nodiscard]] render::Camera with_room(render::Camera camera, const Comparison& comparison);
 
+// `camera` from the same side, near enough to see what is around `at`, where vessels have this radius; never farther
+// than it is. `size`: of the picture.
+[[nodiscard]] render::Camera looking_at(const render::Camera& camera, const glm::dvec3& at, double radius_mm,
+                                        glm::ivec2 size);
+
 } // namespace ramus::app

@@ -119,6 +119,7 @@ Facts option_facts(const Marks& marks) {
                 {"Smoothing passes", std::to_string(options.smooth_passes)},
                 {"Pruning ratio", options.prune_ratio > 0.0 ? digits(options.prune_ratio) : "off"},
                 {"Kernel width", digits(options.width)},
+                {"Blends", options.blend == mesh::Blend::kTree ? "along the tree" : "wherever vessels come close"},
                 options.cell_mm > 0.0
                     ? std::pair<std::string, std::string>{"Cell size", digits(options.cell_mm) + " mm"}
                     : std::pair<std::string, std::string>{"Triangles around a vessel", std::to_string(options.detail)},
@@ -214,6 +215,9 @@ std::string report_page(const Document& document, const Assets& assets, const st
     if (!pictures.empty()) page += "</div>\n";
     page += "<h2>Tree</h2>\n" + facts_html(tree_facts(document));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets), "");
+    if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())
+        page += table_html(contacts, "Where vessels press on each other without being connected there, the closest "
+                                     "first. A gap below 0 is an overlap.");
     const Marks& marks = document.marks();
     const Plan& plan = *assets.plan;
     page += lesions_html(document, plan);

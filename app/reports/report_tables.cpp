@@ -199,6 +199,32 @@ Table measurements_table(const Document& /*document*/, const Assets& assets) {
     return table;
 }
 
+Table contacts_table(const Document& document, const Assets& assets) {
+    Table table{"Contacts",
+                {{"contact", "No."},
+                 {"branch", "Branch"},
+                 {"name", "Name"},
+                 {"other_branch", "Other branch"},
+                 {"other_name", "Name"},
+                 {"gap_mm", "Gap, mm"},
+                 {"narrowed_mm", "Narrowed, mm"},
+                 {"other_narrowed_mm", "the other, mm"},
+                 {"x", "x, mm"},
+                 {"y", "y, mm"},
+                 {"z", "z, mm"}},
+                {}};
+    if (!assets.contacts.fits(document.marks().options)) return table;
+    const Names names(document);
+    for (const tree::Contact& contact : *assets.contacts.list) {
+        const auto& [first, second] = contact.sides;
+        const glm::dvec3 at = contact.at();
+        table.rows.push_back({static_cast<int>(table.rows.size() + 1), first.branch, names.of(first.branch),
+                              second.branch, names.of(second.branch), contact.gap, first.narrowed, second.narrowed,
+                              at.x, at.y, at.z});
+    }
+    return table;
+}
+
 std::string csv_field(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
     std::string field = "\"";

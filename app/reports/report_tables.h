@@ -45,6 +45,8 @@ struct Table {
                                 const Assets& assets); // a row for each branch within a margin
 [[nodiscard]] Table systems_table(const Document& document, const Assets& assets);      // a row for each system
 [[nodiscard]] Table measurements_table(const Document& document, const Assets& assets); // a row for each measurement
+// A row for each contact, the closest first; none where they were not looked for.
+[[nodiscard]] Table contacts_table(const Document& document, const Assets& assets);
 
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
 [[nodiscard]] std::string csv_of(const Table& table);

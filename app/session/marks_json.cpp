@@ -31,22 +31,39 @@ json options_json(const Marks& marks) {
         const double set = option.value(options);
         if (!option.of_session || (option.only_when_set && set == 0.0)) continue;
         const std::string key(option.key);
-        option.whole ? value[key] = static_cast<int>(set) : value[key] = set;
+        if (!option.words.empty())
+            value[key] = spelled(option, set);
+        else
+            option.whole ? value[key] = static_cast<int>(set) : value[key] = set;
     }
     value["bands"] = marks.planning.bands_mm;
     value["reconstruct"] = marks.planning.reconstruct_mm;
     value["glass_opacity"] = marks.glass.opacity;
     value["glass_grey"] = marks.glass.grey;
     if (marks.skeleton) value["skeleton"] = true;
+    if (marks.contact_marks) value["contact_marks"] = true;
     value["depth_cues"] = json::array();
     for (const DepthCue& cue : depth_cues())
         if (marks.depth_cues.has(cue)) value["depth_cues"].push_back(std::string(cue.name));
     return value;
 }
 
+// A surface option's value, as options_json() writes it.
+static double option_value(const SurfaceOption& option, const json& value) {
+    const std::string key(option.key);
+    if (!option.words.empty()) {
+        const auto word = value_in(option, text(value, key));
+        if (!word) throw Refusal{"unknown " + key + " \"" + value.get<std::string>() + "\""};
+        return *word;
+    }
+    const double least = option.only_when_set ? 0.0 : option.least;
+    return option.whole ? integer(value, key, static_cast<int>(least), static_cast<int>(option.most))
+                        : number(value, key, least, option.most);
+}
+
 void read_options(const json& value, Marks& marks) {
-    std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",     "reconstruct",
-                                           "glass_opacity", "glass_grey", "skeleton",   "depth_cues"};
+    std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",         "reconstruct",
+                                           "glass_opacity", "glass_grey", "skeleton",   "contact_marks", "depth_cues"};
     for (const SurfaceOption& option : surface_options())
         if (option.of_session) known.push_back(option.key);
     expect_only(value, "options", known);
@@ -60,10 +77,7 @@ void read_options(const json& value, Marks& marks) {
     for (const SurfaceOption& option : surface_options()) {
         const std::string key(option.key);
         if (!option.of_session || !value.contains(key)) continue;
-        const double least = option.only_when_set ? 0.0 : option.least;
-        option.set(options, option.whole
-                                ? integer(value[key], key, static_cast<int>(least), static_cast<int>(option.most))
-                                : number(value[key], key, least, option.most));
+        option.set(options, option_value(option, value[key]));
     }
     if (value.contains("bands")) {
         if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
@@ -76,9 +90,11 @@ void read_options(const json& value, Marks& marks) {
     if (value.contains("glass_opacity"))
         marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
     if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
-    if (value.contains("skeleton")) {
-        if (!value["skeleton"].is_boolean()) throw Refusal{"skeleton is not true or false"};
-        marks.skeleton = value["skeleton"].get<bool>();
+    for (const auto& [key, member] :
+         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks)}) {
+        if (!value.contains(key)) continue;
+        if (!value[key].is_boolean()) throw Refusal{std::string(key) + " is not true or false"};
+        marks.*member = value[key].get<bool>();
     }
     if (value.contains("depth_cues")) {
         if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};

@@ -85,7 +85,8 @@ struct Marks {
     GlassLook glass;
     DepthCues depth_cues;
     Comparison comparison;
-    bool skeleton = false; // centerlines and rings of the radius are drawn over the vessels
+    bool skeleton = false;      // centerlines and rings of the radius are drawn over the vessels
+    bool contact_marks = false; // rings where vessels press on each other
     mesh::SurfaceOptions options;
     io::ReadOptions reading; // of the tree's file
     bool operator==(const Marks&) const = default;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,7 +23,13 @@ template <auto Member> void set_to(Options& options, double value) {
     options.*Member = static_cast<std::remove_reference_t<decltype(options.*Member)>>(value);
 }
 
-constexpr std::array<SurfaceOption, 6> kSurfaceOptions = {{
+// In the order of mesh::Blend.
+constexpr std::array<OptionWord, 2> kBlendWords = {{
+    {mesh::name_of(mesh::Blend::kPaper), "Wherever close"},
+    {mesh::name_of(mesh::Blend::kTree), "Along the tree"},
+}};
+
+constexpr std::array<SurfaceOption, 7> kSurfaceOptions = {{
     {.key = "smooth",
      .unit = "N",
      .help = "Smoothing passes over points and radii (default 1)",
@@ -63,6 +70,22 @@ constexpr std::array<SurfaceOption, 6> kSurfaceOptions = {{
      .tooltip = "Kernel width: 5 follows the vessels closely, 1 blends them broadly",
      .slider_least = 1.0,
      .slider_most = 10.0},
+    {.key = "blend",
+     .unit = "paper|tree",
+     .help =
+         "Where vessels blend: paper, wherever they come close (default); tree, along the tree alone, so that vessels "
+         "that only press on each other stay apart",
+     .domain = "paper or tree",
+     .least = 0,
+     .most = 1,
+     .whole = true,
+     .of_session = true,
+     .value = value_of<&Options::blend>,
+     .set = set_to<&Options::blend>,
+     .label = "Blend",
+     .tooltip = "Vessels merge wherever they come close, or stay apart where they only press on each other",
+     .slider_most = 1,
+     .words = kBlendWords},
     {.key = "detail",
      .unit = "N",
      .help = "Triangles around a vessel, thick or thin (default 16)",
@@ -113,10 +136,31 @@ bool takes(const SurfaceOption& option, double value) {
            (!option.whole || value == std::floor(value));
 }
 
+std::string spelled(const SurfaceOption& option, double value) {
+    if (!option.words.empty()) return std::string(option.words[static_cast<std::size_t>(value)].key);
+    return option.whole ? std::to_string(static_cast<int>(value)) : digits(value, 4);
+}
+
+std::optional<double> value_in(const SurfaceOption& option, const std::string& text) {
+    if (!option.words.empty()) {
+        const auto word = std::ranges::find(option.words, text, &OptionWord::key);
+        if (word == option.words.end()) return std::nullopt;
+        return static_cast<double>(word - option.words.begin());
+    }
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !takes(option, value)) return std::nullopt;
+    return value;
+}
+
 std::string surface_command_help() {
     std::string text;
     for (const SurfaceOption& option : kSurfaceOptions) {
         if (option.label.empty()) continue;
+        if (!option.words.empty()) {
+            text.append(option.key).append(" ").append(option.domain).append(", ");
+            continue;
+        }
         text.append(option.key).append(option.most < kLarge ? " " : " from ").append(rounded(option.least));
         if (option.most < kLarge) text += " to " + rounded(option.most);
         text += ", ";

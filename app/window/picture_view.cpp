@@ -20,6 +20,7 @@ Viewing PictureView::viewing() const {
     viewing.options = state_.workspace.tried_options();
     viewing.notes = interface.doctor.open && interface.doctor.mark;
     viewing.note = interface.doctor.current;
+    viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
     return viewing;
 }
 

@@ -67,6 +67,10 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["planning"] = interface.planning;
     status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
+    const auto& contacts = workspace.assets.contacts.list;
+    status["contacts"] = {{"open", interface.contacts.open},
+                          {"contact", interface.contacts.current + 1},
+                          {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
     if (const auto& facts = workspace.document.facts()) {
         status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
         status["notes"] = workspace.document.tree()->notes.size();

@@ -109,6 +109,7 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
     state_.tree = document.tree();
     state_.interface.doctor = {};
     state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
+    if (state_.interface.doctor.open) state_.interface.contacts.open = false;
     state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }
 

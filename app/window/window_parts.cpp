@@ -11,7 +11,9 @@ void WindowParts::toggle(std::string_view part) {
     else if (part == "overview")
         interface.overview.open = !interface.overview.open;
     else if (part == "doctor")
-        interface.doctor.open = !interface.doctor.open;
+        interface.doctor.open = !interface.doctor.open, interface.contacts.open = false;
+    else if (part == "contacts")
+        show_contacts(!interface.contacts.open);
     else if (part == "panel")
         interface.panel_open = !interface.panel_open;
     else
@@ -25,6 +27,7 @@ bool WindowParts::shows(std::string_view part) const {
            : part == "overview" ? interface.overview.open
            : part == "help"     ? interface.help_open
            : part == "doctor"   ? interface.doctor.open
+           : part == "contacts" ? interface.contacts.open
                                 : interface.panel_open;
 }
 
@@ -64,8 +67,23 @@ void WindowParts::ask_for_radius() {
 }
 
 void WindowParts::show_note(int note) {
+    state_.interface.contacts.open = false;
     state_.interface.doctor.open = true;
     state_.interface.doctor.current = note;
+    state_.redraw();
+}
+
+void WindowParts::show_contacts(bool open) {
+    Interface& interface = state_.interface;
+    interface.contacts.open = open;
+    if (open) interface.doctor.open = false;
+    state_.workspace.want_contacts(open);
+}
+
+void WindowParts::show_contact(int contact) {
+    show_contacts(true);
+    state_.interface.contacts.current = contact;
+    state_.interface.contacts.of = state_.workspace.assets.contacts.list;
     state_.redraw();
 }
 

@@ -17,6 +17,7 @@ public:
     void ask_for_name(int branch) override;
     void ask_for_radius() override;
     void show_note(int note) override;
+    void show_contact(int contact) override;
     bool dismiss() override;
     void set_ui_scale(double pixels_per_point) override;
     [[nodiscard]] double ui_scale() const override { return state_.scale; }
@@ -25,6 +26,8 @@ public:
     [[nodiscard]] Result<std::string> pasted_text() const override;
 
 private:
+    void show_contacts(bool open);
+
     ViewerState& state_;
 };
 

@@ -5,7 +5,7 @@
 namespace ramus::app {
 
 Workspace::Workspace(const std::function<void()>& wake)
-    : context(wake), loader_(wake), surface_(wake), comparison_(wake), lesions_(wake) {}
+    : context(wake), loader_(wake), surface_(wake), comparison_(wake), lesions_(wake), contacts_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
     load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
@@ -117,6 +117,34 @@ void Workspace::follow_lesions() {
     });
 }
 
+bool Workspace::contacts_due() const {
+    const mesh::SurfaceOptions options = request().options;
+    if (!document.tree() || tree_shown_ != document.tree()) return false;
+    if (assets.tree == tree_shown_ && assets.contacts.fits(options)) return false;
+    if (contacts_of_ == std::pair(tree_shown_, options)) return false;
+    return contacts_wanted_ || document.marks().contact_marks || tree_shown_->points.size() <= kMostSoughtUnasked;
+}
+
+bool Workspace::seeking_contacts() const { return contacts_.busy() || contacts_due(); }
+
+// What is found soon is let come; an edit or other options make it stale, and then it is looked for again.
+void Workspace::follow_contacts() {
+    if (contacts_.busy() || !contacts_due()) return;
+    const bool wanted = contacts_wanted_ || document.marks().contact_marks;
+    if (!wanted && (surface_.worker().busy() || loader_.worker().busy())) return;
+    const mesh::SurfaceOptions options = request().options;
+    contacts_of_ = {tree_shown_, options};
+    contacts_.start("Looking for contacts", [this, tree = tree_shown_, options](Job&, const Worker::Post& post) {
+        post([this, tree, found = app::contacts_of(*tree, options)] {
+            contacts_of_ = {};
+            if (document.tree() != tree) return;
+            if (assets.tree != tree) refresh(assets, document, request().options);
+            assets.contacts = found;
+            changed_ = true;
+        });
+    });
+}
+
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
     for (const ComparedSurface& one : comparison_.surfaces()) show(surfaces, one);
@@ -155,6 +183,7 @@ void Workspace::take_failures() {
     if (!lesions_failure.empty()) lesions_failed_ = lesions_of_;
     tell(lesions_failure, lesions_);
     tell(comparison_.take_failure(), comparison_.worker());
+    tell(contacts_.take_failure(), contacts_);
 }
 
 bool Workspace::update() {
@@ -164,11 +193,13 @@ bool Workspace::update() {
     surface_.drain();
     lesions_.drain();
     comparison_.drain();
+    contacts_.drain();
     take_failures();
     if (document.tree() && context.update(document.marks().context, assets)) changed_ = true;
     while (const auto error = context.take_error()) errors_.push_back(*error);
     follow_lesions();
     if (!surface_.take_just_shown()) follow_surface();
+    follow_contacts();
     if (document.tree())
         comparison_.follow(document.tree(), document.marks(), surface_.worker().busy() || loader_.worker().busy());
     changed_ |= surface_.take_changed();

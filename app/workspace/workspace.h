@@ -4,7 +4,7 @@
 // follows. A file that cannot be read leaves everything as it was. No GL, no window.
 //
 // Each kind of work has its own object and thread: loading a tree, following with the surface, making surfaces to
-// compare with, reading context, and reading lesions and measuring distances to them.
+// compare with, reading context, reading lesions and measuring distances to them, and looking for contacts.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -70,6 +70,11 @@ public:
     [[nodiscard]] bool comparing() const { return document.tree() && comparison_.awaited(document.marks()); }
     // Why one cannot be had; empty: all can.
     [[nodiscard]] const std::string& comparison_problem() const { return comparison_.problem(); }
+    // The tree's contacts are looked for when there is nothing better to do, and at once where they are wanted: listed,
+    // or marked in the picture. Those of large trees only then.
+    void want_contacts(bool wanted) { contacts_wanted_ = wanted; }
+    // Whether they are being looked for, or about to be.
+    [[nodiscard]] bool seeking_contacts() const;
     // Waits a moment for the preview of the surface that is shown, when it is about to come. For who draws so slowly
     // that the surface itself would take longer.
     void await_preview();
@@ -103,6 +108,9 @@ private:
     void take_failures();
     void follow_surface();
     void follow_lesions();
+    void follow_contacts();
+    [[nodiscard]] bool contacts_due() const;
+    static constexpr std::size_t kMostSoughtUnasked = 1'000'000; // points of the tree
     // Of the work that shows its progress, in the order in which it is named.
     [[nodiscard]] std::array<const Worker*, 4> workers() const {
         return {&loader_.worker(), &surface_.worker(), &lesions_, &comparison_.worker()};
@@ -116,6 +124,9 @@ private:
     std::optional<TreeLoader::Arrival> arrival_; // waits to be let in
     PlannedMarks lesions_of_;                    // what is being measured
     std::optional<PlannedMarks> lesions_failed_; // not tried again
+    // Of what contacts are being looked for, or could not be.
+    std::pair<std::shared_ptr<const tree::VesselTree>, mesh::SurfaceOptions> contacts_of_;
+    bool contacts_wanted_ = false;
     bool changed_ = false;
     bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
     // Last: their threads end first.
@@ -123,6 +134,7 @@ private:
     SurfaceFollower surface_;
     ComparisonMaker comparison_;
     Worker lesions_;
+    Worker contacts_;
 };
 
 } // namespace ramus::app

@@ -36,9 +36,9 @@ class Compare(CommandLineTest):
         self.assertEqual(self.picture("off.png", "--compare", "off"), pictures[0])
 
     def test_a_blend_is_exact_at_its_ends(self):
-        first = self.picture("a.png", "--compare", "blend", "--methods", "cs,iso", "--blend", "0")
-        self.assertEqual(first, self.picture("b.png", "--compare", "blend", "--methods", "cones,cs", "--blend", "1"))
-        self.assertNotEqual(first, self.picture("c.png", "--compare", "blend", "--methods", "cs,cones", "--blend", "1"))
+        first = self.picture("a.png", "--compare", "blend", "--methods", "cs,iso", "--share", "0")
+        self.assertEqual(first, self.picture("b.png", "--compare", "blend", "--methods", "cones,cs", "--share", "1"))
+        self.assertNotEqual(first, self.picture("c.png", "--compare", "blend", "--methods", "cs,cones", "--share", "1"))
 
     def test_commands_and_sessions_do_the_same(self):
         flags = self.picture("flags.png", "--compare", "side-by-side", "--methods", "iso,cs", "--mask", "mask.nii.gz",
@@ -121,10 +121,10 @@ class Compare(CommandLineTest):
             sheet = Picture((self.folder / "s.png").read_bytes())
             return [sheet.part(x, y + 30, 161, 70) for x in (0, 161) for y in (0, 101)]
 
-        first = cells("--compare", "blend", "--methods", "cs,cones", "--blend", "0")
+        first = cells("--compare", "blend", "--methods", "cs,cones", "--share", "0")
         self.assertEqual(len(set(first)), 4)
-        self.assertEqual(first, cells("--compare", "blend", "--methods", "cones,cs", "--blend", "1"))
-        for other in (("blend", "--blend", "0.7"), ("superimposed",)):
+        self.assertEqual(first, cells("--compare", "blend", "--methods", "cones,cs", "--share", "1"))
+        for other in (("blend", "--share", "0.7"), ("superimposed",)):
             sheet = cells("--compare", *other)
             self.assertTrue(all(one != another for one, another in zip(first, sheet)))
             self.assertEqual(len(set(sheet)), 4)
@@ -176,9 +176,9 @@ class Compare(CommandLineTest):
 
     def test_what_cannot_be_compared(self):
         for wrong in (["--compare", "magic"], ["--compare", "blend", "--methods", "cs"],
-                      ["--compare", "blend", "--methods", "cs,cs"], ["--compare", "blend", "--blend", "2"],
-                      ["--blend", "0.5"], ["--methods", "cs,iso"], ["--mask", "mask.nii.gz"],
-                      ["--compare", "side-by-side", "--blend", "0.5"], ["--compare", "blend", "--label", "1"],
+                      ["--compare", "blend", "--methods", "cs,cs"], ["--compare", "blend", "--share", "2"],
+                      ["--share", "0.5"], ["--methods", "cs,iso"], ["--mask", "mask.nii.gz"],
+                      ["--compare", "side-by-side", "--share", "0.5"], ["--compare", "blend", "--label", "1"],
                       ["--compare", "blend", "--mask", "mask.nii.gz", "--label", "0"],
                       ["--compare", "blend", "--sheet", "--turntable", "4"],
                       ["--compare", "blend", "--turntable", "4", "--benchmark", "2"]):

@@ -92,6 +92,9 @@ std::string random_command(std::mt19937& random, int branches) {
                                             "skeleton",
                                             "surface detail " + number(40),
                                             "surface width " + number(9),
+                                            "surface blend tree",
+                                            "blend",
+                                            "blend paper",
                                             "colour-by generation",
                                             "colour-by nothing"};
     return commands[random() % commands.size()];

@@ -52,6 +52,32 @@ TEST_CASE("every option of the surface has a row that says all about it") {
     CHECK(surface_option("colour") == nullptr);
 }
 
+TEST_CASE("an option of words takes these and nothing else") {
+    const SurfaceOption* blend = surface_option("blend");
+    REQUIRE(blend != nullptr);
+    for (const mesh::BlendRow& row : mesh::kBlends) {
+        const auto value = value_in(*blend, std::string(row.key));
+        REQUIRE(value);
+        CHECK(spelled(*blend, *value) == row.key);
+        mesh::SurfaceOptions options;
+        blend->set(options, *value);
+        CHECK(options.blend == row.blend);
+    }
+    for (const char* wrong : {"", "1", "trees", "Tree", "paper "}) CHECK_FALSE(value_in(*blend, wrong));
+    CHECK(value_in(*surface_option("width"), "2.5") == 2.5);
+    for (const char* wrong : {"", "2.5 ", "0", "nan", "5x", "tree"})
+        CHECK_FALSE(value_in(*surface_option("width"), wrong));
+
+    for (const nlohmann::json& wrong : {nlohmann::json(1), nlohmann::json("trees"), nlohmann::json(nullptr)}) {
+        nlohmann::json value = to_json(Session{}, "/");
+        CHECK(value["options"]["blend"] == "paper");
+        value["options"]["blend"] = wrong;
+        CHECK_FALSE(session_from_json(value, "/", "s.json"));
+        value["options"].erase("blend"); // as sessions of earlier versions have it
+        CHECK(session_from_json(value, "/", "s.json"));
+    }
+}
+
 TEST_CASE("options of the session are saved under their keys and read back, the machine's are not") {
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);
@@ -69,7 +95,7 @@ TEST_CASE("what has a slider can be set by command") {
     test::CommandStage stage(*io::parse_tree("1 0 0 0 0 1 -1\n2 0 0 0 9 1 1\n", "small.swc"));
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);
-        const std::string line = "surface " + std::string(option.key) + " " + std::to_string(other_value(option));
+        const std::string line = "surface " + std::string(option.key) + " " + spelled(option, other_value(option));
         if (option.label.empty()) {
             CHECK(stage.bad(line).find("surface takes") != std::string::npos);
             continue;

@@ -1,0 +1,103 @@
+// Contacts: where vessels press on each other without being connected there.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+#include "app/assets/assets.h"
+#include "app/picture/fit.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramus::app::actions {
+
+namespace {
+
+Result<void> contacts(ActionContext& context, Arguments) { return toggle_part(context, "contacts"); }
+
+// The camera turned around the contact by as little as shows both vessels beside each other.
+render::Camera facing(render::Camera camera, const tree::Contact& contact) {
+    const glm::dvec3 between = contact.sides[1].at - contact.sides[0].at;
+    if (glm::length(between) < 1e-6 * contact.sides[0].radius) return camera;
+    const glm::dvec3 across = glm::normalize(between);
+    const render::CameraAxes axes = render::axes_of(camera);
+    glm::dvec3 forward = axes.forward - glm::dot(axes.forward, across) * across;
+    constexpr double kAlong = 1e-3; // one looks along it: any direction across it will do
+    if (glm::length(forward) < kAlong) forward = axes.right - glm::dot(axes.right, across) * across;
+    forward = glm::normalize(forward);
+    camera.position = camera.focal_point - glm::distance(camera.position, camera.focal_point) * forward;
+    // Up as it was, unless one looks that way now.
+    if (glm::length(glm::cross(axes.up, forward)) < kAlong) camera.view_up = axes.forward;
+    return camera;
+}
+
+// Of the contacts of the document as it is.
+Result<void> go_to(ActionContext& context, Arguments arguments) {
+    const auto list = context.assets.contacts.list;
+    RAMUS_TRY(index, list_index(arguments, list->size(), "contact"));
+    const tree::Contact& chosen = (*list)[index];
+    constexpr double kNearer = 0.5; // than one looks at a whole vessel: what is between two of them is small
+    const double radius = std::max(chosen.sides[0].radius, chosen.sides[1].radius);
+    select_these(context.document, app::branches_of(chosen));
+    if (context.window != nullptr) context.window->show_contact(static_cast<int>(index));
+    const render::Camera near =
+        looking_at(context.document.session().camera, chosen.at(), kNearer * radius, context.picture.picture_size());
+    context.document.set_camera(facing(near, chosen));
+    context.picture.camera_leapt();
+    return {};
+}
+
+Result<Outcome> contact(ActionContext& context, Arguments arguments) {
+    const auto& tree = context.document.tree();
+    if (!tree) return fail("there is no tree");
+    const mesh::SurfaceOptions& options = context.document.marks().options;
+    refresh(context.assets, context.document);
+    if (!contacts_awaited(context.assets, options)) return outcome_of(go_to(context, arguments));
+    return Pending{
+        "Looking for contacts",
+        [tree, options, words = std::vector(arguments.begin(), arguments.end())](Job&) -> Result<Continuation> {
+            return [tree, words, found = contacts_of(*tree, options)](ActionContext& then) -> Result<void> {
+                if (then.document.tree() != tree || !found.fits(then.document.marks().options))
+                    return fail("the tree or its surface has changed meanwhile", {}, "ask again");
+                refresh(then.assets, then.document);
+                then.assets.contacts = found;
+                return go_to(then, words);
+            };
+        }};
+}
+
+Result<void> contact_marks(ActionContext& context, Arguments arguments) {
+    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
+        return fail("contact-marks is on or off");
+    return edit(context, [&](Marks& marks) {
+        marks.contact_marks = arguments.empty() ? !marks.contact_marks : arguments[0] == "on";
+    });
+}
+
+bool marks_contacts(const Document& document) { return document.marks().contact_marks; }
+
+bool shows_contacts(const ActionContext& context, const Command&) {
+    return context.window != nullptr && context.window->shows("contacts");
+}
+
+} // namespace
+
+std::vector<Command> contact_commands() {
+    return {
+        Command("contacts", "",
+                "Shows or hides the list of contacts: where vessels press on each other without being connected there.",
+                contacts)
+            .in_menu("View", "Contacts", {"Shift+T"})
+            .when(has_tree)
+            .in_use_when(shows_contacts),
+        Command("contact", "N",
+                "Goes to the N-th contact, the closest is the first, and selects the branches that touch there.",
+                contact)
+            .when(has_tree),
+        Command("contact-marks", "[on|off]",
+                "Marks every contact in the picture: yellow where vessels overlap, else blue.", contact_marks)
+            .in_menu("View", "Mark contacts")
+            .when(has_tree)
+            .checked_when(marks_contacts),
+    };
+}
+
+} // namespace ramus::app::actions

@@ -1,0 +1,32 @@
+// The contacts of a tree (core/tree/contacts/contacts.h) as its surface sees it, pruned and smoothed, for tables and
+// pictures; and what is said of one. Finding them takes seconds where the tree is large: a worker's task.
+#pragma once
+
+#include "core/mesh/surface.h"
+#include "core/tree/contacts/contacts.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+struct TreeContacts {
+    int smooth_passes = 0;
+    double prune_ratio = 0.0, width = 0.0;
+    std::shared_ptr<const std::vector<tree::Contact>> list; // the closest first; null: not looked for yet
+    [[nodiscard]] bool fits(const mesh::SurfaceOptions& options) const {
+        return list && smooth_passes == options.smooth_passes && prune_ratio == options.prune_ratio &&
+               width == options.width;
+    }
+};
+
+[[nodiscard]] TreeContacts contacts_of(const tree::VesselTree& tree, const mesh::SurfaceOptions& options);
+
+// The branches of both sides where they are closest; one where a branch presses on itself.
+[[nodiscard]] std::vector<int> branches_of(const tree::Contact& contact);
+
+// "gap 0.12 mm", "overlap 0.4 mm", "axes cross, overlap 2 mm"; the vessels' own tubes are meant, not the surface.
+[[nodiscard]] std::string gap_text(const tree::Contact& contact);
+
+} // namespace ramus::app

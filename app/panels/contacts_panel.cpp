@@ -1,0 +1,148 @@
+// The list of contacts: a panel over the picture's left edge with a row for each place where vessels press on each
+// other without being connected there. A click goes there and selects both.
+#include "app/panels/interface.h"
+#include "app/panels/left_panel.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+#include "app/session/labels.h"
+#include "app/session/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+using tree::Contact;
+using tree::ContactSide;
+
+constexpr const char* kAnd = " \xC2\xB7 "; // between two branches, or what is said of both
+
+const ImVec4 kOverlapText{0.95F, 0.94F, 0.55F, 1.00F}, kGapText{0.62F, 0.78F, 1.00F, 1.00F}; // as the rings are
+
+std::string side_text(const Document& document, const ContactSide& side) {
+    std::string text = "Branch " + std::to_string(side.branch);
+    if (const std::string label = label_of(document.dependency(), document.marks().names, side.branch); !label.empty())
+        text += ", " + label;
+    if (side.branches.size() > 1) text += ", and " + grouped(side.branches.size() - 1) + " more";
+    return text + ": radius " + digits(side.radius) + " mm, narrowed by " + digits(side.narrowed) + " mm, along " +
+           digits(side.length) + " mm";
+}
+
+// What the row has no room for.
+std::string whole_text(const Document& document, const Contact& contact) {
+    std::string text = gap_text(contact);
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    for (const ContactSide& side : contact.sides) text += "\n" + side_text(document, side);
+    return text + "\nClick to look at the place and to select both";
+}
+
+void draw_row(InterfaceContext& context, const Contact& contact, std::size_t index) {
+    const auto& [first, second] = contact.sides;
+    const std::string number = std::to_string(index + 1), name = "Contact " + number;
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    const bool current = context.interface.contacts.current == static_cast<int>(index);
+    if (ImGui::Selectable((number + "##" + name).c_str(), current, ImGuiSelectableFlags_SpanAllColumns))
+        context.perform("contact", {number});
+    widgets::note_item(name.c_str());
+    if (ImGui::IsItemHovered()) {
+        context.interface.listed = first.branch;
+        widgets::tooltip(whole_text(context.workspace.document, contact).c_str());
+    }
+    ImGui::TableSetColumnIndex(1);
+    ImGui::TextUnformatted((std::to_string(first.branch) + kAnd + std::to_string(second.branch)).c_str());
+    ImGui::TableSetColumnIndex(2);
+    const bool overlap = contact.gap < 0.0;
+    ImGui::TextColored(overlap ? kOverlapText : kGapText, "%s %s",
+                       contact.crossing() ? "crossing"
+                       : overlap          ? "overlap"
+                                          : "gap",
+                       digits(std::abs(contact.gap)).c_str());
+    ImGui::TableSetColumnIndex(3);
+    ImGui::TextUnformatted((digits(first.narrowed, 2) + kAnd + digits(second.narrowed, 2)).c_str());
+}
+
+void draw_rows(InterfaceContext& context, const std::vector<Contact>& list) {
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
+    constexpr std::size_t kMostRows = 18; // more are scrolled to
+    ImGui::PushFont(theme::small_font());
+    const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const float most = 0.55F * static_cast<float>(context.layout.view_size.y);
+    const float wanted = static_cast<float>(std::min(list.size(), kMostRows) + 1) * row_height + 2.0F * theme::scale();
+    if (ImGui::BeginTable("contacts", 4, kFlags, {0.0F, std::min(wanted, std::max(most, 4.0F * row_height))})) {
+        ImGui::TableSetupScrollFreeze(0, 1);
+        constexpr std::array<std::pair<const char*, float>, 4> kColumns{
+            {{"No.", 0.5F}, {"Branches", 1.2F}, {"Between, mm", 1.3F}, {"Narrowed, mm", 1.3F}}};
+        for (const auto& [heading, weight] : kColumns) ImGui::TableSetupColumn(heading, 0, weight);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+        ImGui::TableHeadersRow();
+        ImGui::PopStyleColor();
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(list.size()));
+        while (clipper.Step())
+            for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n)
+                draw_row(context, list[static_cast<std::size_t>(n)], static_cast<std::size_t>(n));
+        ImGui::EndTable();
+    }
+    ImGui::PopFont();
+}
+
+std::string summary_of(const std::vector<Contact>& list) {
+    const auto overlaps = std::ranges::count_if(list, [](const Contact& each) { return each.gap < 0.0; });
+    return counted(list.size(), "contact", "contacts") + ", " + grouped(static_cast<std::uint64_t>(overlaps)) +
+           (overlaps == 1 ? " overlaps" : " overlap");
+}
+
+} // namespace
+
+void draw_contacts(InterfaceContext& context) {
+    ContactList& panel = context.interface.contacts;
+    context.workspace.want_contacts(panel.open);
+    const auto tree = context.workspace.document.tree();
+    if (!panel.open || !tree) return;
+    const Marks& marks = context.workspace.document.marks();
+    begin_left_panel("contacts", context.layout, marks.comparison);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Vessels that touch");
+    ImGui::SameLine();
+    widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
+    if (widgets::small_button("Close", "Hides this list; Shift+T shows it again")) panel.open = false;
+    const auto list = context.workspace.current_assets().contacts.list; // kept here: what is done here may change it
+    if (panel.of != list) panel.current = -1;                           // others are counted in it
+    panel.of = list;
+    bool mark = marks.contact_marks;
+    if (ImGui::Checkbox("Mark them in the picture", &mark)) context.perform("contact-marks", {mark ? "on" : "off"});
+    widgets::tooltip("Rings where vessels press on each other: yellow where they overlap, else blue");
+    widgets::rule();
+    if (!list) {
+        widgets::quiet(context.workspace.seeking_contacts() ? "Looking for contacts\xE2\x80\xA6"
+                                                            : "They could not be looked for.");
+    } else if (list->empty()) {
+        widgets::quiet_wrapped("No vessels press on each other without being connected there.");
+    } else {
+        widgets::quiet(summary_of(*list).c_str());
+        draw_rows(context, *list);
+    }
+    ImGui::End();
+}
+
+void draw_contacts_line(InterfaceContext& context) {
+    const auto list = context.workspace.current_assets().contacts.list;
+    if (!list || list->empty()) return;
+    const ImVec2 at = ImGui::GetCursorPos();
+    if (ImGui::Selectable("##contacts", false, 0, {0.0F, ImGui::GetTextLineHeight()})) context.perform("contacts", {});
+    widgets::tooltip("Lists where vessels press on each other without being connected there", "Shift+T");
+    ImGui::SetCursorPos(at);
+    widgets::quiet("Contacts");
+    ImGui::SameLine();
+    const std::string count = grouped(list->size());
+    widgets::align_right(ImGui::CalcTextSize(count.c_str()).x);
+    ImGui::TextColored(theme::kAccent, "%s", count.c_str());
+}
+
+} // namespace ramus::app

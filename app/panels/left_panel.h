@@ -1,0 +1,12 @@
+// The panel over the picture's left edge, of which there is one at a time: the import doctor, or the list of contacts.
+#pragma once
+
+#include "app/panels/interface.h"
+
+namespace ramus::app {
+
+// Below the tools and the heading, above the scale bar and the cube, as high as it needs to be. Where surfaces stand
+// side by side it lies over the isosurface, for the tree is what is looked at. ImGui::End() ends it.
+void begin_left_panel(const char* name, const Layout& layout, const Comparison& comparison);
+
+} // namespace ramus::app
