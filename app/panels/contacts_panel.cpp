@@ -94,8 +94,8 @@ void draw_rows(InterfaceContext& context, const std::vector<Contact>& list) {
 
 std::string summary_of(const std::vector<Contact>& list) {
     const auto overlaps = std::ranges::count_if(list, [](const Contact& each) { return each.gap < 0.0; });
-    return counted(list.size(), "contact", "contacts") + ", " + grouped(static_cast<std::uint64_t>(overlaps)) +
-           (overlaps == 1 ? " overlaps" : " overlap");
+    return counted(list.size(), "contact", "contacts") + ", " +
+           counted(static_cast<std::uint64_t>(overlaps), "overlap", "overlaps");
 }
 
 } // namespace
