@@ -55,7 +55,7 @@ TEST_CASE("a contact is gone to by its number: both branches are selected and se
     CHECK(glm::distance(stage.document.session().camera.focal_point, glm::dvec3(0, 0, 1.5)) < 1e-9);
     stage.good("surface smooth 0\ncontact 1");
     CHECK(stage.selection() == test::Ids{0, 1}); // they overlap more now
-    stage.good("undo\nundo"); // of the smoothing, and of what contact 2 had selected
+    stage.good("undo\nundo");                    // of the smoothing, and of what contact 2 had selected
     CHECK(stage.selection() == test::Ids{2, 3});
     for (const char* wrong : {"contact", "contact 0", "contact 3", "contact x", "contact 1 2"})
         CHECK(stage.bad(wrong).find("which contact?") != std::string::npos);
