@@ -28,8 +28,8 @@ std::string side_text(const Document& document, const ContactSide& side) {
     if (const std::string label = label_of(document.dependency(), document.marks().names, side.branch); !label.empty())
         text += ", " + label;
     if (side.branches.size() > 1) text += ", and " + grouped(side.branches.size() - 1) + " more";
-    return text + ": radius " + digits(side.radius) + " mm, narrowed by " + digits(side.narrowed) + " mm, along " +
-           digits(side.length) + " mm";
+    return text + "\n    radius " + digits(side.radius) + " mm, narrowed by " + digits(side.narrowed) +
+           " mm\n    along " + digits(side.length) + " mm";
 }
 
 // What the row has no room for.
@@ -66,18 +66,18 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
     ImGui::TextUnformatted((digits(first.narrowed, 2) + kAnd + digits(second.narrowed, 2)).c_str());
 }
 
-void draw_rows(InterfaceContext& context, const std::vector<Contact>& list) {
+void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
                                        ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
     constexpr std::size_t kMostRows = 18; // more are scrolled to
     ImGui::PushFont(theme::small_font());
     const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float most = 0.55F * static_cast<float>(context.layout.view_size.y);
     const float wanted = static_cast<float>(std::min(list.size(), kMostRows) + 1) * row_height + 2.0F * theme::scale();
-    if (ImGui::BeginTable("contacts", 4, kFlags, {0.0F, std::min(wanted, std::max(most, 4.0F * row_height))})) {
+    const float most = std::max(bottom - ImGui::GetCursorScreenPos().y, 3.0F * row_height);
+    if (ImGui::BeginTable("contacts", 4, kFlags, {0.0F, std::min(wanted, most)})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         constexpr std::array<std::pair<const char*, float>, 4> kColumns{
-            {{"No.", 0.5F}, {"Branches", 1.2F}, {"Between, mm", 1.3F}, {"Narrowed, mm", 1.3F}}};
+            {{"No.", 0.45F}, {"Branches", 1.1F}, {"Between", 1.45F}, {"Narrowed", 1.2F}}};
         for (const auto& [heading, weight] : kColumns) ImGui::TableSetupColumn(heading, 0, weight);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         ImGui::TableHeadersRow();
@@ -94,8 +94,8 @@ void draw_rows(InterfaceContext& context, const std::vector<Contact>& list) {
 
 std::string summary_of(const std::vector<Contact>& list) {
     const auto overlaps = std::ranges::count_if(list, [](const Contact& each) { return each.gap < 0.0; });
-    return counted(list.size(), "contact", "contacts") + ", " + grouped(static_cast<std::uint64_t>(overlaps)) +
-           (overlaps == 1 ? " overlaps" : " overlap");
+    return counted(list.size(), "contact", "contacts") + ", " +
+           counted(static_cast<std::uint64_t>(overlaps), "overlap", "overlaps");
 }
 
 } // namespace
@@ -106,7 +106,7 @@ void draw_contacts(InterfaceContext& context) {
     const auto tree = context.workspace.document.tree();
     if (!panel.open || !tree) return;
     const Marks& marks = context.workspace.document.marks();
-    begin_left_panel("contacts", context.layout, marks.comparison);
+    const float bottom = begin_left_panel("contacts", context.layout, marks.comparison);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Vessels that touch");
     ImGui::SameLine();
@@ -126,7 +126,9 @@ void draw_contacts(InterfaceContext& context) {
         widgets::quiet_wrapped("No vessels press on each other without being connected there.");
     } else {
         widgets::quiet(summary_of(*list).c_str());
-        draw_rows(context, *list);
+        ImGui::SameLine();
+        widgets::quiet_right("in mm");
+        draw_rows(context, *list, bottom);
     }
     ImGui::End();
 }

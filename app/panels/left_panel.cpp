@@ -19,7 +19,7 @@ std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
 
 } // namespace
 
-void begin_left_panel(const char* name, const Layout& layout, const Comparison& comparison) {
+float begin_left_panel(const char* name, const Layout& layout, const Comparison& comparison) {
     const float scale = theme::scale();
     const std::size_t viewport = viewport_below(layout, comparison);
     const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
@@ -41,6 +41,7 @@ void begin_left_panel(const char* name, const Layout& layout, const Comparison& 
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar();
+    return ImGui::GetWindowPos().y + most - 9.0F * scale;
 }
 
 } // namespace ramus::app

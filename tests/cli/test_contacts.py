@@ -144,5 +144,36 @@ class Blend(CommandLineTest):
         self.expect_failure("render", "crossing.swc", "-o", "out.png", "--commands", "c.txt", says=["c.txt:1", "paper", "tree"])
 
 
+class Pictures(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.write("crossing.swc", CROSSING)
+
+    def picture(self, name, *arguments):
+        self.expect_done("render", "-o", name, "--size", "160x120", *arguments)
+        return (self.folder / name).read_bytes()
+
+    def test_contacts_are_marked_by_flag_command_and_session(self):
+        plain = self.picture("plain.png", "crossing.swc")
+        marked = self.picture("marked.png", "crossing.swc", "--contacts")
+        self.assertNotEqual(marked, plain)
+        self.write("c.txt", "contact-marks on\nsave s.json\nshot shot.png\n")
+        self.assertEqual(self.picture("c.png", "crossing.swc", "--commands", "c.txt"), marked)
+        self.assertEqual((self.folder / "shot.png").read_bytes(), marked)
+        self.assertEqual(self.picture("s.png", "--session", "s.json"), marked)
+
+    def test_a_command_goes_to_one(self):
+        self.write("c.txt", "contact 1\nsave s.json\nreport page.html\n")
+        self.picture("c.png", "crossing.swc", "--commands", "c.txt")
+        session = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(session["selection"], [0, 1])
+        for value, wanted in zip(session["camera"]["focal_point"], (0.0, 0.0, 0.9)):
+            self.assertAlmostEqual(value, wanted)
+        page = (self.folder / "page.html").read_text()
+        self.assertIn("<h2>Contacts</h2>", page)
+        self.write("c.txt", "contact 2\n")
+        self.expect_failure("render", "crossing.swc", "-o", "c.png", "--commands", "c.txt", says=["c.txt:1", "which contact?"])
+
+
 if __name__ == "__main__":
     unittest.main()

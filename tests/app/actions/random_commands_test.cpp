@@ -90,6 +90,8 @@ std::string random_command(std::mt19937& random, int branches) {
                                             "compare off",
                                             "compare-blend " + share(),
                                             "skeleton",
+                                            "contact " + number(3),
+                                            "contact-marks",
                                             "surface detail " + number(40),
                                             "surface width " + number(9),
                                             "surface blend tree",
