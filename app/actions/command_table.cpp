@@ -27,6 +27,7 @@ std::vector<Command> make_table() {
              measure_commands,   //
              report_commands,    //
              reading_commands,   //
+             contact_commands,   //
              camera_commands,    //
              travel_commands,    //
              depth_commands,     //
@@ -34,7 +35,6 @@ std::vector<Command> make_table() {
              overview_commands,  //
              colour_commands,    //
              surface_commands,   //
-             contact_commands,   //
              tool_commands,      //
              window_commands,    //
          })

@@ -72,8 +72,6 @@ Result<void> contact_marks(ActionContext& context, Arguments arguments) {
     });
 }
 
-bool marks_contacts(const Document& document) { return document.marks().contact_marks; }
-
 bool shows_contacts(const ActionContext& context, const Command&) {
     return context.window != nullptr && context.window->shows("contacts");
 }
@@ -94,9 +92,7 @@ std::vector<Command> contact_commands() {
             .when(has_tree),
         Command("contact-marks", "[on|off]",
                 "Marks every contact in the picture: yellow where vessels overlap, else blue.", contact_marks)
-            .in_menu("View", "Mark contacts")
-            .when(has_tree)
-            .checked_when(marks_contacts),
+            .when(has_tree),
     };
 }
 

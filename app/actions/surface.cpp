@@ -37,8 +37,6 @@ Result<void> blend(ActionContext& context, Arguments arguments) {
     return edit(context, [&](Marks& marks) { marks.options.blend = wanted; });
 }
 
-bool keeps_apart(const Document& document) { return document.marks().options.blend == mesh::Blend::kTree; }
-
 } // namespace
 
 std::vector<Command> surface_commands() {
@@ -51,9 +49,7 @@ std::vector<Command> surface_commands() {
                 "Where vessels blend: wherever they come close (paper), or along the tree alone, so that vessels which "
                 "only press on each other stay apart (tree).",
                 blend)
-            .in_menu("View", "Keep touching vessels apart")
-            .when(has_tree)
-            .checked_when(keeps_apart),
+            .when(has_tree),
     };
 }
 

@@ -37,6 +37,19 @@ private:
     std::string path_, written_;
 };
 
+// What the lists of notes and of contacts say, and where one has gone from them.
+void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
+    status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
+    const auto& contacts = workspace.assets.contacts.list;
+    status["contacts"] = {{"open", interface.contacts.open},
+                          {"contact", interface.contacts.current + 1},
+                          {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
+    if (const auto& facts = workspace.document.facts()) {
+        status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
+        status["notes"] = workspace.document.tree()->notes.size();
+    }
+}
+
 void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     if (path_.empty()) return;
     const Layout& layout = viewer.layout();
@@ -66,15 +79,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["planning"] = interface.planning;
-    status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
-    const auto& contacts = workspace.assets.contacts.list;
-    status["contacts"] = {{"open", interface.contacts.open},
-                          {"contact", interface.contacts.current + 1},
-                          {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
-    if (const auto& facts = workspace.document.facts()) {
-        status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
-        status["notes"] = workspace.document.tree()->notes.size();
-    }
+    add_lists(status, interface, workspace);
     status["help"] = interface.help_open;
     status["open_dialog"] = interface.open_dialog.open;
     status["rename"] = interface.rename.open && !interface.rename.fresh;
