@@ -50,6 +50,21 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
     }
 }
 
+// Which dialogs are open.
+void add_dialogs(nlohmann::json& status, const Interface& interface) {
+    status["help"] = interface.help_open;
+    status["open_dialog"] = interface.open_dialog.open;
+    status["rename"] = interface.rename.open && !interface.rename.fresh;
+    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;
+    const ExportChoice& choice = interface.open_dialog.exported;
+    const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
+    status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
+    status["unsaved_dialog"] = interface.unsaved.open();
+    status["drop_dialog"] = interface.drop.open();
+    status["recovery_dialog"] = interface.recovery.open;
+    status["recoveries"] = interface.recovery.entries.size();
+}
+
 void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     if (path_.empty()) return;
     const Layout& layout = viewer.layout();
@@ -80,24 +95,14 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["planning"] = interface.planning;
     add_lists(status, interface, workspace);
-    status["help"] = interface.help_open;
-    status["open_dialog"] = interface.open_dialog.open;
-    status["rename"] = interface.rename.open && !interface.rename.fresh;
+    add_dialogs(status, interface);
     const Document& document = workspace.document;
     status["modified"] = document.modified();
     status["branch_count"] = document.branch_count();
     status["pieces"] = document.tree() ? document.tree()->roots.size() : 0;
     status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
     status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
-    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;
-    const ExportChoice& choice = interface.open_dialog.exported;
-    const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
-    status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
-    status["unsaved_dialog"] = interface.unsaved.open();
-    status["drop_dialog"] = interface.drop.open();
-    status["recovery_dialog"] = interface.recovery.open;
-    status["recoveries"] = interface.recovery.entries.size();
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
     if (viewer.controls()) status["controls"] = *viewer.controls();
