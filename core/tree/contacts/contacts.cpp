@@ -6,8 +6,10 @@
 #include "core/tree/contacts/touching_links.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <utility>
 
 namespace ramus::tree {
@@ -19,47 +21,54 @@ double kept(double radius, double other, double distance) {
     return std::min(radius, std::max(0.5 * distance, distance - other));
 }
 
-// The pairs of one contact, as links of its first vessel and links of its second.
-Contact describe(const Links& links, std::span<const OrientedPair> pairs, double apart_from) {
+// Which of some places, evenly along a link, are close to another link: a bit each.
+constexpr unsigned kPlaces = 64;
+std::uint64_t places_beside(const Link& link, const Link& other, double close) {
+    std::uint64_t places = 0;
+    for (unsigned n = 0; n < kPlaces; ++n)
+        if (closeness(point_on(link, (n + 0.5) / kPlaces), other) < close) places |= std::uint64_t{1} << n;
+    return places;
+}
+
+// The pairs of one contact, as links of its first vessel and links of its second. `close`: places are, below this.
+Contact describe(const Links& links, std::span<const OrientedPair> pairs, double apart_from, double close) {
     Contact contact;
     contact.apart_from = apart_from;
     contact.closeness = 1e300;
-    std::array<std::vector<std::uint32_t>, 2> stretches;
+    std::array<std::map<std::uint32_t, std::uint64_t>, 2> stretches; // links, with their places that are close
+    std::array<Point, 2> closest;
     for (const OrientedPair& pair : pairs) {
         const Link& a = links[pair.link[0]];
         const Link& b = links[pair.link[1]];
-        for (std::size_t side = 0; side < 2; ++side) stretches[side].push_back(pair.link[side]);
+        stretches[0][pair.link[0]] |= places_beside(a, b, close);
+        stretches[1][pair.link[1]] |= places_beside(b, a, close);
         const Approach approach = closest_approach(a, b);
         if (approach.closeness >= contact.closeness) continue;
         contact.closeness = approach.closeness;
-        const Point p = point_on(a, approach.share_a);
-        const Point q = point_on(b, approach.share_b);
-        const double distance = glm::distance(p.position, q.position);
-        contact.gap = distance - p.radius - q.radius;
-        const auto put = [&](ContactSide& side, const Link& link, const Point& at, const Point& other) {
-            side.branch = link.branch;
-            side.at = at.position;
-            side.radius = at.radius;
-            side.narrowed = at.radius - kept(at.radius, other.radius, distance);
-        };
-        put(contact.sides[0], a, p, q);
-        put(contact.sides[1], b, q, p);
+        closest = {point_on(a, approach.share_a), point_on(b, approach.share_b)};
+        contact.sides[0].branch = a.branch;
+        contact.sides[1].branch = b.branch;
     }
-    for (std::size_t side = 0; side < 2; ++side) {
-        auto& stretch = stretches[side];
-        std::ranges::sort(stretch);
-        stretch.erase(std::unique(stretch.begin(), stretch.end()), stretch.end());
-        auto& branches = contact.sides[side].branches;
-        for (const std::uint32_t link : stretch) {
-            branches.push_back(links[link].branch);
-            contact.sides[side].length += glm::distance(links[link].a.position, links[link].b.position);
-        }
-        std::ranges::sort(branches);
-        branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
-    }
+    const glm::dvec3 between = closest[1].position - closest[0].position;
+    contact.gap = glm::length(between) - closest[0].radius - closest[1].radius;
     const glm::dvec3 aside = 0.5 * move_apart(links, pairs);
-    contact.sides[0].aside = -aside;
-    contact.sides[1].aside = aside;
+    const double distance = glm::length(between + 2.0 * aside); // as it counts where the wall is drawn
+    for (std::size_t n = 0; n < 2; ++n) {
+        ContactSide& side = contact.sides[n];
+        side.at = closest[n].position;
+        side.radius = closest[n].radius;
+        side.narrowed = side.radius - kept(side.radius, closest[1 - n].radius, distance);
+        side.aside = n == 0 ? -aside : aside;
+        for (const auto& [link, places] : stretches[n]) {
+            if (places == 0) continue;
+            side.branches.push_back(links[link].branch);
+            side.length += glm::distance(links[link].a.position, links[link].b.position) *
+                           static_cast<double>(std::popcount(places)) / kPlaces;
+        }
+        if (side.branches.empty()) side.branches.push_back(side.branch);
+        std::ranges::sort(side.branches);
+        side.branches.erase(std::unique(side.branches.begin(), side.branches.end()), side.branches.end());
+    }
     return contact;
 }
 
@@ -90,7 +99,7 @@ Contacts find_contacts(const PreparedTree& prepared, double width) {
     std::vector<Row> rows;
     for (const Island& island : islands.all) {
         Contact contact;
-        if (island.contact) contact = describe(links, island.pairs, island.apart_from);
+        if (island.contact) contact = describe(links, island.pairs, island.apart_from, limits.bundled);
         for (const OrientedPair& pair : island.pairs)
             for (std::size_t side = 0; side < 2; ++side)
                 rows.push_back({pair.link[side],

@@ -7,8 +7,9 @@
 //
 // All pairs of links that come near each other are the places of such a pair of walkers. Those from which a joint can
 // be reached below the limit at which a plain sum of kernels merges are left alone. What remains falls into islands. An
-// island that goes below that limit itself is a contact; how far apart the walkers have to be to get from it to a joint
-// says from which closeness on the vessels count as together again. An island that stays above the limit, and from
+// island that goes below that limit itself is a contact (or below that of four vessels, where no joint can be reached
+// at all: others may be near); how far apart the walkers have to be to get from it to a joint says from which closeness
+// on the vessels count as together again. An island that stays above the limit, and from
 // which no joint can be reached, is a near miss: nothing merges there, but cells of a mesh may be larger than the gap.
 #pragma once
 

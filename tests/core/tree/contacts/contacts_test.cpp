@@ -50,8 +50,11 @@ TEST_CASE("two vessels that cross are a contact as long as their surfaces would 
             CHECK(contact.sides[1].branches == std::vector<int>{1});
             CHECK(glm::length(contact.sides[0].at) < 1e-6);
             // What is left of each is half the axis distance at least.
-            for (const ContactSide& side : contact.sides)
+            for (const ContactSide& side : contact.sides) {
+                CHECK(side.length > 0.0);
+                CHECK(side.length <= 2.0 * 1.2 * sum); // not of whole segments
                 CHECK(side.radius - side.narrowed >= std::min(side.radius, 0.5 * closeness * sum) - 1e-9);
+            }
         }
     }
     CHECK(crossing(2.5).list.empty());
