@@ -228,17 +228,18 @@ private:
 } // namespace
 
 std::vector<std::uint32_t> join_open_ends(Graph& graph) {
+    if (graph.roots.size() < 2) return {}; // one piece
     DisjointSets pieces(graph.points.size());
     for (const auto& [a, b] : graph.edges) pieces.join(a, b);
-    if (graph.roots.size() < 2) return {};
+    const std::vector<OpenEnd> ends = find_open_ends(graph, pieces);
+    if (ends.empty()) return {};
     std::vector<std::uint32_t> joined;
     Joiner joiner(graph);
-    for (const OpenEnd& end : find_open_ends(graph, pieces)) {
+    for (const OpenEnd& end : ends) {
         if (!pieces.join(end.point, end.from)) continue;
         joiner.join(end);
         joined.push_back(end.point);
     }
-    if (joined.empty()) return joined;
     joiner.choose_roots();
     joiner.compact();
     std::ranges::sort(joined);
