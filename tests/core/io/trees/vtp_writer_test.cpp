@@ -1,6 +1,7 @@
 // What the writer of .vtp files promises; tests/cli/test_trees_with_vtk.py reads the same with VTK.
 #include "core/io/trees/tree_file.h"
 #include "tests/support/grown_tree.h"
+#include "tests/support/round_trip.h"
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -39,26 +40,8 @@ TEST_CASE("a grown tree comes back from a .vtp file to the bit") {
 }
 
 TEST_CASE("networks with loops, pieces and points at one place come back from a .vtp file") {
-    // A ring on a stem, a vessel of its own that passes through the ring's first point, and a ring alone.
-    tree::Graph graph;
-    for (const glm::dvec3& at : {glm::dvec3(0, 0, 0),
-                                 {0, 0, 5},
-                                 {4, 0, 9},
-                                 {-4, 0, 9},
-                                 {0, 0, 13}, // stem and ring
-                                 {-9, 0, 5},
-                                 {0, 0, 5},
-                                 {9, 0, 5}, // crosses it
-                                 {20, 0, 0},
-                                 {24, 0, 0},
-                                 {22, 3, 0}}) // alone
-        graph.points.push_back({at, 0.1 + 0.3 * static_cast<double>(graph.points.size())});
-    graph.edges = {{0, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 4}, {5, 6}, {6, 7}, {8, 9}, {9, 10}, {10, 8}};
-    graph.roots = {0, 7};
-    const auto tree = tree::build_tree(graph, tree::Repair::kUsual, [](std::uint32_t) { return std::string("g"); });
-    REQUIRE(tree.has_value());
-    REQUIRE(tree->loop_count == 2);
-    check_same_tree(through_a_file(*tree), *tree);
+    const tree::VesselTree tree = test::rings_and_crossings();
+    check_same_tree(through_a_file(tree), tree);
 }
 
 TEST_CASE("systems come back from a .vtp file with their names and colours") {
