@@ -50,7 +50,7 @@ void look_along(const VesselTree& tree, const std::vector<std::uint32_t>& places
         const Point& a = tree.points[points[i]];
         const Point& b = tree.points[points[i + 1]];
         const glm::dvec3 way = b.position - a.position;
-        const double share = std::clamp(glm::dot(at - a.position, way) / glm::dot(way, way), 0.0, 1.0);
+        const double share = share_along(at - a.position, way);
         const double radius = glm::mix(a.radius, b.radius, share);
         const double depth = glm::distance(at, a.position + share * way) / radius;
         if (depth < end.depth) end = {depth, end.point, points[i], points[i + 1], share};

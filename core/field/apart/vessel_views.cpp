@@ -1,5 +1,7 @@
 #include "core/field/apart/vessel_views.h"
 
+#include "core/tree/contacts/links.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -16,11 +18,7 @@ constexpr double kClaimRadii = 1.25;
 constexpr double kBesideRadii = 0.5;
 constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
-// The share of the way along `line` at which it is nearest to a point `from` its start.
-double share_along(const glm::dvec3& from, const glm::dvec3& line) {
-    const double length2 = glm::dot(line, line);
-    return length2 > 0.0 ? std::clamp(glm::dot(from, line) / length2, 0.0, 1.0) : 0.0;
-}
+using tree::share_along;
 
 bool closer_than(double distance, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 between = b - a;

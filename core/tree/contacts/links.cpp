@@ -13,9 +13,7 @@ constexpr double kLinkRadii = 0.3;
 
 // The share of the way along `link` that is nearest to `position`.
 double nearest_share(const glm::dvec3& position, const Link& link) {
-    const glm::dvec3 along = link.b.position - link.a.position;
-    const double length2 = glm::dot(along, along);
-    return length2 > 0.0 ? std::clamp(glm::dot(position - link.a.position, along) / length2, 0.0, 1.0) : 0.0;
+    return share_along(position - link.a.position, link.b.position - link.a.position);
 }
 
 double closeness_at(const Link& a, double share_a, const Link& b, double share_b) {
