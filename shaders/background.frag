@@ -1,5 +1,4 @@
 // What is seen where no vessel is.
-#version 450 core
 #include "view.glsl"
 #include "look.glsl"
 

@@ -1,8 +1,6 @@
 // Where programs find what C++ gives them: texture units, blocks, uniforms, vertex attributes, render targets. The one
 // place for these numbers; C++ reads them by render/gl/bindings.h. A unit's or uniform's number has one
 // meaning in all programs. shader_text.cpp puts numbers in place of these names in layout(...).
-#ifndef BINDINGS
-#define BINDINGS
 
 // Texture units. OpenGL 3.3 promises 48, and 16 of them to each stage.
 const int kUnitSurface = 0;         // multisampled: id and normal of the nearest opaque surface, or of a layer of glass
@@ -67,7 +65,8 @@ const int kUniformTurned = 23;         // float: all of them, of a sixteenth of 
 const int kUniformAlong = 24;          // ivec2: axis of the blur
 const int kUniformOrigin = 25;         // ivec2: lower left corner, pixels
 const int kUniformWindow = 26;         // vec4: of the interface: x, y, width, height
-const int kUniforms = 27;
+const int kUniformLine = 27;           // vec3: pixels from the left, half its width, its height. Left of 0: there is none
+const int kUniforms = 28;
 
 // Vertex attributes: of meshes, of marks, of the interface.
 const int kAttributePosition = 0;
@@ -84,5 +83,3 @@ const int kAttributeColour = 2;
 const int kTargetIdNormal = 0;
 const int kTargetOpaqueDepth = 1;
 const int kTargetPickedDepth = 2;
-
-#endif

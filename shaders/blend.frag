@@ -1,27 +1,23 @@
-// Two pictures, one fading into the other in linear light; at the ends, and where they agree, they are what they are.
-#version 450 core
-#include "bindings.glsl"
+// Two pictures, one fading into the other in linear light, or one left of a line and the other right of it; at the ends,
+// where they agree, and beside the line they are what they are.
+#include "pictures.glsl"
 
-layout(binding = kUnitImage) uniform sampler2D first; // sRGB, premultiplied
 layout(binding = kUnitOtherImage) uniform sampler2D second;
 layout(location = kUniformShare) uniform float share; // of the second
+layout(location = kUniformLine) uniform vec3 line;
 
 layout(location = 0) out vec4 colour;
 
-vec4 to_light(vec4 c) {
-    vec3 s = c.a > 0.0 ? c.rgb / c.a : vec3(0.0);
-    return vec4(c.a * mix(s / 12.92, pow((s + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), s)), c.a);
-}
-
-vec4 from_light(vec4 c) {
-    vec3 l = c.a > 0.0 ? c.rgb / c.a : vec3(0.0);
-    return vec4(c.a * mix(l * 12.92, 1.055 * pow(l, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), l)), c.a);
-}
+const vec4 kLineColour = vec4(0.93, 0.94, 0.96, 1.0); // sRGB
 
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    vec4 a = texelFetch(first, at, 0), b = texelFetch(second, at, 0);
-    if (share <= 0.0 || a == b)
+    vec4 a = texelFetch(image, at, 0), b = texelFetch(second, at, 0);
+    if (line.x >= 0.0)
+        colour = abs(gl_FragCoord.x - line.x) < line.y && gl_FragCoord.y < line.z ? kLineColour
+                 : gl_FragCoord.x < line.x                                       ? a
+                                                                                  : b;
+    else if (share <= 0.0 || a == b)
         colour = a;
     else if (share >= 1.0)
         colour = b;

@@ -2,8 +2,8 @@
 // are, in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs to the branch
 // that is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
 // triangle to triangle.
-#version 450 core
 // Variant: TRANSPARENT for glass.
+
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

@@ -1,5 +1,4 @@
 // Which branch a point of a triangle belongs to where branches meet (border.geom).
-#include "bindings.glsl"
 in vec3 shares;
 flat in ivec3 branch_ids;
 layout(binding = kUnitLayers) uniform usamplerBuffer layers; // by branch: 0 opaque, 1 glass, 2 neither
@@ -10,3 +9,12 @@ int owner(vec3 share) {
 }
 
 uint layer_of(int branch) { return texelFetch(layers, branch).x; }
+
+#ifdef FLOOR
+// GLSL 3.30 does not read values at samples. The shares so far from the pixel's middle, times something above 0: over w,
+// they are linear in the picture.
+vec3 shares_at(vec2 pixels) {
+    vec3 over_w = shares * gl_FragCoord.w;
+    return over_w + pixels.x * dFdx(over_w) + pixels.y * dFdy(over_w);
+}
+#endif

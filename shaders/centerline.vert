@@ -1,9 +1,6 @@
 // Centerlines as stripes of constant width in the picture: two triangles a segment.
-#version 450 core
-#include "bindings.glsl"
-
-layout(binding = kUnitLinePoints) uniform samplerBuffer points;
-layout(binding = kUnitLineDetails) uniform usamplerBuffer details; // bits of the diameter, branch
+#include "lines.glsl"
+#include "stripe.glsl"
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
 layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
@@ -12,10 +9,9 @@ out vec3 normal_eye;
 flat out int branch_id;
 
 void main() {
-    int segment = gl_VertexID / 6, corner = gl_VertexID % 6;
-    uint branch = texelFetch(details, segment).y;
-    vec4 a = to_clip * vec4(texelFetch(points, segment).xyz, 1.0);
-    vec4 b = to_clip * vec4(texelFetch(points, segment + 1).xyz, 1.0);
+    branch_id = line_branch(segment);
+    vec4 a = to_clip * vec4(line_point(segment), 1.0);
+    vec4 b = to_clip * vec4(line_point(segment + 1), 1.0);
     // The near plane cuts what reaches behind it.
     float before_a = a.w - a.z, before_b = b.w - b.z;
     vec4 from = before_a < 0.0 ? mix(a, b, before_a / (before_a - before_b)) : a;
@@ -24,13 +20,9 @@ void main() {
     float way_length = length(way);
     vec2 along = way_length > 1e-4 ? way / way_length : vec2(1.0, 0.0);
     // Ends reach half a width farther, so that neighbours join.
-    float end = corner == 1 || corner == 2 || corner == 4 ? 1.0 : 0.0;
-    float side = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
-    gl_Position = end > 0.5 ? to : from;
-    vec2 offset = half_picture.z * (side * vec2(-along.y, along.x) + (2.0 * end - 1.0) * along);
+    gl_Position = at_end ? to : from;
+    vec2 offset = half_picture.z * (side * vec2(-along.y, along.x) + (at_end ? along : -along));
     gl_Position.xy += offset / half_picture.xy * gl_Position.w;
-    if (branch != texelFetch(details, segment + 1).y || (before_a < 0.0 && before_b < 0.0))
-        gl_Position = vec4(0.0, 0.0, -2.0, 1.0); // outside, all six
+    if (branch_id != line_branch(segment + 1) || (before_a < 0.0 && before_b < 0.0)) gl_Position = kOutside;
     normal_eye = vec3(0.0, 0.0, 1.0);
-    branch_id = int(branch);
 }

@@ -2,7 +2,6 @@
 // the other. A point x lies on the ball at s where |x - c(s)|^2 = r(s)^2; the hull is where that has one solution in s:
 // with A = |x - a|^2 - ra^2, B = (x - a).(b - a) + ra (rb - ra), C = |b - a|^2 - (rb - ra)^2 it is A C = B^2, at
 // s = B / C, a quadratic along the ray. Beyond the ends it is the balls there.
-#version 450 core
 #include "view.glsl"
 
 in vec2 through;

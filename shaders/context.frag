@@ -1,11 +1,6 @@
 // A context mesh or lesion at a pixel: opaque ones as vessels are (geometry.frag), clear ones as fragments in the lists
 // of glass or, where there are none, as a layer of it (glass_output.glsl).
-#version 450 core
 // Variants: TRANSPARENT for what is seen through; LINES for the edges of its triangles.
-#include "bindings.glsl"
-#include "ids.glsl"
-#include "look/lanes.glsl"
-#include "look/octahedral.glsl"
 
 in vec3 normal_eye;
 layout(location = kUniformNumber) uniform uint number; // of the mesh, from 1; with kLesionFragment of the lesion
@@ -35,26 +30,12 @@ float line_share() {
 void main() {
     vec3 towards_eye = gl_FrontFacing ? normal_eye : -normal_eye;
     uint normal = packSnorm2x16(octahedral(normalize(towards_eye)));
-#if defined(TRANSPARENT) && defined(FLOOR)
-    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-#endif
 #ifdef LINES
     float share = line_share();
-    normal = floatBitsToUint(share);
-#ifdef FLOOR
-    if (share < 0.004) discard;
+    add_fragment(kContextFragment | number, floatBitsToUint(share), share < 0.004 ? 0 : covered_samples());
+#elif defined(TRANSPARENT)
+    add_fragment(kContextFragment | number, normal, covered_samples());
 #else
-    if (share < 0.004) return;
-#endif
-#endif
-#ifndef TRANSPARENT
     surface = uvec2(kSolid | kContext | number, normal);
-#elif defined(FLOOR)
-    uint before = samples_before(slope);
-    if (before == 0u || !behind_last_layer()) discard;
-    fragment = uvec2(kContextFragment | number | (before << kBeforeShift) | (15u << kGlassShift), normal);
-    gl_FragDepth = depth_value;
-#else
-    add_fragment(kContextFragment | number, normal, gl_SampleMaskIn[0]);
 #endif
 }

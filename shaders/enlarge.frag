@@ -1,6 +1,4 @@
 // The picture from one of half its size: each pixel the mean of the four nearest, the nearer the more.
-#version 450 core
-#include "bindings.glsl"
 
 layout(binding = kUnitImage) uniform sampler2D small; // interpolates
 

@@ -1,12 +1,13 @@
-// Vessel surface to clip space. Positions are relative to the middle of the mesh, so that single precision is enough
-// wherever the tree lies.
-#version 450 core
-// Variants: TRANSPARENT for glass; BORDER for triangles where branches meet (border.geom goes on).
-#include "bindings.glsl"
+// Surfaces to clip space. Positions are relative to the middle of the mesh, so that single precision is enough wherever
+// it lies.
+// Variants: TRANSPARENT for what is seen through; BORDER for triangles where branches meet (border.geom goes on); CONTEXT
+// for meshes beside the tree, LINES for the edges of their triangles, whose corners then come three by three.
 
 layout(location = kAttributePosition) in vec3 position;
 layout(location = kAttributeNormal) in vec3 normal;
+#ifndef CONTEXT
 layout(location = kAttributeBranch) in int branch;
+#endif
 #ifdef BORDER
 layout(location = kAttributeDominance) in uvec4 dominance; // as field::Dominance: over two rivals, and their marks
 #endif
@@ -20,9 +21,14 @@ flat out uvec4 corner_dominance;
 flat out int corner_branch;
 #else
 out vec3 normal_eye;
+#ifndef CONTEXT
 flat out int branch_id;
+#endif
 #ifdef TRANSPARENT
 noperspective centroid out float depth_value;
+#endif
+#ifdef LINES
+noperspective out vec3 from_edges; // the share of the way to the corner across from each edge
 #endif
 #endif
 
@@ -34,9 +40,15 @@ void main() {
     corner_branch = branch;
 #else
     normal_eye = to_eye * normal;
+#ifndef CONTEXT
     branch_id = branch;
+#endif
 #ifdef TRANSPARENT
     depth_value = gl_Position.z / gl_Position.w;
+#endif
+#ifdef LINES
+    from_edges = vec3(0.0);
+    from_edges[gl_VertexID % 3] = 1.0;
 #endif
 #endif
 }

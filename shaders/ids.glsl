@@ -1,6 +1,4 @@
 // What ids and branches' records say; C++ reads these by render/scene/record_flags.h.
-#ifndef IDS
-#define IDS
 
 // An id is a branch's number + 1, and 0 where nothing is. With one of these bits it is something else:
 const uint kLine = 0x80000000u;    // the centerline of that branch
@@ -20,5 +18,3 @@ const uint kLost = 16u;
 const uint kCut = 32u;     // lost in part
 const uint kGlowing = 64u; // depends on what is hovered
 const uint kChanged = 128u; // since the last picture
-
-#endif

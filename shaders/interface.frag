@@ -1,6 +1,4 @@
 // The interface: letters and icons are in `image`, plain areas take a white spot of it.
-#version 450 core
-#include "bindings.glsl"
 
 layout(binding = kUnitImage) uniform sampler2D image;
 

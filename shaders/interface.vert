@@ -1,6 +1,4 @@
 // The interface: triangles in its own coordinates, whose origin is at the top left.
-#version 450 core
-#include "bindings.glsl"
 
 layout(location = kAttributePosition) in vec2 position;
 layout(location = kAttributeUv) in vec2 uv;

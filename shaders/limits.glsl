@@ -1,8 +1,3 @@
-// Sizes that shaders and C++ agree on (render/gl/bindings.h).
-#ifndef LIMITS
-#define LIMITS
-
+// Sizes that shaders and C++ agree on (render/scene/uniform_blocks.h).
 const int kMostSamples = 4;  // a pixel
 const int kMostMargins = 16; // bands around lesions
-
-#endif

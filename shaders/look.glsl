@@ -1,6 +1,6 @@
 // Colours and lights of the frame, and the way from linear light to the picture's bytes.
-#include "bindings.glsl"
 layout(std140, binding = kBlockLook) uniform Look {
 #include "look_block.glsl"
 };
+#include "look/srgb.glsl"
 #include "look/colour.glsl"

@@ -1,6 +1,4 @@
 // Lines over the picture, as stripes that were laid out in pixels.
-#version 450 core
-#include "bindings.glsl"
 
 layout(location = kAttributePixel) in vec2 pixel;  // from the lower left
 layout(location = kAttributeStripe) in vec3 stripe; // pixels across from the middle, half the width, depth (its inverse in perspective)

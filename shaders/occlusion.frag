@@ -1,6 +1,4 @@
 // Ambient occlusion of the picture's opaque surfaces, with the noise of its taps: see look/occlusion.glsl.
-#version 450 core
-#include "bindings.glsl"
 #include "view.glsl"
 #include "look/occlusion.glsl"
 #include "look/taps.glsl"

@@ -1,6 +1,4 @@
 // Removes the occlusion's noise along one axis without crossing from one vessel to another behind it.
-#version 450 core
-#include "bindings.glsl"
 #include "view.glsl"
 #include "look/occlusion.glsl"
 

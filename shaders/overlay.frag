@@ -1,6 +1,4 @@
 // A small picture (straight alpha) laid over the picture, pixel on pixel.
-#version 450 core
-#include "bindings.glsl"
 
 layout(binding = kUnitImage) uniform sampler2D sprite;
 layout(location = kUniformOrigin) uniform ivec2 origin; // lower left corner in pixels

@@ -2,20 +2,15 @@
 // occlusion read this. The lists of glass are put in order on the way. Clear context is seen through, and glass in
 // front of opaque context is pointed at: that has no branch. Lesions are pointed at as if they were opaque, also through
 // glass.
-#version 450 core
 // Variants: GLASS when anything is defocused or context is clear or there are lesions; with LESIONS the layers below are
 // those of lesions, which go over what was there (FLOOR).
-#include "bindings.glsl"
 #include "view.glsl"
-#include "ids.glsl"
 #ifdef GLASS
 #include "glass_fragments.glsl"
 #ifdef FLOOR
-layout(binding = kUnitFirstFragments) uniform usampler2DMS first_fragments; // as fragment_layer.frag leaves them
+layout(binding = kUnitFirstFragments) uniform usampler2DMS first_fragments; // as fragment.frag leaves them
 layout(binding = kUnitFirstDepths) uniform sampler2DMS first_depths;
 layout(binding = kUnitContextDepths) uniform sampler2DMS context_depths; // of the nearest that is clear and no vessel
-#else
-layout(location = kUniformBand) uniform ivec2 pixels; // width and first row of the band that the lists are for
 #endif
 #endif
 
@@ -62,25 +57,25 @@ uint sorted(uint head) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z), seen = 0;
-    float nearest = 0.0; // reversed depth: larger is nearer
+    float nearest = 0.0, solid = 0.0; // reversed depth: larger is nearer; of all, and of all but lines
     for (int s = 0; s < samples; ++s) {
         float depth = texelFetch(depth_samples, pixel, s).x;
         seen = depth > nearest ? s : seen;
         nearest = max(nearest, depth);
+#ifdef GLASS
+        // Lines are picked as their branch; they take no light from what they run before.
+        bool line = (texelFetch(surface_samples, pixel, s).x & kLine) != 0u;
+        solid = line ? solid : max(solid, depth);
+#endif
     }
     id_normal = texelFetch(surface_samples, pixel, seen).xy;
     opaque_depth = id_normal.x == 0u ? kNothing : eye_depth(nearest);
     picked_depth = opaque_depth;
 #ifdef GLASS
-    // Lines are picked as their branch; they take no light from what they run before.
-    float solid = 0.0;
-    for (int s = 0; s < samples; ++s) {
-        float depth = texelFetch(depth_samples, pixel, s).x;
-        bool line = (texelFetch(surface_samples, pixel, s).x & kLine) != 0u;
-        solid = line ? solid : max(solid, depth);
-    }
     opaque_depth = solid > 0.0 ? eye_depth(solid) : kNothing;
     id_normal.x &= ~kLine;
+    uint vessel = 0u, lesion = 0u; // ids of the nearest fragments; 0: there is none
+    float vessel_depth = 0.0, lesion_depth = 0.0;
 #ifdef FLOOR
     float first = 0.0, context = 0.0;
     for (int s = 0; s < samples; ++s) {
@@ -89,36 +84,38 @@ void main() {
         first = max(first, depth);
         context = max(context, texelFetch(context_depths, pixel, s).x);
     }
+    bool covered = max(first, context) > 0.0;
+    uint fragment = first > 0.0 ? texelFetch(first_fragments, pixel, seen).x : 0u;
 #ifdef LESIONS
     if (first <= nearest) discard;
-    id_normal.x = kSolid | (texelFetch(first_fragments, pixel, seen).x & kNumberBits);
-    picked_depth = eye_depth(first);
+    lesion = fragment;
+    lesion_depth = first;
 #else
-    if (first > 0.0 && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
-        id_normal.x = texelFetch(first_fragments, pixel, seen).x & kIdBits;
-        picked_depth = eye_depth(first);
+    vessel = fragment;
+    vessel_depth = first;
+#endif
+#else
+    int list = list_of(pixel);
+    uint first = sorted(heads[list]);
+    heads[list] = first;
+    bool covered = first != 0u;
+    const uint kLesion = kContextFragment | kLesionFragment;
+    for (uint number = first; number != 0u; number = fragments[number].next) {
+        uint id = fragments[number].id_and_samples & kIdBits;
+        float depth = uintBitsToFloat(fragments[number].depth);
+        if (vessel == 0u && (id & kContextFragment) == 0u) vessel = id, vessel_depth = depth;
+        if (lesion == 0u && (id & kLesion) == kLesion) lesion = id, lesion_depth = depth;
     }
 #endif
-    if (max(first, context) > 0.0) nearest = max(nearest, 1e-30);
-#else
-    int index = (pixel.y - pixels.y) * pixels.x + pixel.x;
-    uint first = sorted(heads[index]);
-    heads[index] = first;
-    uint vessel = first, lesion = first;
-    while (vessel != 0u && (fragments[vessel].id_and_samples & kContextFragment) != 0u) vessel = fragments[vessel].next;
-    const uint kLesion = kContextFragment | kLesionFragment;
-    while (lesion != 0u && (fragments[lesion].id_and_samples & kLesion) != kLesion) lesion = fragments[lesion].next;
-    float lesion_depth = lesion == 0u ? 0.0 : uintBitsToFloat(fragments[lesion].depth);
     if (lesion_depth > nearest) {
-        id_normal.x = kSolid | (fragments[lesion].id_and_samples & kNumberBits);
+        id_normal.x = kSolid | (lesion & kNumberBits);
         picked_depth = eye_depth(lesion_depth);
     } else if (vessel != 0u && (id_normal.x == 0u || (id_normal.x & kContext) != 0u)) {
-        id_normal.x = fragments[vessel].id_and_samples & kIdBits;
-        picked_depth = eye_depth(uintBitsToFloat(fragments[vessel].depth));
+        id_normal.x = vessel & kIdBits;
+        picked_depth = eye_depth(vessel_depth);
     }
     // What is only covered by glass is covered: full-screen passes must not skip it.
-    if (first != 0u) nearest = max(nearest, 1e-30);
-#endif
+    if (covered) nearest = max(nearest, 1e-30);
 #endif
     gl_FragDepth = nearest;
 }

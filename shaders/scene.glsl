@@ -1,13 +1,10 @@
 // What look/material.glsl reads: the nearest point of a branch's centerline, scales, lesions and cuts. Eye space with
 // depth as +z, mm.
-#include "bindings.glsl"
-#include "limits.glsl"
 layout(std140, binding = kBlockScene) uniform Scene {
 #include "scene_block.glsl"
 };
 
-layout(binding = kUnitLinePoints) uniform samplerBuffer line_points;     // position, mm from the root
-layout(binding = kUnitLineDetails) uniform usamplerBuffer line_details;  // bits of the diameter, branch
+#include "lines.glsl"
 layout(binding = kUnitLineRuns) uniform usamplerBuffer line_runs;     // first point, count
 layout(binding = kUnitLesions) uniform samplerBuffer lesion_spheres; // centre in eye space, radius
 layout(binding = kUnitCuts) uniform samplerBuffer cut_ends;          // five texels a part that is lost, see behind_cut()
@@ -22,10 +19,10 @@ vec2 point_along(int branch, vec3 position) {
     int first = int(run.x), last = first + int(run.y) - 1, stride = max(1, (int(run.y) + 22) / 24);
     float nearest = 1e30, fraction = 0.0;
     int from = first, to = first;
-    vec3 a = texelFetch(line_points, first).xyz;
+    vec3 a = line_point(first);
     for (int i = first; i < last; i += stride) {
         int next = min(i + stride, last);
-        vec3 b = texelFetch(line_points, next).xyz, ab = b - a, ap = p - a;
+        vec3 b = line_point(next), ab = b - a, ap = p - a;
         float t = clamp(dot(ap, ab) / max(dot(ab, ab), 1e-12), 0.0, 1.0);
         vec3 away = ap - t * ab;
         float squared = dot(away, away);
@@ -36,8 +33,8 @@ vec2 point_along(int branch, vec3 position) {
         to = nearer ? next : to;
         a = b;
     }
-    return mix(vec2(texelFetch(line_points, from).w, uintBitsToFloat(texelFetch(line_details, from).x)),
-               vec2(texelFetch(line_points, to).w, uintBitsToFloat(texelFetch(line_details, to).x)), fraction);
+    return mix(vec2(texelFetch(line_points, from).w, line_diameter(from)),
+               vec2(texelFetch(line_points, to).w, line_diameter(to)), fraction);
 }
 #endif
 

@@ -1,14 +1,11 @@
 // Light, states and background: samples to the picture's colours, by the formulas in look/. All light is reckoned in
 // linear light; the result is sRGB with premultiplied alpha.
-#version 450 core
 // Variants: GLASS when anything is defocused, OUTLINE when anything is selected, MARGINS to colour by how far lesions are,
 // SCALE to colour by a value along the branches, CUTS when any branch is cut or lost, CHANGED to shade what is marked so
 // and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what tells near from far, CONTEXT when
 // there are context meshes or lesions. LAYER lays one layer of glass onto those before it, where there are no lists
 // (FLOOR).
-#include "bindings.glsl"
 #include "view.glsl"
-#include "ids.glsl"
 #include "look.glsl"
 #include "look/point.glsl"
 #include "scene.glsl"
@@ -24,9 +21,6 @@ layout(binding = kUnitBranches) uniform usamplerBuffer branches; // linear colou
 #include "glass_fragments.glsl"
 #ifdef FLOOR
 layout(binding = kUnitFronts) uniform sampler2DArray fronts_of_samples; // what glass_layer.glsl made of the glass, a layer a sample
-layout(binding = kUnitOpaqueSamples) uniform sampler2DMS opaque_samples;
-#else
-layout(location = kUniformBand) uniform ivec2 pixels; // width and first row of the band that the lists are for
 #endif
 #endif
 
@@ -121,15 +115,12 @@ bool has_changed(uint id) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int samples = int(picture.z);
-#if defined(GLASS) && !defined(FLOOR)
-    int index = (pixel.y - pixels.y) * pixels.x + pixel.x;
-#endif
 #ifdef CHANGED
     // Pixels without a sample of what changed go round no loop below, and stay as they are.
     bool changed = false;
     for (int s = 0; s < samples; ++s) changed = changed || has_changed(texelFetch(surface_samples, pixel, s).x);
 #if defined(GLASS) && !defined(FLOOR)
-    for (uint number = heads[index]; number != 0u && !changed; number = fragments[number].next)
+    for (uint number = heads[list_of(pixel)]; number != 0u && !changed; number = fragments[number].next)
         changed = (fragments[number].id_and_samples & kContextFragment) == 0u &&
                   has_changed(fragments[number].id_and_samples & kIdBits);
 #endif
@@ -165,7 +156,7 @@ void main() {
     for (int s = 0; s < kMostSamples; ++s) front[s] = texelFetch(fronts_of_samples, ivec3(pixel, s), 0);
 #else
     float clear = 1.0;
-    for (uint number = heads[index]; number != 0u && clear > 1e-3;) {
+    for (uint number = heads[list_of(pixel)]; number != 0u && clear > 1e-3;) {
         GlassFragment fragment = fragments[number];
         float value = uintBitsToFloat(fragment.depth);
         vec4 veil = veil_of(fragment.id_and_samples, fragment.normal, eye_position(gl_FragCoord.xy, eye_depth(value)));

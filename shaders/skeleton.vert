@@ -1,15 +1,12 @@
 // Centerlines, and with RINGS the circles of the radius around them, as stripes of constant width in the picture: two
 // triangles a segment, joined by mitres so that no pixel is drawn twice.
-#version 450 core
-#include "bindings.glsl"
-
+#include "stripe.glsl"
 #ifdef RINGS
 layout(binding = kUnitRings) uniform samplerBuffer rings;  // centre and radius; axis
 layout(binding = kUnitSeenRings) uniform usamplerBuffer seen; // which of them
 layout(location = kUniformRingSteps) uniform vec2 ring_steps;     // corners of a ring; pixels below which it fades
 #else
-layout(binding = kUnitLinePoints) uniform samplerBuffer points;
-layout(binding = kUnitLineDetails) uniform usamplerBuffer details; // bits of the diameter, branch
+#include "lines.glsl"
 #endif
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
@@ -35,14 +32,11 @@ vec2 across(vec2 before, vec2 here, vec2 after) {
 }
 
 void main() {
-    int corner = gl_VertexID % 6;
-    bool second = corner == 1 || corner == 2 || corner == 4;
-    float side = corner == 0 || corner == 1 || corner == 3 ? -1.0 : 1.0;
     vec4 own, before, after;
     bool there = true;
 #ifdef RINGS
-    int steps = int(ring_steps.x), segment = gl_VertexID / 6;
-    int ring = int(texelFetch(seen, segment / steps).x), turn = segment % steps + (second ? 1 : 0);
+    int steps = int(ring_steps.x);
+    int ring = int(texelFetch(seen, segment / steps).x), turn = segment % steps + (at_end ? 1 : 0);
     vec4 circle = texelFetch(rings, 2 * ring);
     vec3 axis = texelFetch(rings, 2 * ring + 1).xyz;
     vec3 u = normalize(cross(axis, abs(axis.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0))), v = cross(axis, u);
@@ -62,34 +56,32 @@ void main() {
     behind = circle.w * vec2(0.25, 2.5);
     there = before.w > before.z && own.w > own.z && after.w > after.z;
 #else
-    int segment = gl_VertexID / 6;
-    int last = textureSize(details) - 1;
-    uint branch = texelFetch(details, segment).y;
-    vec3 from = texelFetch(points, segment).xyz, to = texelFetch(points, segment + 1).xyz;
+    int last = textureSize(line_details) - 1, branch = line_branch(segment);
+    vec3 from = line_point(segment), to = line_point(segment + 1);
     vec4 a = to_clip * vec4(from, 1.0), b = to_clip * vec4(to, 1.0);
     // The near plane cuts what reaches behind it.
     float before_a = a.w - a.z, before_b = b.w - b.z;
-    there = branch == texelFetch(details, segment + 1).y && (before_a > 0.0 || before_b > 0.0);
-    vec3 position = second ? to : from;
+    there = branch == line_branch(segment + 1) && (before_a > 0.0 || before_b > 0.0);
+    vec3 position = at_end ? to : from;
     if (before_a < 0.0) {
         a = mix(a, b, before_a / (before_a - before_b));
-        if (!second) position = mix(from, to, before_a / (before_a - before_b));
+        if (!at_end) position = mix(from, to, before_a / (before_a - before_b));
     } else if (before_b < 0.0) {
         b = mix(b, a, before_b / (before_b - before_a));
-        if (second) position = mix(to, from, before_b / (before_b - before_a));
+        if (at_end) position = mix(to, from, before_b / (before_b - before_a));
     }
-    own = second ? b : a;
-    int neighbour = clamp(second ? segment + 2 : segment - 1, 0, last);
-    vec4 next = to_clip * vec4(texelFetch(points, neighbour).xyz, 1.0);
-    bool joins = texelFetch(details, neighbour).y == branch && next.w > next.z && before_a > 0.0 && before_b > 0.0;
-    before = second ? a : joins ? next : a;
-    after = second ? (joins ? next : b) : b;
-    behind = vec2(0.0, 0.7 * uintBitsToFloat(texelFetch(details, second ? segment + 1 : segment).x));
+    own = at_end ? b : a;
+    int neighbour = clamp(at_end ? segment + 2 : segment - 1, 0, last);
+    vec4 next = to_clip * vec4(line_point(neighbour), 1.0);
+    bool joins = line_branch(neighbour) == branch && next.w > next.z && before_a > 0.0 && before_b > 0.0;
+    before = at_end ? a : joins ? next : a;
+    after = at_end ? (joins ? next : b) : b;
+    behind = vec2(0.0, 0.7 * line_diameter(at_end ? segment + 1 : segment));
     ink = 1.0;
 #endif
     at = vec2(side * (half_picture.z + 2.0), dot(to_depth, vec4(position, 1.0)));
     gl_Position = own;
     gl_Position.xy += at.x * across(pixel_of(before), pixel_of(own), pixel_of(after)) / half_picture.xy * own.w;
     gl_Position.z = 0.5 * own.w; // nothing tests it
-    if (!there) gl_Position = vec4(0.0, 0.0, -2.0, 1.0); // outside, all six
+    if (!there) gl_Position = kOutside;
 }

@@ -1,6 +1,4 @@
 // What every full-screen pass knows of the view. Eye space looks along -z; depth is positive, in mm.
-#include "bindings.glsl"
-#include "look/lanes.glsl"
 layout(std140, binding = kBlockView) uniform View {
 #include "view_block.glsl"
 };
@@ -12,7 +10,5 @@ float eye_depth(float value) {
 }
 
 #include "look/position.glsl"
-
-#include "look/octahedral.glsl"
 
 vec3 unpack_normal(uint bits) { return from_octahedral(unpackSnorm2x16(bits)); }

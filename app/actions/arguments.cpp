@@ -1,21 +1,20 @@
 #include "app/actions/arguments.h"
 
 #include "app/storage/user_folders.h"
+#include "core/base/words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 
 namespace ramus::app::actions {
 
 Result<int> branch_id(const Document& document, const std::string& word) {
-    int id = -1;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), id);
-    if (error != std::errc{} || end != word.data() + word.size()) return fail("\"" + word + "\" is not a branch id");
-    if (id < 0 || id >= document.branch_count())
+    const auto id = parsed<int>(word);
+    if (!id) return fail("\"" + word + "\" is not a branch id");
+    if (*id < 0 || *id >= document.branch_count())
         return fail("there is no branch " + word, {},
                     "ids go from 0 to " + std::to_string(document.branch_count() - 1) + " in this tree");
-    return id;
+    return *id;
 }
 
 Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments) {
@@ -28,21 +27,17 @@ Result<std::vector<int>> branch_ids(const Document& document, Arguments argument
     return ids;
 }
 
-std::optional<double> number_in(const std::string& word, double least, double most) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size() || !(value >= least && value <= most)) return {};
-    return value;
+std::optional<double> number_in(std::string_view word, double least, double most) {
+    const auto value = parsed<double>(word);
+    return value && *value >= least && *value <= most ? value : std::nullopt;
 }
 
 std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most) {
     std::vector<double> numbers;
-    for (std::size_t at = 0; at <= word.size();) {
-        const std::size_t end = std::min(word.find(',', at), word.size());
-        const auto number = number_in(word.substr(at, end - at), -most, most);
+    for (const std::string_view part : parts_of(word)) {
+        const auto number = number_in(part, -most, most);
         if (!number) return {};
         numbers.push_back(*number);
-        at = end + 1;
     }
     return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
@@ -77,6 +72,24 @@ Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexp
     if (context.files == nullptr) return without;
     context.files->ask_for_file(purpose);
     return {};
+}
+
+std::optional<bool> switched(Arguments arguments, bool now) {
+    if (arguments.empty()) return !now;
+    if (arguments.size() > 1 || (arguments[0] != "on" && arguments[0] != "off")) return std::nullopt;
+    return arguments[0] == "on";
+}
+
+Result<void> move_camera(ActionContext& context, const render::Camera& camera) {
+    context.document.set_camera(camera);
+    context.picture.camera_leapt();
+    return {};
+}
+
+std::function<bool(const ActionContext&, const Command&)> shows_part(std::string part) {
+    return [part = std::move(part)](const ActionContext& context, const Command&) {
+        return context.window != nullptr && context.window->shows(part);
+    };
 }
 
 Result<void> toggle_part(ActionContext& context, const std::string& part) {

@@ -12,7 +12,7 @@ namespace ramus::app::actions {
 [[nodiscard]] Result<int> branch_id(const Document& document, const std::string& word);
 [[nodiscard]] Result<std::vector<int>> branch_ids(const Document& document, Arguments arguments); // one at least
 // A number from `least` to `most` and nothing else.
-[[nodiscard]] std::optional<double> number_in(const std::string& word, double least, double most);
+[[nodiscard]] std::optional<double> number_in(std::string_view word, double least, double most);
 // "1.5,2,-3": as many numbers as asked for, each at most `most` from 0.
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(const std::string& word, std::size_t count, double most);
 // An index into a list that people count from 1; `what`: "cut", of which there are `count`.
@@ -23,8 +23,15 @@ namespace ramus::app::actions {
 
 // Shows the window's dialog for a file; fails with `without` where there is no window.
 [[nodiscard]] Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without);
+// "on" or "off"; without a word, the other than now. None: it is something else.
+[[nodiscard]] std::optional<bool> switched(Arguments arguments, bool now);
+// The camera leaps there. Succeeds.
+Result<void> move_camera(ActionContext& context, const render::Camera& camera);
+
 // Shows a part of the window that is hidden, and hides one that is shown.
 [[nodiscard]] Result<void> toggle_part(ActionContext& context, const std::string& part);
+// Whether it is shown, for Command::in_use_when().
+[[nodiscard]] std::function<bool(const ActionContext&, const Command&)> shows_part(std::string part);
 [[nodiscard]] tl::unexpected<Error> no_window(const std::string& part); // "there is no help without a window"
 
 // A step of the document: its marks, changed by change(marks). Succeeds.

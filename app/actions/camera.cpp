@@ -25,31 +25,22 @@ render::Camera fitted_to_picture(const ActionContext& context, const render::Cam
     return with_room(render::fitted(camera, visible, context.picture.picture_size()), marks.comparison);
 }
 
-void move_camera(ActionContext& context, const render::Camera& camera) {
-    context.document.set_camera(camera);
-    context.picture.camera_leapt();
-}
-
 Result<void> view(ActionContext& context, Arguments arguments) {
     const auto view = arguments.size() == 1 ? render::view_named(arguments[0]) : std::nullopt;
     if (!view)
         return fail("view takes the name of a view", {}, "anterior, posterior, left, right, superior or inferior");
-    move_camera(context, fitted_to_picture(context, render::looking(context.document.session().camera, *view)));
-    return {};
+    return move_camera(context, fitted_to_picture(context, render::looking(context.document.session().camera, *view)));
 }
 
 Result<void> fit(ActionContext& context, Arguments) {
-    move_camera(context, fitted_to_picture(context, context.document.session().camera));
-    return {};
+    return move_camera(context, fitted_to_picture(context, context.document.session().camera));
 }
 
 Result<void> orthographic(ActionContext& context, Arguments arguments) {
     const render::Camera& camera = context.document.session().camera;
-    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
-        return fail("orthographic is on or off");
-    const bool wanted = arguments.empty() ? !camera.orthographic : arguments[0] == "on";
-    move_camera(context, render::with_projection(camera, wanted));
-    return {};
+    const auto wanted = switched(arguments, camera.orthographic);
+    if (!wanted) return fail("orthographic is on or off");
+    return move_camera(context, render::with_projection(camera, *wanted));
 }
 
 Result<void> camera_copy(ActionContext& context, Arguments) {
@@ -63,8 +54,7 @@ Result<void> camera_paste(ActionContext& context, Arguments) {
     if (context.clipboard == nullptr) return fail(kNoClipboard);
     RAMUS_TRY(text, context.clipboard->pasted_text());
     RAMUS_TRY(camera, render::parse_camera(text, "clipboard"));
-    move_camera(context, camera);
-    return {};
+    return move_camera(context, camera);
 }
 
 Result<void> camera(ActionContext& context, Arguments arguments) {
@@ -76,9 +66,7 @@ Result<void> camera(ActionContext& context, Arguments arguments) {
         RAMUS_TRY(content, io::read_file(arguments[0], 1 << 20));
         read = render::parse_camera(content, arguments[0]);
     }
-    if (!read) return tl::unexpected(read.error());
-    move_camera(context, *read);
-    return {};
+    return read ? move_camera(context, *read) : tl::unexpected(read.error());
 }
 
 bool is_orthographic(const Document& document) { return document.session().camera.orthographic; }

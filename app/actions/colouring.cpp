@@ -1,6 +1,7 @@
 // What colours say.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "core/base/words.h"
 #include "core/io/file_format.h"
 
 #include <algorithm>
@@ -9,26 +10,19 @@ namespace ramus::app::actions {
 
 namespace {
 
-std::string all_names(const auto& things) {
-    std::string names;
-    for (const auto thing : things) names += (names.empty() ? "" : ", ") + std::string(name_of(thing));
-    return names;
-}
-
 Result<void> colour_by(ActionContext& context, Arguments arguments) {
     const auto found = arguments.size() == 1 ? colouring_named(arguments[0]) : std::nullopt;
-    if (!found) {
-        std::string names;
-        for (const ColouringRow& row : colourings()) names.append(names.empty() ? "" : ", ").append(row.key);
-        return fail("colour-by takes a quantity", {}, "one of " + names);
-    }
+    if (!found)
+        return fail("colour-by takes a quantity", {}, "one of " + joined(colourings(), ", ", &ColouringRow::key));
     return edit(context, [&](Marks& marks) { marks.colour_by = *found; });
 }
 
 Result<void> colour_map(ActionContext& context, Arguments arguments) {
     const auto found = std::ranges::find_if(
         kColourMaps, [&](ColourMap map) { return arguments.size() == 1 && name_of(map) == arguments[0]; });
-    if (found == kColourMaps.end()) return fail("colour-map takes a name", {}, "one of " + all_names(kColourMaps));
+    if (found == kColourMaps.end())
+        return fail("colour-map takes a name", {},
+                    "one of " + joined(kColourMaps, ", ", [](ColourMap map) { return name_of(map); }));
     return edit(context, [&](Marks& marks) { marks.colour_map = *found; });
 }
 

@@ -19,12 +19,12 @@ struct Command {
     std::string label;             // its text there
     std::vector<std::string> keys; // "Ctrl+Z"; the first one is shown in the menu
     CommandAction action;
-    std::vector<std::string> preset;                                // arguments that the menu and the keys give
-    bool (*enabled)(const Document&) = nullptr;                     // null: always
-    std::function<bool(const Document&)> checked;                   // empty: not a switch
-    bool (*in_use)(const ActionContext&, const Command&) = nullptr; // a switch of the interface, not of the document
-    std::string (*label_now)(const Document&) = nullptr;            // the label, when it depends on the document
-    [[nodiscard]] bool scripted() const { return preset.empty(); }  // false: an entry that gives arguments to another
+    std::vector<std::string> preset;                                  // arguments that the menu and the keys give
+    bool (*enabled)(const Document&) = nullptr;                       // null: always
+    std::function<bool(const Document&)> checked;                     // empty: not a switch
+    std::function<bool(const ActionContext&, const Command&)> in_use; // a switch of the interface, not of the document
+    std::string (*label_now)(const Document&) = nullptr;              // the label, when it depends on the document
+    [[nodiscard]] bool scripted() const { return preset.empty(); }    // false: an entry that gives arguments to another
 
     // For tables: Command("fit", "", "Brings ...", fit).in_menu("View", "Fit", {"F"}).when(has_tree).
     Command(std::string its_name, std::string its_arguments, std::string its_help, CommandAction its_action)
@@ -38,7 +38,9 @@ struct Command {
     Command giving(std::vector<std::string> words) && { return with(&Command::preset, std::move(words)); }
     Command when(bool (*is)(const Document&)) && { return with(&Command::enabled, is); }
     Command checked_when(std::function<bool(const Document&)> is) && { return with(&Command::checked, std::move(is)); }
-    Command in_use_when(bool (*is)(const ActionContext&, const Command&)) && { return with(&Command::in_use, is); }
+    Command in_use_when(std::function<bool(const ActionContext&, const Command&)> is) && {
+        return with(&Command::in_use, std::move(is));
+    }
     Command labelled(std::string (*now)(const Document&)) && { return with(&Command::label_now, now); }
 
 private:

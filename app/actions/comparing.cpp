@@ -34,14 +34,15 @@ Result<void> compare(ActionContext& context, Arguments arguments) {
     const auto mode = arguments.empty() ? std::nullopt : comparison_mode_named(arguments[0]);
     if (!mode || arguments.size() > 2)
         return fail("compare takes a mode, and which surfaces", {},
-                    "off, side-by-side, blend or superimposed, then cs,cones,iso in the order wanted");
+                    "off, side-by-side, blend, superimposed or wipe, then the surfaces in the order wanted: " +
+                        compared_names());
     Marks next = context.document.marks();
     next.comparison.mode = *mode;
     if (arguments.size() == 2) {
         const auto surfaces = surface_list(arguments[1]);
         if (!surfaces)
             return fail("\"" + arguments[1] + "\" is not a list of surfaces", {},
-                        "two or three of cs, cones, iso with commas between");
+                        "two or three of " + compared_names() + " with commas between");
         next.comparison.surfaces = *surfaces;
     }
     change(context, std::move(next));
@@ -52,6 +53,12 @@ Result<void> compare_blend(ActionContext& context, Arguments arguments) {
     const auto share = arguments.size() == 1 ? number_in(arguments[0], 0.0, 1.0) : std::nullopt;
     if (!share) return fail("compare-blend takes a number from 0, the first surface, to 1, the second");
     return edit(context, [&](Marks& marks) { marks.comparison.blend = *share; });
+}
+
+Result<void> compare_wipe(ActionContext& context, Arguments arguments) {
+    const auto at = arguments.size() == 1 ? number_in(arguments[0], 0.0, 1.0) : std::nullopt;
+    if (!at) return fail("compare-wipe takes a number from 0, the left edge, to 1, the right one");
+    return edit(context, [&](Marks& marks) { marks.comparison.wipe = *at; });
 }
 
 Result<void> compare_mask(ActionContext& context, Arguments arguments) {
@@ -92,10 +99,9 @@ Result<void> compare_mask(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> skeleton(ActionContext& context, Arguments arguments) {
-    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
-        return fail("skeleton is on or off");
-    return edit(context,
-                [&](Marks& marks) { marks.skeleton = arguments.empty() ? !marks.skeleton : arguments[0] == "on"; });
+    const auto shown = switched(arguments, context.document.marks().skeleton);
+    if (!shown) return fail("skeleton is on or off");
+    return edit(context, [&](Marks& marks) { marks.skeleton = *shown; });
 }
 
 bool shows_skeleton(const Document& document) { return document.marks().skeleton; }
@@ -113,8 +119,8 @@ Command mode_entry(Mode mode, const char* label, const char* help) {
 std::vector<Command> compare_commands() {
     return {
         Command("compare", "MODE [SURFACES]",
-                "Shows surfaces of the same vessels off, side-by-side, blend or superimposed: two or three of "
-                "cs,cones,iso.",
+                "Shows surfaces of the same vessels off, side-by-side, blend, superimposed or wipe: two or three of "
+                "cs,cones,iso,tree,paper.",
                 compare),
         mode_entry(Mode::kOff, "One surface", "Compares nothing: one surface fills the picture."),
         mode_entry(Mode::kSideBySide, "Surfaces side by side",
@@ -122,8 +128,12 @@ std::vector<Command> compare_commands() {
         mode_entry(Mode::kBlend, "Surfaces blended", "Compares two surfaces: one fades into the other."),
         mode_entry(Mode::kSuperimposed, "Surfaces superimposed",
                    "Compares two surfaces: the second as lines over the first."),
+        mode_entry(Mode::kWipe, "Surfaces wiped",
+                   "Compares two surfaces: one left of a line that is dragged, the other right of it."),
         Command("compare-blend", "SHARE", "How much there is of the second surface where two are blended, from 0 to 1.",
                 compare_blend),
+        Command("compare-wipe", "AT", "Where the line between two surfaces is, from 0, the left edge, to 1.",
+                compare_wipe),
         Command(
             "compare-mask", "[FILE [LABELS] [--units UNIT]|none]",
             "The segmentation mask that the isosurface is of; none: the tree's own voxels. Without FILE, asks for one.",

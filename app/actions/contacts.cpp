@@ -11,6 +11,8 @@ namespace ramus::app::actions {
 
 namespace {
 
+constexpr std::string_view kWipe = "wipe";
+
 Result<void> contacts(ActionContext& context, Arguments) { return toggle_part(context, "contacts"); }
 
 // The camera turned around the contact by as little as shows both vessels beside each other.
@@ -29,20 +31,29 @@ render::Camera facing(render::Camera camera, const tree::Contact& contact) {
     return camera;
 }
 
+// Both ways to blend, parted by a line through the middle, where the contact is.
+void wipe_both_ways(Document& document) {
+    Marks next = document.marks();
+    next.comparison.mode = Comparison::Mode::kWipe;
+    next.comparison.surfaces = {Compared::kMerged, Compared::kApart};
+    next.comparison.wipe = Comparison{}.wipe;
+    document.change(std::move(next));
+}
+
 // Of the contacts of the document as it is.
 Result<void> go_to(ActionContext& context, Arguments arguments) {
+    const bool wipes = arguments.size() == 2 && arguments[1] == kWipe;
     const auto list = context.assets.contacts.list;
-    RAMUS_TRY(index, list_index(arguments, list->size(), "contact"));
+    RAMUS_TRY(index, list_index(wipes ? arguments.first(1) : arguments, list->size(), "contact"));
     const tree::Contact& chosen = (*list)[index];
     constexpr double kNearer = 0.5; // than one looks at a whole vessel: what is between two of them is small
     const double radius = std::max(chosen.sides[0].radius, chosen.sides[1].radius);
     select_these(context.document, app::branches_of(chosen));
+    if (wipes) wipe_both_ways(context.document);
     if (context.window != nullptr) context.window->show_contact(static_cast<int>(index));
     const render::Camera near =
         looking_at(context.document.session().camera, chosen.at(), kNearer * radius, context.picture.picture_size());
-    context.document.set_camera(facing(near, chosen));
-    context.picture.camera_leapt();
-    return {};
+    return move_camera(context, facing(near, chosen));
 }
 
 Result<Outcome> contact(ActionContext& context, Arguments arguments) {
@@ -65,15 +76,9 @@ Result<Outcome> contact(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> contact_marks(ActionContext& context, Arguments arguments) {
-    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "on" && arguments[0] != "off"))
-        return fail("contact-marks is on or off");
-    return edit(context, [&](Marks& marks) {
-        marks.contact_marks = arguments.empty() ? !marks.contact_marks : arguments[0] == "on";
-    });
-}
-
-bool shows_contacts(const ActionContext& context, const Command&) {
-    return context.window != nullptr && context.window->shows("contacts");
+    const auto shown = switched(arguments, context.document.marks().contact_marks);
+    if (!shown) return fail("contact-marks is on or off");
+    return edit(context, [&](Marks& marks) { marks.contact_marks = *shown; });
 }
 
 } // namespace
@@ -85,9 +90,10 @@ std::vector<Command> contact_commands() {
                 contacts)
             .in_menu("View", "Contacts", {"Shift+T"})
             .when(has_tree)
-            .in_use_when(shows_contacts),
-        Command("contact", "N",
-                "Goes to the N-th contact, the closest is the first, and selects the branches that touch there.",
+            .in_use_when(shows_part("contacts")),
+        Command("contact", "N [wipe]",
+                "Goes to the N-th contact, the closest is the first, and selects the branches that touch there; wipe: "
+                "with the vessels merged left of a line, and apart right of it.",
                 contact)
             .when(has_tree),
         Command("contact-marks", "[on|off]",

@@ -4,11 +4,11 @@
 #include "app/assets/assets.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
+#include "core/base/words.h"
 #include "core/io/trees/imported_tree.h"
 #include "render/scene/bounds.h"
 
 #include <algorithm>
-#include <charconv>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -29,13 +29,6 @@ std::array<std::uint8_t, 3> next_colour(const std::vector<ContextItem>& context)
     return kColours[context.size() % kColours.size()];
 }
 
-std::optional<int> label_in(const std::string& word) {
-    int label = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
-    if (error != std::errc{} || end != word.data() + word.size() || label == 0) return {};
-    return label;
-}
-
 Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>& context) {
     ContextItem item;
     item.colour = next_colour(context);
@@ -49,9 +42,8 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
         } else if (word == "--label" || word == "--colour" || word == "--opacity" || word == "--units") {
             const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
             if (word == "--label") {
-                const auto label = label_in(value);
-                if (!label) return fail("--label takes a whole number other than 0", {}, kUsage);
-                item.label = *label;
+                item.label = parsed<int>(value).value_or(0);
+                if (item.label == 0) return fail("--label takes a whole number other than 0", {}, kUsage);
             } else if (word == "--units") {
                 if (!io::length_unit(value)) return fail("--units takes a unit of length: mm, um, cm or m", {}, kUsage);
                 item.units = value;

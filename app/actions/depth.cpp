@@ -1,25 +1,20 @@
 // What tells near from far in the picture.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "core/base/words.h"
 
 namespace ramus::app::actions {
 
 namespace {
 
-std::string cue_names() {
-    std::string names;
-    for (const DepthCue& cue : depth_cues()) names += (names.empty() ? "" : ", ") + std::string(cue.name);
-    return names;
-}
+std::string cue_names() { return joined(depth_cues(), ", ", &DepthCue::name); }
 
 Result<void> depth_cue(ActionContext& context, Arguments arguments) {
-    const bool plain = arguments.size() == 1;
-    const bool says = arguments.size() == 2 && (arguments[1] == "on" || arguments[1] == "off");
-    const DepthCue* cue = plain || says ? depth_cue_named(arguments[0]) : nullptr;
-    if (cue == nullptr) return fail("depth-cue takes a name, and on or off", {}, "the names are " + cue_names());
-    return edit(context, [&](Marks& marks) {
-        marks.depth_cues.set(*cue, plain ? !marks.depth_cues.has(*cue) : arguments[1] == "on");
-    });
+    const DepthCue* cue = arguments.empty() ? nullptr : depth_cue_named(arguments[0]);
+    const auto on =
+        cue != nullptr ? switched(arguments.subspan(1), context.document.marks().depth_cues.has(*cue)) : std::nullopt;
+    if (!on) return fail("depth-cue takes a name, and on or off", {}, "the names are " + cue_names());
+    return edit(context, [&](Marks& marks) { marks.depth_cues.set(*cue, *on); });
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
 #include "core/io/output_file.h"
+#include "core/io/text_numbers.h"
 #include "core/io/trees/tree_file.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/close_mesh.h"
@@ -80,9 +81,7 @@ Continuation saying(std::string sentence) {
 }
 
 Result<void> expect_extension(const Export& wanted, std::string_view extension, const char* what) {
-    std::string found = wanted.file.extension().string();
-    std::ranges::transform(found, found.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (found == extension) return {};
+    if (io::lower_case(wanted.file.extension().string()) == extension) return {};
     return fail(std::string(what) + " is a file of type " + std::string(extension), wanted.file.string(),
                 "give the name this ending");
 }

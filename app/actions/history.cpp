@@ -20,20 +20,20 @@ Result<std::size_t> steps(Arguments arguments, std::size_t there, const std::str
     return static_cast<std::size_t>(*wanted);
 }
 
-Result<void> undo(ActionContext& context, Arguments arguments) {
-    RAMUS_TRY(wanted, steps(arguments, context.document.position(), "undo"));
+Result<void> walk(ActionContext& context, Arguments arguments, std::size_t there, const std::string& verb) {
+    RAMUS_TRY(wanted, steps(arguments, there, verb));
     const render::Camera before = context.document.session().camera;
-    while (wanted-- > 0) context.document.undo();
+    while (wanted-- > 0) verb == "undo" ? context.document.undo() : context.document.redo();
     if (context.document.session().camera != before) context.picture.camera_leapt();
     return {};
 }
 
+Result<void> undo(ActionContext& context, Arguments arguments) {
+    return walk(context, arguments, context.document.position(), "undo");
+}
+
 Result<void> redo(ActionContext& context, Arguments arguments) {
-    RAMUS_TRY(wanted, steps(arguments, context.document.step_count() - context.document.position(), "redo"));
-    const render::Camera before = context.document.session().camera;
-    while (wanted-- > 0) context.document.redo();
-    if (context.document.session().camera != before) context.picture.camera_leapt();
-    return {};
+    return walk(context, arguments, context.document.step_count() - context.document.position(), "redo");
 }
 
 bool can_undo(const Document& document) { return document.can_undo(); }

@@ -5,7 +5,7 @@
 #include "app/picture/fly_along.h"
 #include "core/base/error.h"
 #include "render/image/image.h"
-#include "render/renderer/renderer.h"
+#include "render/renderer/drawn.h"
 
 #include <filesystem>
 #include <glm/vec2.hpp>

@@ -8,6 +8,7 @@
 #include "app/workspace/surface_maker.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -84,58 +85,60 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-Result<void> set_switch(ActionContext& context, Arguments arguments, std::string_view command,
-                        const std::array<std::string_view, 2>& values, bool ToolSettings::*setting) {
-    const auto found = arguments.size() == 1 ? std::ranges::find(values, arguments[0]) : values.end();
-    if (found == values.end())
-        return fail(std::string(command) + " is " + std::string(values[0]) + " or " + std::string(values[1]));
-    if (context.tools == nullptr)
-        return fail("there is no lasso in hand without a window", {}, "give lasso --any or --visible");
-    context.tools->tool_settings().*setting = found != values.begin();
-    return {};
-}
+// How the lasso in hand takes branches: a setting with two values.
+struct Switch {
+    std::string name, values, help;
+    bool ToolSettings::*setting;
+    struct {
+        std::string value, label, help;
+    } entries[2]; // off, on
+};
 
-Result<void> lasso_mode(ActionContext& context, Arguments arguments) {
-    return set_switch(context, arguments, "lasso-mode", {"half", "any"}, &ToolSettings::lasso_any_part);
-}
+const std::array<Switch, 2> kSwitches{
+    {{"lasso-mode",
+      "half|any",
+      "What a lasso takes: at least half a branch, or any part of it.",
+      &ToolSettings::lasso_any_part,
+      {{"half", "Lasso at least half", "A branch is in with at least half its length."},
+       {"any", "Lasso any part", "A branch is in with any part of it."}}},
+     {"lasso-depth",
+      "through|visible",
+      "Whether a lasso takes what lies behind, or only what is visible.",
+      &ToolSettings::lasso_visible,
+      {{"through", "Lasso through the tree", "What lies behind is taken too."},
+       {"visible", "Lasso what is visible", "Only what can be seen is taken."}}}}};
 
-Result<void> lasso_depth(ActionContext& context, Arguments arguments) {
-    return set_switch(context, arguments, "lasso-depth", {"through", "visible"}, &ToolSettings::lasso_visible);
-}
-
-bool is_mode(const ActionContext& context, const Command& entry) {
-    return context.tools != nullptr && context.tools->tool_settings().lasso_any_part == (entry.preset.front() == "any");
-}
-
-bool is_depth(const ActionContext& context, const Command& entry) {
-    return context.tools != nullptr &&
-           context.tools->tool_settings().lasso_visible == (entry.preset.front() == "visible");
-}
-
-Command lasso_mode_entry(const char* value, const char* label, const char* help) {
-    return Command("lasso-mode", "", help, lasso_mode).in_menu("Tools", label).giving({value}).in_use_when(is_mode);
-}
-
-Command lasso_depth_entry(const char* value, const char* label, const char* help) {
-    return Command("lasso-depth", "", help, lasso_depth).in_menu("Tools", label).giving({value}).in_use_when(is_depth);
+CommandAction setting(const Switch& one) {
+    return [&one](ActionContext& context, Arguments arguments) -> Result<void> {
+        const auto& [off, on] = one.entries;
+        if (arguments.size() != 1 || (arguments[0] != off.value && arguments[0] != on.value))
+            return fail(one.name + " is " + off.value + " or " + on.value);
+        if (context.tools == nullptr)
+            return fail("there is no lasso in hand without a window", {}, "give lasso --any or --visible");
+        context.tools->tool_settings().*one.setting = arguments[0] == on.value;
+        return {};
+    };
 }
 
 } // namespace
 
 std::vector<Command> lasso_commands() {
-    return {
+    std::vector<Command> commands{
         Command("lasso", "[--any] [--visible] [--add|--remove] X,Y X,Y X,Y...",
                 "Selects what lies inside a polygon of pixels: branches with at least half their length inside, or any "
                 "part.",
-                lasso),
-        Command("lasso-mode", "half|any", "What a lasso takes: at least half a branch, or any part of it.", lasso_mode),
-        Command("lasso-depth", "through|visible", "Whether a lasso takes what lies behind, or only what is visible.",
-                lasso_depth),
-        lasso_mode_entry("half", "Lasso at least half", "A branch is in with at least half its length."),
-        lasso_mode_entry("any", "Lasso any part", "A branch is in with any part of it."),
-        lasso_depth_entry("through", "Lasso through the tree", "What lies behind is taken too."),
-        lasso_depth_entry("visible", "Lasso what is visible", "Only what can be seen is taken."),
-    };
+                lasso)};
+    for (const Switch& one : kSwitches) commands.emplace_back(one.name, one.values, one.help, setting(one));
+    for (const Switch& one : kSwitches)
+        for (const auto& entry : one.entries)
+            commands.push_back(Command(one.name, "", entry.help, setting(one))
+                                   .in_menu("Tools", entry.label)
+                                   .giving({entry.value})
+                                   .in_use_when([&one](const ActionContext& context, const Command& of) {
+                                       return context.tools != nullptr && context.tools->tool_settings().*one.setting ==
+                                                                              (of.preset[0] == one.entries[1].value);
+                                   }));
+    return commands;
 }
 
 } // namespace ramus::app::actions

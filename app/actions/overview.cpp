@@ -48,10 +48,6 @@ Result<void> rename(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-bool shows_overview(const ActionContext& context, const Command&) {
-    return context.window != nullptr && context.window->shows("overview");
-}
-
 } // namespace
 
 std::vector<Command> overview_commands() {
@@ -59,7 +55,7 @@ std::vector<Command> overview_commands() {
         Command("overview", "[on|off|generation|distance]",
                 "Shows or hides the tree as a flat picture: generation or distance from the root downwards.", overview)
             .in_menu("View", "Overview", {"T"})
-            .in_use_when(shows_overview),
+            .in_use_when(shows_part("overview")),
         Command("rename", "[ID]", "Asks for the name of the selected branch, which all that depends on it bears too.",
                 rename)
             .in_menu("Branches", "Name...", {"F2"})

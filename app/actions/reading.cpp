@@ -102,14 +102,8 @@ Result<void> note(ActionContext& context, Arguments arguments) {
     const tree::Note& chosen = tree->notes[index];
     if (!chosen.at) return fail("this note is about the whole tree, not about a place", {}, chosen.text);
     if (context.window != nullptr) context.window->show_note(static_cast<int>(index));
-    context.document.set_camera(looking_at(context.document.session().camera, *chosen.at,
+    return move_camera(context, looking_at(context.document.session().camera, *chosen.at,
                                            radius_near(*tree, *chosen.at), context.picture.picture_size()));
-    context.picture.camera_leapt();
-    return {};
-}
-
-bool shows_doctor(const ActionContext& context, const Command&) {
-    return context.window != nullptr && context.window->shows("doctor");
 }
 
 } // namespace
@@ -120,7 +114,7 @@ std::vector<Command> reading_commands() {
                 "Shows or hides the import doctor: what reading the file assumed, repaired and finds strange.", doctor)
             .in_menu("View", "Import doctor", {"Shift+D"})
             .when(has_tree)
-            .in_use_when(shows_doctor),
+            .in_use_when(shows_part("doctor")),
         Command("note", "N",
                 "Goes to the place of the N-th note of the import doctor, as ramus info --json counts them.", note)
             .when(has_tree),

@@ -5,6 +5,7 @@
 #include "app/reports/report_page.h"
 #include "app/reports/report_tables.h"
 #include "core/io/output_file.h"
+#include "core/io/text_numbers.h"
 
 #include <algorithm>
 #include <ctime>
@@ -89,8 +90,7 @@ Result<void> report(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(path,
               file_argument(context, arguments.first(std::min<std::size_t>(arguments.size(), 1)), "report", ".html"));
     if (!has_tree(context.document)) return fail("there is no tree to report of");
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = io::lower_case(path.extension().string());
     complete_lesions(context.assets, context.document);
     if (context.window == nullptr) complete_contacts(context.assets, context.document); // a window has them soon
     if (extension == ".csv") return write_csv(context, path, arguments.size() == 2 ? arguments[1] : "");

@@ -31,7 +31,7 @@ Result<void> blend(ActionContext& context, Arguments arguments) {
     Blend wanted = context.document.marks().options.blend == Blend::kTree ? Blend::kPaper : Blend::kTree;
     if (!arguments.empty()) {
         const auto named = mesh::blend_named(arguments[0]);
-        if (!named || arguments.size() > 1) return fail("blend is paper or tree", {}, mesh::blend_help());
+        if (!named || arguments.size() > 1) return fail("blend is tree or paper", {}, mesh::blend_help());
         wanted = *named;
     }
     return edit(context, [&](Marks& marks) { marks.options.blend = wanted; });
@@ -45,9 +45,9 @@ std::vector<Command> surface_commands() {
         if (!option.label.empty()) names.append(names.empty() ? "" : ", ").append(option.key);
     return {
         Command("surface", "NAME VALUE", "Sets " + names + " or method (cs, cones) of the surface.", surface),
-        Command("blend", "[paper|tree]",
-                "Where vessels blend: wherever they come close (paper), or along the tree alone, so that vessels which "
-                "only press on each other stay apart (tree).",
+        Command("blend", "[tree|paper]",
+                "Where vessels blend: along the tree alone, so that vessels which only press on each other stay apart "
+                "(tree), or wherever they come close (paper).",
                 blend)
             .when(has_tree),
     };

@@ -31,11 +31,8 @@ Result<void> lesion(ActionContext& context, Arguments arguments) {
 Result<void> lesion_change(ActionContext& context, Arguments arguments) {
     const auto sphere = arguments.size() == 2 ? sphere_in(arguments[1]) : std::nullopt;
     if (!sphere) return fail("lesion-change takes a lesion's number and X,Y,Z,R", {}, kAskedLesion);
-    Marks next = context.document.marks();
-    RAMUS_TRY(index, list_index(arguments.first(1), next.lesions.size(), "lesion"));
-    next.lesions[index] = *sphere;
-    context.document.change(std::move(next));
-    return {};
+    RAMUS_TRY(index, list_index(arguments.first(1), context.document.marks().lesions.size(), "lesion"));
+    return edit(context, [&](Marks& marks) { marks.lesions[index] = *sphere; });
 }
 
 Result<void> expect_new_lesion(const Document& document, const std::filesystem::path& path) {
@@ -86,11 +83,7 @@ Result<void> lesion_remove(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> lesion_clear(ActionContext& context, Arguments) {
-    Marks next = context.document.marks();
-    next.lesions.clear();
-    next.lesion_meshes.clear();
-    context.document.change(std::move(next));
-    return {};
+    return edit(context, [](Marks& marks) { marks.lesions.clear(), marks.lesion_meshes.clear(); });
 }
 
 std::string cost_text(const measure::CutFigures& cut) {

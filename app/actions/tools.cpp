@@ -1,6 +1,7 @@
 // What the mouse does over the picture, and how.
 #include "app/actions/groups.h"
 #include "app/tools/tool_kinds.h"
+#include "core/base/words.h"
 
 namespace ramus::app::actions {
 
@@ -8,11 +9,7 @@ namespace {
 
 Result<void> tool(ActionContext& context, Arguments arguments) {
     const ToolKind* kind = arguments.size() == 1 ? find_tool(arguments[0]) : nullptr;
-    if (kind == nullptr) {
-        std::string names;
-        for (const ToolKind& each : tool_kinds()) names += (names.empty() ? "" : ", ") + each.name;
-        return fail("tool takes the name of a tool", {}, names);
-    }
+    if (kind == nullptr) return fail("tool takes the name of a tool", {}, joined(tool_kinds(), ", ", &ToolKind::name));
     if (context.tools == nullptr) return fail("there is no tool without a window");
     context.tools->use_tool(kind->name);
     return {};

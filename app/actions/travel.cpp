@@ -18,9 +18,7 @@ Result<void> centre(ActionContext& context, Arguments arguments) {
         RAMUS_TRY(id, branch_id(context.document, arguments[0]));
         target = measure::point_on(*context.document.tree(), id, 0.5).position;
     }
-    context.document.set_camera(render::centred_on(context.document.session().camera, target));
-    context.picture.camera_leapt();
-    return {};
+    return move_camera(context, render::centred_on(context.document.session().camera, target));
 }
 
 Result<void> fly(ActionContext& context, Arguments arguments) {
@@ -64,10 +62,6 @@ Result<void> fly_along(ActionContext& context, Arguments arguments) {
     return {};
 }
 
-bool is_flying(const ActionContext& context, const Command&) {
-    return context.window != nullptr && context.window->shows("fly-along");
-}
-
 } // namespace
 
 std::vector<Command> travel_commands() {
@@ -81,7 +75,7 @@ std::vector<Command> travel_commands() {
                 fly_along)
             .in_menu("View", "Fly along", {"J"})
             .when(has_tree)
-            .in_use_when(is_flying),
+            .in_use_when(shows_part("fly-along")),
     };
 }
 

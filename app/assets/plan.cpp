@@ -1,6 +1,7 @@
 #include "app/assets/plan.h"
 
 #include "app/assets/assets.h"
+#include "core/base/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +18,14 @@ namespace {
 constexpr double kMostSamples = 250'000; // tuned: see distance_grid()
 
 std::shared_ptr<const render::DistanceGrid> make_grid(const measure::Lesions& lesions, double reach_mm) {
-    glm::dvec3 least(std::numeric_limits<double>::max()), most(-std::numeric_limits<double>::max());
-    for (const auto& mesh : lesions.meshes) {
-        least = glm::min(least, mesh->bounds().least);
-        most = glm::max(most, mesh->bounds().most);
-    }
+    Bounds<glm::dvec3> box;
+    for (const auto& mesh : lesions.meshes)
+        for (const glm::dvec3& corner : {mesh->bounds().least, mesh->bounds().most}) box.hold(corner);
     auto grid = std::make_shared<render::DistanceGrid>();
-    const glm::dvec3 extent = most - least + 2.0 * reach_mm;
+    const glm::dvec3 extent = box.size() + 2.0 * reach_mm;
     grid->step_mm = std::cbrt(extent.x * extent.y * extent.z / kMostSamples);
     grid->size = glm::ivec3(glm::ceil(extent / grid->step_mm)) + 2;
-    grid->corner = least - reach_mm - 0.5 * grid->step_mm;
+    grid->corner = box.least - reach_mm - 0.5 * grid->step_mm;
     const glm::ivec3 n = grid->size;
     grid->values.resize(std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z));
     oneapi::tbb::parallel_for(0, n.y * n.z, [&](int row) {

@@ -2,7 +2,7 @@
 
 #include "app/commands/command.h"
 #include "core/io/volumes/volume_file.h"
-#include "render/renderer/renderer.h"
+#include "render/renderer/drawn.h"
 
 #include <charconv>
 #include <cstdint>
@@ -78,10 +78,12 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
             [&flags](const std::string& name) {
                 flags.mode = comparison_mode_named(name);
                 if (!flags.mode)
-                    throw CLI::ValidationError("--compare", name + " is not side-by-side, blend, superimposed or off");
+                    throw CLI::ValidationError("--compare",
+                                               name + " is not side-by-side, blend, superimposed, wipe or off");
             },
-            "Show surfaces of the same vessels together: side-by-side, blend or superimposed, in every picture of a "
-            "--turntable or --sheet too")
+            "Show surfaces of the same vessels together: side-by-side, blend, superimposed or wipe (one left of a "
+            "line, "
+            "the other right of it), in every picture of a --turntable or --sheet too")
         ->type_name("MODE");
     command
         .add_option_function<std::string>(
@@ -89,9 +91,11 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
             [&flags](const std::string& list) {
                 flags.surfaces = surface_list(list);
                 if (!flags.surfaces)
-                    throw CLI::ValidationError("--methods", list + " is not two or three of cs, cones, iso");
+                    throw CLI::ValidationError("--methods", list + " is not two or three of " + compared_names());
             },
-            "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask")
+            "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask, tree "
+            "and "
+            "paper are the convolution surface under either --blend")
         ->type_name("LIST");
     CLI::Option* mask = add_option(command, "--mask", "MASK", flags.mask,
                                    "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
@@ -107,11 +111,24 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
             },
             "With --compare blend: how much of the second surface there is, from 0 to 1 (default 0.5)")
         ->type_name("SHARE");
+    command
+        .add_option_function<double>(
+            "--wipe",
+            [&flags](double at) {
+                if (!(at >= 0.0 && at <= 1.0)) throw CLI::ValidationError("--wipe", "goes from 0 to 1");
+                flags.wipe = at;
+            },
+            "With --compare wipe: where the line is, from 0 (left) to 1 (default 0.5)")
+        ->type_name("AT");
     command.add_flag("--skeleton", flags.skeleton, "Draw centerlines, with rings of the radius, over the vessels");
     command.add_flag(
         "--contacts", flags.contacts,
         "Mark where vessels press on each other without being connected there (`ramus info --contacts` lists "
         "them)");
+    add_option(command, "--contact", "N", flags.contact,
+               "Look at the N-th of them, the closest is the first; what --compare shows is then paper,tree unless "
+               "--methods tells")
+        ->check(CLI::Range(1, 1'000'000).description(""));
 }
 
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags) {
@@ -121,11 +138,14 @@ void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flag
             throw CLI::ValidationError(name, "has a meaning only with --compare");
     if (flags.share && (off || *flags.mode != Comparison::Mode::kBlend))
         throw CLI::ValidationError("--share", "has a meaning only with --compare blend");
+    if (flags.wipe && (off || *flags.mode != Comparison::Mode::kWipe))
+        throw CLI::ValidationError("--wipe", "has a meaning only with --compare wipe");
 }
 
 void apply(const ComparisonFlags& flags, Marks& marks) {
     Comparison& comparison = marks.comparison;
     if (flags.mode) comparison.mode = *flags.mode;
+    if (flags.contact > 0 && flags.mode) comparison.surfaces = {Compared::kMerged, Compared::kApart};
     if (flags.surfaces) comparison.surfaces = *flags.surfaces;
     if (!flags.mask.empty()) {
         comparison.mask = std::filesystem::absolute(flags.mask).lexically_normal().string();
@@ -133,6 +153,7 @@ void apply(const ComparisonFlags& flags, Marks& marks) {
         comparison.labels = flags.labels;
     }
     if (flags.share) comparison.blend = *flags.share;
+    if (flags.wipe) comparison.wipe = *flags.wipe;
     if (flags.skeleton) marks.skeleton = true;
     if (flags.contacts) marks.contact_marks = true;
 }

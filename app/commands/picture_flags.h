@@ -28,12 +28,14 @@ CLI::Option* add_label_flag(CLI::App& command, std::vector<std::int32_t>& labels
 // Surfaces of the same vessels in one picture: the options of `ramus render` that say which, and how.
 struct ComparisonFlags {
     std::optional<Comparison::Mode> mode;
-    std::optional<std::vector<mesh::Method>> surfaces;
+    std::optional<std::vector<Compared>> surfaces;
     std::string mask;       // empty: the session's, or the tree's own voxels
     std::string mask_units; // empty: as the file says
     std::vector<std::int32_t> labels;
     std::optional<double> share; // of the second surface, where two are blended
+    std::optional<double> wipe;  // where the line between two is, of the picture's width
     bool skeleton = false, contacts = false;
+    int contact = 0; // to look at, from 1; 0: none
 };
 
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags);

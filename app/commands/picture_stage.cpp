@@ -55,7 +55,7 @@ Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
     Job job;
     auto made = [&] {
         const CancelOnInterrupt cancel(job);
-        const ProgressBar bar(request.kind == mesh::Method::kIsosurface ? "isosurface" : "surface", job);
+        const ProgressBar bar(request.kind == Compared::kIsosurface ? "isosurface" : "surface", job);
         return make_compared(*document_.tree(), request, job);
     }();
     if (job.cancelled()) return fail("cancelled; nothing was written");
@@ -77,7 +77,7 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     for (const ComparedRequest& request : compared_requests(marks))
         if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
     for (const ComparedSurface& one : compared_) show(surfaces, one);
-    surfaces.set(marks.options.method, surface_.mesh, nullptr);
+    surfaces.set_own(marks.options, surface_.mesh, nullptr);
     Viewing viewing = viewing_;
     viewing.size = size;
     render::Sheet sheet = compose_sheet(document_.session(), assets, surfaces, viewing);

@@ -213,6 +213,10 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
             words.insert(words.end(), {"--units", flags.comparison.mask_units});
         if (auto added = run_command(here, words); !added) return added;
     }
+    if (flags.comparison.contact > 0) {
+        const std::vector<std::string> words{"contact", std::to_string(flags.comparison.contact)};
+        if (auto there = run_command(here, words); !there) return there;
+    }
     return flags.interface ? Result<void>() : run(here);
 }
 

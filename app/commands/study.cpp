@@ -60,9 +60,9 @@ struct Surfaces {
 Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& tree) {
     Surfaces made;
     std::size_t index = 0;
-    for (const auto& [kind, name] : {std::pair{mesh::Method::kIsosurface, "isosurface"},
-                                     {mesh::Method::kTruncatedCones, "cones"},
-                                     {mesh::Method::kConvolutionSurface, "convolution"}}) {
+    for (const auto& [kind, name] : {std::pair{Compared::kIsosurface, "isosurface"},
+                                     {Compared::kTruncatedCones, "cones"},
+                                     {Compared::kConvolutionSurface, "convolution"}}) {
         Marks marks;
         marks.options = flags.common.surface;
         marks.comparison.mask = flags.mask;
@@ -72,11 +72,11 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         request.voxel_mm = flags.voxel_mm;
         Job job;
         const CancelOnInterrupt cancel(job);
-        const ProgressBar bar(kind == mesh::Method::kIsosurface ? "isosurface" : "surface", job);
+        const ProgressBar bar(kind == Compared::kIsosurface ? "isosurface" : "surface", job);
         RAMUS_TRY(surface, make_compared(tree, request, job));
         for (const std::string& note : surface.notes) say(flags.common, flags.mask + ": " + note);
-        if (kind == mesh::Method::kIsosurface) made.voxel_mm = surface.voxel_mm;
-        const std::string title = kind == mesh::Method::kIsosurface ? "Isosurface of the mask" : title_of(kind, {});
+        if (kind == Compared::kIsosurface) made.voxel_mm = surface.voxel_mm;
+        const std::string title = kind == Compared::kIsosurface ? "Isosurface of the mask" : title_of(kind, {});
         made.all[index++] = {name, title, surface.mesh};
     }
     return made;

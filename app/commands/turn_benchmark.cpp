@@ -67,10 +67,10 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     report["panes"] = sheet.viewports.size();
     report["quality"] = hurry ? "interactive" : "full";
     double difference = 0.0;
-    constexpr int kCompared = 4;
-    for (int i = 0; i < kCompared && hurry; ++i) {
-        RAMUS_TRY(found, difference_at_rest(renderer, sheet, camera_at((i + 0.3) / kCompared)));
-        difference += found / kCompared;
+    constexpr int kAtRest = 4;
+    for (int i = 0; i < kAtRest && hurry; ++i) {
+        RAMUS_TRY(found, difference_at_rest(renderer, sheet, camera_at((i + 0.3) / kAtRest)));
+        difference += found / kAtRest;
     }
     report["difference"] = difference;
     return {};

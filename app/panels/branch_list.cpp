@@ -140,8 +140,7 @@ void draw_mark(const InterfaceContext& context, int id) {
 
 void number_cell(const std::string& text) {
     if (!ImGui::TableNextColumn()) return;
-    widgets::align_right(ImGui::CalcTextSize(text.c_str()).x);
-    ImGui::TextUnformatted(text.c_str());
+    widgets::text_right(text);
 }
 
 void name_cell(InterfaceContext& context, int id) {

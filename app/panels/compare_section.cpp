@@ -3,6 +3,7 @@
 #include "app/panels/interface.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +20,10 @@ namespace {
 using Mode = Comparison::Mode;
 
 constexpr std::array kModes{std::pair{Mode::kOff, "Off"}, std::pair{Mode::kSideBySide, "Side by side"},
-                            std::pair{Mode::kBlend, "Blend"}, std::pair{Mode::kSuperimposed, "Superimposed"}};
+                            std::pair{Mode::kBlend, "Blend"}, std::pair{Mode::kSuperimposed, "Superimposed"},
+                            std::pair{Mode::kWipe, "Wipe"}};
 
-const char* method_label(mesh::Method method) { return mesh::row_of(method).label.data(); } // of a literal: ends in 0
+const char* label_of_kind(Compared kind) { return row_of(kind).label.data(); } // of a literal: ends in 0
 
 // An entry of an open list.
 bool selectable(const char* text, bool chosen) {
@@ -30,25 +32,23 @@ bool selectable(const char* text, bool chosen) {
     return pressed;
 }
 
-std::string spelled(const std::vector<mesh::Method>& surfaces) {
-    std::string list;
-    for (const mesh::Method kind : surfaces) list.append(list.empty() ? "" : ",").append(name_of(kind));
-    return list;
+std::string spelled(const std::vector<Compared>& surfaces) {
+    return joined(surfaces, ",", [](Compared kind) { return name_of(kind); });
 }
 
 // The surface at `index` of the compared ones. One that is compared already is swapped with it; the last of three may
 // be none.
 void draw_surface_row(InterfaceContext& context, const Comparison& comparison, std::size_t index, const char* label,
                       const char* help, bool may_be_none) {
-    const std::vector<mesh::Method>& now = comparison.surfaces;
+    const std::vector<Compared>& now = comparison.surfaces;
     const bool there = index < now.size();
-    std::optional<std::vector<mesh::Method>> wanted;
+    std::optional<std::vector<Compared>> wanted;
     widgets::begin_row(label, help);
-    if (ImGui::BeginCombo("##surface", there ? method_label(now[index]) : "None")) {
-        for (const mesh::MethodRow& row : mesh::kMethods) {
-            const mesh::Method kind = row.method;
-            if (!selectable(method_label(kind), there && now[index] == kind)) continue;
-            std::vector<mesh::Method> next = now;
+    if (ImGui::BeginCombo("##surface", there ? label_of_kind(now[index]) : "None")) {
+        for (const ComparedRow& row : kCompared) {
+            const Compared kind = row.kind;
+            if (!selectable(label_of_kind(kind), there && now[index] == kind)) continue;
+            std::vector<Compared> next = now;
             const auto other = std::ranges::find(next, kind);
             if (!there && other == next.end())
                 next.push_back(kind);
@@ -59,7 +59,7 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
             if (next != now) wanted = next;
         }
         if (may_be_none && selectable("None", !there) && there)
-            wanted = std::vector<mesh::Method>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(index));
+            wanted = std::vector<Compared>(now.begin(), now.begin() + static_cast<std::ptrdiff_t>(index));
         ImGui::EndCombo();
     }
     ImGui::PopID();
@@ -89,6 +89,7 @@ void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
 void draw_compare(InterfaceContext& context) {
     const Comparison comparison = context.workspace.document.marks().comparison;
     context.interface.tried_blend.reset();
+    if (!context.interface.wipe_held) context.interface.tried_wipe.reset();
     widgets::section("Compare");
     widgets::begin_row("Surfaces", "Surfaces of the same vessels, seen together");
     const auto mode = std::ranges::find(kModes, comparison.mode, [](const auto& each) { return each.first; });
@@ -108,17 +109,25 @@ void draw_compare(InterfaceContext& context) {
                          false);
         if (beside) draw_surface_row(context, comparison, 2, "Third", "A third surface", true);
         const auto shown = compared_surfaces(comparison);
-        if (std::ranges::find(shown, mesh::Method::kIsosurface) != shown.end()) draw_mask_row(context, comparison);
+        if (std::ranges::find(shown, Compared::kIsosurface) != shown.end()) draw_mask_row(context, comparison);
         if (comparison.mode == Mode::kBlend) {
             widgets::Slider<float>& blend = context.interface.editing.blend;
+            const bool changed =
+                widgets::share_row("Share", "How much there is of the second surface", blend, comparison.blend);
+            if (blend.held) context.interface.tried_blend = blend.value;
+            if (changed) context.perform("compare-blend", {digits(blend.value, 4)});
+        }
+        if (comparison.mode == Mode::kWipe) {
+            widgets::Slider<float>& wipe = context.interface.editing.wipe;
             const bool changed = widgets::slider_row(
-                "Share", "How much there is of the second surface", blend, static_cast<float>(comparison.blend),
+                "Line", "Where the line is, of the picture's width; it is dragged in the picture too", wipe,
+                static_cast<float>(comparison.wipe),
                 [&](float& value) {
                     ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
                 },
                 [](float value) { return std::to_string(std::lround(100.0F * value)) + " %"; });
-            if (blend.held) context.interface.tried_blend = blend.value;
-            if (changed) context.perform("compare-blend", {digits(blend.value, 4)});
+            if (wipe.held) context.interface.tried_wipe = wipe.value;
+            if (changed) context.perform("compare-wipe", {digits(wipe.value, 4)});
         }
         if (const std::string& problem = context.workspace.comparison_problem(); !problem.empty())
             widgets::trouble(problem.c_str());

@@ -41,12 +41,31 @@ std::string whole_text(const Document& document, const Contact& contact) {
     return text + "\nClick to look at the place and to select both";
 }
 
+// Shows the contact both ways, and one way again.
+void draw_wipe_button(InterfaceContext& context, const std::string& number, bool current) {
+    const Comparison::Mode mode = context.workspace.document.marks().comparison.mode;
+    const bool wiped = current && mode == Comparison::Mode::kWipe;
+    ImGui::PushStyleColor(ImGuiCol_Text, wiped ? theme::kAccent : theme::kQuiet);
+    const bool pressed = ImGui::SmallButton(("Wipe##" + number).c_str());
+    ImGui::PopStyleColor();
+    widgets::note_item(("Wipe contact " + number).c_str());
+    widgets::tooltip(wiped ? "Shows one surface again"
+                           : "Looks at the place with the vessels merged left of a line, and apart right of it");
+    if (!pressed) return;
+    if (wiped)
+        context.perform("compare", {"off"});
+    else
+        context.perform("contact", {number, "wipe"});
+}
+
 void draw_row(InterfaceContext& context, const Contact& contact, std::size_t index) {
     const auto& [first, second] = contact.sides;
     const std::string number = std::to_string(index + 1), name = "Contact " + number;
     ImGui::TableNextRow();
-    ImGui::TableSetColumnIndex(0);
     const bool current = context.interface.contacts.current == static_cast<int>(index);
+    ImGui::TableSetColumnIndex(4); // first: what comes later over the whole row leaves it the pointer
+    draw_wipe_button(context, number, current);
+    ImGui::TableSetColumnIndex(0);
     if (ImGui::Selectable((number + "##" + name).c_str(), current, ImGuiSelectableFlags_SpanAllColumns))
         context.perform("contact", {number});
     widgets::note_item(name.c_str());
@@ -75,10 +94,10 @@ void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, floa
     const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
     const float wanted = static_cast<float>(std::min(list.size(), kMostRows) + 1) * row_height + 2.0F * theme::scale();
     const float most = std::max(bottom - ImGui::GetCursorScreenPos().y, 3.0F * row_height);
-    if (ImGui::BeginTable("contacts", 4, kFlags, {0.0F, std::min(wanted, most)})) {
+    if (ImGui::BeginTable("contacts", 5, kFlags, {0.0F, std::min(wanted, most)})) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        constexpr std::array<std::pair<const char*, float>, 4> kColumns{
-            {{"No.", 0.45F}, {"Branches", 1.1F}, {"Between", 1.45F}, {"Narrowed", 1.2F}}};
+        constexpr std::array<std::pair<const char*, float>, 5> kColumns{
+            {{"No.", 0.45F}, {"Branches", 1.05F}, {"Between", 1.4F}, {"Narrowed", 1.1F}, {"", 0.6F}}};
         for (const auto& [heading, weight] : kColumns) ImGui::TableSetupColumn(heading, 0, weight);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         ImGui::TableHeadersRow();
@@ -137,15 +156,9 @@ void draw_contacts(InterfaceContext& context) {
 void draw_contacts_line(InterfaceContext& context) {
     const auto list = context.workspace.current_assets().contacts.list;
     if (!list || list->empty()) return;
-    const ImVec2 at = ImGui::GetCursorPos();
-    if (ImGui::Selectable("##contacts", false, 0, {0.0F, ImGui::GetTextLineHeight()})) context.perform("contacts", {});
-    widgets::tooltip("Lists where vessels press on each other without being connected there", "Shift+T");
-    ImGui::SetCursorPos(at);
-    widgets::quiet("Contacts");
-    ImGui::SameLine();
-    const std::string count = grouped(list->size());
-    widgets::align_right(ImGui::CalcTextSize(count.c_str()).x);
-    ImGui::TextColored(theme::kAccent, "%s", count.c_str());
+    if (widgets::fact_button("Contacts", grouped(list->size()), theme::kAccent,
+                             "Lists where vessels press on each other without being connected there", "Shift+T"))
+        context.perform("contacts", {});
 }
 
 } // namespace ramus::app

@@ -53,9 +53,7 @@ void draw_opacity(InterfaceContext& context, const ContextItem& item, int number
         if (trial.of == number) trial.of = -1;
     }
     ImGui::SameLine();
-    const std::string percent = std::to_string(std::lround(100.0F * shown)) + " %";
-    widgets::align_right(ImGui::CalcTextSize(percent.c_str()).x);
-    ImGui::TextUnformatted(percent.c_str());
+    widgets::text_right(widgets::percent_text(shown));
     if (done) context.perform("context-opacity", {std::to_string(number), digits(static_cast<double>(shown), 3)});
 }
 

@@ -279,16 +279,10 @@ void draw_doctor_line(InterfaceContext& context) {
         if (found.empty() || ImGui::CalcTextSize(more.c_str()).x <= room) found = more;
     }
     if (found.empty()) found = "nothing to tell";
-    const ImVec2 at = ImGui::GetCursorPos();
-    if (ImGui::Selectable("##doctor", false, 0, {0.0F, ImGui::GetTextLineHeight()})) context.perform("doctor", {});
-    widgets::tooltip("Shows what reading the file assumed, repaired and finds strange", "Shift+D");
-    ImGui::SetCursorPos(at);
-    widgets::quiet("Import");
-    ImGui::SameLine();
-    const std::string shown = widgets::fitted(found, ImGui::GetContentRegionAvail().x);
-    widgets::align_right(ImGui::CalcTextSize(shown.c_str()).x);
     const bool misleads = could_mislead(tree, context.workspace.document.marks().reading);
-    ImGui::TextColored(misleads ? theme::kHighlight : theme::kAccent, "%s", shown.c_str());
+    if (widgets::fact_button("Import", found, misleads ? theme::kHighlight : theme::kAccent,
+                             "Shows what reading the file assumed, repaired and finds strange", "Shift+D"))
+        context.perform("doctor", {});
 }
 
 } // namespace ramus::app

@@ -3,6 +3,7 @@
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "core/io/file_format.h"
+#include "core/io/text_numbers.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -16,11 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string lower_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
+std::string lower_extension(const fs::path& path) { return io::lower_case(path.extension().string()); }
 
 std::set<std::string> all_extensions() {
     std::set<std::string> extensions;

@@ -15,15 +15,10 @@ void draw_glass(InterfaceContext& context) {
     widgets::section("Glass");
     widgets::Slider<float>& opacity = context.interface.editing.glass_opacity;
     widgets::Slider<float>& grey = context.interface.editing.glass_grey;
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    const auto percent = [](float value) { return std::to_string(std::lround(100.0F * value)) + " %"; };
-    const bool opacity_changed = widgets::slider_row(
-        "Opacity", "0 leaves the centerlines of defocused branches, 200 % is nearly solid", opacity,
-        static_cast<float>(marks.glass.opacity),
-        [&](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, 2.0F, "", flags); }, percent);
-    const bool grey_changed = widgets::slider_row(
-        "Grey", "From black to white", grey, static_cast<float>(marks.glass.grey),
-        [&](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", flags); }, percent);
+    const bool opacity_changed =
+        widgets::share_row("Opacity", "0 leaves the centerlines of defocused branches, 200 % is nearly solid", opacity,
+                           marks.glass.opacity, 2.0F);
+    const bool grey_changed = widgets::share_row("Grey", "From black to white", grey, marks.glass.grey);
     if (opacity.held || grey.held)
         context.interface.tried_glass =
             GlassLook{opacity.held ? opacity.value : marks.glass.opacity, grey.held ? grey.value : marks.glass.grey};

@@ -2,10 +2,11 @@
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
+#include "core/base/words.h"
+#include "core/io/text_numbers.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <imgui.h>
 
 namespace ramus::app {
@@ -28,16 +29,7 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kMouse{{
 }};
 
 bool contains(std::string_view text, std::string_view wanted) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    return std::search(text.begin(), text.end(), wanted.begin(), wanted.end(), same) != text.end();
-}
-
-std::string keys_text(const Command& command) {
-    std::string text;
-    for (const std::string& key : command.keys) text += (text.empty() ? "" : ", ") + key;
-    return text;
+    return io::lower_case(text).find(io::lower_case(wanted)) != std::string::npos;
 }
 
 class Table {
@@ -83,7 +75,7 @@ void draw_rows(Table& table) {
         if (title != menu) table.group(title.c_str());
         menu = title;
         if (!command.keys.empty())
-            table.row(keys_text(command), command.label, command.name, command.help);
+            table.row(joined(command.keys), command.label, command.name, command.help);
         else
             table.row("\xE2\x80\x93", command.label, command.name, command.help);
     }

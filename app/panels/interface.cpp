@@ -4,6 +4,7 @@
 #include "app/panels/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 
@@ -61,32 +62,22 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
 }
 
 bool Interface::dismiss() {
-    if (menu_open)
+    if (menu_open) {
         close_menu = true;
-    else if (!errors.empty())
+    } else if (!errors.empty()) {
         errors.pop_front();
-    else if (unsaved.open())
+    } else if (unsaved.open()) {
         unsaved.next = nullptr;
-    else if (drop.open())
+    } else if (drop.open()) {
         drop.file.clear();
-    else if (recovery.open)
-        recovery.open = false;
-    else if (open_dialog.open)
-        open_dialog.open = false;
-    else if (help_open)
-        help_open = false;
-    else if (rename.open)
-        rename.open = false;
-    else if (radius.open)
-        radius.open = false;
-    else if (fly.open)
-        fly.open = fly.playing = false;
-    else if (doctor.open)
-        doctor.open = false;
-    else if (contacts.open)
-        contacts.open = false;
-    else
-        return false;
+    } else {
+        const std::array below{&recovery.open, &open_dialog.open, &help_open,   &rename.open,
+                               &radius.open,   &fly.open,         &doctor.open, &contacts.open};
+        const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
+        if (top == below.end()) return false;
+        **top = false;
+        fly.playing = fly.playing && fly.open;
+    }
     return true;
 }
 

@@ -81,7 +81,7 @@ struct Fly {
 // go, so that it is one step of undo.
 struct Editing {
     std::map<std::string_view, widgets::Slider<float>> options; // by the key of a SurfaceOption
-    widgets::Slider<float> glass_opacity, glass_grey, blend;
+    widgets::Slider<float> glass_opacity, glass_grey, blend, wipe;
     // Of one entry of the context, counted from 1, its colour or its opacity.
     struct Context {
         int of = -1;
@@ -147,7 +147,8 @@ struct Interface {
     ContactList contacts;                                  // open: the doctor is not, and the other way about
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
-    std::optional<double> tried_blend;                     // likewise
+    std::optional<double> tried_blend, tried_wipe;         // likewise
+    bool wipe_held = false;                                // the line is dragged in the picture
     Editing editing;
     Overview overview;
     PictureLook picture; // as it was drawn last

@@ -12,7 +12,7 @@ namespace {
 // The viewport that the panel lies over: the isosurface's, for the tree is what changes.
 std::size_t viewport_below(const Layout& layout, const Comparison& comparison) {
     if (comparison.mode != Comparison::Mode::kSideBySide) return 0;
-    const auto at = static_cast<std::size_t>(std::ranges::find(comparison.surfaces, mesh::Method::kIsosurface) -
+    const auto at = static_cast<std::size_t>(std::ranges::find(comparison.surfaces, Compared::kIsosurface) -
                                              comparison.surfaces.begin());
     return at < layout.viewports_at.size() && layout.viewports_at[at].y == 0 ? at : 0;
 }

@@ -7,12 +7,12 @@
 #include "app/session/numbers.h"
 #include "app/storage/user_folders.h"
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/text_numbers.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <imgui.h>
 #include <span>
 #include <string_view>
@@ -123,11 +123,7 @@ const Purpose& purpose_of(const OpenDialog& dialog) {
 
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
     if (!entry.folder && !dialog.every_file && !purpose_of(dialog).fits(entry.name)) return false;
-    const std::string_view wanted = dialog.filter.data();
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    return std::search(entry.name.begin(), entry.name.end(), wanted.begin(), wanted.end(), same) != entry.name.end();
+    return io::lower_case(entry.name).find(io::lower_case(dialog.filter.data())) != std::string::npos;
 }
 
 std::string size_text(std::uintmax_t bytes) {

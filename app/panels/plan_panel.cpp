@@ -5,6 +5,7 @@
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
 #include "app/tools/spelling.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <array>
@@ -75,12 +76,6 @@ std::vector<std::string> entry(InterfaceContext& context, const char* label, con
     }
     if (mine && ImGui::IsItemDeactivated()) owner.clear();
     return words;
-}
-
-std::string spelled_list(const std::vector<double>& values) {
-    std::string text;
-    for (const double value : values) text += (text.empty() ? "" : "  ") + rounded(value);
-    return text;
 }
 
 void go_to(InterfaceContext& context, int branch) {
@@ -175,7 +170,8 @@ void draw_margins(InterfaceContext& context) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});
-    if (const auto words = entry(context, "Margins mm", "##bands", spelled_list(marks.planning.bands_mm), 110.0F);
+    if (const auto words =
+            entry(context, "Margins mm", "##bands", joined(marks.planning.bands_mm, "  ", rounded), 110.0F);
         !words.empty())
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");

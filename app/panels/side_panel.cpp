@@ -7,11 +7,13 @@
 #include "app/session/numbers.h"
 #include "app/session/surface_options.h"
 #include "app/session/systems.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,10 +49,8 @@ void draw_tree(InterfaceContext& context) {
     if (const auto& edits = document.marks().edits; !edits.empty()) {
         widgets::fact("Edits", grouped(edits.size()));
         constexpr std::size_t kListed = 12; // the last ones
-        std::string list;
-        for (std::size_t i = edits.size() - std::min(edits.size(), kListed); i < edits.size(); ++i)
-            list.append(list.empty() ? "" : "\n").append(sentence(edits[i]));
-        widgets::tooltip(list.c_str());
+        const auto last = std::span(edits).last(std::min(edits.size(), kListed));
+        widgets::tooltip(joined(last, "\n", [](const tree::Edit& edit) { return sentence(edit); }).c_str());
     }
     draw_contacts_line(context);
     draw_doctor_line(context);

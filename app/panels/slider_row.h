@@ -32,11 +32,17 @@ bool slider_row(const char* label, const char* help, Slider<T>& slider, T curren
     slider.held = ImGui::IsItemActive();
     const bool changed = ImGui::IsItemDeactivatedAfterEdit();
     ImGui::SameLine();
-    const std::string shown = as_text(slider.value);
-    align_right(ImGui::CalcTextSize(shown.c_str()).x);
-    ImGui::TextUnformatted(shown.c_str());
+    text_right(as_text(slider.value));
     ImGui::PopID();
     return changed;
+}
+
+// A share of the whole, in percent.
+inline bool share_row(const char* label, const char* help, Slider<float>& slider, double current, float most = 1.0F) {
+    return slider_row(
+        label, help, slider, static_cast<float>(current),
+        [most](float& value) { ImGui::SliderFloat("##slider", &value, 0.0F, most, "", ImGuiSliderFlags_AlwaysClamp); },
+        [](float value) { return percent_text(value); });
 }
 
 } // namespace ramus::app::widgets

@@ -108,10 +108,29 @@ void fact(const char* label, const std::string& value) {
     quiet(label);
     ImGui::SameLine();
     const std::string shown = fitted(value, ImGui::GetContentRegionAvail().x);
-    align_right(ImGui::CalcTextSize(shown.c_str()).x);
-    ImGui::TextUnformatted(shown.c_str());
+    text_right(shown);
     if (shown != value) tooltip(value.c_str());
 }
+
+bool fact_button(const char* label, const std::string& found, const ImVec4& colour, const char* help, const char* key) {
+    const ImVec2 at = ImGui::GetCursorPos();
+    ImGui::PushID(label);
+    const bool pressed = ImGui::Selectable("##fact", false, 0, {0.0F, ImGui::GetTextLineHeight()});
+    ImGui::PopID();
+    tooltip(help, key);
+    ImGui::SetCursorPos(at);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    fact(label, found);
+    ImGui::PopStyleColor();
+    return pressed;
+}
+
+void text_right(const std::string& text) {
+    align_right(ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::string percent_text(float share) { return std::to_string(std::lround(100.0F * share)) + " %"; }
 
 static void wrapped(const char* text, const ImVec4& colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);

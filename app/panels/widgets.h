@@ -32,8 +32,12 @@ std::optional<TitleButton> title_row(const char* title, std::initializer_list<Ti
 void fact(const char* label, const std::string& value);
 void quiet(const char* text);              // one line in the colour of labels
 void quiet_right(const std::string& text); // the same, at the right edge
-void quiet_wrapped(const char* text);      // several lines
-void trouble(const char* text);            // several lines in the colour of what went wrong
+void text_right(const std::string& text);  // there, in the colour of values
+// A label and what is found of it, which is pressed to see more.
+bool fact_button(const char* label, const std::string& found, const ImVec4& colour, const char* help, const char* key);
+[[nodiscard]] std::string percent_text(float share);
+void quiet_wrapped(const char* text); // several lines
+void trouble(const char* text);       // several lines in the colour of what went wrong
 // Puts the cursor so that `width` ends at the right edge.
 void align_right(float width);
 void tooltip(const char* text, const char* key = nullptr);

@@ -44,15 +44,25 @@ std::string blend_heading(const std::string& first, const std::string& second, d
     return first + " " + percent(1.0 - blend) + ", " + lowered(second) + " " + percent(blend);
 }
 
+// "Truncated cones left, isosurface of liver.nii.gz right"; at either end the one that is seen.
+std::string wipe_heading(const std::string& first, const std::string& second, double wipe) {
+    if (wipe <= 0.0) return second;
+    if (wipe >= 1.0) return first;
+    return first + " left, " + lowered(second) + " right";
+}
+
+// Whether two pictures become one.
+bool mixes(Comparison::Mode mode) { return mode == Comparison::Mode::kBlend || mode == Comparison::Mode::kWipe; }
+
 } // namespace
 
 std::vector<Viewport> viewports_of(const Marks& marks, glm::ivec2 size, float pixel_ratio) {
     const Comparison& comparison = marks.comparison;
-    const std::vector<mesh::Method> kinds = compared_surfaces(comparison);
-    if (kinds.empty()) return {{glm::ivec2(0), size, marks.options.method, {}, true}};
+    const std::vector<Compared> kinds = compared_surfaces(comparison);
+    if (kinds.empty()) return {{glm::ivec2(0), size, compared(marks.options.method), {}, true}};
     std::vector<Viewport> viewports;
-    for (const mesh::Method kind : kinds)
-        viewports.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != mesh::Method::kIsosurface});
+    for (const Compared kind : kinds)
+        viewports.push_back({glm::ivec2(0), size, kind, title_of(kind, comparison), kind != Compared::kIsosurface});
     if (comparison.mode == Comparison::Mode::kSuperimposed) {
         viewports[0].title += ", lines: " + lowered(viewports[1].title);
         viewports.resize(1);
@@ -86,7 +96,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
     for (std::size_t i = 0; i < viewports.size(); ++i) {
         Viewing own = viewing;
         own.size = viewports[i].size;
-        own.method = viewports[i].surface;
+        own.method = row_of(viewports[i].surface).method;
         render::Frame frame = compose(session, assets, surfaces.of(viewports[i].surface), own);
         if (!viewports[i].has_branches) take_branches_away(frame);
         // In a colour of its own it would be taken for a system that has this colour.
@@ -103,13 +113,20 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
         frame.overlays.orientation_cube = there && (!beside || i + 1 == viewports.size());
         frame.overlays.scale_bar = there && (!beside || i == 0);
         if (i != with_legend) frame.overlays.legend = {};
-        if (comparison.mode != Comparison::Mode::kBlend) frame.overlays.heading = latin1(viewports[i].title);
+        if (!mixes(comparison.mode)) frame.overlays.heading = latin1(viewports[i].title);
         if (!viewports[i].title.empty()) frame.overlays.inset_top = sheet_viewing.heading_top;
         sheet.viewports.push_back({viewports[i].at, std::move(frame), viewports[i].has_branches});
     }
-    if (comparison.mode == Comparison::Mode::kBlend && assets.tree) {
-        sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
-        sheet.heading = latin1(blend_heading(viewports[0].title, viewports[1].title, *sheet.blend));
+    if (mixes(comparison.mode) && assets.tree) {
+        const std::string &first_title = viewports[0].title, &second_title = viewports[1].title;
+        if (comparison.mode == Comparison::Mode::kBlend) {
+            sheet.blend = sheet_viewing.blend.value_or(comparison.blend);
+            sheet.heading = latin1(blend_heading(first_title, second_title, *sheet.blend));
+        } else {
+            sheet.wipe = sheet_viewing.wipe.value_or(comparison.wipe);
+            sheet.line_width = std::max(1.0F, std::round(1.5F * viewing.pixel_ratio));
+            sheet.heading = latin1(wipe_heading(first_title, second_title, *sheet.wipe));
+        }
         sheet.heading_top = sheet_viewing.heading_top + static_cast<int>(std::lround(8.0F * viewing.pixel_ratio));
         // What lies over both is that of both.
         render::Overlays& first = sheet.viewports[0].frame.overlays;

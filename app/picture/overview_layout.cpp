@@ -1,5 +1,7 @@
 #include "app/picture/overview_layout.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -239,13 +241,6 @@ std::span<const int> children_in(const OverviewLayout& layout, int id) {
 
 constexpr double kNarrow = 1.5; // pixels: what takes less is drawn as one
 
-double to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 along = b - a;
-    const double length2 = glm::dot(along, along);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-    return glm::distance(p, a + t * along);
-}
-
 OverviewView clamped(OverviewView view) {
     for (int axis = 0; axis < 2; ++axis) {
         const double span = std::min(view.most[axis] - view.least[axis], 1.0);
@@ -324,8 +319,8 @@ int branch_near(const OverviewLayout& layout, const OverviewView& view, glm::dve
             line.last + slack < std::min(across, layout.root_middle[i]))
             continue;
         // The bar at a root belongs to the branches that it joins.
-        consider(id, to_segment(pixel, view.to_pixel({line.at, line.from}),
-                                view.to_pixel({layout.root_middle[i], line.from})));
+        consider(id, distance_to_line(pixel, view.to_pixel({line.at, line.from}),
+                                      view.to_pixel({layout.root_middle[i], line.from})));
         open.push_back(id);
     }
     while (!open.empty()) {
@@ -334,18 +329,18 @@ int branch_near(const OverviewLayout& layout, const OverviewView& view, glm::dve
         const OverviewLine& line = layout.lines[index(id)];
         if (across < line.first - slack || across > line.last + slack) continue;
         const bool merged = line.end - line.begin > 1 && (line.last - line.first) * scale < kNarrow;
-        consider(id, to_segment(pixel, view.to_pixel({line.at, line.from}),
-                                view.to_pixel({line.at, merged ? line.deepest : line.to})));
+        consider(id, distance_to_line(pixel, view.to_pixel({line.at, line.from}),
+                                      view.to_pixel({line.at, merged ? line.deepest : line.to})));
         if (merged) continue;
         for (const int child : children_in(layout, id)) {
             const OverviewLine& below = layout.lines[index(child)];
-            consider(child,
-                     to_segment(pixel, view.to_pixel({below.at, below.from}), view.to_pixel({line.at, below.from})));
+            consider(child, distance_to_line(pixel, view.to_pixel({below.at, below.from}),
+                                             view.to_pixel({line.at, below.from})));
             open.push_back(child);
         }
     }
     for (const OverviewLink& link : layout.links)
-        consider(link.branch, to_segment(pixel, view.to_pixel(link.from), view.to_pixel(link.to)));
+        consider(link.branch, distance_to_line(pixel, view.to_pixel(link.from), view.to_pixel(link.to)));
     return nearest;
 }
 

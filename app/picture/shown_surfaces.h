@@ -13,13 +13,18 @@ namespace ramus::app {
 
 struct ShownSurfaces {
     using Paged = std::shared_ptr<const render::PagedMesh>;
-    std::array<Paged, mesh::kMethods.size()> meshes, previews;
+    std::array<Paged, kCompared.size()> meshes, previews;
     std::shared_ptr<const mesh::TriangleMesh> lines, lines_preview; // of the one that is superimposed
-    [[nodiscard]] const Paged& of(mesh::Method kind) const { return meshes[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] const Paged& preview_of(mesh::Method kind) const { return previews[static_cast<std::size_t>(kind)]; }
-    void set(mesh::Method kind, Paged mesh, Paged preview) {
+    [[nodiscard]] const Paged& of(Compared kind) const { return meshes[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] const Paged& preview_of(Compared kind) const { return previews[static_cast<std::size_t>(kind)]; }
+    void set(Compared kind, Paged mesh, Paged preview) {
         meshes[static_cast<std::size_t>(kind)] = std::move(mesh);
         previews[static_cast<std::size_t>(kind)] = std::move(preview);
+    }
+    // The session's own, whatever it is compared as.
+    void set_own(const mesh::SurfaceOptions& options, const Paged& mesh, const Paged& preview) {
+        for (const ComparedRow& row : kCompared)
+            if (is_own(row.kind, options)) set(row.kind, mesh, preview);
     }
 };
 

@@ -3,9 +3,13 @@
 #include "app/assets/assets.h"
 #include "app/reports/report_tables.h"
 #include "app/session/numbers.h"
+#include "core/io/trees/binary_numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace ramus::app {
 
@@ -163,40 +167,12 @@ std::string cuts_note(const Document& document, const Plan& plan) {
 std::string html_text(std::string_view text) {
     std::string safe;
     for (const char c : text) {
-        switch (c) {
-        case '&':
-            safe += "&amp;";
-            break;
-        case '<':
-            safe += "&lt;";
-            break;
-        case '>':
-            safe += "&gt;";
-            break;
-        case '"':
-            safe += "&quot;";
-            break;
-        case '\'':
-            safe += "&#39;";
-            break;
-        default:
-            safe += c;
-        }
+        constexpr std::array<std::pair<char, std::string_view>, 5> kSafe{
+            {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
+        const auto* const found = std::ranges::find(kSafe, c, &std::pair<char, std::string_view>::first);
+        safe += found == kSafe.end() ? std::string_view(&c, 1) : found->second;
     }
     return safe;
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63U] : '=';
-    }
-    return text;
 }
 
 std::string report_page(const Document& document, const Assets& assets, const std::vector<ReportPicture>& pictures,
@@ -211,7 +187,8 @@ std::string report_page(const Document& document, const Assets& assets, const st
     if (!pictures.empty()) page += "<div class=\"pictures\">\n";
     for (const ReportPicture& picture : pictures)
         page += "<figure><img alt=\"" + html_text(picture.caption) + "\" src=\"data:image/png;base64," +
-                base64(picture.png) + "\"><figcaption>" + html_text(picture.caption) + "</figcaption></figure>\n";
+                io::base64_encoded(picture.png) + "\"><figcaption>" + html_text(picture.caption) +
+                "</figcaption></figure>\n";
     if (!pictures.empty()) page += "</div>\n";
     page += "<h2>Tree</h2>\n" + facts_html(tree_facts(document));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets), "");

@@ -23,6 +23,5 @@ struct ReportPicture {
                                       const std::vector<ReportPicture>& pictures, const std::string& made);
 
 [[nodiscard]] std::string html_text(std::string_view text); // with & < > " ' escaped
-[[nodiscard]] std::string base64(std::string_view bytes);   // RFC 4648
 
 } // namespace ramus::app

@@ -1,11 +1,11 @@
 #include "app/session/branch_filter.h"
 
 #include "app/session/systems.h"
+#include "core/base/words.h"
 #include "core/io/file_format.h"
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,16 +33,9 @@ constexpr std::pair<std::string_view, Relation> kComparisons[] = {
     {"=", Relation::kEqual},
 };
 
-template <class Table> auto named(const Table& table, std::string_view name) {
-    const auto found = std::ranges::find_if(table, [&](const auto& entry) { return entry.first == name; });
-    return found == std::end(table) ? std::nullopt : std::optional(found->second);
-}
-
 std::optional<double> number(std::string_view text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
-    return value;
+    const auto value = parsed<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 // "d, len, gen or id"
@@ -101,7 +94,7 @@ private:
         if (const auto comparison = take_comparison()) return quantity_condition(word, *comparison);
         at_ = behind;
         if (word.starts_with("is:")) {
-            const auto property = named(kProperties, word.substr(3));
+            const auto property = paired(kProperties, word.substr(3));
             if (!property) return fail("is: takes hidden, selected, highlighted, defocused, normal, leaf or named");
             return BranchCondition{.kind = BranchCondition::Kind::kProperty, .property = *property};
         }

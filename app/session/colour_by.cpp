@@ -1,7 +1,8 @@
 #include "app/session/colour_by.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
-#include <charconv>
 #include <glm/common.hpp>
 
 namespace ramus::app {
@@ -71,15 +72,8 @@ std::optional<ColourBy> colouring_named(std::string_view key) {
 }
 
 std::string_view name_of(ColourMap map) {
-    switch (map) {
-    case ColourMap::kViridis:
-        return "viridis";
-    case ColourMap::kCividis:
-        return "cividis";
-    case ColourMap::kMagma:
-        return "magma";
-    }
-    return "";
+    constexpr std::array<std::string_view, 3> kNames{"viridis", "cividis", "magma"};
+    return kNames[static_cast<std::size_t>(map)];
 }
 
 glm::vec3 colour_at(ColourMap map, double t) {
@@ -109,9 +103,9 @@ std::optional<std::array<std::uint8_t, 3>> colour_in(std::string_view text) {
     std::array<std::uint8_t, 3> colour{};
     if (text.size() != 6) return {};
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::string_view two = text.substr(2 * i, 2);
-        const auto [end, error] = std::from_chars(two.data(), two.data() + 2, colour[i], 16);
-        if (error != std::errc() || end != two.data() + 2) return {};
+        const auto byte = parsed<std::uint8_t>(text.substr(2 * i, 2), 16);
+        if (!byte) return {};
+        colour[i] = *byte;
     }
     return colour;
 }

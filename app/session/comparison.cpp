@@ -1,36 +1,16 @@
 #include "app/session/comparison.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <filesystem>
 
 namespace ramus::app {
 
-namespace {
-
-std::vector<std::string_view> parts_of(std::string_view text) {
-    std::vector<std::string_view> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        parts.push_back(text.substr(from, comma - from));
-        from = comma + 1;
-    }
-    return parts;
-}
-
-} // namespace
-
 std::string_view name_of(Comparison::Mode mode) {
-    switch (mode) {
-    case Comparison::Mode::kSideBySide:
-        return "side-by-side";
-    case Comparison::Mode::kBlend:
-        return "blend";
-    case Comparison::Mode::kSuperimposed:
-        return "superimposed";
-    default:
-        return "off";
-    }
+    constexpr std::array<std::string_view, 5> kNames{"off", "side-by-side", "blend", "superimposed", "wipe"};
+    return kNames[static_cast<std::size_t>(mode)];
 }
 
 std::optional<Comparison::Mode> comparison_mode_named(std::string_view name) {
@@ -39,16 +19,27 @@ std::optional<Comparison::Mode> comparison_mode_named(std::string_view name) {
     return found == kComparisonModes.end() ? std::nullopt : std::optional(*found);
 }
 
-std::vector<mesh::Method> compared_surfaces(const Comparison& comparison) {
+std::string compared_names() {
+    std::string names;
+    for (const ComparedRow& row : kCompared) names.append(names.empty() ? "" : ", ").append(row.key);
+    return names;
+}
+
+bool is_own(Compared kind, const mesh::SurfaceOptions& options) {
+    const ComparedRow& row = row_of(kind);
+    return row.method == options.method && row.blend.value_or(options.blend) == options.blend;
+}
+
+std::vector<Compared> compared_surfaces(const Comparison& comparison) {
     if (comparison.mode == Comparison::Mode::kOff) return {};
-    std::vector<mesh::Method> surfaces = comparison.surfaces;
+    std::vector<Compared> surfaces = comparison.surfaces;
     if (comparison.mode != Comparison::Mode::kSideBySide) surfaces.resize(2);
     return surfaces;
 }
 
-std::string title_of(mesh::Method method, const Comparison& comparison) {
-    std::string title(mesh::row_of(method).label);
-    if (mesh::row_of(method).of_tree) return title;
+std::string title_of(Compared kind, const Comparison& comparison) {
+    std::string title(row_of(kind).label);
+    if (kind != Compared::kIsosurface) return title;
     if (comparison.mask.empty()) return title + " of the tree's voxels";
     title += " of " + std::filesystem::path(comparison.mask).filename().string();
     for (std::size_t i = 0; i < comparison.labels.size(); ++i)
@@ -59,24 +50,22 @@ std::string title_of(mesh::Method method, const Comparison& comparison) {
     return title;
 }
 
-std::optional<std::vector<mesh::Method>> surface_list(std::string_view text) {
-    std::vector<mesh::Method> methods;
+std::optional<std::vector<Compared>> surface_list(std::string_view text) {
+    std::vector<Compared> kinds;
     for (const std::string_view part : parts_of(text)) {
-        const auto method = mesh::method_named(part);
-        if (!method || std::ranges::find(methods, *method) != methods.end()) return std::nullopt;
-        methods.push_back(*method);
+        const auto* row = std::ranges::find(kCompared, part, &ComparedRow::key);
+        if (row == kCompared.end() || std::ranges::find(kinds, row->kind) != kinds.end()) return std::nullopt;
+        kinds.push_back(row->kind);
     }
-    if (methods.size() < 2) return std::nullopt;
-    return methods;
+    if (kinds.size() < 2 || kinds.size() > 3) return std::nullopt;
+    return kinds;
 }
 
 std::optional<std::vector<std::int32_t>> label_list(std::string_view text) {
     std::vector<std::int32_t> labels;
     for (const std::string_view part : parts_of(text)) {
-        std::int32_t label = 0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), label);
-        if (error != std::errc() || end != part.data() + part.size() || label == 0) return std::nullopt;
-        labels.push_back(label);
+        labels.push_back(parsed<std::int32_t>(part).value_or(0));
+        if (labels.back() == 0) return std::nullopt;
     }
     std::ranges::sort(labels);
     labels.erase(std::unique(labels.begin(), labels.end()), labels.end());

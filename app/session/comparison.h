@@ -1,7 +1,7 @@
 // Comparison: which surfaces of one tree are looked at together, and how. Plain values, part of what undo covers.
 #pragma once
 
-#include "core/mesh/method.h"
+#include "core/mesh/surface.h"
 
 #include <array>
 #include <cstdint>
@@ -12,35 +12,76 @@
 
 namespace ramus::app {
 
+// What can be compared, in the order of the methods; then the convolution surface as it blends along the tree, and as
+// the plain sum, whichever of them the session's own is.
+enum class Compared : std::uint8_t { kConvolutionSurface, kTruncatedCones, kIsosurface, kApart, kMerged };
+
+struct ComparedRow {
+    Compared kind;
+    mesh::Method method;
+    std::optional<mesh::Blend> blend; // none: the session's
+    std::string_view key;             // on the command line, in sessions and commands
+    std::string_view label;           // where it stands alone
+    std::string_view noun;            // within a sentence
+};
+
+namespace details {
+constexpr ComparedRow row_of_method(Compared kind, mesh::Method method) {
+    const mesh::MethodRow& row = mesh::row_of(method);
+    return {kind, method, std::nullopt, row.key, row.label, row.noun};
+}
+} // namespace details
+
+// In the order of `Compared`.
+inline constexpr std::array<ComparedRow, 5> kCompared{
+    details::row_of_method(Compared::kConvolutionSurface, mesh::Method::kConvolutionSurface),
+    details::row_of_method(Compared::kTruncatedCones, mesh::Method::kTruncatedCones),
+    details::row_of_method(Compared::kIsosurface, mesh::Method::kIsosurface),
+    ComparedRow{Compared::kApart, mesh::Method::kConvolutionSurface, mesh::Blend::kTree,
+                mesh::name_of(mesh::Blend::kTree), "Vessels apart", "surface with vessels apart"},
+    ComparedRow{Compared::kMerged, mesh::Method::kConvolutionSurface, mesh::Blend::kPaper,
+                mesh::name_of(mesh::Blend::kPaper), "Vessels merged", "surface with vessels merged"},
+};
+[[nodiscard]] constexpr const ComparedRow& row_of(Compared kind) { return kCompared[static_cast<std::size_t>(kind)]; }
+[[nodiscard]] constexpr std::string_view name_of(Compared kind) { return row_of(kind).key; }
+[[nodiscard]] constexpr Compared compared(mesh::Method method) { return static_cast<Compared>(method); }
+// "cs, cones, iso, tree, paper"
+[[nodiscard]] std::string compared_names();
+// Whether it is the surface that a session with these options shows by itself.
+[[nodiscard]] bool is_own(Compared kind, const mesh::SurfaceOptions& options);
+
 struct Comparison {
     enum class Mode : std::uint8_t {
         kOff,
         kSideBySide,   // each in a viewport of its own, seen by one camera
         kBlend,        // the first two, one fading into the other
         kSuperimposed, // the first shaded, the second as a wireframe over it
+        kWipe,         // the first two, one left of a line and the other right of it
     };
     Mode mode = Mode::kOff;
     // Two or three, none twice.
-    std::vector<mesh::Method> surfaces{mesh::Method::kConvolutionSurface, mesh::Method::kTruncatedCones};
+    std::vector<Compared> surfaces{Compared::kConvolutionSurface, Compared::kTruncatedCones};
     std::string mask;                 // of the isosurface: a file, absolute; empty: the tree's own voxels
     std::string mask_units;           // of its lengths, "cm"; empty: as its file says
     std::vector<std::int32_t> labels; // in the mask, ascending; empty: whatever is inside
     double blend = 0.5;               // 0: the first surface alone; 1: the second
+    double wipe = 0.5;                // where the line is, of the picture's width
     bool operator==(const Comparison&) const = default;
 };
 inline constexpr std::array kComparisonModes{Comparison::Mode::kOff, Comparison::Mode::kSideBySide,
-                                             Comparison::Mode::kBlend, Comparison::Mode::kSuperimposed};
-[[nodiscard]] std::string_view name_of(Comparison::Mode mode); // "off", "side-by-side", "blend", "superimposed"
+                                             Comparison::Mode::kBlend, Comparison::Mode::kSuperimposed,
+                                             Comparison::Mode::kWipe};
+[[nodiscard]] std::string_view name_of(Comparison::Mode mode); // "off", "side-by-side", "blend", "superimposed", "wipe"
 [[nodiscard]] std::optional<Comparison::Mode> comparison_mode_named(std::string_view name);
 
 // The surfaces that are in the picture, in their order; none when nothing is compared.
-[[nodiscard]] std::vector<mesh::Method> compared_surfaces(const Comparison& comparison);
+[[nodiscard]] std::vector<Compared> compared_surfaces(const Comparison& comparison);
 
 // "Convolution surface", "Truncated cones", "Isosurface of liver.nii.gz".
-[[nodiscard]] std::string title_of(mesh::Method method, const Comparison& comparison);
+[[nodiscard]] std::string title_of(Compared kind, const Comparison& comparison);
 
 // "cs,iso": two or three, none twice.
-[[nodiscard]] std::optional<std::vector<mesh::Method>> surface_list(std::string_view text);
+[[nodiscard]] std::optional<std::vector<Compared>> surface_list(std::string_view text);
 // "1,2": whole numbers other than 0, made ascending, without repeats.
 [[nodiscard]] std::optional<std::vector<std::int32_t>> label_list(std::string_view text);
 // "1+3,2": the labels of each of several groups, as label_list() has them.

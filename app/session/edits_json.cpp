@@ -10,15 +10,8 @@ namespace {
 
 // How many fractions a kind has.
 std::size_t places(tree::Edit::Kind kind) {
-    switch (kind) {
-    case tree::Edit::Kind::kJoin:
-        return 2;
-    case tree::Edit::Kind::kCut:
-    case tree::Edit::Kind::kMoveRoot:
-        return 1;
-    default:
-        return 0;
-    }
+    using Kind = tree::Edit::Kind;
+    return kind == Kind::kJoin ? 2 : kind == Kind::kCut || kind == Kind::kMoveRoot ? 1 : 0;
 }
 
 tree::Edit edit_in(const json& value) {

@@ -90,16 +90,21 @@ unsigned state_bits(const Marks& marks, std::size_t branch) {
     return branch < marks.states.size() ? static_cast<unsigned>(marks.states[branch]) : 0U;
 }
 
-// What only MarksChange::Seldom::others holds.
+// In the order of MarksChange::Seldom::lists, and what else is told apart from its `others`.
+constexpr std::tuple kLists{&Marks::lesions, &Marks::lesion_meshes, &Marks::edits, &Marks::cuts, &Marks::measurements};
+constexpr auto kApart = std::tuple_cat(kLists, std::tuple{&Marks::selection, &Marks::states, &Marks::names});
+
+void for_lists(auto& splices, const auto& call) {
+    const auto with = [&](auto... list) { std::apply([&](auto&... splice) { (call(splice, list), ...); }, splices); };
+    std::apply(with, kLists);
+}
+
+void for_apart(const auto& call) {
+    std::apply([&](auto... member) { (call(member), ...); }, kApart);
+}
+
 Marks without_lists(Marks marks) {
-    marks.edits.clear();
-    marks.selection.clear();
-    marks.states.clear();
-    marks.lesions.clear();
-    marks.lesion_meshes.clear();
-    marks.cuts.clear();
-    marks.measurements.clear();
-    marks.names.clear();
+    for_apart([&](auto member) { (marks.*member).clear(); });
     return marks;
 }
 
@@ -117,11 +122,11 @@ MarksChange MarksChange::between(const Marks& before, const Marks& after) {
     for (std::size_t bit = 0; bit < 2; ++bit) change.states_[bit] = PackedIds(differing[bit]);
 
     Seldom seldom;
-    seldom.lesions = Splice<std::array<double, 4>>::between(before.lesions, after.lesions);
-    seldom.lesion_meshes = Splice<std::string>::between(before.lesion_meshes, after.lesion_meshes);
-    seldom.edits = Splice<tree::Edit>::between(before.edits, after.edits);
-    seldom.cuts = Splice<std::pair<int, double>>::between(before.cuts, after.cuts);
-    seldom.measurements = Splice<Measurement>::between(before.measurements, after.measurements);
+    bool any_list = false;
+    for_lists(seldom.lists, [&]<class T>(std::optional<Splice<T>>& splice, auto list) {
+        splice = Splice<T>::between(before.*list, after.*list);
+        any_list |= splice.has_value();
+    });
     if (before.names != after.names) {
         for (const auto& [branch, name] : before.names) {
             const auto now = after.names.find(branch);
@@ -135,8 +140,7 @@ MarksChange MarksChange::between(const Marks& before, const Marks& after) {
     }
     if (auto a = without_lists(before), b = without_lists(after); a != b)
         seldom.others = std::pair(std::move(a), std::move(b));
-    if (seldom.lesions || seldom.lesion_meshes || seldom.edits || seldom.cuts || seldom.measurements ||
-        !seldom.names.empty() || seldom.others)
+    if (any_list || !seldom.names.empty() || seldom.others)
         change.seldom_ = std::make_shared<const Seldom>(std::move(seldom));
     return change;
 }
@@ -144,14 +148,7 @@ MarksChange MarksChange::between(const Marks& before, const Marks& after) {
 void MarksChange::apply(Marks& marks, Direction direction) const {
     if (seldom_ && seldom_->others) {
         Marks next = direction == Direction::kForward ? seldom_->others->second : seldom_->others->first;
-        next.edits = std::move(marks.edits);
-        next.selection = std::move(marks.selection);
-        next.states = std::move(marks.states);
-        next.lesions = std::move(marks.lesions);
-        next.lesion_meshes = std::move(marks.lesion_meshes);
-        next.cuts = std::move(marks.cuts);
-        next.measurements = std::move(marks.measurements);
-        next.names = std::move(marks.names);
+        for_apart([&](auto member) { next.*member = std::move(marks.*member); });
         marks = std::move(next);
     }
     if (!selection_.empty()) marks.selection = in_one_only(marks.selection, selection_.ids());
@@ -163,11 +160,9 @@ void MarksChange::apply(Marks& marks, Direction direction) const {
         }
     set_state(marks, {}, BranchState::kNormal); // trailing normal ones go
     if (!seldom_) return;
-    if (seldom_->lesions) seldom_->lesions->apply(marks.lesions, direction);
-    if (seldom_->lesion_meshes) seldom_->lesion_meshes->apply(marks.lesion_meshes, direction);
-    if (seldom_->edits) seldom_->edits->apply(marks.edits, direction);
-    if (seldom_->cuts) seldom_->cuts->apply(marks.cuts, direction);
-    if (seldom_->measurements) seldom_->measurements->apply(marks.measurements, direction);
+    for_lists(seldom_->lists, [&](const auto& splice, auto list) {
+        if (splice) splice->apply(marks.*list, direction);
+    });
     for (const Renaming& renaming : seldom_->names) {
         const auto& name = direction == Direction::kForward ? renaming.after : renaming.before;
         if (name)

@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ramus::app {
@@ -42,6 +43,7 @@ template <class T> struct Splice {
     [[nodiscard]] static std::optional<Splice> between(const std::vector<T>& before, const std::vector<T>& after);
     void apply(std::vector<T>& list, ChangeDirection direction) const;
 };
+template <class... T> using Splices = std::tuple<std::optional<Splice<T>>...>; // none: the lists are the same
 
 class MarksChange {
 public:
@@ -54,7 +56,7 @@ public:
     [[nodiscard]] bool edits_tree() const {
         const bool read_again =
             seldom_ && seldom_->others && seldom_->others->first.reading != seldom_->others->second.reading;
-        return read_again || (seldom_ && seldom_->edits);
+        return read_again || (seldom_ && std::get<std::optional<Splice<tree::Edit>>>(seldom_->lists));
     }
     [[nodiscard]] bool selects() const { return !selection_.empty(); }
     // Branches whose state differs, ascending.
@@ -67,11 +69,7 @@ private:
     };
     // What is small, or changes seldom.
     struct Seldom {
-        std::optional<Splice<std::array<double, 4>>> lesions;
-        std::optional<Splice<std::string>> lesion_meshes;
-        std::optional<Splice<tree::Edit>> edits;
-        std::optional<Splice<std::pair<int, double>>> cuts;
-        std::optional<Splice<Measurement>> measurements;
+        Splices<std::array<double, 4>, std::string, tree::Edit, std::pair<int, double>, Measurement> lists;
         std::vector<Renaming> names;
         std::optional<std::pair<Marks, Marks>> others; // with the members above, selection and states empty
     };

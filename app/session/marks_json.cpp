@@ -3,9 +3,9 @@
 #include "app/session/colour_by.h"
 #include "app/session/json_values.h"
 #include "app/session/surface_options.h"
+#include "core/base/words.h"
 #include "core/io/trees/imported_tree.h"
 
-#include <charconv>
 #include <limits>
 
 namespace ramus::app::session_json {
@@ -61,6 +61,24 @@ static double option_value(const SurfaceOption& option, const json& value) {
                         : number(value, key, least, option.most);
 }
 
+static void read_bands(const json& value, std::vector<double>& bands) {
+    if (!value.is_array()) throw Refusal{"bands is not a list"};
+    bands.clear();
+    for (const json& band : value) bands.push_back(number(band, "band", 1e-6, 1e6));
+    if (!std::ranges::is_sorted(bands)) throw Refusal{"bands do not ascend"};
+}
+
+static void read_depth_cues(const json& value, Marks& marks) {
+    if (!value.is_array()) throw Refusal{"depth_cues is not a list"};
+    marks.depth_cues.clear();
+    for (const json& one : value) {
+        const std::string wanted = text(one, "depth cue");
+        const DepthCue* cue = depth_cue_named(wanted);
+        if (cue == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
+        marks.depth_cues.set(*cue, true);
+    }
+}
+
 void read_options(const json& value, Marks& marks) {
     std::vector<std::string_view> known = {"method",        "colour_by",  "colour_map", "bands",         "reconstruct",
                                            "glass_opacity", "glass_grey", "skeleton",   "contact_marks", "depth_cues"};
@@ -76,15 +94,13 @@ void read_options(const json& value, Marks& marks) {
     }
     for (const SurfaceOption& option : surface_options()) {
         const std::string key(option.key);
-        if (!option.of_session || !value.contains(key)) continue;
-        option.set(options, option_value(option, value[key]));
+        if (!option.of_session) continue;
+        if (value.contains(key))
+            option.set(options, option_value(option, value[key]));
+        else if (option.before_it_was)
+            option.set(options, *option.before_it_was);
     }
-    if (value.contains("bands")) {
-        if (!value["bands"].is_array()) throw Refusal{"bands is not a list"};
-        marks.planning.bands_mm.clear();
-        for (const json& band : value["bands"]) marks.planning.bands_mm.push_back(number(band, "band", 1e-6, 1e6));
-        if (!std::ranges::is_sorted(marks.planning.bands_mm)) throw Refusal{"bands do not ascend"};
-    }
+    if (value.contains("bands")) read_bands(value["bands"], marks.planning.bands_mm);
     if (value.contains("reconstruct"))
         marks.planning.reconstruct_mm = number(value["reconstruct"], "reconstruct", 0.0, 1e6);
     if (value.contains("glass_opacity"))
@@ -96,16 +112,7 @@ void read_options(const json& value, Marks& marks) {
         if (!value[key].is_boolean()) throw Refusal{std::string(key) + " is not true or false"};
         marks.*member = value[key].get<bool>();
     }
-    if (value.contains("depth_cues")) {
-        if (!value["depth_cues"].is_array()) throw Refusal{"depth_cues is not a list"};
-        marks.depth_cues.clear();
-        for (const json& one : value["depth_cues"]) {
-            const std::string wanted = text(one, "depth cue");
-            const DepthCue* cue = depth_cue_named(wanted);
-            if (cue == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
-            marks.depth_cues.set(*cue, true);
-        }
-    }
+    if (value.contains("depth_cues")) read_depth_cues(value["depth_cues"], marks);
     if (value.contains("colour_by")) {
         const std::string wanted = text(value["colour_by"], "colour_by");
         const auto found = colouring_named(wanted);
@@ -191,10 +198,8 @@ void read_plans(const json& value, Marks& marks) {
     if (!value.contains("names")) return;
     if (!value["names"].is_object()) throw Refusal{"names is not an object"};
     for (const auto& [key, name] : value["names"].items()) {
-        int id = -1;
-        const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), id);
-        if (error != std::errc{} || end != key.data() + key.size() || id < 0)
-            throw Refusal{"\"" + key + "\" in names is not a branch id"};
+        const int id = parsed<int>(key).value_or(-1);
+        if (id < 0) throw Refusal{"\"" + key + "\" in names is not a branch id"};
         marks.names[id] = text(name, "name of branch " + key);
     }
 }
@@ -216,8 +221,9 @@ static std::string units_in(const json& value) {
 
 json comparison_json(const Comparison& comparison, const fs::path& folder) {
     json surfaces = json::array();
-    for (const mesh::Method kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
+    for (const Compared kind : comparison.surfaces) surfaces.push_back(std::string(name_of(kind)));
     json value{{"mode", std::string(name_of(comparison.mode))}, {"surfaces", surfaces}, {"blend", comparison.blend}};
+    if (comparison.wipe != Comparison{}.wipe) value["wipe"] = comparison.wipe;
     if (!comparison.mask.empty()) value["mask"] = written_path(comparison.mask, folder).string();
     if (!comparison.mask_units.empty()) value["mask_units"] = comparison.mask_units;
     if (!comparison.labels.empty()) value["labels"] = comparison.labels;
@@ -225,7 +231,7 @@ json comparison_json(const Comparison& comparison, const fs::path& folder) {
 }
 
 Comparison comparison_in(const json& value, const fs::path& folder) {
-    expect_only(value, "comparison", {"mode", "surfaces", "mask", "mask_units", "labels", "blend"});
+    expect_only(value, "comparison", {"mode", "surfaces", "mask", "mask_units", "labels", "blend", "wipe"});
     Comparison comparison;
     if (value.contains("mode")) {
         const std::string wanted = text(value["mode"], "mode of the comparison");
@@ -234,24 +240,22 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
         comparison.mode = *mode;
     }
     if (value.contains("surfaces")) {
-        std::string list;
-        for (const json& name : list_in(value, "surfaces"))
-            list.append(list.empty() ? "" : ",").append(text(name, "surface of the comparison"));
-        const auto surfaces = surface_list(list);
-        if (!surfaces) throw Refusal{"surfaces is not a list of two or three of cs, cones, iso"};
+        const auto surfaces = surface_list(joined(
+            list_in(value, "surfaces"), ",", [](const json& name) { return text(name, "surface of the comparison"); }));
+        if (!surfaces) throw Refusal{"surfaces is not a list of two or three of " + compared_names()};
         comparison.surfaces = *surfaces;
     }
     if (value.contains("mask"))
         comparison.mask = (folder / text(value["mask"], "path of the mask")).lexically_normal().string();
     if (value.contains("mask_units")) comparison.mask_units = units_in(value["mask_units"]);
-    std::string labels;
-    for (const json& label : list_in(value, "labels")) labels.append(labels.empty() ? "" : ",").append(label.dump());
+    const std::string labels = joined(list_in(value, "labels"), ",", [](const json& label) { return label.dump(); });
     if (!labels.empty()) {
         const auto found = label_list(labels);
         if (!found) throw Refusal{"labels is not a list of whole numbers other than 0"};
         comparison.labels = *found;
     }
     if (value.contains("blend")) comparison.blend = number(value["blend"], "blend", 0.0, 1.0);
+    if (value.contains("wipe")) comparison.wipe = number(value["wipe"], "wipe", 0.0, 1.0);
     return comparison;
 }
 

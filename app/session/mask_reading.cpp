@@ -1,10 +1,11 @@
 #include "app/session/mask_reading.h"
 
 #include "app/session/comparison.h"
+#include "app/session/numbers.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace ramus::app {
@@ -14,29 +15,19 @@ namespace {
 constexpr std::array<std::string_view, 5> kKeys{"labels", "fill-holes", "bulge-size", "islands", "root"};
 
 std::optional<double> number_in(std::string_view text, double least) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value < least)
-        return std::nullopt;
-    return value;
+    const auto value = parsed<double>(text);
+    return value && std::isfinite(*value) && *value >= least ? value : std::nullopt;
 }
 
 std::optional<glm::dvec3> place_in(std::string_view text) {
+    const std::vector<std::string_view> parts = parts_of(text);
     glm::dvec3 place(0.0);
     for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t comma = text.find(',');
-        if ((comma == std::string_view::npos) != (axis == 2)) return std::nullopt;
-        const auto value = number_in(text.substr(0, comma), -HUGE_VAL);
+        const auto value = parts.size() == 3 ? number_in(parts[std::size_t(axis)], -HUGE_VAL) : std::nullopt;
         if (!value) return std::nullopt;
         place[axis] = *value;
-        text.remove_prefix(axis == 2 ? 0 : comma + 1);
     }
     return place;
-}
-
-std::string exact_text(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
 } // namespace

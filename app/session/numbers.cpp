@@ -16,6 +16,11 @@ std::string grouped(std::uint64_t number) {
     return text;
 }
 
+std::string exact_text(double value) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
 std::string rounded(double number) {
     char text[32];
     // Four digits, but none of a whole number's lost.

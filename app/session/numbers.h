@@ -7,6 +7,7 @@
 namespace ramus::app {
 
 [[nodiscard]] std::string grouped(std::uint64_t number);             // "1,234,567"
+[[nodiscard]] std::string exact_text(double value);                  // as few digits as read as the same number
 [[nodiscard]] std::string rounded(double number);                    // "0.1235"
 [[nodiscard]] std::string digits(double value, int significant = 3); // "0.031", "12.3", "1,234"
 [[nodiscard]] std::string length_text(double mm);                    // "12.3 mm", "1.42 m"

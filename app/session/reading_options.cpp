@@ -1,10 +1,11 @@
 #include "app/session/reading_options.h"
 
 #include "app/session/mask_reading.h"
+#include "app/session/numbers.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 
 namespace ramus::app {
@@ -35,32 +36,20 @@ constexpr std::array kTopics{std::pair{"units", "Unit of length"},
                              std::pair{"fill-holes", "Holes"},
                              std::pair{"islands", "Islands"}};
 
-std::string exact(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
-
 } // namespace
 
-std::string repair_names() {
-    std::string names;
-    for (const auto& [repair, name] : tree::kRepairNames) names.append(names.empty() ? "" : ",").append(name);
-    return names;
-}
+std::string repair_names() { return joined(tree::kRepairNames, ",", &std::pair<Repair, const char*>::second); }
 
 std::optional<Repair> repairs_in(const std::string& list) {
     if (list == "usual") return Repair::kUsual;
     if (list == "all") return Repair::kAll;
     if (list == "none") return Repair::kNone;
     Repair chosen = Repair::kNone;
-    for (std::size_t at = 0; at <= list.size();) {
-        const std::size_t end = std::min(list.find(',', at), list.size());
-        const std::string_view word = std::string_view(list).substr(at, end - at);
+    for (const std::string_view word : parts_of(list)) {
         const auto* const known =
             std::ranges::find_if(tree::kRepairNames, [&](const auto& entry) { return word == entry.second; });
         if (known == std::end(tree::kRepairNames)) return std::nullopt;
         chosen = chosen | known->first;
-        at = end + 1;
     }
     return chosen;
 }
@@ -78,7 +67,8 @@ std::string spelled(Repair repair) {
 std::string spelled(const io::LengthUnit& unit) {
     if (std::string name = io::name_of(unit); io::length_unit(name) == unit) return name;
     const glm::dvec3& mm = unit.mm;
-    return mm.x == mm.y && mm.y == mm.z ? exact(mm.x) : exact(mm.x) + "x" + exact(mm.y) + "x" + exact(mm.z);
+    return mm.x == mm.y && mm.y == mm.z ? exact_text(mm.x)
+                                        : exact_text(mm.x) + "x" + exact_text(mm.y) + "x" + exact_text(mm.z);
 }
 
 std::string_view spelled(io::RadiusIs width) { return width == io::RadiusIs::kRadius ? "radius" : "diameter"; }

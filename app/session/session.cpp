@@ -1,23 +1,15 @@
 #include "app/session/session.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ramus::app {
 
 using render::BranchState;
 
 std::string_view name_of(BranchState state) {
-    switch (state) {
-    case BranchState::kNormal:
-        return "normal";
-    case BranchState::kHighlighted:
-        return "highlighted";
-    case BranchState::kDefocused:
-        return "defocused";
-    case BranchState::kHidden:
-        return "hidden";
-    }
-    return "";
+    constexpr std::array<std::string_view, 4> kNames{"normal", "highlighted", "defocused", "hidden"};
+    return kNames[static_cast<std::size_t>(state)];
 }
 
 BranchState state_of(const Marks& marks, int branch) {

@@ -1,10 +1,10 @@
 #include "app/session/surface_options.h"
 
 #include "app/session/numbers.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -25,8 +25,8 @@ template <auto Member> void set_to(Options& options, double value) {
 
 // In the order of mesh::Blend.
 constexpr std::array<OptionWord, 2> kBlendWords = {{
-    {mesh::name_of(mesh::Blend::kPaper), "Wherever close"},
     {mesh::name_of(mesh::Blend::kTree), "Along the tree"},
+    {mesh::name_of(mesh::Blend::kPaper), "Wherever close"},
 }};
 
 constexpr std::array<SurfaceOption, 7> kSurfaceOptions = {{
@@ -71,11 +71,11 @@ constexpr std::array<SurfaceOption, 7> kSurfaceOptions = {{
      .slider_least = 1.0,
      .slider_most = 10.0},
     {.key = "blend",
-     .unit = "paper|tree",
+     .unit = "tree|paper",
      .help =
-         "Where vessels blend: paper, wherever they come close (default); tree, along the tree alone, so that vessels "
-         "that only press on each other stay apart",
-     .domain = "paper or tree",
+         "Where vessels blend: tree, along the tree alone, so that vessels that only press on each other stay apart "
+         "(default); paper, wherever they come close",
+     .domain = "tree or paper",
      .least = 0,
      .most = 1,
      .whole = true,
@@ -83,9 +83,10 @@ constexpr std::array<SurfaceOption, 7> kSurfaceOptions = {{
      .value = value_of<&Options::blend>,
      .set = set_to<&Options::blend>,
      .label = "Blend",
-     .tooltip = "Vessels merge wherever they come close, or stay apart where they only press on each other",
+     .tooltip = "Vessels stay apart where they only press on each other, or merge wherever they come close",
      .slider_most = 1,
-     .words = kBlendWords},
+     .words = kBlendWords,
+     .before_it_was = static_cast<double>(mesh::Blend::kPaper)},
     {.key = "detail",
      .unit = "N",
      .help = "Triangles around a vessel, thick or thin (default 16)",
@@ -147,10 +148,8 @@ std::optional<double> value_in(const SurfaceOption& option, const std::string& t
         if (word == option.words.end()) return std::nullopt;
         return static_cast<double>(word - option.words.begin());
     }
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !takes(option, value)) return std::nullopt;
-    return value;
+    const auto value = parsed<double>(text);
+    return value && takes(option, *value) ? value : std::nullopt;
 }
 
 std::string surface_command_help() {

@@ -36,6 +36,9 @@ struct SurfaceOption {
     std::string_view instead{};          // the option that this one replaces on the command line
     bool only_when_set = false;          // in sessions: left out at its default
     std::span<const OptionWord> words{}; // its values, from 0, have names; empty: it is a number
+    // What surfaces were made with before there was the option: of sessions that have options, but not this one. None:
+    // they were made as by default.
+    std::optional<double> before_it_was{};
 };
 
 [[nodiscard]] std::span<const SurfaceOption> surface_options();

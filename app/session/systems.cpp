@@ -1,11 +1,11 @@
 #include "app/session/systems.h"
 
+#include "core/base/words.h"
 #include "core/io/file_format.h"
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 namespace ramus::app {
@@ -53,9 +53,7 @@ glm::vec3 shown_colour(const Systems& systems, int system) {
 Result<int> find_system(const Systems& systems, std::string_view word) {
     const auto count = static_cast<int>(systems.size());
     if (count == 0) return fail("this tree has no systems");
-    int number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error == std::errc{} && end == word.data() + word.size() && number >= 1 && number <= count) return number - 1;
+    if (const auto number = parsed<int>(word); number && *number >= 1 && *number <= count) return *number - 1;
     for (int system = 0; system < count; ++system)
         if (io::lower_case(system_name(systems, system)) == io::lower_case(word)) return system;
     std::vector<std::string> names;

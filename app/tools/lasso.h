@@ -4,7 +4,7 @@
 
 #include "app/tools/pixel_polygon.h"
 #include "core/tree/vessel_tree.h"
-#include "render/renderer/renderer.h"
+#include "render/renderer/drawn.h"
 #include "render/scene/camera.h"
 
 #include <vector>

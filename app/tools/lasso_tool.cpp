@@ -1,6 +1,7 @@
 #include "app/tools/lasso_tool.h"
 
 #include "app/tools/pixel_polygon.h"
+#include "core/base/bounds.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -40,12 +41,9 @@ void LassoBase::begin(const Pointing& pointing) {
 void LassoBase::finish(const Pointing& pointing, std::vector<glm::dvec2>&& drawn) {
     const std::vector<glm::dvec2> outline = std::move(drawn); // may be points_
     points_.clear();
-    glm::dvec2 least(1e300), most(-1e300);
-    for (const glm::dvec2& point : outline) {
-        least = glm::min(least, point);
-        most = glm::max(most, point);
-    }
-    if (outline.size() < 3 || glm::distance(least, most) < kLeastSize * pointing.pixel_ratio) return;
+    Bounds<glm::dvec2> box;
+    for (const glm::dvec2& point : outline) box.hold(point);
+    if (outline.size() < 3 || glm::length(box.size()) < kLeastSize * pointing.pixel_ratio) return;
     CommandLine line{"lasso"};
     if (pointing.settings.lasso_any_part) line.emplace_back("--any");
     if (pointing.settings.lasso_visible) line.emplace_back("--visible");

@@ -1,5 +1,7 @@
 #include "app/tools/pixel_polygon.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -86,9 +88,7 @@ std::vector<glm::dvec2> simplified(std::span<const glm::dvec2> line, double tole
     if (line.size() < 3) return {line.begin(), line.end()};
     const auto distance = [&](std::size_t i, std::size_t from, std::size_t to) {
         const glm::dvec2 along = line[to] - line[from], off = line[i] - line[from];
-        const double squared = glm::dot(along, along);
-        const double t = squared > 0.0 ? std::clamp(glm::dot(off, along) / squared, 0.0, 1.0) : 0.0;
-        return glm::distance(off, t * along);
+        return glm::distance(off, share_along(off, along) * along);
     };
     std::vector<char> kept(line.size(), 0);
     kept.front() = kept.back() = 1;

@@ -6,7 +6,7 @@
 
 #include "app/session/document.h"
 #include "app/tools/viewport_mouse.h"
-#include "render/renderer/renderer.h"
+#include "render/renderer/drawn.h"
 
 #include <functional>
 #include <glm/vec2.hpp>
@@ -73,7 +73,7 @@ struct ToolDrawing {
     std::vector<Text> texts;
 };
 
-enum class Cursor { kArrow, kCross, kHand, kLasso, kLassoPolygon };
+enum class Cursor { kArrow, kCross, kHand, kSideways, kLasso, kLassoPolygon };
 
 class Tool {
 public:

@@ -1,5 +1,7 @@
 #include "app/window/cursor_image.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,12 +15,6 @@ namespace {
 
 constexpr int kSide = 32; // points
 constexpr glm::vec2 kTip{3.5F, 28.5F};
-
-float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b) {
-    const glm::vec2 ab = b - a;
-    const float t = glm::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0F, 1.0F);
-    return glm::distance(p, a + t * ab);
-}
 
 // The rope from its tip to the loop: a curve of three points, in pieces.
 std::vector<glm::vec2> rope() {
@@ -56,7 +52,7 @@ std::optional<CursorImage> cursor_image(Cursor cursor, float scale) {
             float nearest = 1e9F;
             for (const auto& line : lines)
                 for (std::size_t i = 0; i + 1 < line.size(); ++i)
-                    nearest = std::min(nearest, distance_to_segment(p, line[i], line[i + 1]));
+                    nearest = std::min(nearest, distance_to_line(p, line[i], line[i + 1]));
             nearest = std::min(nearest, glm::distance(p, kTip) - 1.2F);
             // A light line with a dark edge reads over anything.
             const float light = glm::clamp((0.9F - nearest) * scale + 0.5F, 0.0F, 1.0F);

@@ -238,7 +238,9 @@ void GlfwWindow::set_cursor(Cursor cursor) {
         shape = glfwCreateCursor(&image, drawn->hot_spot.x, drawn->hot_spot.y);
     }
     if (shape == nullptr && cursor != Cursor::kArrow)
-        shape = glfwCreateStandardCursor(cursor == Cursor::kHand ? GLFW_HAND_CURSOR : GLFW_CROSSHAIR_CURSOR);
+        shape = glfwCreateStandardCursor(cursor == Cursor::kHand       ? GLFW_HAND_CURSOR
+                                         : cursor == Cursor::kSideways ? GLFW_HRESIZE_CURSOR
+                                                                       : GLFW_CROSSHAIR_CURSOR);
     glfwSetCursor(window_, shape); // null: the arrow
 }
 

@@ -17,9 +17,9 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
         ~Context() { ImGui::DestroyContext(); }
     } const imgui;
     if (auto possible = render::check_size(size.x, size.y); !possible) return tl::unexpected(possible.error());
-    std::optional<render::Target> target;
+    render::PictureTarget target;
     try {
-        target.emplace(size.x, size.y);
+        target.make(size);
     } catch (const render::OutOfGraphicsMemory& error) {
         return fail(error.what(), {}, "give a smaller --size");
     }
@@ -34,7 +34,7 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
-            viewer->draw(now, target->framebuffer());
+            viewer->draw(now, target.framebuffer);
             now += kFrameSeconds;
             if (viewer->resting()) break;
         }
@@ -43,7 +43,7 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     if (prepare)
         if (auto done = prepare(viewer->actions()); !done) return tl::unexpected(done.error());
     settle();
-    return target->read_image();
+    return target.read_premultiplied();
 }
 
 } // namespace ramus::app

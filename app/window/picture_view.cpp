@@ -71,14 +71,14 @@ bool PictureView::draw(bool dragging) {
 void PictureView::compose_window(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces) {
     Workspace& workspace = state_.workspace;
     const bool compares = !viewports.front().title.empty();
-    SheetViewing sheet_viewing{.blend = state_.interface.tried_blend};
+    SheetViewing sheet_viewing{.blend = state_.interface.tried_blend, .wipe = state_.interface.tried_wipe};
     if (compares) sheet_viewing.heading_top = static_cast<int>(std::round(kToolBarHeight * state_.scale));
     sheet_ =
         compose_sheet(workspace.document.session(), workspace.current_assets(), surfaces, viewing(), sheet_viewing);
     shown_camera_ = camera_on_its_way();
     render::Frame& first = sheet_.viewports.front().frame;
     first.camera = shown_camera_;
-    if (viewports.front().surface == own_kind() && pace_.slow(first) && !cast_) {
+    if (shows_own(viewports.front()) && pace_.slow(first) && !cast_) {
         workspace.await_preview();
         first.mesh = workspace.shown().mesh;
     }
@@ -102,7 +102,7 @@ void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfa
         frame.camera = shown_camera_;
         frame.quality = quality;
         frame.preview = surfaces.preview_of(viewports[i].surface);
-        if (viewports[i].surface != own_kind()) continue;
+        if (!shows_own(viewports[i])) continue;
         frame.mesh = shown.mesh;
         frame.preview = shown.preview;
     }
@@ -112,7 +112,7 @@ void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfa
 void PictureView::tell_panels(const std::vector<Viewport>& viewports) {
     Interface& interface = state_.interface;
     if (!interface.overview.open && state_.layout.panel_width == 0) return;
-    const auto own = std::ranges::find(viewports, own_kind(), &Viewport::surface);
+    const auto own = std::ranges::find_if(viewports, [this](const Viewport& each) { return shows_own(each); });
     const auto index = own == viewports.end() ? 0 : own - viewports.begin();
     const render::Frame& frame = sheet_.viewports[static_cast<std::size_t>(index)].frame;
     PictureLook look{frame.colours, frame.hovered, frame.hovered_dependents, frame.lost};

@@ -59,7 +59,9 @@ private:
     // A picture that is kept may take so long to get finer while the window waits; of a large surface it stays coarser.
     [[nodiscard]] double keeping_seconds() const { return state_.watched() ? 1.0 : render::kUntilDone; }
     [[nodiscard]] Viewing viewing() const;
-    [[nodiscard]] mesh::Method own_kind() const { return state_.workspace.document.marks().options.method; }
+    [[nodiscard]] bool shows_own(const Viewport& viewport) const {
+        return is_own(viewport.surface, state_.workspace.document.marks().options);
+    }
     [[nodiscard]] render::Camera camera_on_its_way();
     void compose_window(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces);
     [[nodiscard]] render::Quality quality_now(bool dragging);

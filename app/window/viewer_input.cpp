@@ -1,7 +1,11 @@
 #include "app/window/viewer_input.h"
 
+#include "app/session/numbers.h"
+
 #include <algorithm>
+#include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace ramus::app {
 
@@ -42,7 +46,7 @@ void ViewerInput::take_pick() {
 }
 
 void ViewerInput::ask_pick() {
-    if (!pick_wanted_ || mouse_.held()) return;
+    if (!pick_wanted_ || mouse_.held() || state_.interface.wipe_held) return;
     pick_wanted_ = false;
     pointer_over_picture_ = over_picture(pointer_);
     state_.interface.tooltip = pointer_over_picture_ && points_at_branches();
@@ -59,7 +63,9 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
     pointer_ = at;
     input_.move(static_cast<float>(at.x), static_cast<float>(at.y));
     if (!mouse_.held() && !tool_mouse_.held()) enter_viewport();
-    if (mouse_.held()) {
+    if (state_.interface.wipe_held) {
+        drag_wipe_line();
+    } else if (mouse_.held()) {
         const auto camera =
             mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), in_viewport(at));
         if (camera) picture_.move_camera(*camera);
@@ -88,12 +94,20 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
     if (down && picture_.gliding() && over_picture(pointer_))
         picture_.move_camera(render::Camera(picture_.shown_camera()));
     const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
-    if (tool_mouse_.held()) { // one button at a time
+    if (state_.interface.wipe_held) { // one button at a time
+        if (!down && button == MouseButton::kLeft) drop_wipe_line();
+    } else if (tool_mouse_.held()) { // one button at a time
         if (!down && button == MouseButton::kLeft && state_.interface.tool) {
             tool_mouse_.release(*state_.interface.tool, pointing(modifiers));
             perform_tool();
             pick_wanted_ = true;
         }
+    } else if (down && button == MouseButton::kLeft && !mouse_.held() && on_wipe_line()) {
+        const double width = state_.layout.view_size.x;
+        wipe_grip_ = in_picture(pointer_).x - state_.workspace.document.marks().comparison.wipe * width;
+        state_.interface.wipe_held = true;
+        state_.interface.hovered = tree::kNoBranch;
+        state_.interface.tooltip = false;
     } else if (down && button == MouseButton::kLeft && state_.interface.tool && !mouse_.held() &&
                over_picture(pointer_)) {
         tool_mouse_.press(*state_.interface.tool, pointing(modifiers), now);
@@ -120,6 +134,27 @@ void ViewerInput::mouse_wheel(glm::dvec2 notches) {
     state_.redraw();
 }
 
+bool ViewerInput::on_wipe_line() const {
+    const Comparison& comparison = state_.workspace.document.marks().comparison;
+    if (comparison.mode != Comparison::Mode::kWipe || !state_.workspace.document.tree() || !over_picture(pointer_))
+        return false;
+    constexpr double kGrip = 6.0; // pixels to either side, at a pixel ratio of 1
+    return std::abs(in_picture(pointer_).x - comparison.wipe * state_.layout.view_size.x) <=
+           kGrip * static_cast<double>(state_.scale);
+}
+
+void ViewerInput::drag_wipe_line() {
+    const double width = std::max(1, state_.layout.view_size.x);
+    state_.interface.tried_wipe = std::clamp((in_picture(pointer_).x - wipe_grip_) / width, 0.0, 1.0);
+}
+
+void ViewerInput::drop_wipe_line() {
+    state_.interface.wipe_held = false;
+    if (const auto there = std::exchange(state_.interface.tried_wipe, std::nullopt))
+        state_.perform("compare-wipe", {digits(*there, 4)});
+    pick_wanted_ = true;
+}
+
 Pointing ViewerInput::pointing(Modifiers modifiers) {
     return {.at = in_viewport(pointer_),
             .modifiers = modifiers,
@@ -138,6 +173,8 @@ void ViewerInput::perform_tool() {
 }
 
 Cursor ViewerInput::cursor() const {
+    if (state_.interface.wipe_held || (!mouse_.held() && !tool_mouse_.held() && on_wipe_line()))
+        return Cursor::kSideways;
     return state_.interface.tool && over_picture(pointer_) ? state_.interface.tool->cursor() : Cursor::kArrow;
 }
 
@@ -150,31 +187,20 @@ void ViewerInput::clicked(const Click& click) {
     }
     const render::Pick pick = picture_.pick(from_viewport(click.at));
     const bool hit = pick.branch >= 0 && pick.branch < state_.workspace.document.branch_count();
-    const std::vector<std::string> id{std::to_string(pick.branch)};
-    switch (click.kind) {
-    case Click::Kind::kSelect:
-        if (hit)
-            state_.perform("select", id);
-        else
-            state_.perform("select-none", {});
-        break;
-    case Click::Kind::kSelectWithDependents:
-        if (hit) state_.perform("select-subtree", id);
-        break;
-    case Click::Kind::kAdd:
-        if (hit) state_.perform("select-add", id);
-        break;
-    case Click::Kind::kToggle:
-        if (hit) state_.perform("select-toggle", id);
-        break;
-    case Click::Kind::kCentre:
-        if (!hit) break;
+    if (!hit) {
+        if (click.kind == Click::Kind::kSelect) state_.perform("select-none", {});
+        return;
+    }
+    if (click.kind == Click::Kind::kCentre) {
         picture_.move_camera(render::centred_on(state_.workspace.document.session().camera, pick.position));
         picture_.camera_leapt();
-        break;
-    case Click::Kind::kSecondary:
-        break;
+        return;
     }
+    state_.perform(click.kind == Click::Kind::kSelect                 ? "select"
+                   : click.kind == Click::Kind::kSelectWithDependents ? "select-subtree"
+                   : click.kind == Click::Kind::kAdd                  ? "select-add"
+                                                                      : "select-toggle",
+                   {std::to_string(pick.branch)});
 }
 
 void ViewerInput::run(const Command& command) {

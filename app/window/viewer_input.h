@@ -53,6 +53,10 @@ private:
     [[nodiscard]] glm::dvec2 from_viewport(glm::dvec2 at) const; // to the picture's corner
     void enter_viewport();
     [[nodiscard]] bool points_at_branches() const;
+    // The line between two surfaces that are wiped: whether the pointer is on it; it follows the pointer, and stays.
+    [[nodiscard]] bool on_wipe_line() const;
+    void drag_wipe_line();
+    void drop_wipe_line();
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     void perform_tool();
     void clicked(const Click& click);
@@ -65,6 +69,7 @@ private:
     ToolMouse tool_mouse_;
     std::size_t viewport_ = 0; // see in_viewport()
     glm::dvec2 pointer_{-1.0};
+    double wipe_grip_ = 0.0; // from the line to where it was taken, pixels
     bool pointer_over_picture_ = false;
     bool pick_wanted_ = false, pick_pending_ = false;
 };

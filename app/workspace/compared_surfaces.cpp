@@ -54,10 +54,10 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
 
 std::vector<ComparedRequest> compared_requests(const Marks& marks) {
     std::vector<ComparedRequest> requests;
-    const std::vector<mesh::Method> kinds = compared_surfaces(marks.comparison);
+    const std::vector<Compared> kinds = compared_surfaces(marks.comparison);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const bool wire = i > 0 && marks.comparison.mode == Comparison::Mode::kSuperimposed;
-        if (!wire && kinds[i] == marks.options.method) continue;
+        if (!wire && is_own(kinds[i], marks.options)) continue;
         requests.push_back(compared_request(marks, kinds[i]));
         requests.back().wire = wire;
         if (wire) requests.back().surface.options.detail = std::min(marks.options.detail, kWireDetail);
@@ -65,10 +65,10 @@ std::vector<ComparedRequest> compared_requests(const Marks& marks) {
     return requests;
 }
 
-ComparedRequest compared_request(const Marks& marks, mesh::Method kind) {
+ComparedRequest compared_request(const Marks& marks, Compared kind) {
     ComparedRequest request;
     request.kind = kind;
-    if (kind == mesh::Method::kIsosurface) {
+    if (kind == Compared::kIsosurface) {
         request.surface.options.threads = marks.options.threads;
         request.surface.options.memory_bytes = marks.options.memory_bytes;
         request.mask = marks.comparison.mask;
@@ -76,7 +76,8 @@ ComparedRequest compared_request(const Marks& marks, mesh::Method kind) {
             request.labels = marks.comparison.labels, request.units = marks.comparison.mask_units;
     } else {
         request.surface = surface_request(marks);
-        request.surface.options.method = kind;
+        request.surface.options.method = row_of(kind).method;
+        request.surface.options.blend = row_of(kind).blend.value_or(marks.options.blend);
     }
     return request;
 }
@@ -84,7 +85,7 @@ ComparedRequest compared_request(const Marks& marks, mesh::Method kind) {
 Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request, Job& job) {
     ComparedSurface made;
     made.request = request;
-    if (request.kind != mesh::Method::kIsosurface && request.wire) {
+    if (request.kind != Compared::kIsosurface && request.wire) {
         const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
         mesh::TriangleMesh lines; // of nothing where all is hidden
         if (hidden.empty() || std::ranges::find(hidden, 0) != hidden.end()) {
@@ -94,7 +95,7 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
         take_lines(std::move(lines), made);
         return made;
     }
-    if (request.kind != mesh::Method::kIsosurface) {
+    if (request.kind != Compared::kIsosurface) {
         RAMUS_TRY(ready, make_ready(tree, request.surface, job));
         made.mesh = std::move(ready.mesh);
         return made;
@@ -154,7 +155,7 @@ void ComparisonMaker::follow(const std::shared_ptr<const tree::VesselTree>& tree
     if (something_else_first || (worker_.busy() && current_ == next)) return;
     current_ = next;
     changed_ = true;
-    worker_.start("Computing the " + std::string(mesh::row_of(next->kind).noun),
+    worker_.start("Computing the " + std::string(row_of(next->kind).noun),
                   [this, request = *next, tree](Job& job, const Worker::Post& post) {
                       const auto made = make_compared(*tree, request, job);
                       if (!job.cancelled()) post([this, made, request] { take(request, made); });

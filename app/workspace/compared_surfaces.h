@@ -18,7 +18,7 @@ namespace ramus::app {
 
 // Everything that it depends on beside its tree.
 struct ComparedRequest {
-    mesh::Method kind = mesh::Method::kConvolutionSurface;
+    Compared kind = Compared::kConvolutionSurface;
     SurfaceRequest surface;           // of an isosurface threads and memory alone
     std::string mask;                 // of an isosurface; empty: a mask of the tree's own voxels
     std::string units;                // of its lengths; empty: as its file says
@@ -42,7 +42,7 @@ struct ComparedSurface {
     std::vector<std::string> notes;                          // what was assumed where the mask does not say
 };
 
-[[nodiscard]] ComparedRequest compared_request(const Marks& marks, mesh::Method kind);
+[[nodiscard]] ComparedRequest compared_request(const Marks& marks, Compared kind);
 // All that the picture needs beside the session's own surface, in the order of its viewports.
 [[nodiscard]] std::vector<ComparedRequest> compared_requests(const Marks& marks);
 

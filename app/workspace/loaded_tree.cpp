@@ -78,7 +78,7 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     fresh.marks.colour_map = like.colour_map;
     if (io::is_volume(path)) { // the mask's own surface beside that of the tree made of it
         fresh.marks.comparison.mode = Comparison::Mode::kSideBySide;
-        fresh.marks.comparison.surfaces = {mesh::Method::kConvolutionSurface, mesh::Method::kIsosurface};
+        fresh.marks.comparison.surfaces = {Compared::kConvolutionSurface, Compared::kIsosurface};
         fresh.marks.comparison.mask = fresh.tree.path.string();
     }
     return load_tree_of(std::move(fresh), {}, reading, job);

@@ -1,13 +1,12 @@
 #include "app/workspace/surface_maker.h"
 
+#include "core/base/bounded.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
 
 #include <algorithm>
 #include <iterator>
-#include <new>
-#include <oneapi/tbb/task_arena.h>
 
 namespace ramus::app {
 
@@ -71,21 +70,17 @@ Result<ReadySurface> first_cones(const tree::VesselTree& tree, const SurfaceRequ
 
 Result<ReadySurface> SurfaceMaker::next(const SurfaceRequest& request, Job& job) {
     const std::lock_guard turn(turn_);
-    const auto work = [&] {
-        return request.options.method == mesh::Method::kTruncatedCones ? next_cones(request, job)
-                                                                       : next_surface(request, job);
-    };
-    try {
-        if (request.options.threads <= 0) return work();
-        tbb::task_arena arena(request.options.threads);
-        return arena.execute(work);
-    } catch (const std::bad_alloc&) {
+    const auto give_up = [&] {
         surface_ = {};
         preview_ = {};
         surface_of_.reset();
         preview_of_.reset();
-        return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
-    }
+        return Error{"not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree"};
+    };
+    return bounded(request.options.threads, give_up, [&] {
+        return request.options.method == mesh::Method::kTruncatedCones ? next_cones(request, job)
+                                                                       : next_surface(request, job);
+    });
 }
 
 Result<ReadySurface> SurfaceMaker::next_cones(const SurfaceRequest& request, Job& job) const {

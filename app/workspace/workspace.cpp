@@ -148,7 +148,7 @@ void Workspace::follow_contacts() {
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
     for (const ComparedSurface& one : comparison_.surfaces()) show(surfaces, one);
-    surfaces.set(document.marks().options.method, shown().mesh, shown().preview);
+    surfaces.set_own(document.marks().options, shown().mesh, shown().preview);
     return surfaces;
 }
 

@@ -1,6 +1,7 @@
 #include "core/base/memory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <oneapi/tbb/scalable_allocator.h>
 #include <unistd.h>
@@ -10,6 +11,12 @@ namespace ramus {
 // What the allocator keeps of large arrays, of any size, until release_unused_memory(): a surface that is made again
 // finds its pages, which the system would have to clear anew.
 [[maybe_unused]] static const int kHugeArraysKept = scalable_allocation_mode(TBBMALLOC_SET_HUGE_SIZE_THRESHOLD, 0);
+
+std::string megabytes(double bytes) { return std::to_string(std::llround(bytes / 1e6)) + " MB"; }
+
+std::string takes_too_much(std::string_view what, double bytes, double left) {
+    return std::string(what) + " takes " + megabytes(bytes) + " of memory; " + megabytes(left) + " are left to it";
+}
 
 double memory_limit(double asked) {
     if (asked > 0.0) return asked;

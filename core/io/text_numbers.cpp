@@ -1,7 +1,8 @@
 #include "core/io/text_numbers.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -24,10 +25,8 @@ std::optional<double> to_real(std::string_view text) {
 }
 
 std::optional<std::int64_t> to_whole(std::string_view text) {
-    std::int64_t whole = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), whole);
-    if (error == std::errc() && end == text.data() + text.size() && std::abs(static_cast<double>(whole)) < 9e15)
-        return whole;
+    const auto whole = parsed<std::int64_t>(text);
+    if (whole && std::abs(static_cast<double>(*whole)) < 9e15) return whole;
     const auto real = to_real(text);
     if (!real || !(std::abs(*real) < 9e15) || *real != std::floor(*real)) return std::nullopt;
     return static_cast<std::int64_t>(*real);
@@ -51,11 +50,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-std::string short_number(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(),
-            std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 4).ptr};
-}
+std::string short_number(double value) { return in_digits(value, 4); }
 
 std::size_t line_at(std::string_view text, std::size_t offset) {
     return 1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, std::min(offset, text.size())), '\n'));
@@ -97,21 +92,22 @@ Result<std::string_view> WordScanner::bytes(std::uint64_t count) {
     return bytes;
 }
 
-Result<double> WordScanner::real(std::string_view what) {
+Result<std::string_view> WordScanner::needed(std::string_view what) {
     const std::string_view word = next();
-    if (word.empty())
-        return fail("the file ends where " + std::string(what) + " should stand", place(),
-                    "the file is incomplete; get it again");
+    if (!word.empty()) return word;
+    return fail("the file ends where " + std::string(what) + " should stand", place(),
+                "the file is incomplete; get it again");
+}
+
+Result<double> WordScanner::real(std::string_view what) {
+    RAMUS_TRY(word, needed(what));
     if (const auto value = to_real(word)) return *value;
     return fail(std::string(what) + " " + shown(word) + " is not a number", place(),
                 word.find(',') != std::string_view::npos ? "numbers take a decimal point" : "correct the file");
 }
 
 Result<std::int64_t> WordScanner::whole(std::string_view what) {
-    const std::string_view word = next();
-    if (word.empty())
-        return fail("the file ends where " + std::string(what) + " should stand", place(),
-                    "the file is incomplete; get it again");
+    RAMUS_TRY(word, needed(what));
     if (const auto value = to_whole(word)) return *value;
     return fail(std::string(what) + " " + shown(word) + " is not a whole number", place(), "correct the file");
 }

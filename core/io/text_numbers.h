@@ -46,7 +46,8 @@ public:
     // So many bytes from here on; fails if there are less.
     [[nodiscard]] Result<std::string_view> bytes(std::uint64_t count);
 
-    // The next word as a number; `what` says in messages what it should be: "the radius".
+    // The next word, there or as a number; `what` says in messages what it should be: "the radius".
+    [[nodiscard]] Result<std::string_view> needed(std::string_view what);
     [[nodiscard]] Result<double> real(std::string_view what);
     [[nodiscard]] Result<std::int64_t> whole(std::string_view what);
     // One that is not negative, and for which each thing that it counts can still have a byte.

@@ -1,5 +1,7 @@
 #include "core/measure/branch_point.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -37,10 +39,8 @@ double nearest_fraction(const tree::VesselTree& tree, int branch, const glm::dve
     for (std::size_t i = 1; i < points.size(); ++i) {
         const glm::dvec3& a = tree.points[points[i - 1]].position;
         const glm::dvec3 along = tree.points[points[i]].position - a;
-        const double squared = glm::dot(along, along);
-        const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+        const double t = share_along(point - a, along), step = glm::length(along);
         const double distance = glm::distance(point, a + t * along);
-        const double step = std::sqrt(squared);
         if (distance < nearest) nearest = distance, at = length + t * step;
         length += step;
     }

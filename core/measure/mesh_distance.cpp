@@ -1,6 +1,7 @@
 #include "core/measure/mesh_distance.h"
 
 #include "core/base/infinity.h"
+#include "core/base/lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,7 @@ using Box = MeshDistance::Box;
 double square(const glm::dvec3& v) { return glm::dot(v, v); }
 
 glm::dvec3 nearest_on_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 along = b - a;
-    const double length = square(along);
-    return length > 0.0 ? a + std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) * along : a;
+    return a + share_along(p - a, b - a) * (b - a);
 }
 
 // Triangles without an area are their edges.
@@ -75,25 +74,24 @@ double least_gap(const tree::Point& a, const tree::Point& b, double best, const 
     return least;
 }
 
+// How far along a ray through the box it enters and leaves; the first is above the last where it does not meet it.
+std::pair<double, double> entry_and_exit(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
+    const glm::dvec3 near = (box.least - from) * inverse, far = (box.most - from) * inverse;
+    const glm::dvec3 enter = glm::min(near, far), leave = glm::max(near, far);
+    return {std::max({enter.x, enter.y, enter.z}), std::min({leave.x, leave.y, leave.z})};
+}
+
 // How far along a ray the box begins, 0 inside; infinite where the ray does not meet it.
 double to_entry(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
-    const glm::dvec3 near = (box.least - from) * inverse;
-    const glm::dvec3 far = (box.most - from) * inverse;
-    const glm::dvec3 enter = glm::min(near, far);
-    const glm::dvec3 leave = glm::max(near, far);
-    const double first = std::max({enter.x, enter.y, enter.z, 0.0});
-    const double last = std::min({leave.x, leave.y, leave.z});
+    const auto [enter, last] = entry_and_exit(box, from, inverse);
+    const double first = std::max(enter, 0.0);
     // Rounding must not lose a box as flat as a triangle.
     return first <= last + 1e-9 * (1.0 + std::abs(last)) ? first : kInfinity;
 }
 
 bool crosses(const Box& box, const glm::dvec3& from, const glm::dvec3& inverse) {
-    const glm::dvec3 near = (box.least - from) * inverse;
-    const glm::dvec3 far = (box.most - from) * inverse;
-    const glm::dvec3 enter = glm::min(near, far);
-    const glm::dvec3 leave = glm::max(near, far);
-    const double last = std::min({leave.x, leave.y, leave.z});
-    return last >= 0.0 && std::max({enter.x, enter.y, enter.z}) <= last;
+    const auto [first, last] = entry_and_exit(box, from, inverse);
+    return last >= 0.0 && first <= last;
 }
 
 } // namespace
@@ -122,14 +120,11 @@ void MeshDistance::build(std::vector<Triangle> triangles) {
         if (part.second_of >= 0)
             nodes_[static_cast<std::size_t>(part.second_of)].first = static_cast<std::uint32_t>(nodes_.size());
         Node node;
-        node.box = {glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
-        Box middles = node.box;
+        Box middles;
         for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
             const Triangle& t = triangles[order[i]];
-            for (const glm::dvec3& corner : t)
-                node.box = {glm::min(node.box.least, corner), glm::max(node.box.most, corner)};
-            const glm::dvec3 middle = t[0] + t[1] + t[2];
-            middles = {glm::min(middles.least, middle), glm::max(middles.most, middle)};
+            for (const glm::dvec3& corner : t) node.box.hold(corner);
+            middles.hold(t[0] + t[1] + t[2]);
         }
         if (part.count <= kLeaf) {
             node.first = part.first;
@@ -137,7 +132,7 @@ void MeshDistance::build(std::vector<Triangle> triangles) {
             nodes_.push_back(node);
             continue;
         }
-        const glm::dvec3 size = middles.most - middles.least;
+        const glm::dvec3 size = middles.size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t half = part.count / 2;
         const auto begin = order.begin() + part.first;

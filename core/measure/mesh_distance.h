@@ -4,6 +4,7 @@
 // may ask. Distances are those to the triangles, exact but for rounding; quick where `best` is near the answer.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
 
@@ -33,9 +34,7 @@ public:
     // inside; infinite where none is. Triangles at the point itself do not count.
     [[nodiscard]] double way_out(const glm::dvec3& point, const glm::dvec3& direction) const;
 
-    struct Box {
-        glm::dvec3 least{0.0}, most{0.0};
-    };
+    using Box = Bounds<glm::dvec3>;
     [[nodiscard]] const Box& bounds() const { return nodes_.front().box; }
     [[nodiscard]] std::size_t triangle_count() const { return corners_.size(); }
 

@@ -10,8 +10,8 @@
 
 namespace ramus::mesh {
 
-// Wherever they come close, as in the paper, or along the tree and not across contacts (core/tree/contacts/contacts.h).
-enum class Blend : std::uint8_t { kPaper, kTree };
+// Along the tree and not across contacts (core/tree/contacts/contacts.h), or wherever they come close, as in the paper.
+enum class Blend : std::uint8_t { kTree, kPaper };
 
 struct BlendRow {
     Blend blend;
@@ -21,8 +21,8 @@ struct BlendRow {
 
 // In the order of `Blend`.
 inline constexpr std::array<BlendRow, 2> kBlends = {{
-    {Blend::kPaper, "paper", "vessels merge wherever they come close (default)"},
-    {Blend::kTree, "tree", "vessels that only press on each other stay apart"},
+    {Blend::kTree, "tree", "vessels that only press on each other stay apart (default)"},
+    {Blend::kPaper, "paper", "vessels merge wherever they come close"},
 }};
 
 [[nodiscard]] constexpr std::string_view name_of(Blend blend) { return kBlends[static_cast<std::size_t>(blend)].key; }
@@ -32,7 +32,7 @@ inline constexpr std::array<BlendRow, 2> kBlends = {{
     return found == kBlends.end() ? std::nullopt : std::optional(found->blend);
 }
 
-// "paper: vessels merge wherever they come close (default); tree: ..."
+// "tree: vessels that only press on each other stay apart (default); paper: ..."
 [[nodiscard]] inline std::string blend_help() {
     std::string text;
     for (const BlendRow& row : kBlends)

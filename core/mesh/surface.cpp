@@ -1,5 +1,6 @@
 #include "core/mesh/surface.h"
 
+#include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "core/field/kernels/gaussian.h"
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <new>
-#include <oneapi/tbb/task_arena.h>
 
 namespace ramus::mesh {
 
@@ -102,15 +101,8 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
     return surface;
 }
 
-// In as many threads as asked for, and with a word instead of an exception when memory ends.
-template <class Work> auto run_with(const SurfaceOptions& options, const Work& work) -> decltype(work()) {
-    try {
-        if (options.threads <= 0) return work();
-        tbb::task_arena arena(options.threads);
-        return arena.execute(work);
-    } catch (const std::bad_alloc&) {
-        return fail("not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree");
-    }
+Error at_memory_end() {
+    return {"not enough memory for this surface", {}, "lower --detail, raise --cell or prune the tree"};
 }
 
 } // namespace
@@ -154,7 +146,7 @@ field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptio
 
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
-    return run_with(options, [&] { return make(source, options, job, hidden); });
+    return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden); });
 }
 
 bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& options,
@@ -166,7 +158,7 @@ bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& op
 
 Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                          SurfaceSink& sink, Job& job, std::span<const std::uint8_t> hidden) {
-    return run_with(options, [&]() -> Result<SurfaceStatistics> {
+    return bounded(options.threads, at_memory_end, [&]() -> Result<SurfaceStatistics> {
         const Stopwatch watch;
         std::uint64_t evaluations = 0;
         CountedSink counted(sink);

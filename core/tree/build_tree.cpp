@@ -1,6 +1,7 @@
 #include "core/tree/build_tree.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/words.h"
 #include "core/tree/open_ends.h"
 #include "core/tree/suspicions.h"
 
@@ -9,7 +10,6 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 namespace ramus::tree {
 
@@ -33,13 +33,6 @@ struct Repairs {
     }
 };
 
-std::string number(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << value;
-    return text.str();
-}
-
 std::optional<Error> find_bad_point(const Graph& graph, const SourceOf& source) {
     for (std::uint32_t i = 0; i < graph.points.size(); ++i) {
         const Point& p = graph.points[i];
@@ -48,17 +41,17 @@ std::optional<Error> find_bad_point(const Graph& graph, const SourceOf& source) 
             if (!std::isfinite(c))
                 return Error{"a coordinate is not a finite number", source(i), "remove or correct the point"};
             if (std::abs(c) > kMaximumCoordinate)
-                return Error{"coordinate " + number(c) + " mm is farther out than " + number(kMaximumCoordinate) +
+                return Error{"coordinate " + in_digits(c) + " mm is farther out than " + in_digits(kMaximumCoordinate) +
                                  " mm",
                              source(i), "check the unit, or remove the point"};
         }
         if (!std::isfinite(p.radius))
             return Error{"the radius is not a finite number", source(i), "correct the radius"};
         if (p.radius < 0.0)
-            return Error{"radius " + number(p.radius) + " is negative", source(i),
+            return Error{"radius " + in_digits(p.radius) + " is negative", source(i),
                          "edit the file; a radius of 0 would be repaired"};
         if (p.radius > kMaximumRadius)
-            return Error{"radius " + number(p.radius) + " mm is larger than " + number(kMaximumRadius) + " mm",
+            return Error{"radius " + in_digits(p.radius) + " mm is larger than " + in_digits(kMaximumRadius) + " mm",
                          source(i), "check the unit, or correct the radius"};
     }
     for (const auto& [a, b] : graph.edges)
@@ -117,7 +110,7 @@ std::optional<std::uint32_t> fill_radii(std::vector<Point>& points, const std::v
         for (std::size_t n = 0; n < layer.size(); ++n) {
             points[layer[n]].radius = radius[n];
             repairs.add(Repair::kZeroRadii,
-                        source(layer[n]) + ": radius 0 replaced by " + number(radius[n]) +
+                        source(layer[n]) + ": radius 0 replaced by " + in_digits(radius[n]) +
                             ", the mean of its neighbours",
                         points[layer[n]].position);
         }
@@ -159,11 +152,7 @@ std::vector<Edge> distinct_edges(const Graph& graph, const std::vector<std::uint
 
 } // namespace
 
-std::string_view name_of(Repair one) {
-    for (const auto& [repair, name] : kRepairNames)
-        if (repair == one) return name;
-    return {};
-}
+std::string_view name_of(Repair one) { return paired(kRepairNames, one).value_or(""); }
 
 std::vector<std::uint32_t> complete_roots(const std::vector<Point>& points, const std::vector<Edge>& edges,
                                           std::vector<std::uint32_t> roots) {

@@ -36,7 +36,7 @@ void keep_one_root(EditGraph& graph, const std::vector<std::uint32_t>& pieces, s
         return std::ranges::find_if(graph.roots, [&](std::uint32_t root) { return pieces[root] == pieces[at]; });
     };
     const auto links_of = [&](std::uint32_t at) {
-        return std::ranges::count_if(graph.links, [&](const Link& link) { return pieces[link.a] == pieces[at]; });
+        return std::ranges::count_if(graph.links, [&](const EditLink& link) { return pieces[link.a] == pieces[at]; });
     };
     const auto first = root_of(a);
     const auto second = root_of(b);
@@ -49,7 +49,7 @@ void keep_one_root(EditGraph& graph, const std::vector<std::uint32_t>& pieces, s
 
 // The links of one branch between two lengths, without those outside; ends that are new are added.
 struct Kept {
-    std::vector<Link> links;
+    std::vector<EditLink> links;
     std::uint32_t first = 0, last = 0; // points
 };
 Kept part_between(EditGraph& graph, const VesselTree& tree, int id, double from, double to, double length) {
@@ -113,7 +113,7 @@ Result<EditedTree> join(const VesselTree& tree, const Edit& edit) {
     if (graph.degrees()[end] != 1)
         return fail("this end of " + free_name + " is no free end", {}, "begin at an end that nothing else is at");
     const std::uint32_t place = graph.point_at(tree, other_id, edit.fractions[1]);
-    const auto connects = [&](const Link& link) {
+    const auto connects = [&](const EditLink& link) {
         return (link.a == end && link.b == place) || (link.a == place && link.b == end);
     };
     if (place == end || std::ranges::any_of(graph.links, connects))
@@ -127,7 +127,7 @@ Result<EditedTree> join(const VesselTree& tree, const Edit& edit) {
     // At one place already: one point stands for both.
     graph.points[place].radius = std::max(graph.points[place].radius, graph.points[end].radius);
     std::ranges::replace(graph.roots, end, place);
-    for (Link& link : graph.links) {
+    for (EditLink& link : graph.links) {
         if (link.a == end) link.a = place;
         if (link.b == end) link.b = place;
     }
@@ -152,7 +152,7 @@ Result<EditedTree> cut(const VesselTree& tree, const Edit& edit) {
     EditGraph graph(tree);
     const Kept near = part_between(graph, tree, id, 0.0, range.from * length, length);
     const Kept far = part_between(graph, tree, id, range.to * length, length, length);
-    const auto own = std::ranges::find(graph.links, id, &Link::source);
+    const auto own = std::ranges::find(graph.links, id, &EditLink::source);
     const auto at = graph.links.erase(own, own + static_cast<std::ptrdiff_t>(branch_of(tree, id).points.size() - 1));
     auto kept = near.links;
     kept.insert(kept.end(), far.links.begin(), far.links.end());
@@ -170,11 +170,11 @@ Result<EditedTree> remove_branches(const VesselTree& tree, const Edit& edit) {
     const auto before = graph.pieces();
     std::vector<bool> goes(tree.branches.size(), false);
     for (const int id : edit.branches) goes[static_cast<std::size_t>(id)] = true;
-    std::erase_if(graph.links, [&](const Link& link) { return goes[static_cast<std::size_t>(link.source)]; });
+    std::erase_if(graph.links, [&](const EditLink& link) { return goes[static_cast<std::size_t>(link.source)]; });
     if (graph.links.empty()) return fail("nothing would be left of the tree", {}, "leave a branch at least");
     const auto after = graph.pieces();
     std::set<std::pair<std::uint32_t, std::uint32_t>> parts; // piece before, piece after
-    for (const Link& link : graph.links) parts.emplace(before[link.a], after[link.a]);
+    for (const EditLink& link : graph.links) parts.emplace(before[link.a], after[link.a]);
     const auto split =
         std::ranges::adjacent_find(parts, [](const auto& one, const auto& next) { return one.first == next.first; });
     if (split != parts.end())

@@ -12,10 +12,11 @@ namespace ramus::tree {
 
 namespace {
 
-std::vector<std::vector<int>> sources_of(const VesselTree& tree, const std::vector<Link>& links) {
+std::vector<std::vector<int>> sources_of(const VesselTree& tree, const std::vector<EditLink>& links) {
     std::vector<std::tuple<std::uint32_t, std::uint32_t, int>> sorted;
     sorted.reserve(links.size());
-    for (const Link& link : links) sorted.emplace_back(std::min(link.a, link.b), std::max(link.a, link.b), link.source);
+    for (const EditLink& link : links)
+        sorted.emplace_back(std::min(link.a, link.b), std::max(link.a, link.b), link.source);
     std::ranges::sort(sorted);
     std::vector<std::vector<int>> sources(tree.branches.size());
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
@@ -56,7 +57,7 @@ std::uint32_t EditGraph::add_point(const Point& point, std::uint32_t like) {
 
 std::vector<std::uint32_t> EditGraph::pieces() const {
     DisjointSets sets(points.size());
-    for (const Link& link : links) sets.join(link.a, link.b);
+    for (const EditLink& link : links) sets.join(link.a, link.b);
     std::vector<std::uint32_t> lowest(points.size());
     for (std::uint32_t p = 0; p < points.size(); ++p) lowest[p] = sets.find(p);
     return lowest;
@@ -64,7 +65,7 @@ std::vector<std::uint32_t> EditGraph::pieces() const {
 
 std::vector<int> EditGraph::degrees() const {
     std::vector<int> count(points.size(), 0);
-    for (const Link& link : links) ++count[link.a], ++count[link.b];
+    for (const EditLink& link : links) ++count[link.a], ++count[link.b];
     return count;
 }
 
@@ -87,7 +88,7 @@ std::uint32_t EditGraph::point_at(const VesselTree& tree, int branch, double fra
             const std::uint32_t middle = add_point(
                 {glm::mix(points[a].position, points[b].position, t), glm::mix(points[a].radius, points[b].radius, t)},
                 a);
-            const auto link = std::ranges::find_if(links, [&](const Link& l) { return l.a == a && l.b == b; });
+            const auto link = std::ranges::find_if(links, [&](const EditLink& l) { return l.a == a && l.b == b; });
             link->b = middle;
             links.insert(link + 1, {middle, b, branch});
             return middle;
@@ -99,7 +100,7 @@ std::uint32_t EditGraph::point_at(const VesselTree& tree, int branch, double fra
 
 EditedTree EditGraph::assembled(const VesselTree& before) && {
     std::vector<bool> used(points.size(), false);
-    for (const Link& link : links) used[link.a] = used[link.b] = true;
+    for (const EditLink& link : links) used[link.a] = used[link.b] = true;
     std::vector<std::uint32_t> renumbered(points.size(), 0);
     std::vector<Point> kept;
     std::vector<int> kept_labels, kept_systems;
@@ -112,7 +113,7 @@ EditedTree EditGraph::assembled(const VesselTree& before) && {
     }
     std::vector<Edge> edges;
     edges.reserve(links.size());
-    for (Link& link : links) {
+    for (EditLink& link : links) {
         link.a = renumbered[link.a], link.b = renumbered[link.b];
         edges.emplace_back(link.a, link.b);
     }

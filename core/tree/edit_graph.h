@@ -10,16 +10,16 @@
 
 namespace ramus::tree {
 
-struct Link {
+struct EditLink {
     std::uint32_t a = 0, b = 0; // points
     int source = kNoBranch;     // the branch that it comes from
 };
 
 struct EditGraph {
     std::vector<Point> points;
-    std::vector<int> labels;  // per point, or empty
-    std::vector<int> systems; // per point
-    std::vector<Link> links;  // branches in order, along each
+    std::vector<int> labels;     // per point, or empty
+    std::vector<int> systems;    // per point
+    std::vector<EditLink> links; // branches in order, along each
     std::vector<std::uint32_t> roots;
 
     explicit EditGraph(const VesselTree& tree);

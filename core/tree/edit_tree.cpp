@@ -1,31 +1,25 @@
 #include "core/tree/edit_tree.h"
 
+#include "core/base/words.h"
 #include "core/tree/build_tree.h"
 #include "core/tree/edit_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <locale>
-#include <sstream>
+#include <span>
 
 namespace ramus::tree {
 
 namespace {
 
-std::string in_digits(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << value;
-    return text.str();
-}
-
 std::string branches_in_words(const std::vector<int>& ids) {
     constexpr std::size_t kListed = 5;
     if (ids.size() == 1) return "branch " + std::to_string(ids.front());
-    std::string words = std::to_string(ids.size()) + " branches (";
-    for (std::size_t i = 0; i < std::min(ids.size(), kListed); ++i)
-        words.append(i == 0 ? "" : ", ").append(std::to_string(ids[i]));
-    return words + (ids.size() > kListed ? ", ...)" : ")");
+    return std::to_string(ids.size()) + " branches (" +
+           joined(std::span(ids).first(std::min(ids.size(), kListed)), ", ",
+                  [](int id) { return std::to_string(id); }) +
+           (ids.size() > kListed ? ", ...)" : ")");
 }
 
 Result<void> check(const VesselTree& tree, const Edit& edit) {
@@ -54,11 +48,7 @@ Result<void> check(const VesselTree& tree, const Edit& edit) {
 
 } // namespace
 
-std::string_view name_of(Edit::Kind kind) {
-    for (const auto& [each, name] : kEditNames)
-        if (each == kind) return name;
-    return {};
-}
+std::string_view name_of(Edit::Kind kind) { return paired(kEditNames, kind).value_or(""); }
 
 std::string sentence(const Edit& edit) {
     const std::string who = branches_in_words(edit.branches);
@@ -86,22 +76,8 @@ std::string sentence(const Edit& edit) {
 
 Result<EditedTree> apply(const VesselTree& tree, const Edit& edit) {
     if (auto good = check(tree, edit); !good) return tl::unexpected(good.error());
-    switch (edit.kind) {
-    case Edit::Kind::kJoin:
-        return join(tree, edit);
-    case Edit::Kind::kCut:
-        return cut(tree, edit);
-    case Edit::Kind::kDelete:
-        return remove_branches(tree, edit);
-    case Edit::Kind::kMoveRoot:
-        return move_root(tree, edit);
-    case Edit::Kind::kFlip:
-        return flip(tree, edit);
-    case Edit::Kind::kRadius:
-    case Edit::Kind::kScale:
-        return change_radii(tree, edit);
-    }
-    return fail("there is no such edit");
+    constexpr std::array kSteps{join, cut, remove_branches, move_root, flip, change_radii, change_radii}; // as `Kind`
+    return kSteps[static_cast<std::size_t>(edit.kind)](tree, edit);
 }
 
 Result<VesselTree> apply_all(VesselTree tree, std::span<const Edit> edits) {

@@ -1,24 +1,18 @@
 #include "core/tree/suspicions.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/words.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <sstream>
 
 namespace ramus::tree {
 
 namespace {
 
-std::string figure(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(4);
-    text << value;
-    return text.str();
-}
+std::string figure(double value) { return in_digits(value, 4); }
 
 void suspect(std::vector<Note>& notes, std::string topic, std::string text, const glm::dvec3& at) {
     notes.push_back({Note::Kind::kSuspect, std::move(topic), std::move(text), at});

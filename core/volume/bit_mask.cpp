@@ -64,18 +64,51 @@ void fill_row(const T* values, std::size_t count, std::span<std::uint64_t> row, 
 }
 
 template <class T, class Inside>
-Result<BitMask> fill(const Volume& volume, const SparseArray<T>& values, const Inside& is_inside, const JobRange& job) {
+void fill_slice(const SparseArray<T>& values, int k, BitMask& mask, const Inside& is_inside) {
+    const auto columns = static_cast<std::size_t>(mask.size().x);
+    const auto rows = static_cast<std::size_t>(mask.size().y);
+    for (int j = 0; j < mask.size().y; ++j) {
+        const std::size_t first = columns * (static_cast<std::size_t>(j) + rows * static_cast<std::size_t>(k));
+        fill_row(values.data() + first, columns, mask.row(j, k), is_inside);
+    }
+}
+
+// The voxels from `begin` to before `end`.
+void set_voxels(std::span<std::uint64_t> row, std::size_t begin, std::size_t end) {
+    const std::size_t first = (begin + 1) / 64, last = end / 64; // bit i + 1 is voxel i
+    const std::uint64_t from = ~std::uint64_t{0} << (begin + 1) % 64, upto = ~std::uint64_t{0} >> (63 - end % 64);
+    if (first == last) {
+        row[first] |= from & upto;
+        return;
+    }
+    row[first] |= from;
+    std::fill(row.begin() + static_cast<std::ptrdiff_t>(first) + 1, row.begin() + static_cast<std::ptrdiff_t>(last),
+              ~std::uint64_t{0});
+    row[last] |= upto;
+}
+
+template <class T, class Inside> void fill_slice(const RunsOf<T>& runs, int k, BitMask& mask, const Inside& is_inside) {
+    const auto columns = static_cast<std::size_t>(mask.size().x);
+    const std::size_t slice = columns * static_cast<std::size_t>(mask.size().y);
+    const std::size_t first = slice * static_cast<std::size_t>(k);
+    runs.for_runs(first, first + slice, [&](std::size_t begin, std::size_t end, T value) {
+        if (!is_inside(value)) return;
+        for (std::size_t at = begin - first; at < end - first;) {
+            const std::size_t column = at % columns, count = std::min(columns - column, end - first - at);
+            set_voxels(mask.row(static_cast<int>(at / columns), k), column, column + count);
+            at += count;
+        }
+    });
+}
+
+template <class Values, class Inside>
+Result<BitMask> fill(const Volume& volume, const Values& values, const Inside& is_inside, const JobRange& job) {
     BitMask mask(volume.size);
-    const auto columns = static_cast<std::size_t>(volume.size.x);
-    const auto rows = static_cast<std::size_t>(volume.size.y);
     std::atomic<int> done{0};
     std::atomic<bool> any{false};
     tbb::parallel_for(0, volume.size.z, [&](int k) {
         if (job.cancelled()) return;
-        for (int j = 0; j < volume.size.y; ++j) {
-            const std::size_t first = columns * (static_cast<std::size_t>(j) + rows * static_cast<std::size_t>(k));
-            fill_row(values.data() + first, columns, mask.row(j, k), is_inside);
-        }
+        fill_slice(values, k, mask, is_inside);
         if (std::ranges::any_of(mask.slice(k), [](std::uint64_t word) { return word != 0; })) any = true;
         job.report(static_cast<float>(++done) / static_cast<float>(volume.size.z));
     });
@@ -93,11 +126,20 @@ template <class T> std::vector<std::uint8_t> table_of(const std::vector<std::int
     return table;
 }
 
-template <class T>
-Result<BitMask> fill_labels(const Volume& volume, const SparseArray<T>& values, std::vector<std::int32_t> labels,
+template <class T> bool holds(const SparseArray<T>& values, T label) {
+    return std::ranges::find(values, label) != values.end();
+}
+bool holds(const VoxelRuns& runs, VoxelRuns::Value label) {
+    bool found = false;
+    runs.for_runs(0, runs.size(), [&](std::size_t, std::size_t, VoxelRuns::Value value) { found |= value == label; });
+    return found;
+}
+
+template <class T, class Values>
+Result<BitMask> fill_labels(const Volume& volume, const Values& values, std::vector<std::int32_t> labels,
                             const JobRange& job) {
     for (const std::int32_t label : labels)
-        if (!std::in_range<T>(label) || std::ranges::find(values, static_cast<T>(label)) == values.end())
+        if (!std::in_range<T>(label) || !holds(values, static_cast<T>(label)))
             return fail("label " + std::to_string(label) + " is not there", {}, "ramus info lists the labels");
     if constexpr (sizeof(T) <= 2) {
         const auto table = table_of<T>(labels);
@@ -127,13 +169,14 @@ Result<BitMask> inside(const Volume& volume, const Selection& selection, const J
                     {}, "choose an --isovalue, or a --label");
     const auto isovalue = isovalue_of(volume, selection);
     return std::visit(
-        [&]<class T>(const SparseArray<T>& values) -> Result<BitMask> {
+        [&]<class Values>(const Values& values) -> Result<BitMask> {
+            using T = std::decay_t<decltype(values[0])>;
             if (isovalue) {
                 const double value = *isovalue;
                 return fill(
                     volume, values, [value](T v) { return static_cast<double>(v) >= value; }, job);
             }
-            if constexpr (std::is_integral_v<T>) return fill_labels(volume, values, selection.labels, job);
+            if constexpr (std::is_integral_v<T>) return fill_labels<T>(volume, values, selection.labels, job);
             return fail("its values are fractions, not labels", {}, "choose an --isovalue");
         },
         volume.voxels);

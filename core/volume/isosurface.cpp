@@ -1,12 +1,11 @@
 #include "core/volume/isosurface.h"
 
+#include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/volume/slab_mesher.h"
 
 #include <algorithm>
 #include <limits>
-#include <new>
-#include <oneapi/tbb/task_arena.h>
 #include <string>
 
 namespace ramus::volume {
@@ -19,11 +18,11 @@ struct Midway {
 };
 
 // Where a line between the values of two voxels has the isovalue.
-template <class T> struct Interpolated {
+template <class Values> struct Interpolated {
     // Samples at the isovalue itself would let all vertices around them fall into one place.
     static constexpr double kLeast = 1.0 / 256.0;
     const Volume& volume;
-    const T* values;
+    const Values& values;
     double isovalue;
 
     [[nodiscard]] double at(int axis, const glm::ivec3& voxel) const {
@@ -72,35 +71,23 @@ Result<mesh::TriangleMesh> make(const BitMask& mask, const glm::dmat4& to_patien
     const double bytes = 2.0 * sizeof(glm::vec3) * static_cast<double>(mesher.vertices()) +
                          sizeof(glm::uvec3) * static_cast<double>(mesher.triangles());
     const double left = memory_left(options.memory_bytes);
-    if (bytes > left)
-        return fail("the surface takes " + std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
-                        std::to_string(std::llround(left / 1e6)) + " MB are left to it",
-                    {}, "crop the volume, or raise --memory");
+    if (bytes > left) return fail(takes_too_much("the surface", bytes, left), {}, "crop the volume, or raise --memory");
     return mesher.make();
 }
 
-// In as many threads as asked for, and with a word instead of an exception when memory ends.
-template <class Work> Result<mesh::TriangleMesh> run_with(const IsosurfaceOptions& options, const Work& work) {
-    try {
-        if (options.threads <= 0) return work();
-        tbb::task_arena arena(options.threads);
-        return arena.execute(work);
-    } catch (const std::bad_alloc&) {
-        return fail("not enough memory for this surface", {}, "crop the volume");
-    }
-}
+Error at_memory_end() { return {"not enough memory for this surface", {}, "crop the volume"}; }
 
 // `done_with_values` is called when they are not asked for any more but there is work to do.
 template <class Done>
 Result<mesh::TriangleMesh> surface_of(const Volume& volume, const Selection& selection,
                                       const IsosurfaceOptions& options, Job& job, const Done& done_with_values) {
-    return run_with(options, [&]() -> Result<mesh::TriangleMesh> {
+    return bounded(options.threads, at_memory_end, [&]() -> Result<mesh::TriangleMesh> {
         RAMUS_TRY(mask, inside(volume, selection, JobRange(job, 0.0F, 0.3F)));
         const JobRange rest(job, 0.3F, 1.0F);
         if (const auto isovalue = isovalue_of(volume, selection)) {
             return std::visit(
-                [&]<class T>(const SparseArray<T>& values) {
-                    return make(mask, volume.to_patient, Interpolated<T>{volume, values.data(), *isovalue}, options,
+                [&]<class Values>(const Values& values) {
+                    return make(mask, volume.to_patient, Interpolated<Values>{volume, values, *isovalue}, options,
                                 rest);
                 },
                 volume.voxels);
@@ -125,7 +112,8 @@ Result<mesh::TriangleMesh> isosurface(Volume&& volume, const Selection& selectio
 
 Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
                                         const IsosurfaceOptions& options, Job& job) {
-    return run_with(options, [&] { return make(mask, to_patient, Midway{}, options, JobRange(job, 0.0F, 1.0F)); });
+    return bounded(options.threads, at_memory_end,
+                   [&] { return make(mask, to_patient, Midway{}, options, JobRange(job, 0.0F, 1.0F)); });
 }
 
 } // namespace ramus::volume

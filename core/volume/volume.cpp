@@ -14,7 +14,10 @@ std::size_t voxel_count(const Volume& volume) {
            static_cast<std::size_t>(volume.size.z);
 }
 
-bool holds_whole_numbers(const Volume& volume) { return !std::holds_alternative<SparseArray<float>>(volume.voxels); }
+bool holds_whole_numbers(const Volume& volume) {
+    return !std::holds_alternative<SparseArray<float>>(volume.voxels) &&
+           !std::holds_alternative<FractionRuns>(volume.voxels);
+}
 
 double value_at(const Volume& volume, const glm::ivec3& voxel) {
     const auto at = static_cast<std::size_t>(voxel.x) +

@@ -1,9 +1,10 @@
 // Volume: a voxel image, a segmentation mask as a rule, and where it lies in the patient. A plain value; large ones are
-// shared as shared_ptr<const Volume>. Values are kept in the smallest type that holds them all, whatever type the file
-// has: masks take a byte for each voxel, and nothing where there are rows of zeros.
+// shared as shared_ptr<const Volume>. Values are kept as runs of equal ones where that takes less, as it does of masks,
+// else in the smallest type that holds them all, whatever type the file has.
 #pragma once
 
 #include "core/base/mapped_pages.h"
+#include "core/volume/voxel_runs.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -17,7 +18,7 @@ namespace ramus::volume {
 
 // Whole numbers exactly; others in single precision.
 using Voxels = std::variant<SparseArray<std::uint8_t>, SparseArray<std::uint16_t>, SparseArray<std::int16_t>,
-                            SparseArray<std::int32_t>, SparseArray<float>>;
+                            SparseArray<std::int32_t>, SparseArray<float>, VoxelRuns, FractionRuns>;
 
 // What a label of a mask stands for: 3, "portal vein".
 struct LabelName {

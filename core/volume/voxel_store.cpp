@@ -1,5 +1,8 @@
 #include "core/volume/voxel_store.h"
 
+#include "core/base/memory.h"
+#include "core/volume/end_of_run.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +22,22 @@ template <class Value> bool is_whole(Value value) {
     return (std::abs(value) >= kAllWhole) | ((value + kOnes) - kOnes == value);
 }
 
+// Runs are worth it up to this share of what an array takes. Which shows after some of them only.
+constexpr double kRunsShare = 0.5, kRunsSlack = 1 << 18;
+constexpr std::array<double, 5> kBytesOfKind = {1, 2, 2, 4, 4};
+
+template <class Kept> constexpr bool kIsRuns = false;
+template <class T> constexpr bool kIsRuns<RunsOf<T>> = true;
+
+template <class T, class To> void copy_values(const RunsOf<T>& from, std::size_t count, To* to) {
+    from.for_runs(0, count, [&](std::size_t begin, std::size_t end, T value) {
+        if (value != T(0)) std::fill(to + begin, to + end, static_cast<To>(value));
+    });
+}
+template <class From, class To> void copy_values(const SparseArray<From>& from, std::size_t count, To* to) {
+    copy_sparsely(from.data(), count, to);
+}
+
 std::string text_of(double whole) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "%.0f", whole);
@@ -30,9 +49,7 @@ std::string text_of(double whole) {
 VoxelStore::VoxelStore(const glm::ivec3& size, double memory_bytes, std::string name)
     : size_(size),
       total_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z)),
-      memory_bytes_(memory_bytes), name_(std::move(name)), voxels_(SparseArray<std::uint8_t>()) {
-    std::get<0>(voxels_).resize(total_);
-}
+      memory_bytes_(memory_bytes), name_(std::move(name)), voxels_(VoxelRuns()) {}
 
 std::string VoxelStore::voxel_name(std::size_t at) const {
     const auto x = static_cast<std::size_t>(size_.x);
@@ -57,12 +74,56 @@ template <class Value> VoxelStore::Range VoxelStore::range_of(const Value* value
     return {static_cast<double>(least), static_cast<double>(most), whole, finite};
 }
 
-template <class To> void VoxelStore::move_to() {
-    if (std::holds_alternative<SparseArray<To>>(voxels_)) return;
+template <class To> void VoxelStore::move_to_array() {
     SparseArray<To> larger;
     larger.resize(total_);
-    std::visit([&](const auto& from) { copy_sparsely(from.data(), used_, larger.data()); }, voxels_);
+    std::visit([&](const auto& from) { copy_values(from, used_, larger.data()); }, voxels_);
     voxels_ = std::move(larger);
+}
+
+void VoxelStore::move_to(Kind kind) {
+    if (static_cast<std::size_t>(kind) == voxels_.index()) return;
+    constexpr std::array kMoves = {&VoxelStore::move_to_array<std::uint8_t>, &VoxelStore::move_to_array<std::uint16_t>,
+                                   &VoxelStore::move_to_array<std::int16_t>, &VoxelStore::move_to_array<std::int32_t>,
+                                   &VoxelStore::move_to_array<float>};
+    (this->*kMoves[static_cast<std::size_t>(kind)])();
+}
+
+// Of the arrays.
+VoxelStore::Kind VoxelStore::smallest_kind() const {
+    const auto within = [&](double low, double high) { return whole_ && least_ >= low && most_ <= high; };
+    if (within(0, 255)) return Kind::kUint8;
+    if (within(0, 65535)) return Kind::kUint16;
+    if (within(-32768, 32767)) return Kind::kInt16;
+    if (within(-2147483648.0, 2147483647.0)) return Kind::kInt32;
+    return Kind::kFloat;
+}
+
+// What is held once all are kept in arrays of that kind. While values move, they are there twice.
+double VoxelStore::bytes_to_be(Kind kind) const {
+    const double bytes = kBytesOfKind[static_cast<std::size_t>(kind)] * static_cast<double>(total_);
+    if (static_cast<std::size_t>(kind) == voxels_.index()) return bytes;
+    if (const auto runs = bytes_of_runs()) return bytes + *runs;
+    return bytes + kBytesOfKind[voxels_.index()] * static_cast<double>(used_);
+}
+
+std::optional<double> VoxelStore::bytes_of_runs() const {
+    return std::visit(
+        []<class Kept>(const Kept& kept) -> std::optional<double> {
+            if constexpr (kIsRuns<Kept>) return kept.bytes();
+            return std::nullopt;
+        },
+        voxels_);
+}
+
+bool VoxelStore::are_runs_worth_it(double slack_bytes) const {
+    const double array = kBytesOfKind[static_cast<std::size_t>(smallest_kind())] * static_cast<double>(used_);
+    return bytes_of_runs().value_or(HUGE_VAL) <= kRunsShare * array + slack_bytes;
+}
+
+Result<void> VoxelStore::check_memory(double bytes) const {
+    if (bytes <= memory_bytes_) return {};
+    return fail(takes_too_much("the volume", bytes, memory_bytes_), name_, "crop it, or allow more with --memory");
 }
 
 Result<void> VoxelStore::make_room_for(const Range& range, bool exact) {
@@ -70,35 +131,15 @@ Result<void> VoxelStore::make_room_for(const Range& range, bool exact) {
     least_ = first ? range.least : std::min(least_, range.least);
     most_ = first ? range.most : std::max(most_, range.most);
     whole_ = whole_ && range.whole;
-    const auto within = [&](double low, double high) { return whole_ && least_ >= low && most_ <= high; };
-    Kind kind = Kind::kFloat;
-    if (within(0, 255))
-        kind = Kind::kUint8;
-    else if (within(0, 65535))
-        kind = Kind::kUint16;
-    else if (within(-32768, 32767))
-        kind = Kind::kInt16;
-    else if (within(-2147483648.0, 2147483647.0))
-        kind = Kind::kInt32;
-    else if (exact)
+    const Kind kind = smallest_kind();
+    if (kind == Kind::kFloat && exact)
         return fail("its whole numbers, up to " + text_of(std::abs(least_) > most_ ? least_ : most_) +
                         ", cannot be kept exactly",
                     name_, "number the labels anew, below 2147483648");
     if (kind == Kind::kFloat && std::max(std::abs(least_), std::abs(most_)) > std::numeric_limits<float>::max())
         return fail("its values leave single precision", name_, "scale them");
-    constexpr std::array<double, 5> kBytes = {1, 2, 2, 4, 4};
-    double bytes = kBytes[static_cast<std::size_t>(kind)] * static_cast<double>(total_);
-    // While values move, they are there twice.
-    if (static_cast<std::size_t>(kind) != voxels_.index())
-        bytes += kBytes[voxels_.index()] * static_cast<double>(used_);
-    if (bytes > memory_bytes_)
-        return fail("the volume takes " + std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
-                        std::to_string(std::llround(memory_bytes_ / 1e6)) + " MB are left to it",
-                    name_, "crop it, or allow more with --memory");
-    constexpr std::array kMoves = {&VoxelStore::move_to<std::uint8_t>, &VoxelStore::move_to<std::uint16_t>,
-                                   &VoxelStore::move_to<std::int16_t>, &VoxelStore::move_to<std::int32_t>,
-                                   &VoxelStore::move_to<float>};
-    (this->*kMoves[static_cast<std::size_t>(kind)])();
+    if (auto fits = check_memory(bytes_to_be(kind)); !fits) return fits;
+    move_to(kind);
     return {};
 }
 
@@ -112,12 +153,58 @@ template <class Value> Result<void> VoxelStore::put(const Value* values, std::si
                     "replace it, by 0 if nothing was measured there");
     }
     if (auto room = make_room_for(range, std::is_integral_v<Value>); !room) return room;
-    std::visit([&](auto& kept) { copy_sparsely(values, count, kept.data() + used_); }, voxels_);
+    std::visit(
+        [&]<class Kept>(Kept& kept) {
+            if constexpr (!kIsRuns<Kept>) copy_sparsely(values, count, kept.data() + used_);
+        },
+        voxels_);
     used_ += count;
     return {};
 }
 
+template <class Runs, class Raw>
+std::size_t VoxelStore::put_runs_in(Runs& runs, const Raw* raw, std::size_t count, const Scaling& scaling) {
+    using Value = typename Runs::Value;
+    constexpr double kMost = static_cast<double>(std::numeric_limits<Value>::max());
+    constexpr double kLeast = std::is_integral_v<Value> ? 0.0 : -kMost;
+    std::size_t n = 0;
+    while (n < count && are_runs_worth_it(kRunsSlack)) {
+        const double value = scaling.none() ? static_cast<double>(raw[n])
+                                            : scaling.slope * static_cast<double>(raw[n]) + scaling.intercept;
+        if (!(value >= kLeast && value <= kMost && (!std::is_integral_v<Value> || is_whole(value)))) break;
+        const std::size_t end = end_of_run(raw, n, count);
+        runs.add(static_cast<Value>(value), end - n);
+        least_ = used_ == 0 ? value : std::min(least_, value);
+        most_ = used_ == 0 ? value : std::max(most_, value);
+        used_ += end - n;
+        n = end;
+    }
+    return n;
+}
+
+template <class Raw> std::size_t VoxelStore::put_runs(const Raw* raw, std::size_t count, const Scaling& scaling) {
+    if (auto* fractions = std::get_if<FractionRuns>(&voxels_)) return put_runs_in(*fractions, raw, count, scaling);
+    auto* runs = std::get_if<VoxelRuns>(&voxels_);
+    if (runs == nullptr) return 0;
+    const std::size_t put = put_runs_in(*runs, raw, count, scaling);
+    if (put == count || !are_runs_worth_it(kRunsSlack)) return put;
+    const double value = scaling.none() ? static_cast<double>(raw[put])
+                                        : scaling.slope * static_cast<double>(raw[put]) + scaling.intercept;
+    if (!std::isfinite(value) || is_whole(value)) return put;
+    // From the first fraction on.
+    FractionRuns fractions;
+    runs->for_runs(0, used_, [&](std::size_t begin, std::size_t end, VoxelRuns::Value whole) {
+        fractions.add(static_cast<float>(whole), end - begin);
+    });
+    voxels_ = std::move(fractions);
+    whole_ = false;
+    return put + put_runs_in(std::get<FractionRuns>(voxels_), raw + put, count - put, scaling);
+}
+
 template <class Raw> Result<void> VoxelStore::append(const Raw* raw, std::size_t count, const Scaling& scaling) {
+    const std::size_t kept = put_runs(raw, count, scaling);
+    if (auto fits = check_memory(bytes_of_runs().value_or(0.0)); !fits) return fits;
+    raw += kept, count -= kept;
     if (count == 0) return {};
     if (scaling.none()) return put(raw, count);
     std::vector<double> values(count);
@@ -137,6 +224,9 @@ template Result<void> VoxelStore::append(const float*, std::size_t, const Scalin
 template Result<void> VoxelStore::append(const double*, std::size_t, const Scaling&);
 
 void VoxelStore::finish(Volume& volume) && {
+    // Of few values even a few runs may be too many.
+    if (bytes_of_runs() && !are_runs_worth_it(0.0) && bytes_to_be(smallest_kind()) <= memory_bytes_)
+        move_to(smallest_kind());
     volume.size = size_;
     volume.voxels = std::move(voxels_);
     volume.minimum = least_;

@@ -1,10 +1,12 @@
-// VoxelStore: takes the values of a volume as they are read, of any type and some at a time, and keeps them in the
-// smallest type that holds all so far. Values that do not fit any more move what is there to a larger type.
+// VoxelStore: takes the values of a volume as they are read, of any type and some at a time. It keeps them as runs of
+// equal ones as long as these take less than values one by one, then in the smallest type that holds all so far. Values
+// that do not fit any more move what is there to a larger type.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/volume/volume.h"
 
+#include <optional>
 #include <string>
 
 namespace ramus::volume {
@@ -31,12 +33,22 @@ private:
         double least, most;
         bool whole, finite;
     };
-    enum class Kind { kUint8, kUint16, kInt16, kInt32, kFloat }; // in the order of Voxels
+    enum class Kind { kUint8, kUint16, kInt16, kInt32, kFloat }; // in the order of Voxels' arrays
 
     template <class Value> [[nodiscard]] Range range_of(const Value* values, std::size_t count) const;
+    // As many of them, from the first on, as can be kept as runs and are worth it.
+    template <class Raw> [[nodiscard]] std::size_t put_runs(const Raw* raw, std::size_t count, const Scaling& scaling);
+    template <class Runs, class Raw>
+    [[nodiscard]] std::size_t put_runs_in(Runs& runs, const Raw* raw, std::size_t count, const Scaling& scaling);
+    [[nodiscard]] std::optional<double> bytes_of_runs() const; // none: values are in an array
+    [[nodiscard]] bool are_runs_worth_it(double slack_bytes) const;
     template <class Value> [[nodiscard]] Result<void> put(const Value* values, std::size_t count);
     [[nodiscard]] Result<void> make_room_for(const Range& range, bool exact);
-    template <class To> void move_to();
+    [[nodiscard]] Kind smallest_kind() const;
+    [[nodiscard]] double bytes_to_be(Kind kind) const;
+    [[nodiscard]] Result<void> check_memory(double bytes) const;
+    void move_to(Kind kind);
+    template <class To> void move_to_array();
     [[nodiscard]] std::string voxel_name(std::size_t at) const;
 
     glm::ivec3 size_;

@@ -1,5 +1,7 @@
 #include "core/volume/voxelise.h"
 
+#include "core/base/bounds.h"
+#include "core/base/lines.h"
 #include "core/base/memory.h"
 
 #include <algorithm>
@@ -14,17 +16,12 @@ namespace {
 
 constexpr double kMostVoxelsASide = 768.0;
 
-struct Bounds {
-    glm::dvec3 lower{0.0}, upper{0.0};
-};
+using Box = Bounds<glm::dvec3>;
 
-Bounds bounds_of(const tree::VesselTree& tree) {
-    Bounds box{glm::dvec3(1e300), glm::dvec3(-1e300)};
-    for (const tree::Point& point : tree.points) {
-        box.lower = glm::min(box.lower, point.position - point.radius);
-        box.upper = glm::max(box.upper, point.position + point.radius);
-    }
-    return tree.points.empty() ? Bounds{} : box;
+Box bounds_of(const tree::VesselTree& tree) {
+    Box box;
+    for (const tree::Point& point : tree.points) box.hold(point.position, point.radius);
+    return tree.points.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : box;
 }
 
 // A grid of voxels: the middle of the first, and their sizes, mm.
@@ -35,18 +32,17 @@ struct Grid {
 // Sets the voxels of one segment.
 void fill(BitMask& mask, const Grid& grid, const tree::Point& a, const tree::Point& b) {
     const glm::dvec3 ab = b.position - a.position;
-    const double squared = glm::dot(ab, ab);
     const glm::ivec3 last = mask.size() - 1;
-    const glm::dvec3 lower = glm::min(a.position - a.radius, b.position - b.radius);
-    const glm::dvec3 upper = glm::max(a.position + a.radius, b.position + b.radius);
+    Box box;
+    for (const tree::Point& end : {a, b}) box.hold(end.position, end.radius);
     const auto cell = [&](const glm::dvec3& at) { return (at - grid.origin) / grid.voxel_mm; };
-    const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(cell(lower))), glm::ivec3(0), last);
-    const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor(cell(upper))), glm::ivec3(0), last);
+    const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(cell(box.least))), glm::ivec3(0), last);
+    const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor(cell(box.most))), glm::ivec3(0), last);
     for (int k = from.z; k <= to.z; ++k)
         for (int j = from.y; j <= to.y; ++j)
             for (int i = from.x; i <= to.x; ++i) {
                 const glm::dvec3 ap = grid.origin + glm::dvec3(i, j, k) * grid.voxel_mm - a.position;
-                const double t = squared > 0.0 ? std::clamp(glm::dot(ap, ab) / squared, 0.0, 1.0) : 0.0;
+                const double t = share_along(ap, ab);
                 const glm::dvec3 away = ap - t * ab;
                 const double radius = a.radius + t * (b.radius - a.radius);
                 if (glm::dot(away, away) <= radius * radius) mask.set({i, j, k});
@@ -61,8 +57,8 @@ double sensible_voxel_mm(const tree::VesselTree& tree) {
     if (radii.empty()) return 1.0;
     const auto tenth = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 10);
     std::ranges::nth_element(radii, tenth);
-    const Bounds box = bounds_of(tree);
-    const glm::dvec3 extent = box.upper - box.lower;
+    const Box box = bounds_of(tree);
+    const glm::dvec3 extent = box.size();
     return std::max(*tenth, std::max({extent.x, extent.y, extent.z}) / kMostVoxelsASide);
 }
 
@@ -74,15 +70,15 @@ Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& 
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(voxel_mm[axis]) || voxel_mm[axis] <= 0.0)
             return fail("a voxel has no size", {}, "give millimetres, such as 0.5");
-    const Bounds box = bounds_of(tree);
-    const glm::dvec3 sides = glm::floor((box.upper - box.lower) / voxel_mm) + 3.0; // one of outside all around
+    const Box box = bounds_of(tree);
+    const glm::dvec3 sides = glm::floor(box.size() / voxel_mm) + 3.0; // one of outside all around
     const double bytes = sides.x * sides.y * sides.z / 8.0;
     const double most = memory_limit(memory_bytes);
     const std::string least = std::to_string(std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z}));
     if (std::max({sides.x, sides.y, sides.z}) > 30000.0 || bytes > most)
         return fail("voxels of " + least + " mm are too fine for this tree", {},
                     "give a larger size, or more --memory");
-    const Grid grid{0.5 * (box.lower + box.upper - voxel_mm * (sides - 1.0)), voxel_mm};
+    const Grid grid{0.5 * (box.least + box.most - voxel_mm * (sides - 1.0)), voxel_mm};
     VoxelisedTree made{BitMask(glm::ivec3(sides)), glm::scale(glm::translate(glm::dmat4(1.0), grid.origin), voxel_mm)};
     for (const tree::Branch& branch : tree.branches)
         for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)

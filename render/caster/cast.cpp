@@ -247,8 +247,8 @@ template <bool Flat> HWY_INLINE void raster_block(const Triangle& t, const Block
 void raster_lanes(const TileTask& tile, const BlockTriangles& triangles, Samples& samples) {
     for (int index = 0; index < kBlocks * kBlocks; ++index) {
         const Block block = block_of(tile, index);
-        for (std::uint32_t i = triangles.first[index]; i < triangles.first[index + 1]; ++i) {
-            const Triangle& t = triangles.all[triangles.order[i]];
+        for (const std::uint32_t* i = triangles.first[index]; i < triangles.first[index + 1]; ++i) {
+            const Triangle& t = triangles.all[*i];
             clear_untouched(index, samples);
             if (tile.view.flat)
                 raster_block<true>(t, block, samples);

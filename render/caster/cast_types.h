@@ -77,10 +77,10 @@ struct TileCones {
     std::size_t count;
 };
 
-// The triangles that touch each block of a tile: of block b, order[first[b]] to order[first[b + 1] - 1].
+// The triangles that touch each block of a tile: of block b those numbered from *first[b] to before *first[b + 1].
 struct BlockTriangles {
     const Triangle* all;
-    const std::uint32_t *first, *order;
+    const std::uint32_t* first[kBlocks * kBlocks + 1];
 };
 
 // A segment of the convolution surface's field, in eye space, mm.

@@ -30,7 +30,7 @@ struct Caster::Scratches {
     struct Scratch {
         Samples samples;
         Colours colours;
-        BlockBins blocks;
+        Bins blocks;
         std::vector<std::uint32_t> order, words = std::vector<std::uint32_t>(3 * kMaxFragmentsOfTile);
         std::vector<float> floats = std::vector<float>(2 * kMaxFragmentsOfTile);
 
@@ -105,44 +105,42 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
     Scratches::Scratch& scratch = *scratches_->all.local();
     Tile& tile = tiles_[std::size_t(index)];
     const TileTask task{view_, vessels_.field(), with_values, left(index), low(index)};
+    const auto in_tile = [&](const Bins& bins) { return bins.of(std::size_t(index)); };
     const auto sorted = [&](const Bins& bins) {
-        const std::span<const std::uint32_t> here = bins.of(index);
+        const std::span<const std::uint32_t> here = in_tile(bins);
         scratch.order.assign(here.begin(), here.end());
         std::ranges::sort(scratch.order, [&](std::uint32_t a, std::uint32_t b) {
             return std::pair(cones_.cones[a].nearest_depth, a) < std::pair(cones_.cones[b].nearest_depth, b);
         });
         return TileCones{cones_.cones.data(), scratch.order.data(), scratch.order.size()};
     };
-    const auto by_block = [&](const std::vector<Triangle>& all, const Bins& bins) {
-        return scratch.blocks.fill(all, bins.of(index), task.x, task.y);
+    const auto in_blocks = [&](const std::vector<Triangle>& all, const Bins& bins) {
+        return by_block(all, in_tile(bins), task.x, task.y, scratch.blocks);
     };
     cast_tile(task, sorted(binned.opaque), scratch.samples);
-    if (!binned.solid_triangles.of(index).empty())
-        raster_tile(task, by_block(solid_triangles_, binned.solid_triangles), scratch.samples);
+    if (!in_tile(binned.solid_triangles).empty())
+        raster_tile(task, in_blocks(solid_triangles_, binned.solid_triangles), scratch.samples);
     Records opaque = scratch.records(with_values);
     resolve_tile(task, scratch.samples, picture_, opaque);
     if (view_.taps > 0) split_depths(task.x, task.y, view_, picture_);
     tile.opaque.keep(opaque);
     tile.glass.count = 0;
     const TileCones glass_cones = sorted(binned.glass);
-    if (glass_cones.count == 0 && binned.clear_triangles.of(index).empty()) return;
+    if (glass_cones.count == 0 && in_tile(binned.clear_triangles).empty()) return;
     Records glass = scratch.records(false);
-    list_fragments(task, glass_cones, by_block(clear_triangles_, binned.clear_triangles), scratch.samples, picture_,
+    list_fragments(task, glass_cones, in_blocks(clear_triangles_, binned.clear_triangles), scratch.samples, picture_,
                    glass);
     tile.glass.keep(glass);
 }
 
 Caster::Binned Caster::bin() const {
     const auto of_kind = [&](ConeList::Kind kind) {
-        return Bins(across_, up_, cones_.cones, [&](std::size_t i) { return cones_.kinds[i] == kind; });
+        return bins_of(across_, up_, cones_.cones, [&](std::size_t i) { return cones_.kinds[i] == kind; });
     };
-    Binned binned;
-    binned.opaque = of_kind(ConeList::Kind::kOpaque);
-    if (std::ranges::find(cones_.kinds, ConeList::Kind::kGlass) != cones_.kinds.end())
-        binned.glass = of_kind(ConeList::Kind::kGlass);
-    if (!solid_triangles_.empty()) binned.solid_triangles = Bins(across_, up_, solid_triangles_);
-    if (!clear_triangles_.empty()) binned.clear_triangles = Bins(across_, up_, clear_triangles_);
-    return binned;
+    const bool glass = std::ranges::find(cones_.kinds, ConeList::Kind::kGlass) != cones_.kinds.end();
+    return {of_kind(ConeList::Kind::kOpaque),
+            glass ? of_kind(ConeList::Kind::kGlass) : bins_of(across_, up_, std::vector<Triangle>()),
+            bins_of(across_, up_, solid_triangles_), bins_of(across_, up_, clear_triangles_)};
 }
 
 void Caster::occlude() {

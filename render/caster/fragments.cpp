@@ -13,21 +13,28 @@ namespace ramus::render::caster::HWY_NAMESPACE {
 
 using namespace record;
 
+constexpr std::uint32_t kNoCone = ~0U;
+
 // The stretches of one ray inside cones, sorted by where they begin.
 struct RayIntervals {
     float entry[kMaxFragments], exit[kMaxFragments];
     std::uint32_t id[kMaxFragments], normal[kMaxFragments]; // id 0: from what is opaque, through no front
+    std::uint32_t cone[kMaxFragments];                      // kNoCone: of a triangle
     int count;
 
     HWY_INLINE void copy(int from, int to) {
         entry[to] = entry[from], exit[to] = exit[from], id[to] = id[from], normal[to] = normal[from];
+        cone[to] = cone[from];
     }
     // When it is full, the farthest gives way.
-    HWY_INLINE void insert(float from, float to, std::uint32_t of, std::uint32_t facing) {
+    HWY_INLINE void insert(float from, float to, std::uint32_t of, std::uint32_t facing, std::uint32_t number) {
         if (count == kMaxFragments && entry[kMaxFragments - 1] <= from) return;
-        int at = count < kMaxFragments ? count++ : kMaxFragments - 1;
+        put(count < kMaxFragments ? count++ : kMaxFragments - 1, from, to, of, facing, number);
+    }
+    // At its place among those before `at`, which go on by one; `at` itself is free.
+    HWY_INLINE void put(int at, float from, float to, std::uint32_t of, std::uint32_t facing, std::uint32_t number) {
         for (; at > 0 && entry[at - 1] > from; --at) copy(at - 1, at);
-        entry[at] = from, exit[at] = to, id[at] = of, normal[at] = facing;
+        entry[at] = from, exit[at] = to, id[at] = of, normal[at] = facing, cone[at] = number;
     }
 };
 
@@ -49,7 +56,7 @@ struct BlockIntervals {
             for (RayIntervals& ray : sample) ray.count = 0;
         any = false;
     }
-    HWY_INLINE void insert(int sample, int lane, const IntervalLanes& lanes) {
+    HWY_INLINE void insert(int sample, int lane, const IntervalLanes& lanes, std::uint32_t cone) {
         const D d;
         const DU du;
         alignas(64) float entry[kBlockPixels], exit[kBlockPixels], marks[kBlockPixels];
@@ -60,7 +67,7 @@ struct BlockIntervals {
         hn::Store(lanes.id, du, id);
         hn::Store(lanes.normal, du, normal);
         for (int k = 0; k < kN; ++k)
-            if (marks[k] != 0.0F) of[sample][lane + k].insert(entry[k], exit[k], id[k], normal[k]);
+            if (marks[k] != 0.0F) of[sample][lane + k].insert(entry[k], exit[k], id[k], normal[k], cone);
         any = true;
     }
 };
@@ -90,7 +97,7 @@ HWY_INLINE void insert_cone(const Block& block, const RoundCone& cone, std::uint
                 const Mask own = own_layer_leads(block.tile.field, number, before, at);
                 id = hn::IfThenElseZero(hn::RebindMask(du, own.m), id);
             }
-            intervals.insert(sample, lane, {before, found.depth, found.exit, id, normal});
+            intervals.insert(sample, lane, {before, found.depth, found.exit, id, normal}, number);
         }
     }
 }
@@ -115,7 +122,8 @@ HWY_INLINE void insert_triangle(const Block& block, const Triangle& t, const Sam
                 if (lines) seen = facing.x >= kLeastShare;
             }
             any_covered = true;
-            intervals.insert(sample, lane, {before && seen, found.depth, found.depth, hn::Set(du, t.id), normal});
+            intervals.insert(sample, lane, {before && seen, found.depth, found.depth, hn::Set(du, t.id), normal},
+                             kNoCone);
         }
     }
 }
@@ -129,18 +137,52 @@ HWY_INLINE void find_intervals(const Block& block, const TileCones& cones, const
         if (reaches(cone, block, samples.farthest[block.index]))
             insert_cone<Flat>(block, cone, cones.order[i], samples, intervals);
     }
-    for (std::uint32_t i = triangles.first[block.index]; i < triangles.first[block.index + 1]; ++i)
-        insert_triangle<Flat>(block, triangles.all[triangles.order[i]], samples, intervals);
+    for (const std::uint32_t* i = triangles.first[block.index]; i < triangles.first[block.index + 1]; ++i)
+        insert_triangle<Flat>(block, triangles.all[*i], samples, intervals);
 }
 
+// Whether two cones that overlap are of one vessel there, or of vessels that are joined: then one adds to the other's
+// surface.
+HWY_INLINE bool are_joined(const Field& field, std::uint32_t a, std::uint32_t b) {
+    if (a == b || a == kNoCone || b == kNoCone || field.segments == nullptr) return true;
+    const auto has = [&](std::uint32_t cone, std::uint32_t other) {
+        for (std::uint32_t n = field.first[cone]; n < field.first[cone + 1]; ++n)
+            if (field.neighbours[n] == other) return true;
+        return false;
+    };
+    return has(a, b) || has(b, a);
+}
+
+// What of a ray's stretches it is in.
+struct OpenIntervals {
+    float exit[kMaxFragments];
+    std::uint32_t cone[kMaxFragments];
+    int count = 0;
+
+    // Where the ray enters a cone's vessel that it comes to at `from`; kNothing: it is in there already. Where it is in
+    // another vessel that only presses on it, a wall parts the two half-way through what both claim.
+    HWY_INLINE float front(const Field& field, float from, float to, std::uint32_t number) const {
+        float farthest = from;
+        for (int k = 0; k < count; ++k) {
+            if (exit[k] < from) continue;
+            if (are_joined(field, cone[k], number)) return kNothing;
+            farthest = exit[k] > farthest ? exit[k] : farthest;
+        }
+        return to > farthest ? 0.5F * (from + farthest) : from;
+    }
+};
+
 // Leaves those where the ray goes into glass or meets a shell. Of lesions and context each is one, wherever.
-HWY_INLINE void keep_fronts(RayIntervals& ray) {
-    float inside_until = -kNothing;
+HWY_INLINE void keep_fronts(RayIntervals& ray, const Field& field) {
+    OpenIntervals open;
     int kept = 0;
     for (int k = 0; k < ray.count; ++k) {
-        const bool shell = (ray.id[k] & kSolid) != 0, enters = shell || ray.entry[k] > inside_until;
-        if (!shell && ray.exit[k] > inside_until) inside_until = ray.exit[k];
-        if (enters && ray.id[k] != 0) ray.copy(k, kept++);
+        const bool shell = (ray.id[k] & kSolid) != 0;
+        const float from = ray.entry[k], to = ray.exit[k];
+        const std::uint32_t cone = ray.cone[k];
+        const float front = shell ? from : open.front(field, from, to, cone);
+        if (!shell) open.exit[open.count] = to, open.cone[open.count++] = cone;
+        if (front < kNothing && ray.id[k] != 0) ray.put(kept++, front, to, ray.id[k], ray.normal[k], cone);
     }
     ray.count = kept;
 }
@@ -176,9 +218,9 @@ HWY_INLINE void add_fragment(const RayIntervals& ray, int k, float depth, std::u
 }
 
 // Of one pixel of a block.
-HWY_INLINE void add_pixel(BlockIntervals& intervals, int lane, std::uint32_t position, std::size_t at,
-                          const PictureArrays& picture, Records& fragments) {
-    for (auto& sample : intervals.of) keep_fronts(sample[lane]);
+HWY_INLINE void add_pixel(BlockIntervals& intervals, const Field& field, int lane, std::uint32_t position,
+                          std::size_t at, const PictureArrays& picture, Records& fragments) {
+    for (auto& sample : intervals.of) keep_fronts(sample[lane], field);
     if (all_see_the_same(intervals, lane)) {
         const RayIntervals& ray = intervals.of[0][lane];
         for (int k = 0; k < ray.count; ++k) {
@@ -212,7 +254,8 @@ void list_fragment_lanes(const TileTask& tile, const TileCones& cones, const Blo
             const int column = left + lane % kBlock, row = low + lane / kBlock;
             const std::size_t at =
                 std::size_t(tile.y + row) * std::size_t(tile.view.stride) + std::size_t(tile.x + column);
-            add_pixel(intervals, lane, static_cast<std::uint32_t>(row * kTile + column), at, picture, fragments);
+            add_pixel(intervals, tile.field, lane, static_cast<std::uint32_t>(row * kTile + column), at, picture,
+                      fragments);
         }
     }
 }

@@ -216,7 +216,7 @@ template <bool Flat> HWY_INLINE Coverage coverage(const Triangle& t, const Block
     return found;
 }
 
-// At the pixels' middles, as in fragment_list.frag: of any length; of lines, in x how much of the pixel they take.
+// At the pixels' middles, as in fragment.frag: of any length; of lines, in x how much of the pixel they take.
 HWY_INLINE Vec3 pixel_normal(const Triangle& t, const Block& block, int lane) {
     const EdgeFunctions edges = edge_functions(t, block, lane, 0.5F, 0.5F);
     if (t.half_width > 0.0F) { // as line_share() of context.frag

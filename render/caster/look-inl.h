@@ -35,6 +35,7 @@ public:
 // clang-format off
 #include "shaders/look/point.glsl"
 #include "shaders/look/position.glsl"
+#include "shaders/look/srgb.glsl"
 #include "shaders/look/colour.glsl"
 #include "shaders/look/material.glsl"
 #include "shaders/look/light.glsl"

@@ -97,68 +97,49 @@ void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const Pic
     }
 }
 
-struct Mean {
-    Float sum, weights; // from zero
-    HWY_INLINE void add(Float value, Float weight) {
-        sum = mad(weight, value, sum);
-        weights = weights + weight;
-    }
-    [[nodiscard]] HWY_INLINE V value() const { return (sum / max(weights, 1e-6F)).v; }
-};
-
 constexpr int kBlurReach = 3; // pixels
 constexpr int kBlurRows = kTile + 2 * kBlurReach;
 
-// Along rows, of the tile's and of those around it that the blur across needs.
-void blur_along_rows(const View& view, int x0, int y0, const PictureArrays& picture, float* half) {
+// Of kN pixels, the mean of what lies up to kBlurReach steps away: their depths are `depth_stride` apart, their values
+// `value_stride`. Steps from `first` to `last` count.
+HWY_INLINE V blurred(OcclusionOfPixels& formulas, const float* depths, std::ptrdiff_t depth_stride, const float* values,
+                     std::ptrdiff_t value_stride, int first, int last) {
     const D d;
-    OcclusionOfPixels formulas{view.block};
-    for (int i = 0; i < kBlurRows; ++i) {
-        const int y = y0 - kBlurReach + i;
-        if (y < 0 || y >= view.height) continue;
-        for (int x = x0; x < x0 + kTile && x < view.width; x += kN) {
-            const float* depths = picture.depth + std::ptrdiff_t{y} * view.stride + x;
-            const float* values = picture.occlusion + std::ptrdiff_t{y} * view.stride + x;
-            const Float depth = hn::LoadU(d, depths);
-            V found = hn::Zero(d);
-            if (any(depth < 0.5F * kNothing)) {
-                const Float per_tolerance = formulas.blur_tolerance_inverse(depth);
-                Mean mean{0.0F, 0.0F};
-                for (int step = -kBlurReach; step <= kBlurReach; ++step) // into the padding, at the picture's sides
-                    mean.add(hn::LoadU(d, values + step),
-                             formulas.blur_weight(step, Float(hn::LoadU(d, depths + step)) - depth, per_tolerance));
-                found = mean.value();
-            }
-            hn::Store(found, d, half + i * kTile + x - x0);
-        }
+    const Float depth = hn::LoadU(d, depths);
+    const Mask there = depth < 0.5F * kNothing;
+    if (!any(there)) return hn::Zero(d);
+    const Float per_tolerance = formulas.blur_tolerance_inverse(depth);
+    Float sum = 0.0F, weights = 0.0F;
+    for (int step = first; step <= last; ++step) {
+        const Float deeper = Float(hn::LoadU(d, depths + step * depth_stride)) - depth;
+        const Float weight = formulas.blur_weight(step, deeper, per_tolerance);
+        sum = mad(weight, hn::LoadU(d, values + step * value_stride), sum);
+        weights = weights + weight;
     }
+    return hn::IfThenElseZero(there.m, (sum / max(weights, 1e-6F)).v);
 }
 
+// Along rows, of the tile's and of those around it that the blur across needs; then across them.
 void smooth_lanes(const View& view, int x0, int y0, const PictureArrays& picture) {
     const D d;
     OcclusionOfPixels formulas{view.block};
     alignas(64) float half[kBlurRows * kTile];
-    blur_along_rows(view, x0, y0, picture, half);
-    for (int y = y0; y < y0 + kTile && y < view.height; ++y) {
-        for (int x = x0; x < x0 + kTile && x < view.width; x += kN) {
-            const float* depths = picture.depth + std::ptrdiff_t{y} * view.stride + x;
-            const Float depth = hn::LoadU(d, depths);
-            const Mask there = depth < 0.5F * kNothing;
-            V found = hn::Zero(d);
-            if (any(there)) {
-                const Float per_tolerance = formulas.blur_tolerance_inverse(depth);
-                Mean mean{0.0F, 0.0F};
-                for (int step = -kBlurReach; step <= kBlurReach; ++step) {
-                    if (y + step < 0 || y + step >= view.height) continue;
-                    const Float there_depth = hn::LoadU(d, depths + std::ptrdiff_t{step} * view.stride);
-                    mean.add(hn::Load(d, half + (y + step - y0 + kBlurReach) * kTile + x - x0),
-                             formulas.blur_weight(step, there_depth - depth, per_tolerance));
-                }
-                found = hn::IfThenElseZero(there.m, mean.value());
-            }
-            hn::StoreU(found, d, picture.smoothed_occlusion + std::ptrdiff_t{y} * view.stride + x);
-        }
-    }
+    const auto for_rows = [&](int beyond, const auto& call) { // call(index in the picture, index in `half`, row)
+        for (int y = y0 - beyond; y < y0 + kTile + beyond; ++y)
+            for (int x = x0; x < x0 + kTile && x < view.width && y >= 0 && y < view.height; x += kN)
+                call(std::ptrdiff_t{y} * view.stride + x, (y - y0 + kBlurReach) * kTile + x - x0, y);
+    };
+    for_rows(kBlurReach, [&](std::ptrdiff_t at, int in_half, int) { // into the padding, at the picture's sides
+        const float *depths = picture.depth + at, *values = picture.occlusion + at;
+        hn::Store(blurred(formulas, depths, 1, values, 1, -kBlurReach, kBlurReach), d, half + in_half);
+    });
+    for_rows(0, [&](std::ptrdiff_t at, int in_half, int y) {
+        const int first = y < kBlurReach ? -y : -kBlurReach, above = view.height - 1 - y;
+        const float* depths = picture.depth + at;
+        hn::StoreU(blurred(formulas, depths, view.stride, half + in_half, kTile, first,
+                           above < kBlurReach ? above : kBlurReach),
+                   d, picture.smoothed_occlusion + at);
+    });
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE

@@ -2,6 +2,7 @@
 #include "render/caster/vessel_cones.h"
 
 #include "core/base/grouped.h"
+#include "core/base/lines.h"
 #include "core/field/kernels/gaussian.h"
 
 #include <algorithm>
@@ -18,13 +19,6 @@ namespace ramus::render::caster {
 namespace {
 
 constexpr std::size_t kMaxNeighbours = 48; // the others add next to nothing, and take their time
-
-float distance_to_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
-    const glm::vec3 axis = b - a;
-    const float squared = glm::dot(axis, axis);
-    const float t = squared > 0.0F ? glm::clamp(glm::dot(p - a, axis) / squared, 0.0F, 1.0F) : 0.0F;
-    return glm::distance(p, a + t * axis);
-}
 
 constexpr double kThinnedShare = 5e-5; // of the tree's extent: a twentieth of a pixel where it fills the window
 
@@ -104,7 +98,7 @@ Neighbours find_neighbours(const Centerlines& lines, std::span<const std::uint32
         for (std::size_t next = 0; next < count(); ++next) {
             const std::uint32_t first = points[found[static_cast<std::size_t>(begin) + next]];
             for (const std::uint32_t end : {first, first + 1}) {
-                const float away = distance_to_segment(at(end), at(points[s]), at(points[s] + 1));
+                const float away = distance_to_line(at(end), at(points[s]), at(points[s] + 1));
                 for (const std::uint32_t other : segments_at.of(coincident[end])) {
                     if (count() == kMaxNeighbours || away > radius(s) + support_radii * radius(other)) continue;
                     if (std::find(found.begin() + begin, found.end(), other) == found.end()) found.push_back(other);

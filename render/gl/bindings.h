@@ -4,6 +4,5 @@
 namespace ramus::render {
 
 #include "shaders/bindings.glsl"
-#include "shaders/limits.glsl"
 
 } // namespace ramus::render

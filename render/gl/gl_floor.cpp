@@ -56,36 +56,46 @@ struct TextureBound {
     GLenum target;
 };
 
-class DrawnInto {
+// Until it goes: then what was bound before, as `asked` tells, is bound again. `at`: the target of what is called.
+template <GLenum asked, void (*bind)(GLuint), GLenum at> class BoundForNow {
 public:
-    explicit DrawnInto(GLuint framebuffer) : before_(bound(GL_DRAW_FRAMEBUFFER_BINDING)) {
-        glBindFramebuffer(target, framebuffer);
-    }
-    ~DrawnInto() { glBindFramebuffer(target, before_); }
-    DrawnInto(const DrawnInto&) = delete;
-    DrawnInto& operator=(const DrawnInto&) = delete;
-    GLenum target = GL_DRAW_FRAMEBUFFER;
+    explicit BoundForNow(GLuint id) : before_(bound(asked)) { bind(id); }
+    ~BoundForNow() { bind(before_); }
+    BoundForNow(const BoundForNow&) = delete;
+    BoundForNow& operator=(const BoundForNow&) = delete;
+    GLenum target = at;
 
 private:
     GLuint before_;
 };
 
-class ArrayBound {
-public:
-    explicit ArrayBound(GLuint array) : before_(bound(GL_VERTEX_ARRAY_BINDING)) { glBindVertexArray(array); }
-    ~ArrayBound() { glBindVertexArray(before_); }
-    ArrayBound(const ArrayBound&) = delete;
-    ArrayBound& operator=(const ArrayBound&) = delete;
+void draw_into(GLuint framebuffer) { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer); }
+using DrawnInto = BoundForNow<GL_DRAW_FRAMEBUFFER_BINDING, draw_into, GL_DRAW_FRAMEBUFFER>;
 
-private:
-    GLuint before_;
-};
+void bind_array(GLuint array) { glBindVertexArray(array); }
+using ArrayBound = BoundForNow<GL_VERTEX_ARRAY_BINDING, bind_array, GL_ELEMENT_ARRAY_BUFFER>;
 
 // Makes `function`, which names its object, call `older`, whose other parameters are the same.
 template <class Bind, auto& older> void put_in_terms_of(auto& function) {
     function = [](GLuint id, auto... values) {
         const Bind here(id);
         return older(here.target, values...);
+    };
+}
+
+// The same where `older` takes no target.
+template <class Bind, auto& older> void put_within(auto& function) {
+    function = [](GLuint id, auto... values) {
+        const Bind here(id);
+        return older(values...);
+    };
+}
+
+// Makes `function`, which makes objects, do so by `generate`: what has but a name is an object once it is bound.
+template <class Bind, auto& generate> void create_by(auto& function) {
+    function = [](GLsizei count, GLuint* ids) {
+        generate(count, ids);
+        for (GLsizei i = 0; i < count; ++i) const Bind created(ids[i]);
     };
 }
 
@@ -100,11 +110,6 @@ template <auto known> void forget_on(auto& function) {
 }
 
 // Buffers.
-
-void GLAD_API_PTR create_buffers(GLsizei count, GLuint* ids) {
-    glGenBuffers(count, ids);
-    for (GLsizei i = 0; i < count; ++i) const BufferBound created(ids[i]);
-}
 
 void GLAD_API_PTR buffer_storage(GLuint id, GLsizeiptr bytes, const void* data, GLbitfield flags) {
     const BufferBound here(id);
@@ -139,19 +144,12 @@ struct PixelFormat {
 
 // That goes with an inner format; of no meaning where nothing is sent, but glTexImage wants one that could be.
 PixelFormat pixels_of(GLenum inner) {
-    switch (inner) {
-    case GL_RG32UI:
-        return {GL_RG_INTEGER, GL_UNSIGNED_INT};
-    case GL_DEPTH_COMPONENT32F:
-        return {GL_DEPTH_COMPONENT, GL_FLOAT};
-    case GL_R8:
-    case GL_R32F:
-        return {GL_RED, GL_FLOAT};
-    case GL_RGB16F:
-        return {GL_RGB, GL_FLOAT};
-    default:
-        return {GL_RGBA, GL_FLOAT};
-    }
+    if (inner == GL_RG32UI) return {GL_RG_INTEGER, GL_UNSIGNED_INT};
+    return {inner == GL_DEPTH_COMPONENT32F       ? GLenum{GL_DEPTH_COMPONENT}
+            : inner == GL_R8 || inner == GL_R32F ? GLenum{GL_RED}
+            : inner == GL_RGB16F                 ? GLenum{GL_RGB}
+                                                 : GLenum{GL_RGBA},
+            GL_FLOAT};
 }
 
 // Makes `function` call `older`, glTexImage of as many dimensions.
@@ -170,21 +168,6 @@ void GLAD_API_PTR get_texture_image(GLuint id, GLint level, GLenum format, GLenu
 
 // Framebuffers.
 
-void GLAD_API_PTR create_framebuffers(GLsizei count, GLuint* ids) {
-    glGenFramebuffers(count, ids);
-    for (GLsizei i = 0; i < count; ++i) const DrawnInto created(ids[i]);
-}
-
-void GLAD_API_PTR framebuffer_draw_buffers(GLuint id, GLsizei count, const GLenum* buffers) {
-    const DrawnInto here(id);
-    glDrawBuffers(count, buffers);
-}
-
-GLenum GLAD_API_PTR framebuffer_status(GLuint id, GLenum) {
-    const DrawnInto here(id);
-    return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
-}
-
 // NOLINTNEXTLINE(readability-function-size): OpenGL's own parameters
 void GLAD_API_PTR blit_framebuffer(GLuint from, GLuint to, GLint x0, GLint y0, GLint x1, GLint y1, GLint to_x0,
                                    GLint to_y0, GLint to_x1, GLint to_y1, GLbitfield mask, GLenum filter) {
@@ -196,14 +179,6 @@ void GLAD_API_PTR blit_framebuffer(GLuint from, GLuint to, GLint x0, GLint y0, G
 }
 
 // Vertex arrays.
-
-void GLAD_API_PTR create_vertex_arrays(GLsizei count, GLuint* ids) {
-    glGenVertexArrays(count, ids);
-    for (GLsizei i = 0; i < count; ++i) {
-        const ArrayBound created(ids[i]);
-        names->sources[ids[i]] = {};
-    }
-}
 
 void point(const VertexSource& source, GLuint index) {
     const Attribute& a = source.attributes[index];
@@ -226,11 +201,6 @@ void GLAD_API_PTR vertex_array_vertex_buffer(GLuint array, GLuint, GLuint buffer
     for (GLuint i = 0; i < source.attributes.size(); ++i) point(source, i);
 }
 
-void GLAD_API_PTR vertex_array_element_buffer(GLuint array, GLuint buffer) {
-    const ArrayBound here(array);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-}
-
 void set_format(GLuint array, GLuint index, const Attribute& attribute) {
     const ArrayBound here(array);
     VertexSource& source = names->sources[array];
@@ -247,15 +217,6 @@ void GLAD_API_PTR vertex_array_integer_format(GLuint array, GLuint index, GLint 
     set_format(array, index, {size, type, GL_FALSE, true, offset});
 }
 
-void GLAD_API_PTR vertex_array_binding(GLuint, GLuint, GLuint) {} // there is one buffer
-
-void GLAD_API_PTR enable_vertex_array_attribute(GLuint array, GLuint index) {
-    const ArrayBound here(array);
-    glEnableVertexAttribArray(index);
-}
-
-void GLAD_API_PTR clip_control(GLenum, GLenum) {} // shaders see to it
-
 } // namespace
 
 void install_uniform_floor(int version, const void* context); // gl_floor_uniforms.cpp
@@ -265,7 +226,7 @@ void install_gl_floor(int version, const void* context) {
     static std::map<const void*, Names> all;
     names = &all[context];
     if (version >= GLAD_MAKE_VERSION(4, 5)) return install_uniform_floor(version, context);
-    glad_glCreateBuffers = create_buffers;
+    create_by<BufferBound, glad_glGenBuffers>(glad_glCreateBuffers);
     glad_glNamedBufferStorage = buffer_storage;
     put_in_terms_of<BufferBound, glad_glBufferSubData>(glad_glNamedBufferSubData);
     put_in_terms_of<BufferBound, glad_glGetBufferSubData>(glad_glGetNamedBufferSubData);
@@ -286,21 +247,21 @@ void install_gl_floor(int version, const void* context) {
     put_in_terms_of<TextureBound, glad_glTexSubImage2D>(glad_glTextureSubImage2D);
     put_in_terms_of<TextureBound, glad_glTexSubImage3D>(glad_glTextureSubImage3D);
     glad_glGetTextureImage = get_texture_image;
-    glad_glCreateFramebuffers = create_framebuffers;
+    create_by<DrawnInto, glad_glGenFramebuffers>(glad_glCreateFramebuffers);
     put_in_terms_of<DrawnInto, glad_glFramebufferTexture>(glad_glNamedFramebufferTexture);
     put_in_terms_of<DrawnInto, glad_glFramebufferTextureLayer>(glad_glNamedFramebufferTextureLayer);
-    glad_glNamedFramebufferDrawBuffers = framebuffer_draw_buffers;
-    glad_glCheckNamedFramebufferStatus = framebuffer_status;
+    put_within<DrawnInto, glad_glDrawBuffers>(glad_glNamedFramebufferDrawBuffers);
+    put_within<DrawnInto, glad_glCheckFramebufferStatus>(glad_glCheckNamedFramebufferStatus);
     glad_glBlitNamedFramebuffer = blit_framebuffer;
-    glad_glCreateVertexArrays = create_vertex_arrays;
+    create_by<ArrayBound, glad_glGenVertexArrays>(glad_glCreateVertexArrays);
     forget_on<&Names::sources>(glad_glDeleteVertexArrays);
     glad_glVertexArrayVertexBuffer = vertex_array_vertex_buffer;
-    glad_glVertexArrayElementBuffer = vertex_array_element_buffer;
+    put_in_terms_of<ArrayBound, glad_glBindBuffer>(glad_glVertexArrayElementBuffer);
     glad_glVertexArrayAttribFormat = vertex_array_format;
     glad_glVertexArrayAttribIFormat = vertex_array_integer_format;
-    glad_glVertexArrayAttribBinding = vertex_array_binding;
-    glad_glEnableVertexArrayAttrib = enable_vertex_array_attribute;
-    glad_glClipControl = clip_control;
+    glad_glVertexArrayAttribBinding = [](GLuint, GLuint, GLuint) {}; // there is one buffer
+    put_within<ArrayBound, glad_glEnableVertexAttribArray>(glad_glEnableVertexArrayAttrib);
+    glad_glClipControl = [](GLenum, GLenum) {}; // shaders see to it
     install_uniform_floor(version, context);
 }
 

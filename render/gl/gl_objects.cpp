@@ -17,17 +17,7 @@ int alive = 0;
 std::size_t largest_allocation = std::numeric_limits<std::size_t>::max();
 
 std::size_t texel_bytes(GLenum format) {
-    switch (format) {
-    case GL_R8:
-        return 1;
-    case GL_RG32UI:
-    case GL_RGB16F:
-        return 8;
-    case GL_RGBA32F:
-        return 16;
-    default:
-        return 4;
-    }
+    return format == GL_R8 ? 1 : format == GL_RG32UI || format == GL_RGB16F ? 8 : format == GL_RGBA32F ? 16 : 4;
 }
 
 // Around an allocation: what went wrong before is not its fault.
@@ -97,22 +87,10 @@ bool Fence::passed(double seconds) {
     return true;
 }
 
-Buffer make_buffer() {
-    GLuint id = 0;
-    glCreateBuffers(1, &id);
-    return Buffer(id);
-}
-
 Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags) {
-    Buffer buffer = make_buffer();
+    Buffer buffer = created<Buffer>(glCreateBuffers);
     allocate(bytes, [&] { glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, flags); });
     return buffer;
-}
-
-VertexArray make_vertex_array() {
-    GLuint id = 0;
-    glCreateVertexArrays(1, &id);
-    return VertexArray(id);
 }
 
 void set_filter(GLuint texture, GLint filter) {
@@ -122,48 +100,43 @@ void set_filter(GLuint texture, GLint filter) {
 }
 
 Texture make_texture(GLenum format, int width, int height, int samples) {
-    GLuint id = 0;
-    glCreateTextures(samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id);
-    Texture texture(id);
+    Texture texture = created<Texture>(glCreateTextures, samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D);
     if (samples > 0) {
         allocate(area(width, height) * texel_bytes(format) * static_cast<std::size_t>(samples),
-                 [&] { glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE); });
+                 [&] { glTextureStorage2DMultisample(texture, samples, format, width, height, GL_TRUE); });
     } else {
-        allocate(area(width, height) * texel_bytes(format), [&] { glTextureStorage2D(id, 1, format, width, height); });
-        set_filter(id, GL_NEAREST);
+        allocate(area(width, height) * texel_bytes(format),
+                 [&] { glTextureStorage2D(texture, 1, format, width, height); });
+        set_filter(texture, GL_NEAREST);
     }
     return texture;
 }
 
 Texture make_deep_texture(GLenum target, GLenum format, int width, int height, int depth) {
-    GLuint id = 0;
-    glCreateTextures(target, 1, &id);
-    Texture texture(id);
+    Texture texture = created<Texture>(glCreateTextures, target);
     allocate(area(width, height) * static_cast<std::size_t>(depth) * texel_bytes(format),
-             [&] { glTextureStorage3D(id, 1, format, width, height, depth); });
-    set_filter(id, GL_NEAREST);
+             [&] { glTextureStorage3D(texture, 1, format, width, height, depth); });
+    set_filter(texture, GL_NEAREST);
     return texture;
 }
 
 BufferTexture make_buffer_texture(GLenum format, const void* data, std::size_t bytes) {
     Buffer buffer = make_buffer(bytes, data, GL_DYNAMIC_STORAGE_BIT);
-    GLuint id = 0;
-    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
-    glTextureBuffer(id, format, buffer);
-    return {std::move(buffer), Texture(id)};
+    Texture texture = created<Texture>(glCreateTextures, GL_TEXTURE_BUFFER);
+    glTextureBuffer(texture, format, buffer);
+    return {std::move(buffer), std::move(texture)};
 }
 
 Framebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth) {
-    GLuint id = 0;
-    glCreateFramebuffers(1, &id);
+    Framebuffer framebuffer = created<Framebuffer>(glCreateFramebuffers);
     std::vector<GLenum> attachments;
     for (const GLuint texture : colours) {
         attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
-        glNamedFramebufferTexture(id, attachments.back(), texture, 0);
+        glNamedFramebufferTexture(framebuffer, attachments.back(), texture, 0);
     }
-    glNamedFramebufferDrawBuffers(id, static_cast<GLsizei>(attachments.size()), attachments.data());
-    if (depth != 0) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
-    return Framebuffer(id);
+    glNamedFramebufferDrawBuffers(framebuffer, static_cast<GLsizei>(attachments.size()), attachments.data());
+    if (depth != 0) glNamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, depth, 0);
+    return framebuffer;
 }
 
 Result<Program> make_program(std::string_view vertex_shader, std::string_view fragment_shader, std::string_view defines,
@@ -195,6 +168,13 @@ Result<void> make_programs(std::initializer_list<ProgramSource> sources) {
         *source.to = std::move(made);
     }
     return {};
+}
+
+void use_attributes(GLuint array, std::initializer_list<GLuint> attributes) {
+    for (const GLuint attribute : attributes) {
+        glVertexArrayAttribBinding(array, attribute, 0);
+        glEnableVertexArrayAttrib(array, attribute);
+    }
 }
 
 Result<void> Fullscreen::make(std::string_view fragment, std::string_view defines) {

@@ -64,6 +64,13 @@ using Query = GlObject<delete_query>;
 using Program = GlObject<delete_program>;
 using Shader = GlObject<delete_shader>;
 
+// By one of OpenGL's functions that make objects; `target` is that of a texture.
+template <class Object> [[nodiscard]] Object created(auto create, auto... target) {
+    GLuint id = 0;
+    create(target..., 1, &id);
+    return Object(id);
+}
+
 // A point in the stream of commands that the graphics card passes some time.
 class Fence {
 public:
@@ -88,10 +95,11 @@ private:
     return reinterpret_cast<void*>(bytes); // NOLINT(performance-no-int-to-ptr): nothing lies there
 }
 
-[[nodiscard]] Buffer make_buffer(); // of no size
 // `flags` as of glBufferStorage; `data` may be null.
 [[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);
-[[nodiscard]] VertexArray make_vertex_array();
+[[nodiscard]] inline VertexArray make_vertex_array() { return created<VertexArray>(glCreateVertexArrays); }
+// What is read of the one buffer that the array has.
+void use_attributes(GLuint array, std::initializer_list<GLuint> attributes);
 // A texture without mipmaps, nearest filtering, of the given internal format; multisampled when samples > 0.
 [[nodiscard]] Texture make_texture(GLenum format, int width, int height, int samples = 0);
 // The same with layers, of GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.

@@ -8,14 +8,15 @@ namespace ramus::render {
 
 namespace {
 
+constexpr const char* kInAllShaders[] = {"bindings.glsl", "limits.glsl", "ids.glsl", "look/lanes.glsl",
+                                         "look/octahedral.glsl"};
 constexpr int kDeepestInclude = 8; // a file that includes itself would never end
 
 class Assembler {
 public:
     Assembler(ShaderText& text, int version) : text_(text), version_(version) {}
 
-    // The file's lines, with those that it includes between. A #version line becomes an empty one: it stands before all
-    // else already.
+    // The file's lines, with those that it includes between.
     void add(std::string_view name, int depth = 0) {
         const auto found = kShaderSources.find(name);
         const std::size_t file = number_of(name);
@@ -32,8 +33,6 @@ public:
                 const std::size_t end = line.find('"', kInclude.size());
                 add(std::string_view(line).substr(kInclude.size(), end - kInclude.size()), depth + 1);
                 out_ << "#line " << line_number + 1 << ' ' << file << '\n';
-            } else if (line.starts_with("#version")) {
-                out_ << '\n';
             } else {
                 note_constant(line);
                 if (line.starts_with("layout(")) line = with_number(line);
@@ -110,6 +109,7 @@ ShaderText shader_text(std::string_view name, std::string_view defines, int vers
     head += defines;
     if (wrapped) head += "#define main place_vertex\n";
     if (version < 430) assembler.add("floor.glsl");
+    for (const char* common : kInAllShaders) assembler.add(common);
     assembler.add(name);
     text.glsl = head + assembler.finish();
     if (wrapped)

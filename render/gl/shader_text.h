@@ -1,5 +1,6 @@
 // ShaderText: a shader file as a driver gets it, for the version of GLSL that the driver has. Files are written once,
-// for `#version 450 core`; `#include "name"` lines are replaced by the file of that name, names of
+// for `#version 450 core`, which they need not say; before each stands what all have in common: numbers, ids, the
+// language of shaders/look. `#include "name"` lines are replaced by the file of that name, names of
 // shaders/bindings.glsl in layout(...) by their numbers, and compilers' messages are turned back to files and lines.
 // Below 4.30 a shader cannot say where its uniforms, samplers and blocks lie: that is taken out of the text and told,
 // for the program to be given it when it is linked (render/gl/gl_floor.h).

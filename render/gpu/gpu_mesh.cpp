@@ -85,10 +85,7 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
     glVertexArrayAttribFormat(vertex_array, kAttributeNormal, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
     glVertexArrayAttribIFormat(vertex_array, kAttributeBranch, 1, GL_INT, offsetof(GpuVertex, branch));
     glVertexArrayAttribIFormat(vertex_array, kAttributeDominance, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, dominance));
-    for (const GLuint i : {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeDominance}) {
-        glVertexArrayAttribBinding(vertex_array, i, 0);
-        glEnableVertexArrayAttrib(vertex_array, i);
-    }
+    use_attributes(vertex_array, {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeDominance});
 }
 
 std::size_t GpuMesh::Copy::bytes() const {
@@ -143,43 +140,39 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
     shown_ = mesh;
 }
 
+template <class Call> void GpuMesh::for_pages(const glm::dmat4& to_clip, const Call& call) const {
+    if (!shown_) return;
+    std::size_t first = 0;
+    for (const auto& page : shown_->triangle_pages()) {
+        if (page->count > 0 && in_picture(page->lower, page->upper, to_clip)) call(*page, first);
+        first += TrianglePage::kSize;
+    }
+}
+
 GpuMesh::Ranges GpuMesh::choose(const std::vector<Layer>& layers, Layer layer, const glm::dmat4& to_clip) const {
     Ranges ranges;
-    if (!shown_) return ranges;
     const bool all_opaque = std::ranges::all_of(layers, [](Layer l) { return l == Layer::kOpaque; });
     if (all_opaque && layer != Layer::kOpaque) return ranges;
-    const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-        const TrianglePage& page = *pages[i];
-        if (page.count == 0 || !in_picture(page.lower, page.upper, to_clip)) continue;
-        const std::size_t first = i * TrianglePage::kSize;
-        if (all_opaque) {
-            ranges.add(first, page.first_border);
-            continue;
-        }
-        for (const TrianglePage::Run& run : page.runs) {
+    for_pages(to_clip, [&](const TrianglePage& page, std::size_t first) {
+        if (all_opaque) return ranges.add(first, page.first_border);
+        for (const TrianglePage::Run& run : page.runs)
             if (layer_of(layers, static_cast<std::size_t>(run.branch)) == layer)
                 ranges.add(first + run.first, run.count);
-        }
-    }
+    });
     return ranges;
 }
 
 GpuMesh::Ranges GpuMesh::choose_borders(const std::vector<Layer>& layers, Layer layer,
                                         const glm::dmat4& to_clip) const {
     Ranges ranges;
-    if (!shown_) return ranges;
     const auto is_wanted = [&](std::int32_t branch) {
         return layer_of(layers, static_cast<std::size_t>(branch)) == layer;
     };
-    const PagedMesh::TrianglePages& pages = shown_->triangle_pages();
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-        const TrianglePage& page = *pages[i];
-        if (page.count == page.first_border || !in_picture(page.lower, page.upper, to_clip)) continue;
+    for_pages(to_clip, [&](const TrianglePage& page, std::size_t first) {
         if (std::ranges::any_of(page.borders,
                                 [&](const auto& pair) { return is_wanted(pair[0]) || is_wanted(pair[1]); }))
-            ranges.add(i * TrianglePage::kSize + page.first_border, page.count - page.first_border);
-    }
+            ranges.add(first + page.first_border, page.count - page.first_border);
+    });
     return ranges;
 }
 
@@ -198,9 +191,7 @@ std::uint64_t GpuMesh::draw(const Ranges& ranges) const {
 
 std::uint64_t GpuMesh::triangles_in_picture(const glm::dmat4& to_clip) const {
     std::uint64_t count = 0;
-    if (shown_)
-        for (const auto& page : shown_->triangle_pages())
-            if (page->count > 0 && in_picture(page->lower, page->upper, to_clip)) count += page->count;
+    for_pages(to_clip, [&](const TrianglePage& page, std::size_t) { count += page.count; });
     return count;
 }
 

@@ -55,6 +55,9 @@ public:
     [[nodiscard]] std::uint64_t triangles_in_picture(const glm::dmat4& to_clip) const;
 
 private:
+    // call(page, its first triangle) for those in the picture.
+    template <class Call> void for_pages(const glm::dmat4& to_clip, const Call& call) const;
+
     // Buffers and what is in them, page by page.
     struct Copy {
         VertexArray vertex_array;

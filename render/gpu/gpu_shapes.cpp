@@ -63,10 +63,7 @@ Shape::Shape(const mesh::TriangleMesh& mesh, As as) : made_of_(mesh), as_(as) {
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_, 0, sizeof(Vertex));
     glVertexArrayAttribFormat(vertex_array_, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
     glVertexArrayAttribFormat(vertex_array_, kAttributeNormal, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normal));
-    for (const GLuint i : {kAttributePosition, kAttributeNormal}) {
-        glVertexArrayAttribBinding(vertex_array_, i, 0);
-        glEnableVertexArrayAttrib(vertex_array_, i);
-    }
+    use_attributes(vertex_array_, {kAttributePosition, kAttributeNormal});
 }
 
 std::uint64_t Shape::draw() const {

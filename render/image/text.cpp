@@ -1,8 +1,11 @@
 #include "render/image/text.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <glm/vec2.hpp>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -49,12 +52,6 @@ const std::map<char, std::pair<double, const char*>> kStrokes{
     {'I', {2, "06 26 | 16 10 | 00 20"}},
 };
 
-double distance_to_stroke(double x, double y, double ax, double ay, double bx, double by) {
-    const double dx = bx - ax, dy = by - ay, squared = dx * dx + dy * dy;
-    const double t = squared > 0.0 ? std::clamp(((x - ax) * dx + (y - ay) * dy) / squared, 0.0, 1.0) : 0.0;
-    return std::hypot(x - ax - t * dx, y - ay - t * dy);
-}
-
 Coverage draw_strokes(std::string_view text, double capital_height) {
     const double unit = capital_height / 6.0, pen = std::max(0.55, 0.075 * capital_height), gap = 1.7 * unit + pen;
     const double margin = pen + 1.0;
@@ -71,26 +68,24 @@ Coverage draw_strokes(std::string_view text, double capital_height) {
         const auto& [advance, path] = kStrokes.at(c);
         const std::string_view points(path);
         bool down = false;
-        double ax = 0.0, ay = 0.0;
+        glm::dvec2 a(0.0);
         for (std::size_t i = 0; i < points.size();) {
             if (points[i] == '|') {
                 down = false;
                 i += 2;
                 continue;
             }
-            const double bx = left + (points[i] - '0') * unit,
-                         by = margin + capital_height - (points[i + 1] - '0') * unit;
+            const glm::dvec2 b(left + (points[i] - '0') * unit, margin + capital_height - (points[i + 1] - '0') * unit);
             i += 3;
             if (down) {
                 for (int y = 0; y < result.height; ++y)
                     for (int x = 0; x < result.width; ++x) {
-                        const double d = distance_to_stroke(x + 0.5, y + 0.5, ax, ay, bx, by);
+                        const double d = distance_to_line(glm::dvec2(x + 0.5, y + 0.5), a, b);
                         result.put(x, y, static_cast<std::uint8_t>(255.0 * std::clamp(pen + 0.5 - d, 0.0, 1.0)));
                     }
             }
             down = true;
-            ax = bx;
-            ay = by;
+            a = b;
         }
         left += advance * unit + gap;
     }

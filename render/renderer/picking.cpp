@@ -14,14 +14,6 @@ namespace {
 // Ids less 1: those of lesions are beyond every branch, those of context beyond every lesion.
 constexpr int kFirstLesion = int{record::kSolid}, kFirstContext = int{record::kSolid | record::kContext};
 
-void read(const PickWindow& window, const ResolvedTarget& from, int target, GLenum format, GLenum type, void* to) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
-    glReadPixels(window.x, window.y, window.width, window.height, format, type, to);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-}
-
 } // namespace
 
 PickWindow pick_window(const Frame& frame, const ViewSetup& view, double x, double y) {
@@ -65,12 +57,14 @@ int branch_of(std::uint32_t id) {
     return static_cast<int>(id) - 1 < kFirstLesion ? static_cast<int>(id) - 1 : kNoBranch;
 }
 
-void read_ids(const PickWindow& window, const ResolvedTarget& from, void* ids) {
-    read(window, from, kTargetIdNormal, GL_RED_INTEGER, GL_UNSIGNED_INT, ids);
-}
-
-void read_depths(const PickWindow& window, const ResolvedTarget& from, void* depths) {
-    read(window, from, kTargetPickedDepth, GL_RED, GL_FLOAT, depths);
+void read_pixels(const PickWindow& window, const ResolvedTarget& from, int target, void* to) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
+    const bool ids = target == kTargetIdNormal;
+    glReadPixels(window.x, window.y, window.width, window.height, ids ? GL_RED_INTEGER : GL_RED,
+                 ids ? GL_UNSIGNED_INT : GL_FLOAT, to);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
 }
 
 void PickRequest::drop() {
@@ -95,8 +89,8 @@ void PickRequest::ask(const PickWindow& window, const Camera& camera, const Reso
             capacity_ = 2 * bytes;
         }
         glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
-        read_ids(window, from, nullptr);
-        read_depths(window, from, offset_pointer(bytes));
+        read_pixels(window, from, kTargetIdNormal, nullptr);
+        read_pixels(window, from, kTargetPickedDepth, offset_pointer(bytes));
         glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     }
     fence_.emplace().put();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/gl/gl_objects.h"
-#include "render/renderer/renderer.h"
+#include "render/renderer/drawn.h"
 #include "render/renderer/targets.h"
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct PickWindow {
 [[nodiscard]] Pick nearest_in(const PickWindow& window, const std::uint32_t* ids, const float* depths,
                               const Camera& camera, const ViewSetup& view);
 
-// Copies the window's ids and depths: to memory, or into the pixel pack buffer that is bound.
-void read_ids(const PickWindow& window, const ResolvedTarget& from, void* ids);
-void read_depths(const PickWindow& window, const ResolvedTarget& from, void* depths);
+// Copies ids (kTargetIdNormal) or depths (kTargetPickedDepth) of the window: to memory, or into the pixel pack buffer
+// that is bound.
+void read_pixels(const PickWindow& window, const ResolvedTarget& from, int target, void* to);
 
 // kNoBranch where the id is none, or of something else.
 [[nodiscard]] int branch_of(std::uint32_t id);

@@ -1,8 +1,6 @@
 // What the picture shows under its pixels.
 #include "render/renderer/renderer.h"
 
-#include "render/renderer/renderer_impl.h"
-
 #include <algorithm>
 #include <string>
 
@@ -19,47 +17,20 @@ Result<void> check_size(std::int64_t width, std::int64_t height) {
     return {};
 }
 
-Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Renderer::~Renderer() = default;
-
 Result<std::unique_ptr<Renderer>> Renderer::create(std::size_t glass_bytes, std::size_t surface_bytes) {
-    auto impl = std::make_unique<Impl>(glass_bytes, surface_bytes);
-    if (auto ready = impl->initialise(); !ready) return tl::unexpected(ready.error());
-    return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
+    std::unique_ptr<Renderer> renderer(new Renderer(glass_bytes, surface_bytes));
+    if (auto ready = renderer->card_.passes.make(); !ready) return tl::unexpected(ready.error());
+    return renderer;
 }
-
-Result<DrawStatistics> Renderer::draw(const Frame& frame, std::size_t upload_budget, double seconds) {
-    return impl_->draw(frame, upload_budget, seconds);
-}
-Refined Renderer::refine(double seconds) { return impl_->refine(seconds); }
-std::size_t Renderer::surface_bytes() const { return impl_->surface_bytes(); }
-unsigned Renderer::texture() const { return impl_->picture().colour; }
-Image Renderer::read_image() { return impl_->picture().read(); }
-void Renderer::present(unsigned framebuffer, int x, int y) { impl_->picture().present(framebuffer, x, y); }
-BranchPicture Renderer::read_branches() { return impl_->read_branches(); }
-Pick Renderer::pick(double x, double y) { return impl_->pick(x, y); }
-void Renderer::request_pick(double x, double y) {
-    try {
-        impl_->request_pick(x, y);
-    } catch (const OutOfGraphicsMemory&) {
-        impl_->request_pick(-1e9, -1e9); // the answer is: nothing there
-    }
-}
-std::optional<Pick> Renderer::poll_pick() { return impl_->poll_pick(); }
-
-Target::Target(int width, int height) : picture_(std::make_unique<PictureTarget>()) { picture_->make({width, height}); }
-Target::~Target() = default;
-unsigned Target::framebuffer() const { return picture_->framebuffer; }
-Image Target::read_image() const { return picture_->read_premultiplied(); }
 
 // The caster draws every pixel of a picture, whatever passes are to draw next.
-ViewSetup Renderer::Impl::shown_view() const {
+ViewSetup Renderer::shown_view() const {
     ViewSetup view = card_.targets.view;
     if (state_.by_caster()) view.size = view.picture;
     return view;
 }
 
-Pick Renderer::Impl::pick(double x, double y) {
+Pick Renderer::pick(double x, double y) {
     if (!state_.answers()) finish();
     if (!last_ || !state_.answers()) return {};
     const ViewSetup view = shown_view();
@@ -76,13 +47,13 @@ Pick Renderer::Impl::pick(double x, double y) {
             std::copy_n(caster.depths() + from, window.width, depths.data() + to);
         }
     } else {
-        read_ids(window, card_.targets.resolved, ids.data());
-        read_depths(window, card_.targets.resolved, depths.data());
+        read_pixels(window, card_.targets.resolved, kTargetIdNormal, ids.data());
+        read_pixels(window, card_.targets.resolved, kTargetPickedDepth, depths.data());
     }
     return nearest_in(window, ids.data(), depths.data(), last_->camera, view);
 }
 
-BranchPicture Renderer::Impl::read_branches() {
+BranchPicture Renderer::read_branches() {
     if (!state_.answers()) finish();
     BranchPicture picture;
     if (!last_ || !state_.answers()) return picture;
@@ -93,7 +64,7 @@ BranchPicture Renderer::Impl::read_branches() {
     if (!by_caster) {
         const PickWindow all{{}, 0.0, 0, 0, drawn.x, drawn.y};
         read.resize(all.pixels());
-        read_ids(all, card_.targets.resolved, read.data());
+        read_pixels(all, card_.targets.resolved, kTargetIdNormal, read.data());
     }
     const std::uint32_t* ids = by_caster ? card_.passes.cast.caster().ids() : read.data();
     const std::ptrdiff_t stride = by_caster ? card_.passes.cast.caster().stride() : drawn.x;
@@ -109,14 +80,18 @@ BranchPicture Renderer::Impl::read_branches() {
     return picture;
 }
 
-void Renderer::Impl::request_pick(double x, double y) {
+void Renderer::request_pick(double x, double y) {
     request_.drop();
     if (!state_.answers()) return request_.answer({});
     if (state_.by_caster()) return request_.answer(pick(x, y));
-    request_.ask(pick_window(*last_, shown_view(), x, y), last_->camera, card_.targets.resolved);
+    try {
+        request_.ask(pick_window(*last_, shown_view(), x, y), last_->camera, card_.targets.resolved);
+    } catch (const OutOfGraphicsMemory&) {
+        request_.answer({}); // nothing there
+    }
 }
 
-std::optional<Pick> Renderer::Impl::poll_pick() {
+std::optional<Pick> Renderer::poll_pick() {
     const auto found = request_.poll(shown_view());
     return found && !last_ ? Pick{} : found;
 }

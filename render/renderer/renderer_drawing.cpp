@@ -2,7 +2,7 @@
 #include "core/base/stopwatch.h"
 #include "render/gl/gl_context.h"
 #include "render/renderer/passes/gl_state.h"
-#include "render/renderer/renderer_impl.h"
+#include "render/renderer/renderer.h"
 
 #include <algorithm>
 #include <string>
@@ -57,7 +57,7 @@ int most_samples() {
 
 // Memory may run out in any pass: then nothing is kept of the picture and of what was sent for it, so that the next
 // draw(), perhaps of less, begins with what was there before the first.
-Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
+Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(wanted.size.x, wanted.size.y); !fits) return tl::unexpected(fits.error());
     try {
         return draw_all(wanted, upload_budget, seconds);
@@ -69,13 +69,12 @@ Result<DrawStatistics> Renderer::Impl::draw(const Frame& wanted, std::size_t upl
 
 // The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the view rests
 // it stays with them.
-bool Renderer::Impl::moves(const Frame& wanted, const Frame& frame) const {
+bool Renderer::moves(const Frame& wanted, const Frame& frame) const {
     return frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
            last_->states == frame.states && (state_.by_caster() || last_->camera != frame.camera);
 }
 
-Renderer::Impl::Plan Renderer::Impl::plan_for(const Frame& wanted, const Frame& frame,
-                                              const std::vector<Layer>& layers) const {
+Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const {
     // With what is under its pixels, or it is made anew for that.
     if (last_ && *last_ == frame && state_.answers()) return Plan::kNothing;
     if (unfinished_ && unfinished_->view.layers() == layers &&
@@ -91,7 +90,7 @@ Renderer::Impl::Plan Renderer::Impl::plan_for(const Frame& wanted, const Frame& 
 
 // Most that passes draw into is made when the first of them draws: a window's first picture is the caster's, and comes
 // that much sooner.
-Result<void> Renderer::Impl::resize(const Frame& frame, Plan plan) {
+Result<void> Renderer::resize(const Frame& frame, Plan plan) {
     const bool full = plan == Plan::kCast || frame.quality == Quality::kFull;
     const int divisor = full ? 1 : kInteractiveDivisor, samples = full ? most_samples() : 1;
     const bool reads_depths = frame.skeleton || !frame.lines.empty();
@@ -118,7 +117,7 @@ Result<void> Renderer::Impl::resize(const Frame& frame, Plan plan) {
     return {};
 }
 
-std::uint64_t Renderer::Impl::cast(const Subject& subject) {
+std::uint64_t Renderer::cast(const Subject& subject) {
     ViewSetup& view = card_.targets.view;
     view.look(subject.frame, subject.has_mesh() ? subject.mesh.shown()->bounds() : card_.scene.lines().bounds(),
               card_.scene.beside_tree(subject.frame));
@@ -127,7 +126,7 @@ std::uint64_t Renderer::Impl::cast(const Subject& subject) {
 }
 
 // Draws on at what is on its way; true: its geometry is whole.
-Result<bool> Renderer::Impl::draw_parts(double seconds, DrawStatistics& done) {
+Result<bool> Renderer::draw_parts(double seconds, DrawStatistics& done) {
     if (!unfinished_->view.draw_on(seconds)) return false;
     const auto& triangles = unfinished_->view.triangles();
     if (!triangles) return tl::unexpected(triangles.error());
@@ -137,7 +136,7 @@ Result<bool> Renderer::Impl::draw_parts(double seconds, DrawStatistics& done) {
     return true;
 }
 
-Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
+Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t upload_budget, double seconds) {
     const Stopwatch watch;
     DrawStatistics done;
     const auto taken = card_.scene.take_up(wanted, upload_budget, done);
@@ -193,7 +192,7 @@ Result<DrawStatistics> Renderer::Impl::draw_all(const Frame& wanted, std::size_t
     return done;
 }
 
-void Renderer::Impl::begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) {
+void Renderer::begin(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) {
     const bool moving = moves(wanted, frame);
     wanted_mesh_ = wanted.mesh;
     unfinished_.reset(
@@ -201,7 +200,7 @@ void Renderer::Impl::begin(const Frame& wanted, const Frame& frame, const std::v
     state_.begin();
 }
 
-Result<Region> Renderer::Impl::shade(const Subject& subject, Plan plan) {
+Result<Region> Renderer::shade(const Subject& subject, Plan plan) {
     // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all. Layers of glass
     // are not kept.
     const bool can_change_parts = plan == Plan::kShade && (!card_.targets.has_glass || gl_has_lists());
@@ -220,7 +219,7 @@ Result<Region> Renderer::Impl::shade(const Subject& subject, Plan plan) {
 }
 
 // What was lit, or the caster's picture, with what lies over it.
-void Renderer::Impl::show(const Subject& subject, const Region& region) {
+void Renderer::show(const Subject& subject, const Region& region) {
     const ViewTargets& targets = card_.targets;
     const PictureTarget& picture = card_.picture;
     picture.bind();
@@ -236,7 +235,7 @@ void Renderer::Impl::show(const Subject& subject, const Region& region) {
     end_passes();
 }
 
-Refined Renderer::Impl::refine(double seconds) {
+Refined Renderer::refine(double seconds) {
     if (!last_ || !state_.can_refine() || last_->quality != Quality::kFull) return {};
     const auto stop = [&] { // as far as it goes
         refinement_.reset();
@@ -272,7 +271,7 @@ Refined Renderer::Impl::refine(double seconds) {
 }
 
 // The sum of views begins with the one that is there, all of it.
-Result<void> Renderer::Impl::begin_refinement() {
+Result<void> Renderer::begin_refinement() {
     card_.passes.begin(card_.targets.view);
     if (state_.stage() == PictureState::Stage::kFineInParts) {
         const Subject subject = subject_of(*last_, last_layers_);
@@ -285,19 +284,19 @@ Result<void> Renderer::Impl::begin_refinement() {
     return {};
 }
 
-void Renderer::Impl::finish() {
+void Renderer::finish() {
     if (!unfinished_) return;
     const Frame wanted = unfinished_->wanted;
     (void)draw(wanted, 0, kUntilDone);
 }
 
-void Renderer::Impl::give_up() {
+void Renderer::give_up() {
     unfinished_.reset();
     refinement_.reset();
     state_.interrupt();
 }
 
-tl::unexpected<Error> Renderer::Impl::failed(const Error& error) {
+tl::unexpected<Error> Renderer::failed(const Error& error) {
     tl::unexpected<Error> result(error);
     give_up();
     last_.reset();
@@ -306,7 +305,7 @@ tl::unexpected<Error> Renderer::Impl::failed(const Error& error) {
 }
 
 // After memory has run out.
-void Renderer::Impl::let_go() {
+void Renderer::let_go() {
     give_up();
     last_.reset();
     state_.lose();

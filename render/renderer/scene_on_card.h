@@ -4,7 +4,7 @@
 #include "render/gpu/gpu_lines.h"
 #include "render/gpu/gpu_mesh.h"
 #include "render/gpu/gpu_shapes.h"
-#include "render/renderer/renderer.h"
+#include "render/renderer/drawn.h"
 #include "render/renderer/view_setup.h"
 
 namespace ramus::render {

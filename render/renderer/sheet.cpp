@@ -52,7 +52,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     }
     Sheet outline = outline_of(sheet);
     const bool arranged = outline != shown_;
-    if (!sheet.blend) {
+    if (!sheet.mixed()) {
         blend_.reset();
     } else if (sum.shaded || arranged || !blend_) {
         if (auto blended = blend(sheet); !blended) return tl::unexpected(blended.error());
@@ -72,7 +72,8 @@ Result<void> SheetRenderer::blend(const Sheet& sheet) {
         }
         const Image heading =
             sheet.heading.empty() ? Image() : painter_->heading(sheet.heading, SpriteSource(sheet.viewports[0].frame));
-        blend_->draw(first_.texture(), others_[0]->texture(), *sheet.blend, sheet.size, heading, sheet.heading_top);
+        const Mix mix{sheet.blend.value_or(0.0), sheet.wipe, sheet.line_width};
+        blend_->draw(first_.texture(), others_[0]->texture(), mix, sheet.size, heading, sheet.heading_top);
         return {};
     } catch (const OutOfGraphicsMemory& error) {
         blend_.reset();
@@ -88,7 +89,7 @@ Result<Refined> SheetRenderer::refine(const Sheet& sheet, double seconds) {
         sum.more = done.more;
         sum.changed |= done.changed;
     }
-    if (sum.changed && sheet.blend)
+    if (sum.changed && sheet.mixed())
         if (auto blended = blend(sheet); !blended) return tl::unexpected(blended.error());
     return sum;
 }
@@ -147,8 +148,9 @@ void SheetRenderer::present(unsigned framebuffer, int x, int y) {
 }
 
 std::size_t SheetRenderer::viewport_at(const Sheet& sheet, glm::dvec2 at) {
-    if (sheet.blend) {
-        const std::size_t more = *sheet.blend > 0.5 ? 1 : 0;
+    if (sheet.mixed()) {
+        const bool second = sheet.blend ? *sheet.blend > 0.5 : at.x >= *sheet.wipe * sheet.size.x;
+        const std::size_t more = second ? 1 : 0;
         return sheet.viewports[more].has_branches ? more : 1 - more;
     }
     std::size_t nearest = 0;
@@ -193,13 +195,18 @@ Result<void> Blend::make() {
     return overlay_.make("overlay.frag");
 }
 
-void Blend::draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top) {
+void Blend::draw(unsigned first, unsigned second, const Mix& mix, glm::ivec2 size, const Image& heading, int top) {
     if (size != picture_.size) picture_.make(size);
     begin_passes(size);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     picture_.bind();
-    glProgramUniform1f(mix_, kUniformShare, static_cast<float>(share));
+    const auto line = static_cast<float>(mix.line.value_or(0.0) * size.x);
+    const bool seen = mix.line && *mix.line > 0.0 && *mix.line < 1.0;
+    glProgramUniform1f(mix_, kUniformShare, static_cast<float>(mix.share));
+    const int above = heading.width > 0 ? top + heading.height : 0; // the heading stands over the line
+    glProgramUniform3f(mix_, kUniformLine, mix.line ? line : -1.0F, seen ? 0.5F * mix.line_width : 0.0F,
+                       static_cast<float>(size.y - above));
     glBindTextureUnit(kUnitImage, first);
     glBindTextureUnit(kUnitOtherImage, second);
     mix_.draw();

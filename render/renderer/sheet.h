@@ -19,8 +19,17 @@
 
 namespace ramus::render {
 
-// Blend: two pictures of one size, one fading into the other in linear light. At 0 it is the first, at 1 the second, to
-// the bit. It keeps what it made: equal pictures in equal shares are mixed once.
+// How two pictures of one size become one: the second fades in as its share grows, in linear light, 0 to 1; or it lies
+// right of a line, and the first left of it.
+struct Mix {
+    double share = 0.0;
+    std::optional<double> line{}; // from the left, of the width, 0 to 1; at either end there is none to be seen
+    float line_width = 1.0F;      // pixels
+    bool operator==(const Mix&) const = default;
+};
+
+// Blend: two pictures mixed. At a share of 0 it is the first, at 1 the second, and beside a line either, to the bit. It
+// keeps what it made: equal pictures mixed alike are mixed once.
 //
 // All calls need the GL context current that was current at make(), the destructor too.
 class Blend {
@@ -28,7 +37,7 @@ public:
     [[nodiscard]] Result<void> make();
 
     // `heading` lies in the middle, `top` pixels from the edge; of no size: none. Throws OutOfGraphicsMemory.
-    void draw(unsigned first, unsigned second, double share, glm::ivec2 size, const Image& heading, int top);
+    void draw(unsigned first, unsigned second, const Mix& mix, glm::ivec2 size, const Image& heading, int top);
 
     [[nodiscard]] const PictureTarget& picture() const { return picture_; }
 
@@ -45,11 +54,14 @@ struct Sheet {
         bool operator==(const Viewport&) const = default;
     };
     glm::ivec2 size{1};              // pixels
-    std::vector<Viewport> viewports; // one at least; two of the sheet's size where there is a blend
+    std::vector<Viewport> viewports; // one at least; two of the sheet's size where they are mixed
     std::optional<double> blend;     // how much there is of the second, 0 to 1
-    std::string heading;             // of a blend: Latin-1, in the middle at the top
+    std::optional<double> wipe;      // where the line is, of the width: the first lies left of it, the second right
+    float line_width = 1.0F;         // of the line, pixels
+    std::string heading;             // of two that are mixed: Latin-1, in the middle at the top
     int heading_top = 0;             // pixels above it
     glm::vec3 divider{0.0F};         // sRGB, between viewports; nothing where the background is transparent
+    [[nodiscard]] bool mixed() const { return blend || wipe; }
     bool operator==(const Sheet&) const = default;
 };
 
@@ -67,10 +79,10 @@ public:
     [[nodiscard]] Image read_image();
     void present(unsigned framebuffer, int x = 0, int y = 0); // as Renderer::present()
 
-    // Of every pixel of the sheet whether a surface is there, in either picture of a blend.
+    // Of every pixel of the sheet whether a surface is there, in either of two pictures that are mixed.
     [[nodiscard]] std::vector<bool> read_covered();
 
-    // As of Renderer. Of a blend what there is more of that has branches.
+    // As of Renderer. Of a blend what there is more of that has branches; beside a line what is seen.
     [[nodiscard]] Pick pick(glm::dvec2 at);
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<Pick> poll_pick();

@@ -1,5 +1,7 @@
 #include "render/scene/bounds.h"
 
+#include "core/base/bounds.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -23,23 +25,17 @@ void Box::include(const glm::dvec3& point) {
 
 Box bounds_of(const mesh::TriangleMesh& mesh) {
     if (mesh.positions.empty()) return {};
-    glm::vec3 lower = mesh.positions.front(), upper = lower;
-    for (const glm::vec3& position : mesh.positions) {
-        lower = glm::min(lower, position);
-        upper = glm::max(upper, position);
-    }
-    return {glm::dvec3(lower), glm::dvec3(upper)};
+    Bounds<glm::vec3> box;
+    for (const glm::vec3& position : mesh.positions) box.hold(position);
+    return {glm::dvec3(box.least), glm::dvec3(box.most)};
 }
 
 Box bounds_of(const Centerlines& lines) {
     if (lines.points.empty()) return {};
-    glm::vec3 lower(lines.points.front()), upper = lower;
-    for (std::size_t i = 0; i < lines.points.size(); ++i) {
-        const float radius = 0.5F * lines.details[i].diameter_mm;
-        lower = glm::min(lower, glm::vec3(lines.points[i]) - radius);
-        upper = glm::max(upper, glm::vec3(lines.points[i]) + radius);
-    }
-    return {lines.origin + glm::dvec3(lower), lines.origin + glm::dvec3(upper)};
+    Bounds<glm::vec3> box;
+    for (std::size_t i = 0; i < lines.points.size(); ++i)
+        box.hold(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
+    return {lines.origin + glm::dvec3(box.least), lines.origin + glm::dvec3(box.most)};
 }
 
 } // namespace ramus::render

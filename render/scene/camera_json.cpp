@@ -11,65 +11,62 @@ namespace {
 const char* const kHint = "a camera is {\"position\": [x, y, z], \"focal_point\": [x, y, z], \"view_up\": [x, y, z], "
                           "\"view_angle\": degrees, \"orthographic\": true|false, \"scale\": mm}";
 
-nlohmann::json to_array(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+nlohmann::json value_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+nlohmann::json value_of(double number) { return number; }
+nlohmann::json value_of(bool flag) { return flag; }
 
 tl::unexpected<Error> refuse(const std::string& what, const std::string& where) {
     return fail("camera: " + what, where, kHint);
 }
 
-Result<double> number_from(const nlohmann::json& json, const std::string& name, const std::string& where) {
+using Json = nlohmann::json;
+
+Result<void> read(const Json& json, const std::string& name, const std::string& where, double& to) {
     if (!json.is_number()) return refuse(name + " is not a number", where);
-    const double value = json.get<double>();
-    if (!std::isfinite(value) || std::abs(value) > 1e12) return refuse(name + " is out of range", where);
-    return value;
+    to = json.get<double>();
+    if (!std::isfinite(to) || std::abs(to) > 1e12) return refuse(name + " is out of range", where);
+    return {};
 }
 
-Result<glm::dvec3> vector_from(const nlohmann::json& json, const std::string& name, const std::string& where) {
+Result<void> read(const Json& json, const std::string& name, const std::string& where, glm::dvec3& to) {
     if (!json.is_array() || json.size() != 3) return refuse(name + " is not a list of three numbers", where);
-    glm::dvec3 result;
-    for (int i = 0; i < 3; ++i) {
-        RAMUS_TRY(value, number_from(json[static_cast<std::size_t>(i)], name, where));
-        result[i] = value;
-    }
-    return result;
+    for (int i = 0; i < 3; ++i)
+        if (auto done = read(json[static_cast<std::size_t>(i)], name, where, to[i]); !done) return done;
+    return {};
+}
+
+Result<void> read(const Json& json, const std::string& name, const std::string& where, bool& to) {
+    if (!json.is_boolean()) return refuse(name + " is not true or false", where);
+    to = json.get<bool>();
+    return {};
+}
+
+// Calls call(name, member) for all that a camera has.
+template <class Of, class Call> void for_members(Of& camera, const Call& call) {
+    call("position", camera.position);
+    call("focal_point", camera.focal_point);
+    call("view_up", camera.view_up);
+    call("view_angle", camera.view_angle);
+    call("orthographic", camera.orthographic);
+    call("scale", camera.scale);
 }
 
 } // namespace
 
 nlohmann::json to_json(const Camera& camera) {
-    return {{"position", to_array(camera.position)}, {"focal_point", to_array(camera.focal_point)},
-            {"view_up", to_array(camera.view_up)},   {"view_angle", camera.view_angle},
-            {"orthographic", camera.orthographic},   {"scale", camera.scale}};
+    nlohmann::json json;
+    for_members(camera, [&](const char* name, const auto& member) { json[name] = value_of(member); });
+    return json;
 }
 
 Result<Camera> camera_from_json(const nlohmann::json& json, const std::string& where) {
     if (!json.is_object()) return refuse("not an object", where);
     Camera camera;
     for (const auto& item : json.items()) {
-        const std::string& name = item.key();
-        const nlohmann::json& value = item.value();
-        Result<void> done{};
-        const auto take = [&](auto& field, auto read) {
-            if (auto v = read(value, name, where))
-                field = *v;
-            else
-                done = tl::unexpected(v.error());
-        };
-        if (name == "position")
-            take(camera.position, vector_from);
-        else if (name == "focal_point")
-            take(camera.focal_point, vector_from);
-        else if (name == "view_up")
-            take(camera.view_up, vector_from);
-        else if (name == "view_angle")
-            take(camera.view_angle, number_from);
-        else if (name == "scale")
-            take(camera.scale, number_from);
-        else if (name == "orthographic") {
-            if (!value.is_boolean()) return refuse("orthographic is not true or false", where);
-            camera.orthographic = value.get<bool>();
-        } else
-            return refuse("unknown name \"" + name + "\"", where);
+        Result<void> done = refuse("unknown name \"" + item.key() + "\"", where);
+        for_members(camera, [&](const char* name, auto& member) {
+            if (item.key() == name) done = read(item.value(), name, where, member);
+        });
         if (!done) return tl::unexpected(done.error());
     }
     const glm::dvec3 sight = camera.focal_point - camera.position;

@@ -1,5 +1,7 @@
 #include "render/scene/centerlines.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,11 +44,10 @@ constexpr double kThinningShare = 0.15; // of the radius; tuned by eye
 std::pair<std::size_t, double> farthest(const Centerlines& lines, std::size_t first, std::size_t last, double most_mm) {
     const glm::dvec3 a(lines.points[first]), ab = glm::dvec3(lines.points[last]) - a;
     const double ra = 0.5 * lines.details[first].diameter_mm, rb = 0.5 * lines.details[last].diameter_mm;
-    const double squared = glm::dot(ab, ab);
     std::pair<std::size_t, double> found{first, 0.0};
     for (std::size_t i = first + 1; i < last; ++i) {
         const glm::dvec3 ap = glm::dvec3(lines.points[i]) - a;
-        const double t = squared > 0.0 ? glm::clamp(glm::dot(ap, ab) / squared, 0.0, 1.0) : 0.0;
+        const double t = share_along(ap, ab);
         const double radius = 0.5 * lines.details[i].diameter_mm;
         const double off = glm::length(ap - t * ab) + std::abs(radius - (ra + t * (rb - ra)));
         const double share = off / std::max(1e-9, std::min(kThinningShare * radius, most_mm));

@@ -8,9 +8,6 @@
 // - with_sign(a, b) is a with the sign of b, a being positive.
 // - mad(a, b, c) is a * b + c, in one step where the processor has it; reciprocal(x) may be off by 1e-7 of its value,
 //   rough_inversesqrt(x) by 4e-4.
-#ifndef LOOK_LANES
-#define LOOK_LANES
-
 #define INLINE
 #define Float float
 #define Uint uint
@@ -26,5 +23,3 @@
 
 float with_sign(float size, float of) { return of >= 0.0 ? size : -size; }
 bool has(uint bits, uint bit) { return (bits & bit) != 0u; }
-
-#endif

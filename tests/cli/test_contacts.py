@@ -113,12 +113,12 @@ class Blend(CommandLineTest):
         return self.json("mesh", "-o", "out.ply", "--json", *arguments)["components"]
 
     def test_vessels_that_touch_merge_or_stay_apart(self):
-        self.assertEqual(self.components("crossing.swc"), 1)
+        self.assertEqual(self.components("crossing.swc"), 2)
         self.assertEqual(self.components("crossing.swc", "--blend", "paper"), 1)
         self.assertEqual(self.components("crossing.swc", "--blend", "tree"), 2)
 
     def test_commands_and_sessions_keep_what_was_chosen(self):
-        self.write("c.txt", "blend tree\nsave tree.json\nblend\nsave paper.json\nsurface blend tree\nundo\nsave undone.json\n")
+        self.write("c.txt", "save tree.json\nblend\nsave paper.json\nsurface blend tree\nundo\nsave undone.json\n")
         self.expect_done("render", "crossing.swc", "-o", "out.png", "--size", "64x64", "--commands", "c.txt")
         blends = {name: json.loads((self.folder / name).read_text())["options"]["blend"]
                   for name in ("tree.json", "paper.json", "undone.json")}
@@ -171,8 +171,25 @@ class Pictures(CommandLineTest):
             self.assertAlmostEqual(value, wanted)
         page = (self.folder / "page.html").read_text()
         self.assertIn("<h2>Contacts</h2>", page)
+        self.assertEqual(self.picture("n.png", "crossing.swc", "--contact", "1"), (self.folder / "c.png").read_bytes())
         self.write("c.txt", "contact 2\n")
         self.expect_failure("render", "crossing.swc", "-o", "c.png", "--commands", "c.txt", says=["c.txt:1", "which contact?"])
+
+    def test_one_is_shown_both_ways(self):
+        ways = [self.picture(f"{way}.png", "crossing.swc", "--contact", "1", "--compare", "wipe", "--wipe", at)
+                for way, at in (("apart", "0"), ("merged", "1"), ("both", "0.5"))]
+        self.assertEqual(len(set(ways)), 3)
+        self.write("c.txt", "contact 1 wipe\nsave s.json\n")
+        self.assertEqual(self.picture("c.png", "crossing.swc", "--commands", "c.txt"), ways[2])
+        comparison = json.loads((self.folder / "s.json").read_text())["comparison"]
+        self.assertEqual((comparison["mode"], comparison["surfaces"]), ("wipe", ["paper", "tree"]))
+        # The session's own way is one of the two, whichever that is.
+        self.assertEqual(self.picture("p.png", "crossing.swc", "--contact", "1", "--compare", "wipe", "--blend", "paper"),
+                         ways[2])
+        for wrong in (["--wipe", "0.5"], ["--compare", "blend", "--wipe", "0.5"], ["--compare", "wipe", "--wipe", "2"],
+                      ["--contact", "0"]):
+            self.expect_failure("render", "crossing.swc", "-o", "out.png", *wrong, says=[wrong[-2]], status=2)
+        self.expect_failure("render", "crossing.swc", "-o", "out.png", "--contact", "2", says=["which contact?"])
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ class Systems(CommandLineTest):
     def test_each_has_a_surface_of_its_own(self):
         self.assertEqual(self.json("mesh", self.tree, "-o", "a.ply", "--json")["components"], 2)
         joined = {key: value for key, value in TREE.items() if "systems" not in key}
-        one = self.json("mesh", self.write("one.json", json.dumps(joined)), "-o", "b.ply", "--json")
+        one = self.json("mesh", self.write("one.json", json.dumps(joined)), "-o", "b.ply", "--blend", "paper", "--json")
         self.assertEqual(one["components"], 1)
 
     def test_one_is_chosen_by_name_or_number(self):

@@ -1,5 +1,5 @@
 """Contacts in the window: they are found by themselves, the list leads to each and selects both vessels, marks them in
-the picture, follows the smoothing; the blend keeps vessels apart; undo and the session keep what was chosen.
+the picture, follows the smoothing; the blend merges vessels; undo and the session keep what was chosen.
 
 Usage: contacts_journey.py PROGRAM
 """
@@ -24,7 +24,7 @@ TUBES = """1 2 0 -10 0 1 -1
 """
 LINE = "Lists where vessels press on each other without being connected there"
 MARK = "Rings where vessels press on each other: yellow where they overlap, else blue"
-BLEND = "Vessels merge wherever they come close, or stay apart where they only press on each other"
+BLEND = "Vessels stay apart where they only press on each other, or merge wherever they come close"
 SMOOTH = "Binomial passes over points and radii"
 
 
@@ -80,14 +80,30 @@ def marks(window):
 
 def blends(window):
     before = window.status()["triangles"]
-    choose(window, BLEND, "Along the tree")
-    status = window.wait("vessels apart", lambda s: s["options"]["blend"] == "tree" and ready(s))
-    check(status["undo"] == "surface blend tree" and status["triangles"] != before, "the surface is another")
-    window.xdotool("key", "ctrl+z")
+    choose(window, BLEND, "Wherever close")
     status = window.wait("vessels merged", lambda s: s["options"]["blend"] == "paper" and ready(s))
+    check(status["undo"] == "surface blend paper" and status["triangles"] != before, "the surface is another")
+    window.xdotool("key", "ctrl+z")
+    status = window.wait("vessels apart", lambda s: s["options"]["blend"] == "tree" and ready(s))
     check(status["triangles"] == before, "undo brings the one before back")
     window.xdotool("key", "ctrl+shift+z")
-    window.wait("vessels apart", lambda s: s["options"]["blend"] == "tree" and ready(s))
+    window.wait("vessels merged", lambda s: s["options"]["blend"] == "paper" and ready(s))
+
+
+def wiped(window):
+    click(window, "Wipe contact 1")
+    status = window.wait("both ways", lambda s: s.get("comparison", {}).get("mode") == "wipe" and ready(s))
+    check(status["comparison"]["surfaces"] == ["paper", "tree"] and status["contacts"]["contact"] == 1,
+          "one click shows a contact both ways")
+    x, y, width, height = status["viewport"]
+    at = (int(x + width / 2), int(y + height - 60))
+    window.xdotool("mousemove", *at, "mousedown", 1, "mousemove", at[0] + 40, at[1], "mousemove", at[0] + 100, at[1],
+                   "mouseup", 1)
+    status = window.wait("the line", lambda s: s["comparison"].get("wipe", 0.5) > 0.5)
+    check(abs(status["comparison"]["wipe"] - (0.5 + 100 / width)) < 0.01, "the line is dragged to where the pointer is")
+    check(status["undo"].startswith("compare wipe"), "as one step of undo")
+    click(window, "Wipe contact 1")
+    window.wait("one surface", lambda s: s.get("comparison", {"mode": "off"})["mode"] == "off")
 
 
 def follows(window):
@@ -107,12 +123,13 @@ def contacts(program, screen, folder):
         places(window)
         marks(window)
         blends(window)
+        wiped(window)
         follows(window)
         window.xdotool("key", "ctrl+s")
         status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
         session = Path(status["notice"].split("Session saved: ")[1])
         options = json.loads(session.read_text())["options"]
-        check(options["blend"] == "tree" and options["contact_marks"], "the session keeps the blend and the marks")
+        check(options["blend"] == "paper" and options["contact_marks"], "the session keeps the blend and the marks")
         check(window.quit() == 0, "Ctrl+Q closes the window")
     finally:
         window.end()

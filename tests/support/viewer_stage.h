@@ -29,12 +29,12 @@ public:
     TemporaryFolder folder;
     app::Workspace workspace{{}};
     std::unique_ptr<render::Renderer> renderer;
-    render::Target target;
+    render::PictureTarget target;
     std::unique_ptr<app::Viewer> viewer;
     double now = 0.0; // s
 
-    ViewerStage(const std::string& swc, glm::ivec2 size, render::GlVersion newest = {99, 0})
-        : context_(newest), target(size.x, size.y) {
+    ViewerStage(const std::string& swc, glm::ivec2 size, render::GlVersion newest = {99, 0}) : context_(newest) {
+        target.make(size);
         std::ofstream(folder.path() / "tree.swc") << swc;
         workspace.open(folder.path() / "tree.swc");
         auto made = render::Renderer::create();
@@ -45,7 +45,7 @@ public:
         viewer = std::move(*shown);
         viewer->resize(size, 1.0F);
     }
-    void draw() { viewer->draw(now += 0.05, target.framebuffer()); }
+    void draw() { viewer->draw(now += 0.05, target.framebuffer); }
     // Until nothing is to come; the picture then.
     render::Image settle() {
         const auto busy = [&] { return !viewer->resting() || !workspace.surface_ready() || workspace.comparing(); };
@@ -53,7 +53,7 @@ public:
             draw();
             if (workspace.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
-        return target.read_image();
+        return target.read_premultiplied();
     }
     void button(bool down, double after) {
         viewer->input().mouse_button(app::MouseButton::kLeft, down, {}, now += after);

@@ -50,7 +50,7 @@ TEST_CASE("a viewer that runs out of graphics memory says so, lives, and shows t
             stage.now += 10.0; // notices are gone
             viewer.redraw();
             for (int i = 0; i < 5; ++i) stage.draw();
-            return view_of(stage.target.read_image(), viewer.layout());
+            return view_of(stage.target.read_premultiplied(), viewer.layout());
         };
         const std::vector<std::uint8_t> before = settle();
         const glm::ivec2 middle = viewer.layout().view_at + viewer.layout().view_size / 2;
@@ -75,7 +75,7 @@ TEST_CASE("viewports beside each other show the tree, and each is pointed at by 
     CHECK(stage.viewer->picture().picture_size() == stage.layout.viewport_size);
     CHECK(3 * stage.layout.viewport_size.x < stage.layout.view_size.x);
     // The tree was fitted to the viewport: its middle is in the middle of each.
-    const render::Image beside = stage.target.read_image();
+    const render::Image beside = stage.target.read_premultiplied();
     for (std::size_t viewport = 0; viewport < 3; ++viewport) {
         CAPTURE(viewport);
         const glm::ivec2 at(stage.middle(viewport));

@@ -51,24 +51,16 @@ bool LocalContacts::enter(SegmentIndices list) {
     };
     piece_of_.clear();
     for (const std::uint32_t segment : list) piece_of_.push_back(number_of(all_.of_segment(segment)));
-    matrix_.assign(pieces_.size() * pieces_.size(), {});
+    matrix_.assign(pieces_.size() * pieces_.size(), -1.0F);
     partner_bits_.assign(pieces_.size() * words(), 0);
-    first_obstacle_.assign(1, 0);
-    obstacles_.clear();
-    for (std::size_t a = 0; a < pieces_.size(); ++a) {
+    for (std::size_t a = 0; a < pieces_.size(); ++a)
         for (const tree::Contacts::Partner& partner : contacts.partners_of(pieces_[a])) {
-            const PieceRelation relation{partner.apart_from, partner.aside};
-            if (const int b = number_of(partner.piece); b >= 0) {
-                const auto other = static_cast<std::size_t>(b);
-                matrix_[a * pieces_.size() + other] = relation;
-                if (partner.apart_from > 0.0F)
-                    partner_bits_[a * words() + other / 64] |= std::uint64_t{1} << other % 64;
-            }
-            const PieceShape* shape = all_.shape(partner.piece);
-            if (partner.apart_from > 0.0F && shape != nullptr) obstacles_.push_back({shape, relation});
+            const int b = number_of(partner.piece);
+            if (b < 0) continue;
+            const auto other = static_cast<std::size_t>(b);
+            matrix_[a * pieces_.size() + other] = partner.apart_from;
+            if (partner.apart_from > 0.0F) partner_bits_[a * words() + other / 64] |= std::uint64_t{1} << other % 64;
         }
-        first_obstacle_.push_back(obstacles_.size());
-    }
     return true;
 }
 

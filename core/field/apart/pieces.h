@@ -1,6 +1,8 @@
-// Pieces: the stretches of vessel that others are kept apart from (core/tree/contacts/contacts.h), with their shapes.
+// Pieces: the stretches of vessel that others are kept apart from (core/tree/contacts/contacts.h), with their shapes
+// and what presses on them.
 #pragma once
 
+#include "core/field/apart/axes.h"
 #include "core/field/skeleton.h"
 #include "core/tree/contacts/contacts.h"
 
@@ -14,6 +16,7 @@ namespace ramus::field {
 struct PieceShape {
     glm::dvec3 start{0.0}, end{0.0};
     double start_radius = 0.0, end_radius = 0.0;
+    tree::AxisMove move; // as its axis counts where walls are drawn
     bool operator==(const PieceShape&) const = default;
 };
 
@@ -29,16 +32,27 @@ public:
         const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
         return at == kNone ? nullptr : &shapes_[at];
     }
+    // What presses on a piece that is there.
+    [[nodiscard]] const ObstacleRows& obstacles() const { return obstacles_; }
+    [[nodiscard]] ObstacleRange obstacles_of(std::uint32_t piece) const {
+        const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
+        return at == kNone ? ObstacleRange{} : ranges_[at];
+    }
     // Whether the piece has the same partners in another state, in the same places.
     [[nodiscard]] bool same_around(std::uint32_t piece, const Pieces& before) const;
     // Whether a vessel that is there presses on the piece.
-    [[nodiscard]] bool in_contact(std::uint32_t piece) const;
+    [[nodiscard]] bool in_contact(std::uint32_t piece) const { return obstacles_of(piece).count > 0; }
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    void list_obstacles();
+
     const tree::Contacts& contacts_;
     std::vector<std::uint32_t> shape_of_piece_;
     std::vector<PieceShape> shapes_;
+    std::vector<std::uint32_t> piece_of_shape_;
+    std::vector<ObstacleRange> ranges_; // by shape
+    ObstacleRows obstacles_;
 };
 
 } // namespace ramus::field

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -34,10 +35,13 @@ constexpr std::array<std::array<GridPlace, kGroupPoints>, kGroups> kPlaces = [] 
     return places;
 }();
 
+constexpr unsigned kKnownBits = 12;
+
 } // namespace
 
 VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces)
-    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces) {}
+    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces),
+      known_(std::size_t{1} << kKnownBits) {}
 
 void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
@@ -45,20 +49,39 @@ void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     parts_ = views_.enter(list);
 }
 
+VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {
+    std::uint64_t number = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        number = (number ^ std::bit_cast<std::uint64_t>(point[axis])) * 0x9E3779B97F4A7C15ULL;
+    return known_[number >> (64 - kKnownBits)];
+}
+
+VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
+    const VesselViews::Sight sight = views_.look(point);
+    Verdict verdict{plain, kNoOwner};
+    std::size_t place = VesselViews::kNone;
+    if (sight == VesselViews::Sight::kParted) {
+        kernels_ += views_.add_terms();
+        views_.list_vessels();
+        const VesselViews::Verdict seen = views_.judge();
+        verdict.value = static_cast<float>(seen.value);
+        if (seen.owner != VesselViews::kNone) place = views_.seen()[seen.owner].place;
+    } else {
+        if (views_.alone()) return verdict;
+        if (sight == VesselViews::Sight::kCut) verdict.value = std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
+    }
+    if (place == VesselViews::kNone) place = views_.nearest_place();
+    if (place != VesselViews::kNone) verdict.owner = static_cast<Owner>(views_.list()[place]);
+    return verdict;
+}
+
 float VesselBrick::value_at(const glm::dvec3& point, float plain) {
     // Leaving out makes sums smaller: what is outside of all stays there.
     if (plain < views_.isovalue()) return plain;
-    switch (views_.look(point)) {
-    case VesselViews::Sight::kPlain:
-        return plain;
-    case VesselViews::Sight::kCut:
-        return std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
-    case VesselViews::Sight::kParted:
-        break;
-    }
-    kernels_ += views_.add_terms();
-    views_.list_vessels();
-    return static_cast<float>(views_.judge().value);
+    const Verdict verdict = judge(point, plain);
+    // Whether anything is kept apart there may be known in one brick only; whose it is then is the same in all.
+    if (verdict.owner != kNoOwner) known(point) = {point, verdict.owner, true};
+    return verdict.value;
 }
 
 std::uint64_t VesselBrick::sample_groups(unsigned groups, GridGroups& samples) {
@@ -97,19 +120,8 @@ std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<con
 }
 
 Owner VesselBrick::owner_at(const glm::dvec3& point) {
-    const VesselViews::Sight sight = views_.look(point);
-    std::size_t owner = VesselViews::kNone;
-    if (sight == VesselViews::Sight::kPlain) {
-        if (views_.alone()) return kNoOwner;
-        views_.see_all();
-    }
-    if (sight == VesselViews::Sight::kParted) {
-        kernels_ += views_.add_terms();
-        views_.list_vessels();
-        owner = views_.judge().owner;
-    }
-    if (owner == VesselViews::kNone) owner = views_.nearest();
-    return owner == VesselViews::kNone ? kNoOwner : static_cast<Owner>(views_.list()[views_.seen()[owner].place]);
+    const Known& there = known(point);
+    return there.is_known && there.point == point ? there.owner : judge(point, views_.isovalue()).owner;
 }
 
 std::uint32_t VesselBrick::place_of(Owner owner) const {

@@ -31,14 +31,30 @@ public:
 
 private:
     [[nodiscard]] std::uint32_t place_of(Owner owner) const; // in the list
+    // What becomes of the plain sum at a point, and whose it is: kNoOwner where nothing is kept apart.
+    struct Verdict {
+        float value = 0.0F;
+        Owner owner = kNoOwner;
+    };
+    Verdict judge(const glm::dvec3& point, float plain);
     float value_at(const glm::dvec3& point, float plain);
-    Owner owner_at(const glm::dvec3& point); // of one that is inside; kNoOwner where nothing is kept apart
+    Owner owner_at(const glm::dvec3& point); // of one that is inside
+
+    // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where
+    // bricks touch by both.
+    struct Known {
+        glm::dvec3 point{0.0};
+        Owner owner = kNoOwner;
+        bool is_known = false;
+    };
+    Known& known(const glm::dvec3& point);
 
     std::unique_ptr<BrickField> sum_;
     const FieldSegment* segments_;
     VesselViews views_;
     GridAxes axes_;
     bool parts_ = false;
+    std::vector<Known> known_;  // by a number made of the point
     std::uint64_t kernels_ = 0; // evaluated since this was last asked for
 };
 

@@ -16,42 +16,6 @@ namespace {
 constexpr double kClaimRadii = 1.25;
 // So near to what is cut off, in radii, a point may have to be moved away.
 constexpr double kBesideRadii = 0.5;
-constexpr double kFarAway = std::numeric_limits<double>::infinity();
-
-using tree::share_along;
-
-bool closer_than(double distance, const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 between = b - a;
-    return glm::dot(between, between) < distance * distance;
-}
-
-// How far along a way a straight line is nearest to it, mm; both directions are unit vectors.
-double nearest_to_line(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& start,
-                       const glm::dvec3& along) {
-    const double cosine = glm::dot(way, along);
-    const double sine2 = std::max(1.0 - cosine * cosine, 1e-12);
-    return glm::dot(start - from, way - cosine * along) / sine2;
-}
-
-SeenSegment seen_from(const FieldSegment& s, const glm::dvec3& point, std::uint32_t place, int piece) {
-    const glm::dvec3 start(s.ax, s.ay, s.az);
-    const glm::dvec3 u(s.ux, s.uy, s.uz);
-    const double t = std::clamp(glm::dot(point - start, u), 0.0, static_cast<double>(s.length));
-    SeenSegment seen{place, piece, 0.0, static_cast<double>(s.radius) + static_cast<double>(s.slope) * t,
-                     start + t * u};
-    seen.distance = glm::distance(point, seen.foot);
-    return seen;
-}
-
-// Whether the segment's support reaches the point.
-bool reaches(const FieldSegment& s, const glm::dvec3& point, double support_radii) {
-    const glm::dvec3 from = point - glm::dvec3(s.ax, s.ay, s.az);
-    const glm::dvec3 u(s.ux, s.uy, s.uz);
-    const double t = std::clamp(glm::dot(from, u), 0.0, static_cast<double>(s.length));
-    const glm::dvec3 off = from - t * u;
-    const double reach = support_radii * (static_cast<double>(s.radius) + static_cast<double>(s.slope) * t);
-    return glm::dot(off, off) < reach * reach;
-}
 
 } // namespace
 
@@ -61,63 +25,138 @@ VesselViews::VesselViews(const Kernel& kernel, const FieldSegment* segments, con
 
 bool VesselViews::enter(SegmentIndices list) {
     list_ = list;
-    kept_apart_.clear();
     if (!contacts_.enter(list)) return false;
-    for (std::uint32_t n = 0; n < list_.size(); ++n)
-        if (contacts_.piece(n) >= 0) kept_apart_.push_back(n);
+    list_axes();
     return true;
 }
 
+void VesselViews::list_axes() {
+    kept_apart_.clear();
+    others_.clear();
+    piece_of_axis_.clear();
+    kept_axes_.clear(list_.size());
+    other_axes_.clear(list_.size());
+    any_moved_ = false;
+    for (std::uint32_t n = 0; n < list_.size(); ++n) {
+        const FieldSegment& s = segments_[list_[n]];
+        const int piece = contacts_.piece(n);
+        (piece >= 0 ? kept_apart_ : others_).push_back(n);
+        if (piece >= 0) piece_of_axis_.push_back(piece);
+        (piece >= 0 ? kept_axes_ : other_axes_)
+            .add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
+                 static_cast<double>(s.slope));
+        any_moved_ = any_moved_ || (piece >= 0 && contacts_.shape(piece).move != tree::AxisMove{});
+    }
+    kept_feet_.rows.reserve(kept_axes_.count);
+    other_feet_.rows.reserve(other_axes_.count);
+    if (!any_moved_) return;
+    counted_feet_.rows.reserve(kept_axes_.count);
+    counted_axes_.clear(kept_apart_.size());
+    for (std::size_t n = 0; n < kept_apart_.size(); ++n) {
+        const FieldSegment& s = segments_[list_[kept_apart_[n]]];
+        const PieceShape& shape = contacts_.shape(contacts_.piece(kept_apart_[n]));
+        const auto counted = [&](double along) {
+            const glm::dvec3 place = kept_axes_.at(n, along);
+            const double share = tree::share_along(place - shape.start, shape.end - shape.start);
+            return place + shape.move.at(share);
+        };
+        const glm::dvec3 start = counted(0.0), end = counted(static_cast<double>(s.length));
+        const double length = glm::distance(start, end);
+        counted_axes_.add(start, (end - start) / std::max(length, 1e-300), length, 1.0, 0.0);
+    }
+}
+
+SeenSegment VesselViews::seen_on(const Axes& axes, const AxisFeet& feet, const std::vector<std::uint32_t>& places,
+                                 std::uint32_t axis) const {
+    const std::uint32_t place = places[axis];
+    return {place,
+            contacts_.piece(place),
+            axis,
+            std::sqrt(feet.of(axis, kFootDistance2)),
+            feet.of(axis, kFootRadius),
+            axes.at(axis, feet.of(axis, kFootAlong))};
+}
+
+namespace {
+
+std::uint32_t nearest_in_radii(const AxisFeet& feet) {
+    return *std::ranges::min_element(feet.near, {}, [&](std::uint32_t n) { return feet.of(n, kFootRelative2); });
+}
+
+} // namespace
+
 VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     point_ = point;
-    near_.clear();
-    beside_contact_ = false;
-    for (const std::uint32_t n : kept_apart_) {
-        const FieldSegment& segment = segments_[list_[n]];
-        if (reaches(segment, point, kernel_.support_radii))
-            near_.push_back(seen_from(segment, point, n, contacts_.piece(n)));
-    }
+    counted_known_ = others_known_ = beside_contact_ = false;
+    find_feet(kept_axes_, point_, kernel_.support_radii, kept_feet_);
+    if (kept_feet_.near.empty()) return Sight::kPlain;
     if (any_left_out()) {
         see_all();
         return Sight::kParted;
     }
-    if (near_.empty()) return Sight::kPlain;
-    const SeenSegment& own = *std::ranges::min_element(near_, {}, &SeenSegment::relative);
-    if (own.relative() > kClaimRadii) return Sight::kPlain;
-    const double spare = nearest_shadow(own).spare;
+    const std::uint32_t nearest = nearest_in_radii(kept_feet_);
+    if (kept_feet_.of(nearest, kFootRelative2) > kClaimRadii * kClaimRadii) return Sight::kPlain;
+    const SeenSegment own = seen_on(kept_axes_, kept_feet_, kept_apart_, nearest);
+    const double spare = shadow_on(own).spare;
     beside_contact_ = spare < kBesideRadii * own.radius;
-    if (!(spare < 0.0)) return Sight::kPlain;
+    if (!(spare < 0.0) || nearest_place() != own.place) return Sight::kPlain;
     see_all();
-    return seen_[nearest()].place == own.place ? Sight::kCut : Sight::kPlain;
+    return Sight::kCut;
+}
+
+void VesselViews::find_others() {
+    if (!others_known_) find_feet(other_axes_, point_, kernel_.support_radii, other_feet_);
+    others_known_ = true;
+}
+
+std::size_t VesselViews::nearest_place() {
+    find_others();
+    const bool kept = !kept_feet_.near.empty(), other = !other_feet_.near.empty();
+    if (!kept && !other) return kNone;
+    const std::uint32_t k = kept ? nearest_in_radii(kept_feet_) : 0, o = other ? nearest_in_radii(other_feet_) : 0;
+    return !other || (kept && kept_feet_.of(k, kFootRelative2) <= other_feet_.of(o, kFootRelative2)) ? kept_apart_[k]
+                                                                                                     : others_[o];
 }
 
 void VesselViews::see_all() {
+    find_others();
     seen_.clear();
-    auto next = near_.begin();
-    for (std::uint32_t n = 0; n < list_.size(); ++n) {
-        if (next != near_.end() && next->place == n) {
-            seen_.push_back(*next++);
-            continue;
-        }
-        const FieldSegment& segment = segments_[list_[n]];
-        if (contacts_.piece(n) < 0 && reaches(segment, point_, kernel_.support_radii))
-            seen_.push_back(seen_from(segment, point_, n, -1));
+    auto other = other_feet_.near.begin();
+    const auto add_others = [&](std::uint32_t before) {
+        for (; other != other_feet_.near.end() && others_[*other] < before; ++other)
+            seen_.push_back(seen_on(other_axes_, other_feet_, others_, *other));
+    };
+    for (const std::uint32_t axis : kept_feet_.near) {
+        add_others(kept_apart_[axis]);
+        seen_.push_back(seen_on(kept_axes_, kept_feet_, kept_apart_, axis));
     }
+    add_others(static_cast<std::uint32_t>(list_.size()));
 }
 
 bool VesselViews::any_left_out() {
     near_pieces_.assign(contacts_.words(), 0);
-    for (const SeenSegment& seen : near_) {
-        const auto piece = static_cast<std::size_t>(seen.piece);
+    for (const std::uint32_t axis : kept_feet_.near) {
+        const auto piece = static_cast<std::size_t>(piece_of_axis_[axis]);
         near_pieces_[piece / 64] |= std::uint64_t{1} << piece % 64;
     }
-    for (const SeenSegment& a : near_) {
-        const auto partners = contacts_.partners(a.piece);
+    for (const std::uint32_t a : kept_feet_.near) {
+        const auto partners = contacts_.partners(piece_of_axis_[a]);
         bool any = false;
         for (std::size_t w = 0; w < partners.size(); ++w) any = any || (partners[w] & near_pieces_[w]) != 0;
-        if (any && std::ranges::any_of(near_, [&](const SeenSegment& b) { return leaves_out(a, b); })) return true;
+        if (!any) continue;
+        for (const std::uint32_t b : kept_feet_.near)
+            if (b > a && leaves_out(a, b)) return true; // symmetric
     }
     return false;
+}
+
+bool VesselViews::leaves_out(std::uint32_t a, std::uint32_t b) const {
+    const auto apart_from = static_cast<double>(contacts_.apart_from(piece_of_axis_[a], piece_of_axis_[b]));
+    if (!(apart_from > 0.0)) return false;
+    const double most = apart_from * (kept_feet_.of(a, kFootRadius) + kept_feet_.of(b, kFootRadius));
+    const glm::dvec3 between =
+        kept_axes_.at(a, kept_feet_.of(a, kFootAlong)) - kept_axes_.at(b, kept_feet_.of(b, kFootAlong));
+    return glm::dot(between, between) < most * most;
 }
 
 std::uint64_t VesselViews::add_terms() {
@@ -127,13 +166,8 @@ std::uint64_t VesselViews::add_terms() {
     return terms_.count;
 }
 
-bool VesselViews::leaves_out(const SeenSegment& a, const SeenSegment& b) const {
-    const auto apart_from = static_cast<double>(contacts_.relation(a.piece, b.piece).apart_from);
-    return apart_from > 0.0 && closer_than(apart_from * (a.radius + b.radius), a.foot, b.foot);
-}
-
 double VesselViews::left_out(const SeenSegment& a, const SeenSegment& b) const {
-    const auto apart_from = static_cast<double>(contacts_.relation(a.piece, b.piece).apart_from);
+    const auto apart_from = static_cast<double>(contacts_.apart_from(a.piece, b.piece));
     if (!(apart_from > 0.0)) return 0.0;
     const double closeness = glm::distance(a.foot, b.foot) / (a.radius + b.radius);
     const double whole = 0.5 * (std::min(merged_, apart_from) + apart_from);
@@ -157,95 +191,48 @@ VesselView VesselViews::view(std::size_t seen) const {
     return view;
 }
 
-SeenSegment VesselViews::moved(const SeenSegment& own, const glm::dvec3& aside) const {
-    if (aside == glm::dvec3(0.0)) return own;
-    SeenSegment nearest = own;
-    nearest.distance = kFarAway;
-    for (const SeenSegment& other : near_) {
-        if (other.place != own.place && apart(own, other)) continue;
-        SeenSegment seen = seen_from(segments_[list_[other.place]], point_ - aside, other.place, other.piece);
-        if (seen.distance >= nearest.distance) continue;
-        seen.foot += aside;
-        nearest = seen;
-    }
-    return nearest;
+// Of moved axes the nearest one of the vessel, in mm.
+glm::dvec3 VesselViews::foot_as_it_counts(const SeenSegment& own) const {
+    if (own.piece < 0 || !any_moved_) return own.foot;
+    if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
+    counted_known_ = true;
+    std::uint32_t nearest = own.axis;
+    for (const std::uint32_t other : kept_feet_.near)
+        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) &&
+            !contacts_.apart(own.piece, piece_of_axis_[other]))
+            nearest = other;
+    return counted_axes_.at(nearest, counted_feet_.of(nearest, kFootAlong));
 }
 
-VesselViews::Beside VesselViews::beside(std::size_t own, std::size_t other) const {
-    const glm::dvec3 aside(contacts_.relation(seen_[own].piece, seen_[other].piece).aside);
-    return {point_ - moved(seen_[own], aside).foot, point_ - moved(seen_[other], -aside).foot};
-}
-
-VesselViews::Shadow VesselViews::shadow_of(const Obstacle& obstacle, const Way& way) const {
-    const PieceShape& shape = *obstacle.shape;
-    const glm::dvec3 line = shape.end - shape.start;
-    const double length = glm::length(line);
-    if (!(way.length > 0.0) || !(length > 0.0)) return {kFarAway, {}};
-    // Where the way is nearest to the obstacle's axis, how far it is then, and how long it is within the obstacle.
-    double nearest = nearest_to_line(way.foot, way.direction, shape.start, line / length);
-    double beside = share_along(way.foot + nearest * way.direction - shape.start, line);
-    if (beside <= 0.0 || beside >= 1.0) {
-        nearest = glm::dot(shape.start + beside * line - way.foot, way.direction);
-        beside = share_along(way.foot + nearest * way.direction - shape.start, line);
-    }
-    if (!(nearest > 0.0) || nearest > way.length + way.radius) return {kFarAway, {}};
-    const glm::dvec3 axis = shape.start + beside * line;
-    const glm::dvec3 off = way.foot + nearest * way.direction - axis;
-    const double off2 = glm::dot(off, off);
-    const double radius = glm::mix(shape.start_radius, shape.end_radius, beside);
-    const double lateral = (std::sqrt(off2) - radius) * std::min(way.length / nearest, 1.0);
-    const double half_chord = std::sqrt(std::max(radius * radius - off2, 0.0));
-    // From where on it is nearer to the obstacle's axis, as that counts, than long.
-    const glm::dvec3 between = axis - glm::dvec3(obstacle.relation.aside) - way.foot;
-    const double ahead = glm::dot(between, way.direction);
-    const double middle = ahead > 0.0 ? 0.5 * glm::dot(between, between) / ahead : kFarAway;
-    if (middle >= nearest + half_chord && lateral < 0.0) return {kFarAway, {}};
-    const Shadow front{std::max(nearest, middle) - way.length, way.direction};
-    if (front.spare >= lateral || !(off2 > 0.0)) return front;
-    return {lateral, -off / std::sqrt(off2)};
-}
-
-VesselViews::Way VesselViews::way_to(const SeenSegment& own) const {
-    Way way{own.foot, point_ - own.foot, own.distance, own.radius};
+WayOut VesselViews::way_out(const SeenSegment& own) const {
+    WayOut way{foot_as_it_counts(own), glm::dvec3(0.0), 0.0, own.radius, own.foot};
+    way.direction = point_ - way.foot;
+    way.length = glm::length(way.direction);
     way.direction /= std::max(way.length, 1e-300);
     return way;
 }
 
-VesselViews::Shadow VesselViews::nearest_shadow(const SeenSegment& own) const {
-    Shadow nearest{kFarAway, {}};
-    glm::vec3 moved_by(0.0F); // for the obstacle before: those of one contact follow each other
-    Way way = way_to(own);
-    for (const Obstacle& obstacle : contacts_.obstacles(own.piece)) {
-        const PieceShape& shape = *obstacle.shape;
-        const double thickness = std::max(shape.start_radius, shape.end_radius);
-        const double apart =
-            glm::distance(own.foot, 0.5 * (shape.start + shape.end)) - 0.5 * glm::distance(shape.start, shape.end);
-        if (apart > thickness + own.distance + own.radius) continue;
-        const double beside = share_along(own.foot - shape.start, shape.end - shape.start);
-        const double radii = own.radius + glm::mix(shape.start_radius, shape.end_radius, beside);
-        if (!closer_than(static_cast<double>(obstacle.relation.apart_from) * radii, own.foot,
-                         glm::mix(shape.start, shape.end, beside)))
-            continue;
-        if (obstacle.relation.aside != moved_by) {
-            moved_by = obstacle.relation.aside;
-            way = way_to(moved(own, glm::dvec3(moved_by)));
-        }
-        if (const Shadow shadow = shadow_of(obstacle, way); shadow.spare < nearest.spare) nearest = shadow;
-    }
-    return nearest;
+Shadow VesselViews::shadow_on(const SeenSegment& own) const {
+    const ObstacleRange range = contacts_.obstacles(own.piece);
+    return range.count == 0 ? Shadow{} : nearest_shadow(contacts_.all().obstacles(), range, way_out(own));
+}
+
+glm::dvec3 VesselViews::toward(const SeenSegment& own, const Shadow& shadow) const {
+    return toward_shadow(contacts_.all().obstacles(), shadow.obstacle, way_out(own));
 }
 
 void VesselViews::list_vessels() {
     vessels_.clear();
+    listed_.assign(seen_.size(), 0);
     constexpr std::size_t kMostVessels = 6;
     while (vessels_.size() < kMostVessels) {
         std::size_t nearest = kNone;
-        for (std::size_t n = 0; n < seen_.size(); ++n) {
-            if (nearest != kNone && seen_[n].relative() >= seen_[nearest].relative()) continue;
-            if (std::ranges::all_of(vessels_, [&](std::size_t v) { return apart(seen_[v], seen_[n]); })) nearest = n;
-        }
+        for (std::size_t n = 0; n < seen_.size(); ++n)
+            if (listed_[n] == 0 && (nearest == kNone || seen_[n].relative() < seen_[nearest].relative())) nearest = n;
         if (nearest == kNone) break;
         vessels_.push_back(nearest);
+        for (std::size_t n = 0; n < seen_.size(); ++n)
+            if (!apart(seen_[nearest], seen_[n])) listed_[n] = 1;
     }
 }
 
@@ -256,25 +243,15 @@ VesselViews::Verdict VesselViews::judge() const {
     for (const std::size_t vessel : vessels_) {
         if (seen_[vessel].relative() > kClaimRadii) break;
         double value = view(vessel).value;
-        if (nearest_shadow(seen_[vessel]).spare < 0.0) value = std::min(value, below);
+        if (shadow_on(seen_[vessel]).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;
         bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;
-        if (claims && !better) {
-            const Beside sides = beside(vessel, verdict.owner);
-            better = glm::length(sides.from_own) < glm::length(sides.from_other);
-        }
+        if (claims && !better) better = glm::length(way_from(vessel)) < glm::length(way_from(verdict.owner));
         if (!better) continue;
         verdict.value = value;
         if (claims) verdict.owner = vessel;
     }
     return verdict;
-}
-
-std::size_t VesselViews::nearest() const {
-    std::size_t nearest = kNone;
-    for (std::size_t n = 0; n < seen_.size(); ++n)
-        if (nearest == kNone || seen_[n].relative() < seen_[nearest].relative()) nearest = n;
-    return nearest;
 }
 
 std::size_t VesselViews::nearest_of_vessel(std::uint32_t place) const {

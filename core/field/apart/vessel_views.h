@@ -1,6 +1,7 @@
 // VesselViews: what the vessels around one point make of it, where some are kept apart (vessel_field.h).
 #pragma once
 
+#include "core/field/apart/axes.h"
 #include "core/field/apart/local_contacts.h"
 #include "core/field/kernel.h"
 #include "core/tree/contacts/contacts.h"
@@ -15,6 +16,7 @@ namespace ramus::field {
 struct SeenSegment {
     std::uint32_t place = 0; // in the brick's list
     int piece = -1;          // as LocalContacts numbers it
+    std::uint32_t axis = 0;  // among the axes of what is kept apart, where piece >= 0
     double distance = 0.0;   // of the axis, mm
     double radius = 0.0;     // at the foot, mm
     glm::dvec3 foot{0.0};    // mm
@@ -50,8 +52,10 @@ public:
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
     // After a plain sight: sees what the others see.
     void see_all();
+    // After any sight, without seeing all: the nearest segment in radii by its place in the list; kNone.
+    [[nodiscard]] std::size_t nearest_place();
     // After a plain sight: whether no vessel is near that is kept apart from another one.
-    [[nodiscard]] bool alone() const { return near_.empty(); }
+    [[nodiscard]] bool alone() const { return kept_feet_.near.empty(); }
     // After a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
     // What was seen from there, in the list's order, but after a plain sight. The next ones add the segments' terms.
@@ -60,7 +64,6 @@ public:
     [[nodiscard]] const SegmentTerms& terms() const { return terms_; }
 
     [[nodiscard]] std::int32_t branch(std::size_t seen) const { return segments_[list_[seen_[seen].place]].branch; }
-    [[nodiscard]] std::size_t nearest() const; // in radii, or kNone
 
     [[nodiscard]] bool apart(const SeenSegment& a, const SeenSegment& b) const {
         return contacts_.apart(a.piece, b.piece);
@@ -69,19 +72,11 @@ public:
     [[nodiscard]] double left_out(const SeenSegment& a, const SeenSegment& b) const;
     [[nodiscard]] VesselView view(std::size_t seen) const;
 
-    // How far the axes of two vessels are from the point, as they count where the wall between them is drawn: with the
-    // way from each.
-    struct Beside {
-        glm::dvec3 from_own{0.0}, from_other{0.0}; // mm
-    };
-    [[nodiscard]] Beside beside(std::size_t own, std::size_t other) const;
-    // How far the point is from what lies behind an obstacle, seen from a vessel's axis, mm: negative within. With the
-    // way there, unit.
-    struct Shadow {
-        double spare = 0.0;
-        glm::dvec3 toward{0.0};
-    };
-    [[nodiscard]] Shadow nearest_shadow(const SeenSegment& own) const;
+    // How far a vessel's axis is from the point, as it counts where walls are drawn: the way from the nearest place.
+    [[nodiscard]] glm::dvec3 way_from(std::size_t seen) const { return point_ - foot_as_it_counts(seen_[seen]); }
+    // How far the point is from what lies behind an obstacle, seen from a vessel's axis.
+    [[nodiscard]] Shadow shadow_on(const SeenSegment& own) const;
+    [[nodiscard]] glm::dvec3 toward(const SeenSegment& own, const Shadow& shadow) const;
 
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first.
     void list_vessels();
@@ -97,17 +92,14 @@ public:
     [[nodiscard]] std::size_t nearest_of_vessel(std::uint32_t place) const;
 
 private:
-    // From an axis outward.
-    struct Way {
-        glm::dvec3 foot, direction; // mm; unit
-        double length, radius;      // mm, of the vessel
-    };
-    [[nodiscard]] Way way_to(const SeenSegment& own) const;
-    [[nodiscard]] Shadow shadow_of(const Obstacle& obstacle, const Way& way) const;
-    // The nearest place of a vessel whose axis is moved.
-    [[nodiscard]] SeenSegment moved(const SeenSegment& own, const glm::dvec3& aside) const;
-    [[nodiscard]] bool any_left_out(); // of what is near
-    [[nodiscard]] bool leaves_out(const SeenSegment& a, const SeenSegment& b) const;
+    [[nodiscard]] glm::dvec3 foot_as_it_counts(const SeenSegment& own) const;
+    [[nodiscard]] WayOut way_out(const SeenSegment& own) const;
+    void list_axes();
+    void find_others(); // once for a point
+    [[nodiscard]] SeenSegment seen_on(const Axes& axes, const AxisFeet& feet, const std::vector<std::uint32_t>& places,
+                                      std::uint32_t axis) const;
+    [[nodiscard]] bool any_left_out();                                     // of what is near
+    [[nodiscard]] bool leaves_out(std::uint32_t a, std::uint32_t b) const; // of axes kept apart
 
     Kernel kernel_;
     double surface_phi_, merged_;
@@ -115,12 +107,22 @@ private:
     LocalContacts contacts_;
     SegmentIndices list_;
     glm::dvec3 point_{0.0};
-    std::vector<std::uint32_t> kept_apart_; // places in the list whose pieces have partners
-    std::vector<SeenSegment> near_;         // of these
+    // Places in the list: those whose pieces have partners, and the rest; with their axes, and the feet of the point.
+    std::vector<std::uint32_t> kept_apart_, others_;
+    std::vector<int> piece_of_axis_; // of those kept apart
+    Axes kept_axes_, other_axes_;
+    AxisFeet kept_feet_, other_feet_;
+    bool others_known_ = false; // whether other_feet_ are the point's
+    // Of those kept apart, as they count, where any is moved.
+    Axes counted_axes_;
+    bool any_moved_ = false;
+    mutable AxisFeet counted_feet_;
+    mutable bool counted_known_ = false;
     std::vector<SeenSegment> seen_;
     std::vector<std::uint64_t> near_pieces_; // scratch: one bit each
     bool beside_contact_ = false;
     std::vector<std::size_t> vessels_;
+    std::vector<std::uint8_t> listed_; // scratch: of what is seen, whose vessel is listed
     SegmentTerms terms_;
 };
 

@@ -36,10 +36,10 @@ Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other)
     const SeenSegment& b = views.seen()[other];
     const double gap = kWallRadii * std::min(a.radius, b.radius);
     const Depth within_other = depth_within(views, views.view(other));
-    const VesselViews::Beside sides = views.beside(own, other);
-    const double from_own = std::max(glm::length(sides.from_own), 1e-9 * a.radius);
-    const double from_other = std::max(glm::length(sides.from_other), 1e-9 * b.radius);
-    const glm::dvec3 slope = 0.5 * (sides.from_other / from_other - sides.from_own / from_own);
+    const glm::dvec3 way_own = views.way_from(own), way_other = views.way_from(other);
+    const double from_own = std::max(glm::length(way_own), 1e-9 * a.radius);
+    const double from_other = std::max(glm::length(way_other), 1e-9 * b.radius);
+    const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
     const double steepness = std::max(glm::length(slope), 0.1);
     const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
     Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
@@ -98,8 +98,8 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
             const Depth beside = depth_beside(views, own, other);
             if (beside.mm < depth.mm) depth = beside;
         }
-        if (const auto shadow = views.nearest_shadow(views.seen()[own]); shadow.spare < depth.mm)
-            depth = {shadow.spare, shadow.toward};
+        if (const Shadow shadow = views.shadow_on(views.seen()[own]); shadow.spare < depth.mm)
+            depth = {shadow.spare, views.toward(views.seen()[own], shadow)};
         name(views, own, point);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;

@@ -41,9 +41,6 @@ struct MeshCounts {
 };
 
 struct MeshFormat : FileFormat {
-    bool is_text = false;
-    bool has_parts = false; // objects of their own, with names and colours
-    double unit_mm = 1.0;   // what programs take the file's unit for, once they have heeded what it says
     // `text`: all bytes of the file called `name`; null: it is not read.
     Result<PolygonSoup> (*parse)(std::string_view text, const std::string& name) = nullptr;
     // A file is the header, what each of `vertices` (null: nothing) writes, one after the other, and the triangles. Of
@@ -51,12 +48,15 @@ struct MeshFormat : FileFormat {
     // own until all are put together. Text is longer than the arrays: it is written at the end, from some of one array
     // at a time, the first of `vertices` from positions, the second from normals, which there always are.
     std::string (*header)(const MeshCounts&) = nullptr;
-    std::array<void (*)(const mesh::VertexSpan& more, BufferedFile&), 2> vertices{};
     // Given all vertices so far that `more` names.
     void (*triangles)(std::span<const glm::uvec3> more, const mesh::VertexSpan&, BufferedFile&) = nullptr;
+    std::array<void (*)(const mesh::VertexSpan& more, BufferedFile&), 2> vertices{};
     // Instead of these: a format that needs the whole mesh before its first byte. `where`: what errors name.
     Result<void> (*whole)(const mesh::TriangleMesh&, const MeshNames&, const std::string& where,
                           BufferedFile&) = nullptr;
+    bool is_text = false;
+    bool has_parts = false; // objects of their own, with names and colours
+    double unit_mm = 1.0;   // what programs take the file's unit for, once they have heeded what it says
 };
 
 [[nodiscard]] inline bool is_read(const MeshFormat& format) { return format.parse != nullptr; }

@@ -1,5 +1,6 @@
 #include "core/io/trees/amira_file.h"
 
+#include "core/base/words.h"
 #include "core/io/inflate.h"
 #include "core/io/text_numbers.h"
 
@@ -21,9 +22,7 @@ std::optional<NumberType> amira_type(std::string_view word) {
         {"float", NumberType::kFloat},   {"double", NumberType::kDouble}, {"int", NumberType::kInt32},
         {"byte", NumberType::kUInt8},    {"char", NumberType::kInt8},     {"short", NumberType::kInt16},
         {"ushort", NumberType::kUInt16}, {"uint", NumberType::kUInt32},   {"long", NumberType::kInt64}};
-    for (const auto& [name, type] : kTypes)
-        if (word == name) return type;
-    return std::nullopt;
+    return paired(kTypes, word);
 }
 
 class AmiraHeader {

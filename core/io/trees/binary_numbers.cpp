@@ -24,29 +24,12 @@ template <class From, class To> std::vector<To> converted(std::string_view bytes
 }
 
 template <class To> std::vector<To> converted(std::string_view bytes, NumberType type, std::endian order) {
-    switch (type) {
-    case NumberType::kInt8:
-        return converted<std::int8_t, To>(bytes, order);
-    case NumberType::kUInt8:
-        return converted<std::uint8_t, To>(bytes, order);
-    case NumberType::kInt16:
-        return converted<std::int16_t, To>(bytes, order);
-    case NumberType::kUInt16:
-        return converted<std::uint16_t, To>(bytes, order);
-    case NumberType::kInt32:
-        return converted<std::int32_t, To>(bytes, order);
-    case NumberType::kUInt32:
-        return converted<std::uint32_t, To>(bytes, order);
-    case NumberType::kInt64:
-        return converted<std::int64_t, To>(bytes, order);
-    case NumberType::kUInt64:
-        return converted<std::uint64_t, To>(bytes, order);
-    case NumberType::kFloat:
-        return converted<float, To>(bytes, order);
-    case NumberType::kDouble:
-        return converted<double, To>(bytes, order);
-    }
-    return {};
+    // As `NumberType`.
+    constexpr std::array kAll{converted<std::int8_t, To>,   converted<std::uint8_t, To>,  converted<std::int16_t, To>,
+                              converted<std::uint16_t, To>, converted<std::int32_t, To>,  converted<std::uint32_t, To>,
+                              converted<std::int64_t, To>,  converted<std::uint64_t, To>, converted<float, To>,
+                              converted<double, To>};
+    return kAll[static_cast<std::size_t>(type)](bytes, order);
 }
 
 constexpr std::uint8_t kNoDigit = 255, kPadding = 254, kBlank = 253;

@@ -18,10 +18,6 @@ namespace {
 
 using tree::Note;
 
-void assume(ImportedTree& imported, std::string topic, std::string text) {
-    imported.notes.push_back({Note::Kind::kAssumed, std::move(topic), std::move(text), {}});
-}
-
 Result<void> check_lengths(const ImportedTree& imported) {
     const tree::Graph& graph = imported.graph;
     if (graph.points.size() >= std::numeric_limits<std::uint32_t>::max())
@@ -95,19 +91,19 @@ void suspect_sizes(ImportedTree& imported, const LengthUnit& unit) {
 
 void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     if (!imported.unit && !options.unit) {
-        assume(imported, "units", "the file names no unit of length: taken as mm");
+        imported.assume("units", "the file names no unit of length: taken as mm");
         suspect_unit(imported);
         return;
     }
     const LengthUnit unit = options.unit ? *options.unit : *imported.unit;
     if (options.unit && imported.unit && *imported.unit != unit)
-        assume(imported, "units",
-               "lengths are in " + name_of(unit) + " as asked for; the file says " + name_of(*imported.unit));
+        imported.assume("units",
+                        "lengths are in " + name_of(unit) + " as asked for; the file says " + name_of(*imported.unit));
     else if (options.unit && !imported.unit)
-        assume(imported, "units", "lengths are in " + name_of(unit) + " as asked for; the file does not say");
+        imported.assume("units", "lengths are in " + name_of(unit) + " as asked for; the file does not say");
     const glm::dvec3 mm = unit.mm;
     const bool cubes = mm.x == mm.y && mm.y == mm.z;
-    if (!cubes) assume(imported, "units", "radii are multiplied by the geometric mean of the three sizes");
+    if (!cubes) imported.assume("units", "radii are multiplied by the geometric mean of the three sizes");
     const double radius_mm = cubes ? mm.x : std::cbrt(mm.x * mm.y * mm.z);
     for (tree::Point& p : imported.graph.points) p.position *= mm, p.radius *= radius_mm;
     for (Note& note : imported.notes)
@@ -117,7 +113,7 @@ void apply_unit(ImportedTree& imported, const ReadOptions& options) {
 
 void apply_axes(ImportedTree& imported, const ReadOptions& options) {
     if (!imported.axes && !options.axes)
-        assume(imported, "axes", "the file does not say where its axes lead: taken as right, anterior, superior (RAS)");
+        imported.assume("axes", "the file does not say where its axes lead: taken as right, anterior, superior (RAS)");
     if (options.axes.value_or(imported.axes.value_or(Axes::kRas)) == Axes::kRas) return;
     const auto turn = [](glm::dvec3& p) { p.x = -p.x, p.y = -p.y; };
     for (tree::Point& p : imported.graph.points) turn(p.position);
@@ -128,13 +124,11 @@ void apply_axes(ImportedTree& imported, const ReadOptions& options) {
 void apply_radius_meaning(ImportedTree& imported, const ReadOptions& options) {
     const RadiusIs is = options.radius_is.value_or(imported.radius_is);
     if (options.radius_is && *options.radius_is != imported.radius_is)
-        assume(imported, "radius-is",
-               std::string("widths are taken as ") + (is == RadiusIs::kDiameter ? "diameters" : "radii") +
-                   " as asked for");
+        imported.assume("radius-is", std::string("widths are taken as ") +
+                                         (is == RadiusIs::kDiameter ? "diameters" : "radii") + " as asked for");
     else if (!options.radius_is && !imported.radius_name.empty())
-        assume(imported, "radius-is",
-               "\"" + imported.radius_name + "\" is taken as the " +
-                   (is == RadiusIs::kDiameter ? "diameter" : "radius"));
+        imported.assume("radius-is", "\"" + imported.radius_name + "\" is taken as the " +
+                                         (is == RadiusIs::kDiameter ? "diameter" : "radius"));
     if (is == RadiusIs::kRadius) return;
     for (tree::Point& p : imported.graph.points) p.radius *= 0.5;
     for (double& radius : imported.edge_radii) radius *= 0.5;
@@ -171,9 +165,9 @@ void keep_parallel_vessels(ImportedTree& imported) {
         beside.push_back(a);
     }
     if (beside.empty()) return;
-    assume(imported, "joining",
-           std::to_string(beside.size()) + (beside.size() == 1 ? " vessel runs" : " vessels run") +
-               " straight between the same two points as another; a point in the middle keeps them apart");
+    imported.assume("joining",
+                    std::to_string(beside.size()) + (beside.size() == 1 ? " vessel runs" : " vessels run") +
+                        " straight between the same two points as another; a point in the middle keeps them apart");
     imported.place_of = [place = std::move(imported.place_of), first_new, beside = std::move(beside)](std::uint32_t p) {
         return place(p < first_new ? p : beside[p - first_new]);
     };
@@ -220,7 +214,7 @@ Result<void> move_radii_to_points(ImportedTree& imported) {
             }
         }
     }
-    assume(imported, "radius", "the radius of a vessel that has but one is that of its far end; it tapers toward it");
+    imported.assume("radius", "the radius of a vessel that has but one is that of its far end; it tapers toward it");
     return {};
 }
 
@@ -235,9 +229,8 @@ Result<void> join(ImportedTree& imported, tree::Repair repair) {
             return place(first[p]);
         };
         if (joined.points > 0)
-            assume(imported, "joining",
-                   counted_points(joined.points) +
-                       " joined with others at the same place: so the file connects its vessels");
+            imported.assume("joining", counted_points(joined.points) +
+                                           " joined with others at the same place: so the file connects its vessels");
         repeats_points = joined.edges > 0;
         if (joined.edges > 0)
             imported.notes.push_back({Note::Kind::kRepaired, std::string(name_of(tree::Repair::kRepeatedTrunks)),

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ramus::io {
@@ -65,6 +66,10 @@ struct ImportedTree {
     std::vector<tree::Note> notes;
     std::string source;                                 // the file that the tree came from first, where it says so
     std::function<std::string(std::uint32_t)> place_of; // of a point of `graph`, for messages: "liver.swc:41"
+
+    void assume(std::string topic, std::string text) {
+        notes.push_back({tree::Note::Kind::kAssumed, std::move(topic), std::move(text), {}});
+    }
 
     // The file is one that ramus wrote of a tree: nothing is left open.
     void take_as_written() { unit = LengthUnit{}, axes = Axes::kRas, pieces_are_meant = true; }

@@ -238,10 +238,7 @@ void NodeGraph::keep_systems() {
     if (graph.point_systems.empty()) return;
     for (const auto& [a, b] : graph.edges)
         if (graph.point_systems[a] != graph.point_systems[b]) {
-            imported_.notes.push_back({tree::Note::Kind::kAssumed,
-                                       "systems",
-                                       "edges connect nodes of different systems, which were not told apart",
-                                       {}});
+            imported_.assume("systems", "edges connect nodes of different systems, which were not told apart");
             graph.systems.clear();
             graph.point_systems.clear();
             return;
@@ -268,11 +265,8 @@ Result<ImportedTree> NodeGraph::finish() {
     keep_systems();
     suspect_voxels();
     if (rings_ > 0)
-        imported_.notes.push_back(
-            {tree::Note::Kind::kAssumed,
-             "joining",
-             counted(rings_, "edge") + " from a node to itself were left out: the file does not say where they run",
-             {}});
+        imported_.assume("joining", counted(rings_, "edge") +
+                                        " from a node to itself were left out: the file does not say where they run");
     imported_.edges_are_vessels = true;
     imported_.place_of = [file = node_file_, lines = std::move(lines_)](std::uint32_t node) {
         return file + ":" + std::to_string(lines[node]);

@@ -52,19 +52,17 @@ public:
         };
         say_what_went();
         if (const nlohmann::json* own = json_member(document_, "ramus"); own != nullptr && !take_own(*own))
-            note("joining", "the curves are not as ramus wrote them: they are joined where their ends meet");
+            imported_.assume("joining",
+                             "the curves are not as ramus wrote them: they are joined where their ends meet");
         return std::move(imported_);
     }
 
 private:
-    void note(const std::string& topic, const std::string& text) {
-        imported_.notes.push_back({tree::Note::Kind::kAssumed, topic, text, {}});
-    }
-
     void say_what_went() {
-        if (others_ > 0) note("lines", counted(others_, "markup") + " beside the curves left out");
-        if (undefined_ > 0) note("points", counted(undefined_, "control point") + " without a place left out");
-        if (bare_ > 0) note("radius", counted(bare_, "curve") + " without a measurement of the radius");
+        if (others_ > 0) imported_.assume("lines", counted(others_, "markup") + " beside the curves left out");
+        if (undefined_ > 0)
+            imported_.assume("points", counted(undefined_, "control point") + " without a place left out");
+        if (bare_ > 0) imported_.assume("radius", counted(bare_, "curve") + " without a measurement of the radius");
     }
 
     // One name for all curves.

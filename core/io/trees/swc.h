@@ -3,6 +3,7 @@
 // has no unit; what this program writes says in a comment that it is in mm and RAS.
 #pragma once
 
+#include "core/io/buffered_file.h"
 #include "core/io/trees/tree_file.h"
 
 namespace ramus::io {
@@ -11,6 +12,9 @@ namespace ramus::io {
 inline constexpr std::string_view kSwcUnits = "# id type x y z radius parent (mm, RAS)\n";
 
 [[nodiscard]] Result<ImportedTree> parse_swc(const TreeInput& input);
+
+// A line each after `#`, in SWC and in whatever has such comments.
+void write_comments(BufferedFile& file, const std::vector<std::string>& comments);
 
 // Vessel trees as SWC. Numbers are the shortest that read back exactly, so that a tree survives the way through SWC
 // with its branch ids; lines keep the order of the points where that does. SWC has one parent a point: a network with

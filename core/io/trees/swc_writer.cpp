@@ -50,6 +50,14 @@ std::vector<std::uint32_t> order_of(const tree::VesselTree& tree, const std::vec
 
 } // namespace
 
+void write_comments(BufferedFile& file, const std::vector<std::string>& comments) {
+    for (std::string comment : comments) {
+        std::ranges::replace_if(
+            comment, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+        file.write("# " + comment + "\n");
+    }
+}
+
 Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path& file,
                        const std::vector<std::string>& comments) {
     if (tree.loop_count > 0)
@@ -62,11 +70,7 @@ Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path
     for (std::uint32_t i = 0; i < order.size(); ++i) id[order[i]] = i + 1;
 
     RAMUS_TRY(output, OutputFile::create(file));
-    for (std::string comment : comments) {
-        std::ranges::replace_if(
-            comment, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-        output.write("# " + comment + "\n");
-    }
+    write_comments(output, comments);
     output.write(kSwcUnits);
     for (const std::uint32_t point : order) {
         const tree::Point& at = tree.points[point];

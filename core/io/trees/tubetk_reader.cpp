@@ -84,7 +84,8 @@ public:
         }
         if (tubes_.empty()) return fail("there is no tube in the file", input_.name, "choose another file");
         if (auto good = connect(); !good) return tl::unexpected(good.error());
-        if (!input_.options.axes) note("axes", "axes lead to left, posterior, superior (LPS), as in all files of ITK");
+        if (!input_.options.axes)
+            imported_.assume("axes", "axes lead to left, posterior, superior (LPS), as in all files of ITK");
         imported_.axes = Axes::kLps;
         make_systems();
         imported_.joining = Joining::kAtCoincidingEnds;
@@ -96,10 +97,6 @@ public:
     }
 
 private:
-    void note(const std::string& topic, const std::string& text) {
-        imported_.notes.push_back({tree::Note::Kind::kAssumed, topic, text, {}});
-    }
-
     [[nodiscard]] Result<std::vector<double>> numbers(const TreField& field, std::size_t least,
                                                       const std::string& place) const {
         std::vector<double> values;
@@ -278,7 +275,8 @@ private:
         for (const auto& [from, to] : connections_)
             if (graph.points[from].position != graph.points[to].position) graph.edges.emplace_back(from, to);
         if (nearest > 0)
-            note("joining", counted(nearest, "tube") + " that name a parent, but no point of it, begin at its nearest");
+            imported_.assume("joining", counted(nearest, "tube") +
+                                            " that name a parent, but no point of it, begin at its nearest");
         return {};
     }
 
@@ -298,7 +296,7 @@ private:
         for (const Tube& tube : tubes_) systems.insert(systems.end(), tube.end - tube.first_point, tube.artery ? 0 : 1);
         for (const auto& [from, to] : connections_)
             if (systems[from] != systems[to]) {
-                note("systems", "arteries and veins are connected with each other and were not told apart");
+                imported_.assume("systems", "arteries and veins are connected with each other and were not told apart");
                 return;
             }
         imported_.graph.systems = {{"arteries", {214, 69, 65}}, {"veins", {70, 110, 200}}};

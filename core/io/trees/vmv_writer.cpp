@@ -1,18 +1,13 @@
 #include "core/io/output_file.h"
+#include "core/io/trees/swc.h"
 #include "core/io/trees/vmv.h"
-
-#include <algorithm>
 
 namespace ramus::io {
 
 Result<void> write_vmv(const tree::VesselTree& tree, const std::filesystem::path& file,
                        const std::vector<std::string>& comments) {
     RAMUS_TRY(output, OutputFile::create(file));
-    for (std::string comment : comments) {
-        std::ranges::replace_if(
-            comment, [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-        output.write("# " + comment + "\n");
-    }
+    write_comments(output, comments);
     output.write(std::string(kVmvUnits) + "\n" + std::string(kVmvRoots));
     for (const std::uint32_t root : tree.roots) output.write(" " + std::to_string(root + 1));
     output.write("\n\n$PARAM_BEGIN\nNUM_VERTS\t" + std::to_string(tree.points.size()) + "\nNUM_STRANDS\t" +

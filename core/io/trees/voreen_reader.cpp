@@ -150,11 +150,8 @@ private:
         for (std::size_t e = 0; e < ends_.size(); ++e) fill_voxels(e);
         const auto after = std::ranges::count_if(points, unknown);
         if (before > after)
-            imported_.notes.push_back({tree::Note::Kind::kAssumed,
-                                       "radius",
-                                       counted(static_cast<std::size_t>(before - after), "point") +
-                                           " without a distance to the surface took it from the next along the vessel",
-                                       {}});
+            imported_.assume("radius", counted(static_cast<std::size_t>(before - after), "point") +
+                                           " without a distance to the surface took it from the next along the vessel");
     }
 
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> voxels_of(std::size_t edge) const {

@@ -238,10 +238,7 @@ Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input)
     imported.place_of = [name](std::uint32_t point) { return name + ": point " + std::to_string(point); };
     if (auto own = read_own_arrays(data, name, imported); !own) return tl::unexpected(own.error());
     if (data.surface_cells > 0)
-        imported.notes.push_back({tree::Note::Kind::kAssumed,
-                                  "lines",
-                                  counted(data.surface_cells, "face") + " beside the lines were left out",
-                                  {}});
+        imported.assume("lines", counted(data.surface_cells, "face") + " beside the lines were left out");
     return imported;
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/words.h"
 #include "core/io/text_numbers.h"
 #include "core/io/trees/binary_numbers.h"
 #include "core/io/trees/vtk.h"
@@ -31,10 +32,7 @@ std::optional<NumberType> legacy_type(std::string_view name) {
         {"vtkidtype", NumberType::kInt32}, // so it is written, whatever it is in memory
         {"float", NumberType::kFloat},
         {"double", NumberType::kDouble}};
-    const std::string lower = lower_case(name);
-    for (const auto& [known, type] : kTypes)
-        if (lower == known) return type;
-    return std::nullopt;
+    return paired(kTypes, lower_case(name));
 }
 
 // Names stand with %20 for a blank.

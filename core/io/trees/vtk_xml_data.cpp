@@ -1,5 +1,6 @@
 #include "core/io/trees/vtk_xml_data.h"
 
+#include "core/base/words.h"
 #include "core/io/inflate.h"
 #include "core/io/text_numbers.h"
 
@@ -19,9 +20,7 @@ std::optional<NumberType> xml_type(std::string_view name) {
         {"UInt16", NumberType::kUInt16},  {"Int32", NumberType::kInt32},   {"UInt32", NumberType::kUInt32},
         {"Int64", NumberType::kInt64},    {"UInt64", NumberType::kUInt64}, {"Float32", NumberType::kFloat},
         {"Float64", NumberType::kDouble}, {"String", NumberType::kUInt8}};
-    for (const auto& [known, type] : kTypes)
-        if (name == known) return type;
-    return std::nullopt;
+    return paired(kTypes, name);
 }
 
 // Bytes in base64 or as they are, taken one piece after the other. Each piece has its own padding.
@@ -194,28 +193,30 @@ Result<std::vector<T>> text_values(std::string_view text, const std::string& whe
     return values;
 }
 
+bool is_text(const pugi::xml_node& array) {
+    return std::string_view(array.attribute("format").as_string("ascii")) == "ascii";
+}
+
+Result<NumberType> type_of(const pugi::xml_node& array, const std::string& where) {
+    const char* name = array.attribute("type").value();
+    if (const auto type = xml_type(name)) return *type;
+    return fail("the type " + shown(name) + " is not one of numbers", where, kGetVtkAgain);
+}
+
 } // namespace
 
 Result<std::vector<double>> VtkXmlData::numbers(const pugi::xml_node& array) const {
-    const std::string_view format = array.attribute("format").as_string("ascii");
-    if (format == "ascii") return text_values<double>(array.child_value(), place(array), to_real);
-    const auto type = xml_type(array.attribute("type").value());
-    if (!type)
-        return fail("the type " + shown(array.attribute("type").value()) + " is not one of numbers", place(array),
-                    kGetVtkAgain);
+    if (is_text(array)) return text_values<double>(array.child_value(), place(array), to_real);
+    RAMUS_TRY(type, type_of(array, place(array)));
     RAMUS_TRY(bytes, bytes_of(array));
-    return numbers_in(bytes, *type, order_);
+    return numbers_in(bytes, type, order_);
 }
 
 Result<std::vector<std::int64_t>> VtkXmlData::whole_numbers(const pugi::xml_node& array) const {
-    const std::string_view format = array.attribute("format").as_string("ascii");
-    if (format == "ascii") return text_values<std::int64_t>(array.child_value(), place(array), to_whole);
-    const auto type = xml_type(array.attribute("type").value());
-    if (!type)
-        return fail("the type " + shown(array.attribute("type").value()) + " is not one of numbers", place(array),
-                    kGetVtkAgain);
+    if (is_text(array)) return text_values<std::int64_t>(array.child_value(), place(array), to_whole);
+    RAMUS_TRY(type, type_of(array, place(array)));
     RAMUS_TRY(bytes, bytes_of(array));
-    return whole_numbers_in(bytes, *type, order_);
+    return whole_numbers_in(bytes, type, order_);
 }
 
 } // namespace ramus::io

@@ -18,22 +18,22 @@ namespace {
 
 struct MetaType {
     std::string_view word;
-    NumberType number;
+    VoxelType number;
 };
 // "Long" has 4 bytes in this format, whatever the machine.
-constexpr std::array<MetaType, 13> kMetaTypes = {{{"MET_CHAR", NumberType::kInt8},
-                                                  {"MET_ASCII_CHAR", NumberType::kInt8},
-                                                  {"MET_UCHAR", NumberType::kUint8},
-                                                  {"MET_SHORT", NumberType::kInt16},
-                                                  {"MET_USHORT", NumberType::kUint16},
-                                                  {"MET_INT", NumberType::kInt32},
-                                                  {"MET_UINT", NumberType::kUint32},
-                                                  {"MET_LONG", NumberType::kInt32},
-                                                  {"MET_ULONG", NumberType::kUint32},
-                                                  {"MET_LONG_LONG", NumberType::kInt64},
-                                                  {"MET_ULONG_LONG", NumberType::kUint64},
-                                                  {"MET_FLOAT", NumberType::kFloat32},
-                                                  {"MET_DOUBLE", NumberType::kFloat64}}};
+constexpr std::array<MetaType, 13> kMetaTypes = {{{"MET_CHAR", VoxelType::kInt8},
+                                                  {"MET_ASCII_CHAR", VoxelType::kInt8},
+                                                  {"MET_UCHAR", VoxelType::kUint8},
+                                                  {"MET_SHORT", VoxelType::kInt16},
+                                                  {"MET_USHORT", VoxelType::kUint16},
+                                                  {"MET_INT", VoxelType::kInt32},
+                                                  {"MET_UINT", VoxelType::kUint32},
+                                                  {"MET_LONG", VoxelType::kInt32},
+                                                  {"MET_ULONG", VoxelType::kUint32},
+                                                  {"MET_LONG_LONG", VoxelType::kInt64},
+                                                  {"MET_ULONG_LONG", VoxelType::kUint64},
+                                                  {"MET_FLOAT", VoxelType::kFloat32},
+                                                  {"MET_DOUBLE", VoxelType::kFloat64}}};
 
 // The fields up to ElementDataFile, behind which the values begin.
 Result<HeaderText> meta_header(ByteSource& source) {
@@ -61,7 +61,7 @@ bool is_true(const HeaderText& header, std::initializer_list<const char*> names)
     return text != nullptr && (text->starts_with('T') || text->starts_with('t') || *text == "1");
 }
 
-Result<NumberType> meta_type(const HeaderText& header) {
+Result<VoxelType> meta_type(const HeaderText& header) {
     if (const std::string* kind = header.find({"ObjectType"}); kind != nullptr && *kind != "Image")
         return fail("this is a MetaIO object of another kind: " + *kind, header.file, "name an image");
     RAMUS_TRY(channels, header.whole_number({"ElementNumberOfChannels"}));

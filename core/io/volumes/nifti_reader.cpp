@@ -156,20 +156,20 @@ Result<volume::Scaling> scaling_of(const Header& header, const std::string& name
 
 struct NiftiNumber {
     int code;
-    NumberType number;
+    VoxelType number;
 };
-constexpr std::array<NiftiNumber, 10> kNiftiTypes = {{{DT_UINT8, NumberType::kUint8},
-                                                      {DT_INT8, NumberType::kInt8},
-                                                      {DT_UINT16, NumberType::kUint16},
-                                                      {DT_INT16, NumberType::kInt16},
-                                                      {DT_UINT32, NumberType::kUint32},
-                                                      {DT_INT32, NumberType::kInt32},
-                                                      {DT_UINT64, NumberType::kUint64},
-                                                      {DT_INT64, NumberType::kInt64},
-                                                      {DT_FLOAT32, NumberType::kFloat32},
-                                                      {DT_FLOAT64, NumberType::kFloat64}}};
+constexpr std::array<NiftiNumber, 10> kNiftiTypes = {{{DT_UINT8, VoxelType::kUint8},
+                                                      {DT_INT8, VoxelType::kInt8},
+                                                      {DT_UINT16, VoxelType::kUint16},
+                                                      {DT_INT16, VoxelType::kInt16},
+                                                      {DT_UINT32, VoxelType::kUint32},
+                                                      {DT_INT32, VoxelType::kInt32},
+                                                      {DT_UINT64, VoxelType::kUint64},
+                                                      {DT_INT64, VoxelType::kInt64},
+                                                      {DT_FLOAT32, VoxelType::kFloat32},
+                                                      {DT_FLOAT64, VoxelType::kFloat64}}};
 
-Result<NumberType> type_of(const Header& header, const std::string& name) {
+Result<VoxelType> type_of(const Header& header, const std::string& name) {
     const auto* known = std::ranges::find(kNiftiTypes, header.type, &NiftiNumber::code);
     if (known != kNiftiTypes.end()) return known->number;
     const char* remedy = "convert it to whole numbers, or to single precision";

@@ -17,29 +17,29 @@ namespace ramus::io {
 namespace {
 
 struct NrrdType {
-    NumberType number;
+    VoxelType number;
     std::array<std::string_view, 6> words;
 };
 constexpr std::array<NrrdType, 10> kNrrdTypes = {
-    {{NumberType::kInt8, {"signed char", "int8", "int8_t"}},
-     {NumberType::kUint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
-     {NumberType::kInt16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
-     {NumberType::kUint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
-     {NumberType::kInt32, {"int", "signed int", "int32", "int32_t"}},
-     {NumberType::kUint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
-     {NumberType::kInt64,
+    {{VoxelType::kInt8, {"signed char", "int8", "int8_t"}},
+     {VoxelType::kUint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+     {VoxelType::kInt16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+     {VoxelType::kUint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+     {VoxelType::kInt32, {"int", "signed int", "int32", "int32_t"}},
+     {VoxelType::kUint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+     {VoxelType::kInt64,
       {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64"}},
-     {NumberType::kUint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
-     {NumberType::kFloat32, {"float"}},
-     {NumberType::kFloat64, {"double"}}}};
+     {VoxelType::kUint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+     {VoxelType::kFloat32, {"float"}},
+     {VoxelType::kFloat64, {"double"}}}};
 
-Result<NumberType> nrrd_type(const HeaderText& header) {
+Result<VoxelType> nrrd_type(const HeaderText& header) {
     const std::string* text = header.find({"type"});
     if (text == nullptr) return header.refused("type", "is missing");
     const std::string word = lower_case(*text);
     for (const NrrdType& type : kNrrdTypes)
         if (!word.empty() && std::ranges::find(type.words, word) != type.words.end()) return type.number;
-    if (word == "int64_t") return NumberType::kInt64;
+    if (word == "int64_t") return VoxelType::kInt64;
     if (word == "block") return fail("its voxels are blocks of bytes", header.file, "convert it to numbers");
     return header.refused("type", "is not known: " + *text);
 }
@@ -85,7 +85,7 @@ Result<NrrdEncoding> nrrd_encoding(const HeaderText& header) {
 }
 
 // Where values of several bytes are: in which order, and what is assumed.
-Result<Encoding> nrrd_byte_order(const HeaderText& header, NrrdEncoding encoding, NumberType type,
+Result<Encoding> nrrd_byte_order(const HeaderText& header, NrrdEncoding encoding, VoxelType type,
                                  std::vector<std::string>& notes) {
     if (encoding == NrrdEncoding::kText) return Encoding::kText;
     if (bytes_of(type) == 1) return Encoding::kBinary;

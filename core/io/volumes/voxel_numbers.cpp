@@ -1,5 +1,6 @@
 #include "core/io/volumes/voxel_numbers.h"
 
+#include "core/base/memory.h"
 #include "core/tree/build_tree.h"
 
 #include <algorithm>
@@ -104,7 +105,7 @@ struct NumberRow {
     Result<void> (*binary)(const Reading&, volume::VoxelStore&);
     Result<void> (*text)(const Reading&, volume::VoxelStore&);
 };
-// In the order of NumberType.
+// In the order of VoxelType.
 constexpr std::array<NumberRow, 10> kNumbers = {{{"uint8", 1, read_binary<std::uint8_t>, read_text<std::uint8_t>},
                                                  {"int8", 1, read_binary<std::int8_t>, read_text<std::int8_t>},
                                                  {"uint16", 2, read_binary<std::uint16_t>, read_text<std::uint16_t>},
@@ -116,7 +117,7 @@ constexpr std::array<NumberRow, 10> kNumbers = {{{"uint8", 1, read_binary<std::u
                                                  {"float32", 4, read_binary<float>, read_text<float>},
                                                  {"float64", 8, read_binary<double>, read_text<double>}}};
 
-const NumberRow& row_of(NumberType type) { return kNumbers[static_cast<std::size_t>(type)]; }
+const NumberRow& row_of(VoxelType type) { return kNumbers[static_cast<std::size_t>(type)]; }
 
 double count_of(const glm::ivec3& size) { return double(size.x) * double(size.y) * double(size.z); }
 
@@ -126,12 +127,10 @@ double bytes_in_file(const VoxelLayout& layout) {
                                               : static_cast<double>(bytes_of(layout.type)) * count_of(layout.size);
 }
 
-std::string megabytes(double bytes) { return std::to_string(std::llround(bytes / 1e6)) + " MB"; }
-
 } // namespace
 
-std::string_view name_of(NumberType type) { return row_of(type).name; }
-std::size_t bytes_of(NumberType type) { return row_of(type).bytes; }
+std::string_view name_of(VoxelType type) { return row_of(type).name; }
+std::size_t bytes_of(VoxelType type) { return row_of(type).bytes; }
 
 Result<glm::ivec3> checked_size(const std::vector<std::int64_t>& extents, const std::string& name) {
     glm::ivec3 size(1);
@@ -156,8 +155,10 @@ Result<void> check_claim(const VoxelClaim& claim, const std::string& name) {
                               std::to_string(size.z) + " voxels";
     if (claim.file_bytes > claim.most_bytes)
         return fail(words + ", more than the file can hold", name, "copy or write it again");
-    if (voxels > claim.memory_bytes)
-        return fail(words + ", which take " + megabytes(voxels) + " of memory or more; " +
+    // Whatever they are, what is inside takes a bit for each.
+    const double bytes = voxels / 8.0;
+    if (bytes > claim.memory_bytes)
+        return fail(words + ", which take " + megabytes(bytes) + " of memory or more; " +
                         megabytes(claim.memory_bytes) + " are left to them",
                     name, "crop it, or allow more with --memory");
     return {};

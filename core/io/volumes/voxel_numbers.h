@@ -17,16 +17,16 @@
 
 namespace ramus::io {
 
-enum class NumberType { kUint8, kInt8, kUint16, kInt16, kUint32, kInt32, kUint64, kInt64, kFloat32, kFloat64 };
-[[nodiscard]] std::string_view name_of(NumberType type); // "uint8"
-[[nodiscard]] std::size_t bytes_of(NumberType type);
+enum class VoxelType { kUint8, kInt8, kUint16, kInt16, kUint32, kInt32, kUint64, kInt64, kFloat32, kFloat64 };
+[[nodiscard]] std::string_view name_of(VoxelType type); // "uint8"
+[[nodiscard]] std::size_t bytes_of(VoxelType type);
 
 enum class Encoding { kBinary, kSwapped, kText }; // binary in this machine's byte order, in the other; blanks between
 
 // What a header says of its voxels.
 struct VoxelLayout {
     glm::ivec3 size{1};
-    NumberType type = NumberType::kUint8;
+    VoxelType type = VoxelType::kUint8;
     Encoding encoding = Encoding::kBinary;
     volume::Scaling scaling;
 };

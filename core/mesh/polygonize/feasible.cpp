@@ -24,8 +24,6 @@ double memory_for(const bricks::Sizing& sizing, PolygonizeMode mode) {
     return needs.first + needs.per_triangle * sizing.expected_triangles;
 }
 
-std::string megabytes(double bytes) { return std::to_string(std::llround(bytes / 1e6)) + " MB"; }
-
 } // namespace
 
 Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options,

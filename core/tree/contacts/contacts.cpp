@@ -2,7 +2,7 @@
 
 #include "core/tree/contacts/islands.h"
 #include "core/tree/contacts/links.h"
-#include "core/tree/contacts/move_apart.h"
+#include "core/tree/contacts/spread_axes.h"
 #include "core/tree/contacts/touching_links.h"
 
 #include <algorithm>
@@ -30,14 +30,15 @@ std::uint64_t places_beside(const Link& link, const Link& other, double close) {
     return places;
 }
 
-// The pairs of one contact, as links of its first vessel and links of its second. `close`: places are, below this.
-Contact describe(const Links& links, std::span<const OrientedPair> pairs, double apart_from, double close) {
+// A contact's pairs, as links of its first vessel and links of its second. `close`: places are, below this.
+Contact describe(const Links& links, const Island& island, const Contacts& contacts, double close) {
     Contact contact;
-    contact.apart_from = apart_from;
+    contact.apart_from = island.apart_from;
     contact.closeness = 1e300;
     std::array<std::map<std::uint32_t, std::uint64_t>, 2> stretches; // links, with their places that are close
     std::array<Point, 2> closest;
-    for (const OrientedPair& pair : pairs) {
+    glm::dvec3 moved_apart(0.0);
+    for (const OrientedPair& pair : island.pairs) {
         const Link& a = links[pair.link[0]];
         const Link& b = links[pair.link[1]];
         stretches[0][pair.link[0]] |= places_beside(a, b, close);
@@ -46,19 +47,19 @@ Contact describe(const Links& links, std::span<const OrientedPair> pairs, double
         if (approach.closeness >= contact.closeness) continue;
         contact.closeness = approach.closeness;
         closest = {point_on(a, approach.share_a), point_on(b, approach.share_b)};
+        moved_apart =
+            contacts.move_of(pair.link[1]).at(approach.share_b) - contacts.move_of(pair.link[0]).at(approach.share_a);
         contact.sides[0].branch = a.branch;
         contact.sides[1].branch = b.branch;
     }
     const glm::dvec3 between = closest[1].position - closest[0].position;
     contact.gap = glm::length(between) - closest[0].radius - closest[1].radius;
-    const glm::dvec3 aside = 0.5 * move_apart(links, pairs);
-    const double distance = glm::length(between + 2.0 * aside); // as it counts where the wall is drawn
+    const double distance = glm::length(between + moved_apart); // as it counts where the wall is drawn
     for (std::size_t n = 0; n < 2; ++n) {
         ContactSide& side = contact.sides[n];
         side.at = closest[n].position;
         side.radius = closest[n].radius;
         side.narrowed = side.radius - kept(side.radius, closest[1 - n].radius, distance);
-        side.aside = n == 0 ? -aside : aside;
         for (const auto& [link, places] : stretches[n]) {
             if (places == 0) continue;
             side.branches.push_back(links[link].branch);
@@ -84,6 +85,7 @@ Contacts find_contacts(const PreparedTree& prepared, double width) {
     const TouchingLinks touching(links, limits.reach);
     const Islands islands = find_islands(links, touching, limits);
     Contacts contacts;
+    contacts.moves = spread_axes(links, islands.all);
     const std::vector<std::uint32_t>& of_segment = links.of_segment();
     if (prepared.segment_index.empty()) {
         contacts.piece_of_segment = of_segment;
@@ -99,12 +101,10 @@ Contacts find_contacts(const PreparedTree& prepared, double width) {
     std::vector<Row> rows;
     for (const Island& island : islands.all) {
         Contact contact;
-        if (island.contact) contact = describe(links, island.pairs, island.apart_from, limits.bundled);
+        if (island.contact) contact = describe(links, island, contacts, limits.bundled);
         for (const OrientedPair& pair : island.pairs)
             for (std::size_t side = 0; side < 2; ++side)
-                rows.push_back({pair.link[side],
-                                {pair.link[1 - side], static_cast<float>(contact.apart_from),
-                                 glm::vec3(contact.sides[side].aside)}});
+                rows.push_back({pair.link[side], {pair.link[1 - side], static_cast<float>(contact.apart_from)}});
         if (!island.contact) continue;
         if (contact.sides[1].branch < contact.sides[0].branch) std::swap(contact.sides[0], contact.sides[1]);
         contacts.list.push_back(std::move(contact));

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -30,7 +31,6 @@ struct ContactSide {
     glm::dvec3 at{0.0};        // on the centerline there, mm
     double radius = 0.0;       // there, mm
     double narrowed = 0.0;     // how much less of it is left toward the other vessel, mm
-    glm::dvec3 aside{0.0};     // mm: how far the axis counts as moved away from the other one, where the wall is drawn
     double length = 0.0;       // of the centerlines along which the two are close, mm
 };
 
@@ -44,12 +44,19 @@ struct Contact {
     [[nodiscard]] bool crossing() const { return closeness < 0.005; }
 };
 
+// How far the ends of a straight piece of axis count as moved, where walls are drawn, mm.
+struct AxisMove {
+    glm::vec3 start{0.0F}, end{0.0F};
+    // So far along the piece, 0 at its start and 1 at its end.
+    [[nodiscard]] glm::dvec3 at(double share) const { return glm::mix(glm::dvec3(start), glm::dvec3(end), share); }
+    bool operator==(const AxisMove&) const = default;
+};
+
 struct Contacts {
     // A piece of vessel that another one is kept apart from.
     struct Partner {
         std::uint32_t piece = 0;
         float apart_from = 0.0F; // of the contact; 0: a near miss
-        glm::vec3 aside{0.0F};   // of the side that has this partner
         bool operator==(const Partner&) const = default;
     };
 
@@ -58,10 +65,12 @@ struct Contacts {
     std::vector<std::uint32_t> piece_of_segment;
     std::vector<std::uint32_t> first_partner; // by piece, and one past the last
     std::vector<Partner> partners;
+    std::vector<AxisMove> moves; // by piece; empty where all axes count as they are
 
     [[nodiscard]] std::span<const Partner> partners_of(std::uint32_t piece) const {
         return std::span(partners).subspan(first_partner[piece], first_partner[piece + 1] - first_partner[piece]);
     }
+    [[nodiscard]] AxisMove move_of(std::uint32_t piece) const { return moves.empty() ? AxisMove{} : moves[piece]; }
     [[nodiscard]] bool empty() const { return partners.empty(); }
 };
 

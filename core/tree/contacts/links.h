@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/grouped.h"
+#include "core/base/lines.h"
 #include "core/tree/prepare.h"
 
 #include <algorithm>
@@ -21,11 +22,7 @@ struct Link {
     int branch = 0; // id in the file's tree
 };
 
-// The share of the way along a line at which it is nearest to a point `from` its start; 0 where it has no length.
-[[nodiscard]] inline double share_along(const glm::dvec3& from, const glm::dvec3& line) {
-    const double length2 = glm::dot(line, line);
-    return length2 > 0.0 ? std::clamp(glm::dot(from, line) / length2, 0.0, 1.0) : 0.0;
-}
+using ramus::share_along;
 
 // A place on a link, 0 at its start and 1 at its end.
 [[nodiscard]] Point point_on(const Link& link, double share);

@@ -1,5 +1,7 @@
 #include "core/tree/grow/segment_grid.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,6 @@ template <class Visit> void SegmentGrid::for_cells(const Tube& tube, Visit visit
     }
     const bool small = (last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1) <= 8;
     const Vec run = tube.b - tube.a;
-    const double run2 = glm::dot(run, run);
     const double reach = tube.radius + 0.8661 * cell_mm_; // half a cell's diagonal
     for (int k = first[2]; k <= last[2]; ++k)
         for (int j = first[1]; j <= last[1]; ++j)
@@ -35,8 +36,7 @@ template <class Visit> void SegmentGrid::for_cells(const Tube& tube, Visit visit
                                     k == size_[2] - 1; // may stand for points far outside
                 if (!small && !border) {
                     const Vec centre = low_ + cell_mm_ * (Vec(i, j, k) + 0.5);
-                    const double t = run2 > 0.0 ? std::clamp(glm::dot(centre - tube.a, run) / run2, 0.0, 1.0) : 0.0;
-                    const Vec d = centre - tube.a - t * run;
+                    const Vec d = centre - tube.a - share_along(centre - tube.a, run) * run;
                     if (glm::dot(d, d) > reach * reach) continue;
                 }
                 visit((static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i);

@@ -136,20 +136,27 @@ private:
         if (leaf) course.clear[course.last() / 2] = 1;
     }
 
+    // What is clear around a point, `sigma` in mm.
+    [[nodiscard]] static Slab clear_sum(const Course& course, const std::vector<Slab>& slabs, std::size_t i,
+                                        double sigma) {
+        Slab sum;
+        for_weights(i, course.at.size(), sigma / course.step, [&](std::size_t j, double weight) {
+            if (course.clear[j] == 0) return;
+            sum.volume += weight * slabs[j].volume;
+            sum.length += weight * slabs[j].length;
+            sum.moment += weight * slabs[j].moment;
+            sum.second += weight * slabs[j].second;
+        });
+        return sum;
+    }
+
     // At right angles to the course; 0 where it is not clear.
     [[nodiscard]] std::vector<glm::dvec3> shifts_to_centroids(const Course& course,
                                                               const std::vector<Slab>& slabs) const {
         std::vector<glm::dvec3> shifts(course.at.size(), glm::dvec3(0.0));
         for (std::size_t i = 0; i < course.at.size(); ++i) {
             if (course.clear[i] == 0) continue;
-            Slab sum;
-            for_weights(i, course.at.size(), std::max(largest_, kSmoothShifts * course.radius[i]) / course.step,
-                        [&](std::size_t j, double weight) {
-                            if (course.clear[j] == 0) return;
-                            sum.volume += weight * slabs[j].volume;
-                            sum.moment += weight * slabs[j].moment;
-                            sum.second += weight * slabs[j].second;
-                        });
+            const Slab sum = clear_sum(course, slabs, i, std::max(largest_, kSmoothShifts * course.radius[i]));
             if (sum.volume <= 0.0) continue;
             const glm::dvec3 along = direction(course, i), shift = sum.moment / sum.volume;
             shifts[i] = shift - glm::dot(shift, along) * along;
@@ -221,15 +228,7 @@ private:
         std::vector<std::size_t> known;
         for (std::size_t i = 0; i < course.at.size(); ++i) {
             if (course.clear[i] == 0) continue;
-            Slab sum;
-            for_weights(i, course.at.size(), std::max(2.0 * voxel_, kSmoothAreas * course.radius[i]) / course.step,
-                        [&](std::size_t j, double weight) {
-                            if (course.clear[j] == 0) return;
-                            sum.volume += weight * slabs[j].volume;
-                            sum.length += weight * slabs[j].length;
-                            sum.moment += weight * slabs[j].moment;
-                            sum.second += weight * slabs[j].second;
-                        });
+            const Slab sum = clear_sum(course, slabs, i, std::max(2.0 * voxel_, kSmoothAreas * course.radius[i]));
             if (sum.volume <= 0.0) continue;
             radii[i] = radius_of(sum, direction(course, i), voxel_ / std::sqrt(3.0));
             known.push_back(i);

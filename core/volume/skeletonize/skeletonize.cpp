@@ -1,5 +1,6 @@
 #include "core/volume/skeletonize/skeletonize.h"
 
+#include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/tree/build_tree.h"
 #include "core/volume/bit_mask.h"
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
-#include <new>
 #include <oneapi/tbb/task_group.h>
 #include <utility>
 
@@ -53,10 +53,8 @@ Result<void> check_memory(const BitMask& mask, std::uint64_t voxels, const Skele
     const double bytes = kBytesPerVoxel * static_cast<double>(voxels) + kBytesPerBoxWord * words;
     const double left = memory_left(options.memory_bytes);
     if (bytes > left)
-        return fail("the skeleton of " + std::to_string(voxels) + " voxels takes " +
-                        std::to_string(std::llround(bytes / 1e6)) + " MB of memory; " +
-                        std::to_string(std::llround(left / 1e6)) + " MB are left to it",
-                    {}, "crop the volume, or raise --memory");
+        return fail(takes_too_much("the skeleton of " + std::to_string(voxels) + " voxels", bytes, left), {},
+                    "crop the volume, or raise --memory");
     return {};
 }
 
@@ -161,19 +159,13 @@ Result<tree::VesselTree> tree_of(Masks masks, const SkeletonizeOptions& options,
     return tree;
 }
 
-template <class Work> Result<tree::VesselTree> guarded(const Work& work) {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return fail("not enough memory for this skeleton", {}, "crop the volume");
-    }
-}
+Error at_memory_end() { return {"not enough memory for this skeleton", {}, "crop the volume"}; }
 
 } // namespace
 
 Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient, const SkeletonizeOptions& options,
                                      Job& job, SkeletonizeFigures* figures) {
-    return guarded([&]() -> Result<tree::VesselTree> {
+    return bounded(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
         Masks masks;
         if (auto added = add_mask(masks, std::move(mask), 0, to_patient, options, JobRange(job, 0.0F, 1.0F)); !added)
             return tl::unexpected(added.error());
@@ -184,7 +176,7 @@ Result<tree::VesselTree> skeletonize(BitMask mask, const glm::dmat4& to_patient,
 
 Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask> systems,
                                      const SkeletonizeOptions& options, Job& job, SkeletonizeFigures* figures) {
-    return guarded([&]() -> Result<tree::VesselTree> {
+    return bounded(0, at_memory_end, [&]() -> Result<tree::VesselTree> {
         Masks masks;
         const auto share = 1.0F / static_cast<float>(systems.size());
         for (std::size_t s = 0; s < systems.size(); ++s) {

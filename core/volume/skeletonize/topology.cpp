@@ -1,5 +1,6 @@
 #include "core/volume/skeletonize/topology.h"
 
+#include "core/base/bounds.h"
 #include "core/base/disjoint_sets.h"
 
 #include <algorithm>
@@ -141,15 +142,18 @@ std::int64_t euler_number(const BitMask& mask) {
     return number;
 }
 
+// Those that are not `counted` already.
+std::uint64_t count_pieces(Runs& runs, std::vector<bool> counted) {
+    std::uint64_t pieces = 0;
+    runs.for_each([&](const Run&, int, int, std::uint32_t piece) {
+        if (!counted[piece]) counted[piece] = true, ++pieces;
+    });
+    return pieces;
+}
+
 std::uint64_t count_cavities(const BitMask& mask) {
     Runs outside(mask, Runs::Of::kOutside);
-    const std::vector<bool> open = open_pieces(outside, outside.count(), mask.size());
-    std::vector<bool> seen(outside.count(), false);
-    std::uint64_t cavities = 0;
-    outside.for_each([&](const Run&, int, int, std::uint32_t piece) {
-        if (!open[piece] && !seen[piece]) seen[piece] = true, ++cavities;
-    });
-    return cavities;
+    return count_pieces(outside, open_pieces(outside, outside.count(), mask.size()));
 }
 
 } // namespace
@@ -157,10 +161,7 @@ std::uint64_t count_cavities(const BitMask& mask) {
 Topology topology_of(const BitMask& mask) {
     Topology found;
     Runs inside(mask, Runs::Of::kInside);
-    std::vector<bool> seen(inside.count(), false);
-    inside.for_each([&](const Run&, int, int, std::uint32_t piece) {
-        if (!seen[piece]) seen[piece] = true, ++found.pieces;
-    });
+    found.pieces = count_pieces(inside, std::vector<bool>(inside.count(), false));
     found.cavities = count_cavities(mask);
     const std::int64_t number = euler_number(mask); // pieces - tunnels + cavities
     found.tunnels = static_cast<std::uint64_t>(static_cast<std::int64_t>(found.pieces + found.cavities) - number);
@@ -170,29 +171,23 @@ Topology topology_of(const BitMask& mask) {
 std::uint64_t fill_cavities(BitMask& mask) {
     Runs outside(mask, Runs::Of::kOutside);
     const std::vector<bool> open = open_pieces(outside, outside.count(), mask.size());
-    std::vector<bool> seen(outside.count(), false);
-    std::uint64_t filled = 0;
     outside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
         if (open[piece]) return;
-        if (!seen[piece]) seen[piece] = true, ++filled;
         for (int i = run.begin; i < run.end; ++i) mask.set({i, j, k});
     });
-    return filled;
+    return count_pieces(outside, open);
 }
 
 std::uint64_t drop_islands(BitMask& mask, const glm::dvec3& spacing, double extent_mm) {
     Runs inside(mask, Runs::Of::kInside);
-    struct Box {
-        glm::ivec3 least{1 << 30}, most{-1};
-    };
+    using Box = Bounds<glm::ivec3>;
     std::vector<Box> boxes(inside.count());
     inside.for_each([&](const Run& run, int j, int k, std::uint32_t piece) {
-        boxes[piece].least = glm::min(boxes[piece].least, glm::ivec3(run.begin, j, k));
-        boxes[piece].most = glm::max(boxes[piece].most, glm::ivec3(run.end - 1, j, k));
+        for (const int i : {run.begin, run.end - 1}) boxes[piece].hold({i, j, k});
     });
     std::uint64_t dropped = 0;
     const auto small = [&](const Box& box) {
-        return glm::all(glm::lessThanEqual(spacing * glm::dvec3(box.most - box.least + 1), glm::dvec3(extent_mm)));
+        return glm::all(glm::lessThanEqual(spacing * glm::dvec3(box.size() + 1), glm::dvec3(extent_mm)));
     };
     for (const Box& box : boxes)
         if (box.most.x >= 0 && small(box)) ++dropped;

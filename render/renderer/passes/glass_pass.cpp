@@ -67,10 +67,10 @@ void bind_layer_before(const ViewTargets& targets, int layer) {
 
 } // namespace
 
-Result<void> FragmentListPass::make() {
+Result<void> GlassPass::make() {
     constexpr const char *kGlass = "#define TRANSPARENT\n", *kBorders = "#define TRANSPARENT\n#define BORDER\n";
-    return make_programs({{&vessels_, "geometry.vert", "fragment_list.frag", kGlass},
-                          {&borders_, "geometry.vert", "fragment_list.frag", kBorders, "border.geom"}});
+    return make_programs({{&vessels_, "geometry.vert", "fragment.frag", kGlass},
+                          {&borders_, "geometry.vert", "fragment.frag", kBorders, "border.geom"}});
 }
 
 // Makes room for more fragments; false: there is as much as there may be. Fragments are numbered from 1.
@@ -100,32 +100,25 @@ InParts<FragmentListPass::Listed> FragmentListPass::list(const Subject& subject,
         bind_lists(program, targets, band);
         glUniform1ui(kUniformCapacity, static_cast<GLuint>(lists.capacity));
     };
-    const auto use = [&](const Program& program) {
-        begin_band(targets, band);
-        use_for_vessels(program, subject, view);
-        prepare(program);
-    };
-    BranchLayers& layers = subject.scene.branch_layers();
     const glm::dmat4 to_clip = subject.mesh_to_clip(view);
-    const GpuMesh::Ranges vessels = subject.mesh.choose(layers.all, Layer::kGlass, to_clip);
-    for (std::size_t part = 0; part < vessels.parts(); ++part) {
-        use(vessels_);
-        subject.mesh.draw_part(vessels, part);
-        co_await kPartEnds;
-    }
-    const GpuMesh::Ranges borders = subject.mesh.choose_borders(layers.all, Layer::kGlass, to_clip);
-    for (std::size_t part = 0; part < borders.parts(); ++part) {
-        use(borders_);
-        glUniform1i(kUniformSamples, view.samples);
-        glBindTextureUnit(kUnitLayers, layers.table);
-        subject.mesh.draw_part(borders, part);
-        end_borders();
-        co_await kPartEnds;
+    Listed listed;
+    for (const bool borders : {false, true}) {
+        const Program& program = borders ? borders_ : vessels_;
+        const GpuMesh::Ranges ranges = borders ? subject.mesh.choose_borders(subject.layers, Layer::kGlass, to_clip)
+                                               : subject.mesh.choose(subject.layers, Layer::kGlass, to_clip);
+        for (std::size_t part = 0; part < ranges.parts(); ++part) {
+            begin_band(targets, band);
+            use_for_vessels(program, subject, view);
+            prepare(program);
+            if (borders) glUniform1i(kUniformSamples, view.samples);
+            subject.mesh.draw_part(ranges, part);
+            end_borders();
+            co_await kPartEnds;
+        }
+        listed.triangles += ranges.triangles();
     }
     begin_band(targets, band);
-    Listed listed;
-    listed.triangles = vessels.triangles() + borders.triangles() +
-                       context_.draw_clear(subject, view, ContextPass::Clear::kAll, prepare);
+    listed.triangles += context_.draw_clear(subject, view, ContextPass::Clear::kAll, prepare);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -172,12 +165,8 @@ void FragmentListPass::draw_again(const Subject& subject, ViewTargets& targets, 
 }
 
 Result<void> LayerPass::make() {
-    GLuint id = 0;
-    glGenQueries(1, &id);
-    any_left_ = Query(id);
-    constexpr const char *kGlass = "#define TRANSPARENT\n", *kBorders = "#define TRANSPARENT\n#define BORDER\n";
-    return make_programs({{&vessels_, "geometry.vert", "fragment_layer.frag", kGlass},
-                          {&borders_, "geometry.vert", "fragment_layer.frag", kBorders, "border.geom"}});
+    any_left_ = created<Query>(glGenQueries);
+    return GlassPass::make();
 }
 
 // Into the layers' fragments and depths[layer % 2]; false: no fragment is left.
@@ -185,7 +174,6 @@ bool LayerPass::draw_layer(const Subject& subject, const ViewTargets& targets, i
                            std::uint64_t& triangles) const {
     const ViewSetup& view = targets.view;
     const GpuMesh& mesh = subject.mesh;
-    BranchLayers& layers = subject.scene.branch_layers();
     const glm::dmat4 to_clip = subject.mesh_to_clip(view);
     glBindFramebuffer(GL_FRAMEBUFFER, targets.layers.framebuffers.at(std::size_t(layer % 2)));
     draw_front_faces(true);
@@ -193,11 +181,10 @@ bool LayerPass::draw_layer(const Subject& subject, const ViewTargets& targets, i
     glBeginQuery(GL_ANY_SAMPLES_PASSED, any_left_);
     use_for_vessels(vessels_, subject, view);
     bind_layer_before(targets, layer);
-    triangles += mesh.draw(mesh.choose(layers.all, Layer::kGlass, to_clip));
+    triangles += mesh.draw(mesh.choose(subject.layers, Layer::kGlass, to_clip));
     use_for_vessels(borders_, subject, view);
     bind_layer_before(targets, layer);
-    glBindTextureUnit(kUnitLayers, layers.table);
-    triangles += mesh.draw(mesh.choose_borders(layers.all, Layer::kGlass, to_clip));
+    triangles += mesh.draw(mesh.choose_borders(subject.layers, Layer::kGlass, to_clip));
     end_borders();
     if (what == Of::kEverything) triangles += draw_clear(subject, targets, ContextPass::Clear::kAll, layer);
     glEndQuery(GL_ANY_SAMPLES_PASSED);

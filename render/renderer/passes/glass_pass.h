@@ -15,12 +15,23 @@
 
 namespace ramus::render {
 
-class FragmentListPass {
+// What both draw and sort with, which outlives them.
+class GlassPass {
 public:
-    // What it draws and sorts with outlives it. The lists take `most_bytes` at most.
-    FragmentListPass(const ContextPass& context, const ResolvePass& resolve, std::size_t most_bytes)
-        : context_(context), resolve_(resolve), most_bytes_(most_bytes) {}
+    GlassPass(const ContextPass& context, const ResolvePass& resolve) : context_(context), resolve_(resolve) {}
     [[nodiscard]] Result<void> make();
+
+protected:
+    const ContextPass& context_;
+    const ResolvePass& resolve_;
+    Program vessels_, borders_;
+};
+
+class FragmentListPass : public GlassPass {
+public:
+    // The lists take `most_bytes` at most.
+    FragmentListPass(const ContextPass& context, const ResolvePass& resolve, std::size_t most_bytes)
+        : GlassPass(context, resolve), most_bytes_(most_bytes) {}
 
     // Lists and sorts all fragments, in one band if there is room, and resolves. Returns the number of triangles.
     [[nodiscard]] InParts<Result<std::uint64_t>> draw(const Subject& subject, ViewTargets& targets) const;
@@ -35,15 +46,12 @@ private:
     [[nodiscard]] InParts<Listed> list(const Subject& subject, ViewTargets& targets, Band band) const;
     bool grow(FragmentLists& lists, std::size_t wanted) const;
 
-    const ContextPass& context_;
-    const ResolvePass& resolve_;
     std::size_t most_bytes_;
-    Program vessels_, borders_;
 };
 
-class LayerPass {
+class LayerPass : public GlassPass {
 public:
-    LayerPass(const ContextPass& context, const ResolvePass& resolve) : context_(context), resolve_(resolve) {}
+    using GlassPass::GlassPass;
     [[nodiscard]] Result<void> make();
 
     // The vessels' nearest layer alone, for what is picked and outlined, where context and lesions are, and the
@@ -62,9 +70,6 @@ private:
     [[nodiscard]] std::uint64_t draw_first_clear(const Subject& subject, const ViewTargets& targets,
                                                  ContextPass::Clear what, std::size_t target) const;
 
-    const ContextPass& context_;
-    const ResolvePass& resolve_;
-    Program vessels_, borders_;
     Query any_left_;
 };
 

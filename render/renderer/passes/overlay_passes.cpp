@@ -152,10 +152,7 @@ void MarkPass::draw(const Frame& frame, const ViewSetup& view, GLuint opaque_dep
     glVertexArrayAttribFormat(array, kAttributePixel, 2, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, pixel));
     glVertexArrayAttribFormat(array, kAttributeStripe, 3, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, stripe));
     glVertexArrayAttribFormat(array, kAttributeInk, 3, GL_FLOAT, GL_FALSE, offsetof(MarkVertex, srgb));
-    for (const GLuint i : {kAttributePixel, kAttributeStripe, kAttributeInk}) {
-        glVertexArrayAttribBinding(array, i, 0);
-        glEnableVertexArrayAttrib(array, i);
-    }
+    use_attributes(array, {kAttributePixel, kAttributeStripe, kAttributeInk});
     const glm::vec2 to_inner = view.to_inner();
     glBindVertexArray(array);
     glUseProgram(program_);

@@ -23,27 +23,26 @@ std::vector<caster::Body> bodies_of(const Frame& frame, const GpuShapes& shapes)
                           shape->lines() ? 0.5F * kContextLineWidth * point : 0.0F});
     }
     std::size_t index = frame.lesions.spheres.size();
-    for (const auto& lesion : frame.lesions.meshes)
+    for (const auto& lesion : frame.lesions.meshes) {
+        const std::uint32_t number = number_of(index++);
         if (const Shape* shape = shapes.of(lesion); shape != nullptr)
-            bodies.push_back({&shape->made_of(), record::kSolid | number_of(index++), true, 0.0F});
-        else
-            ++index;
+            bodies.push_back({&shape->made_of(), record::kSolid | number, true, 0.0F});
+    }
     return bodies;
 }
 
 caster::View view_of(const Frame& frame, const ViewSetup& from) {
     constexpr int kAcross = caster::kTile * caster::kOccludedTiles;
-    caster::View view;
-    view.width = from.picture.x;
-    view.height = from.picture.y;
-    view.stride = (from.picture.x + kAcross - 1) / kAcross * kAcross;
-    view.centre_x = from.block.pixel_to_eye.x;
-    view.centre_y = from.block.pixel_to_eye.y;
-    view.mm_a_pixel = from.block.pixel_to_eye.z;
-    view.flat = frame.camera.orthographic;
-    view.block = from.block;
-    view.taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0;
-    return view;
+    const glm::vec4& pixel = from.block.pixel_to_eye;
+    return {.width = from.picture.x,
+            .height = from.picture.y,
+            .stride = (from.picture.x + kAcross - 1) / kAcross * kAcross,
+            .centre_x = pixel.x,
+            .centre_y = pixel.y,
+            .mm_a_pixel = pixel.z,
+            .flat = frame.camera.orthographic,
+            .block = from.block,
+            .taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0};
 }
 
 } // namespace

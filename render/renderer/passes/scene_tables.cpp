@@ -22,12 +22,11 @@ Texture distance_texture(const DistanceGrid& grid) {
 }
 
 Texture ramp_texture(const std::vector<glm::vec3>& ramp) {
-    GLuint id = 0;
-    glCreateTextures(GL_TEXTURE_1D, 1, &id);
-    glTextureStorage1D(id, 1, GL_RGB16F, static_cast<GLsizei>(ramp.size()));
-    glTextureSubImage1D(id, 0, 0, static_cast<GLsizei>(ramp.size()), GL_RGB, GL_FLOAT, ramp.data());
-    set_filter(id, GL_LINEAR);
-    return Texture(id);
+    Texture texture = created<Texture>(glCreateTextures, GL_TEXTURE_1D);
+    glTextureStorage1D(texture, 1, GL_RGB16F, static_cast<GLsizei>(ramp.size()));
+    glTextureSubImage1D(texture, 0, 0, static_cast<GLsizei>(ramp.size()), GL_RGB, GL_FLOAT, ramp.data());
+    set_filter(texture, GL_LINEAR);
+    return texture;
 }
 
 std::uint16_t linear_word(float srgb) {

@@ -1,5 +1,6 @@
 #include "render/renderer/passes/shade_pass.h"
 
+#include "core/base/bounds.h"
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ Region region_of(const Subject& subject, const ViewSetup& view, bool has_glass,
     if (!subject.has_mesh() || has_glass || !frame.lines.empty() || frame.skeleton || view.enlarged()) return all;
     const PagedMesh& mesh = *subject.mesh.shown();
     const Projector project(frame.camera, frame.size);
-    glm::dvec2 lower(frame.size), upper(0.0);
+    Bounds<glm::dvec2> changed_pixels;
     for (const auto& page : mesh.triangle_pages()) {
         const auto has_changed = [&](std::int32_t branch) { return changed[static_cast<std::size_t>(branch)] != 0; };
         const bool any =
@@ -77,14 +78,13 @@ Region region_of(const Subject& subject, const ViewSetup& view, bool has_glass,
             const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
             const auto at = project(mesh.origin() + glm::dvec3(glm::mix(page->lower, page->upper, high)));
             if (!at) return all; // behind the eye
-            lower = glm::min(lower, glm::dvec2(*at));
-            upper = glm::max(upper, glm::dvec2(*at));
+            changed_pixels.hold(glm::dvec2(*at));
         }
     }
     constexpr double kRounding = 2.0; // pixels
     const glm::dvec2 size(view.picture);
-    const glm::ivec2 first(glm::clamp(glm::floor(lower - kRounding), glm::dvec2(0.0), size));
-    const glm::ivec2 last(glm::clamp(glm::ceil(upper + kRounding), glm::dvec2(0.0), size));
+    const glm::ivec2 first(glm::clamp(glm::floor(changed_pixels.least - kRounding), glm::dvec2(0.0), size));
+    const glm::ivec2 last(glm::clamp(glm::ceil(changed_pixels.most + kRounding), glm::dvec2(0.0), size));
     const glm::ivec2 found = glm::max(last - first, glm::ivec2(0));
     return {{first.x, view.picture.y - first.y - found.y}, found};
 }

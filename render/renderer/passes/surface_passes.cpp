@@ -6,6 +6,7 @@
 #include "render/scene/record_flags.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -50,6 +51,7 @@ void use_for_vessels(const Program& program, const Subject& subject, const ViewS
     glUseProgram(program);
     glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(subject.mesh_to_clip(view))));
     glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(view.to_eye));
+    glBindTextureUnit(kUnitLayers, subject.scene.branch_layers().table);
 }
 
 void end_borders() { glUseProgram(0); }
@@ -79,30 +81,25 @@ InParts<std::uint64_t> SurfacePass::draw(const Subject& subject, const ViewSetup
     const bool any_glass = subject.has_glass_vessels();
     const OpenAndClosed both = any_glass ? open_and_closed(*mesh.shown(), subject.scene.branch_layers().all)
                                          : OpenAndClosed{subject.layers, {}};
+    const std::array<GpuMesh::Ranges, 3> chosen{mesh.choose(both.closed, Layer::kOpaque, to_clip),
+                                                any_glass ? mesh.choose(both.open, Layer::kOpaque, to_clip)
+                                                          : GpuMesh::Ranges(),
+                                                mesh.choose_borders(subject.layers, Layer::kOpaque, to_clip)};
     std::uint64_t triangles = 0;
-    for (const bool both_sides : {false, true}) {
-        if (both_sides && !any_glass) continue;
-        const GpuMesh::Ranges ranges = mesh.choose(both_sides ? both.open : both.closed, Layer::kOpaque, to_clip);
+    for (const GpuMesh::Ranges& ranges : chosen) {
+        const bool closed = &ranges == &chosen.front(), borders = &ranges == &chosen.back();
         for (std::size_t part = 0; part < ranges.parts(); ++part) {
             draw_opaque_into(to);
-            use_for_vessels(triangles_, subject, view);
-            if (both_sides) glDisable(GL_CULL_FACE);
-            mesh.draw_part(ranges, part);
+            use_for_vessels(borders ? borders_ : triangles_, subject, view);
+            if (any_glass && !closed) glDisable(GL_CULL_FACE);
+            const auto draw_part = [&] { mesh.draw_part(ranges, part); };
+            borders ? draw_by_sample(view, to, draw_part) : draw_part();
+            end_borders();
             co_await kPartEnds;
         }
         triangles += ranges.triangles();
     }
-    const GpuMesh::Ranges borders = mesh.choose_borders(subject.layers, Layer::kOpaque, to_clip);
-    for (std::size_t part = 0; part < borders.parts(); ++part) {
-        draw_opaque_into(to);
-        use_for_vessels(borders_, subject, view);
-        if (any_glass) glDisable(GL_CULL_FACE);
-        glBindTextureUnit(kUnitLayers, subject.scene.branch_layers().table);
-        draw_by_sample(view, to, [&] { mesh.draw_part(borders, part); });
-        end_borders();
-        co_await kPartEnds;
-    }
-    co_return triangles + borders.triangles();
+    co_return triangles;
 }
 
 Result<void> CenterlinePass::make() {
@@ -139,9 +136,10 @@ void CenterlinePass::draw_lines(const Subject& subject, const ViewSetup& view) c
 }
 
 Result<void> ContextPass::make() {
-    return make_programs({{&opaque_, "context.vert", "context.frag"},
-                          {&clear_, "context.vert", "context.frag", "#define TRANSPARENT\n"},
-                          {&lines_, "context.vert", "context.frag", "#define TRANSPARENT\n#define LINES\n"}});
+    return make_programs(
+        {{&opaque_, "geometry.vert", "context.frag", "#define CONTEXT\n"},
+         {&clear_, "geometry.vert", "context.frag", "#define CONTEXT\n#define TRANSPARENT\n"},
+         {&lines_, "geometry.vert", "context.frag", "#define CONTEXT\n#define TRANSPARENT\n#define LINES\n"}});
 }
 
 std::uint64_t ContextPass::draw_opaque(const Subject& subject, const ViewSetup& view) const {

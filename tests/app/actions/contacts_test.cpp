@@ -61,6 +61,22 @@ TEST_CASE("a contact is gone to by its number: both branches are selected and se
         CHECK(stage.bad(wrong).find("which contact?") != std::string::npos);
 }
 
+TEST_CASE("a contact is shown both ways with a line between them, in one step") {
+    ContactStage stage;
+    stage.good("compare-wipe 0.9\ncontact 2 wipe");
+    const Comparison& comparison = stage.marks().comparison;
+    CHECK(comparison.mode == Comparison::Mode::kWipe);
+    CHECK(compared_surfaces(comparison) == std::vector{Compared::kMerged, Compared::kApart});
+    CHECK(comparison.wipe == 0.5); // where the contact is
+    CHECK(stage.selection() == test::Ids{0, 1});
+    stage.good("undo");
+    CHECK(stage.marks().comparison.mode == Comparison::Mode::kOff);
+    CHECK(stage.selection().empty());
+    CHECK(stage.marks().comparison.wipe == 0.9);
+    for (const char* wrong : {"contact wipe", "contact 3 wipe", "contact 1 wiped", "contact 1 wipe wipe"})
+        CHECK(stage.bad(wrong).find("which contact?") != std::string::npos);
+}
+
 TEST_CASE("a tree without contacts says so") {
     test::CommandStage stage(*io::parse_tree("1 2 0 0 0 1 -1\n2 2 0 0 9 1 1\n", "tube.swc"));
     CHECK(stage.bad("contact 1").find("there is no contact") != std::string::npos);

@@ -89,6 +89,8 @@ std::string random_command(std::mt19937& random, int branches) {
                                             "compare side-by-side",
                                             "compare off",
                                             "compare-blend " + share(),
+                                            "compare wipe tree,paper",
+                                            "compare-wipe " + share(),
                                             "skeleton",
                                             "contact " + number(3),
                                             "contact-marks",

@@ -1,5 +1,6 @@
 #include "app/reports/report_page.h"
 #include "app/reports/report_tables.h"
+#include "core/io/trees/binary_numbers.h"
 #include "core/io/trees/swc.h"
 #include "tests/support/command_stage.h"
 #include "tests/support/temporary_folder.h"
@@ -72,8 +73,8 @@ TEST_CASE("base64 is that of RFC 4648") {
     for (const auto& [bytes, text] :
          {std::pair{"", ""}, std::pair{"f", "Zg=="}, std::pair{"fo", "Zm8="}, std::pair{"foo", "Zm9v"},
           std::pair{"foob", "Zm9vYg=="}, std::pair{"fooba", "Zm9vYmE="}, std::pair{"foobar", "Zm9vYmFy"}})
-        CHECK(base64(bytes) == text);
-    CHECK(base64("\xFF\xFE\xFD") == "//79");
+        CHECK(io::base64_encoded(bytes) == text);
+    CHECK(io::base64_encoded("\xFF\xFE\xFD") == "//79");
 }
 
 TEST_CASE("reports as CSV hold the tables, with names that need care") {

@@ -57,13 +57,12 @@ TEST_CASE("a comparison and the skeleton survive the session's file, and are not
     session.tree.path = folder.path() / "tree.swc";
     CHECK_FALSE(to_json(session, folder.path()).contains("comparison"));
     session.marks.skeleton = true;
-    session.marks.comparison = {
-        Mode::kBlend,
-        {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones, mesh::Method::kConvolutionSurface},
-        (folder.path() / "masks" / "liver.nii.gz").string(),
-        "",
-        {-1, 2},
-        1.0 / 3.0};
+    session.marks.comparison = {Mode::kBlend,
+                                {Compared::kIsosurface, Compared::kTruncatedCones, Compared::kConvolutionSurface},
+                                (folder.path() / "masks" / "liver.nii.gz").string(),
+                                "",
+                                {-1, 2},
+                                1.0 / 3.0};
     const auto file = folder.path() / "session.ramus.json";
     REQUIRE(write_session(session, file));
     const auto read = read_session(file);
@@ -84,6 +83,14 @@ TEST_CASE("a comparison and the skeleton survive the session's file, and are not
     CHECK(refused({{"labels", {0}}}));
     CHECK(refused({{"labels", {1.5}}}));
     CHECK(refused({{"blend", 1.1}}));
+    CHECK(refused({{"wipe", -0.1}}));
+    CHECK_FALSE(to_json(session, folder.path())["comparison"].contains("wipe"));
+    session.marks.comparison.mode = Mode::kWipe;
+    session.marks.comparison.surfaces = {Compared::kMerged, Compared::kApart};
+    session.marks.comparison.wipe = 0.25;
+    const auto wiped = session_from_json(to_json(session, folder.path()), folder.path(), "s.json");
+    REQUIRE(wiped);
+    CHECK(wiped->session == session);
     CHECK(refused({{"colour", "red"}}));
     CHECK(refused(3));
 }
@@ -96,17 +103,16 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
     stage.good("compare side-by-side iso,cones,cs");
     CHECK(stage.marks().comparison.mode == Mode::kSideBySide);
     CHECK(stage.marks().comparison.surfaces ==
-          std::vector{mesh::Method::kIsosurface, mesh::Method::kTruncatedCones, mesh::Method::kConvolutionSurface});
+          std::vector{Compared::kIsosurface, Compared::kTruncatedCones, Compared::kConvolutionSurface});
     stage.good("compare blend");
     CHECK(stage.marks().comparison.surfaces.size() == 3);
-    CHECK(compared_surfaces(stage.marks().comparison) ==
-          std::vector{mesh::Method::kIsosurface, mesh::Method::kTruncatedCones});
+    CHECK(compared_surfaces(stage.marks().comparison) == std::vector{Compared::kIsosurface, Compared::kTruncatedCones});
     stage.good("compare-blend 0.25");
     CHECK(stage.marks().comparison.blend == 0.25);
     stage.good("compare-mask \"" + mask.string() + "\" 3,1,3");
     CHECK(stage.marks().comparison.mask == mask.string());
     CHECK(stage.marks().comparison.labels == std::vector<std::int32_t>{1, 3});
-    CHECK(title_of(mesh::Method::kIsosurface, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
+    CHECK(title_of(Compared::kIsosurface, stage.marks().comparison) == "Isosurface of mask of it.nii, labels 1, 3");
     stage.good("skeleton");
     CHECK(stage.marks().skeleton);
     stage.good("skeleton off");
@@ -131,13 +137,12 @@ TEST_CASE("commands compare, are undone, and refuse what makes no sense") {
 TEST_CASE("viewports have one size, lie inside the picture in their order, and do not touch") {
     Marks marks;
     CHECK(viewports_of(marks, {800, 600}, 1.0F) ==
-          std::vector<Viewport>{{{0, 0}, {800, 600}, mesh::Method::kConvolutionSurface, "", true}});
+          std::vector<Viewport>{{{0, 0}, {800, 600}, Compared::kConvolutionSurface, "", true}});
     marks.options.method = mesh::Method::kTruncatedCones;
-    CHECK(viewports_of(marks, {800, 600}, 1.0F)[0].surface == mesh::Method::kTruncatedCones);
+    CHECK(viewports_of(marks, {800, 600}, 1.0F)[0].surface == Compared::kTruncatedCones);
     marks.comparison.mode = Mode::kSideBySide;
     for (const std::size_t count : {2U, 3U}) {
-        marks.comparison.surfaces = {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones,
-                                     mesh::Method::kConvolutionSurface};
+        marks.comparison.surfaces = {Compared::kIsosurface, Compared::kTruncatedCones, Compared::kConvolutionSurface};
         marks.comparison.surfaces.resize(count);
         for (const glm::ivec2 size : {glm::ivec2{800, 600}, {801, 600}, {802, 600}, {333, 1000}, {100, 100}, {7, 2}})
             for (const float ratio : {1.0F, 1.5F, 2.0F}) {
@@ -153,7 +158,7 @@ TEST_CASE("viewports have one size, lie inside the picture in their order, and d
                     CHECK(viewports[i].size == viewports[0].size);
                     CHECK(viewports[i].size[1 - along] == size[1 - along]);
                     CHECK(viewports[i].surface == marks.comparison.surfaces[i]);
-                    CHECK(viewports[i].has_branches == (viewports[i].surface != mesh::Method::kIsosurface));
+                    CHECK(viewports[i].has_branches == (viewports[i].surface != Compared::kIsosurface));
                     CHECK_FALSE(viewports[i].title.empty());
                     if (i == 0 || size.x < 10) continue;
                     const int gap = viewports[i].at[along] - viewports[i - 1].at[along] - viewports[i - 1].size[along];
@@ -162,10 +167,10 @@ TEST_CASE("viewports have one size, lie inside the picture in their order, and d
                 }
             }
     }
-    for (const Mode mode : {Mode::kBlend, Mode::kSuperimposed}) {
+    for (const Mode mode : {Mode::kBlend, Mode::kSuperimposed, Mode::kWipe}) {
         marks.comparison.mode = mode;
         const auto viewports = viewports_of(marks, {800, 600}, 1.0F);
-        CHECK(viewports.size() == (mode == Mode::kBlend ? 2U : 1U));
+        CHECK(viewports.size() == (mode == Mode::kSuperimposed ? 1U : 2U));
         for (const Viewport& viewport : viewports) {
             CHECK(viewport.at == glm::ivec2(0));
             CHECK(viewport.size == glm::ivec2(800, 600));
@@ -189,7 +194,7 @@ TEST_CASE("all viewports have one camera; one without branches shows nothing of 
         const bool iso = i == 0;
         CHECK(frame.camera == stage.document.session().camera);
         CHECK(frame.size == sheet.viewports[0].frame.size);
-        const bool cones = stage.marks().comparison.surfaces[i] == mesh::Method::kTruncatedCones; // so they move
+        const bool cones = stage.marks().comparison.surfaces[i] == Compared::kTruncatedCones; // so they move
         CHECK((frame.width == 0.0F) == cones);
         CHECK((frame.beyond_ends == 1.0F) == cones);
         CHECK(frame.mesh == surfaces.of(stage.marks().comparison.surfaces[i]));
@@ -220,6 +225,17 @@ TEST_CASE("all viewports have one camera; one without branches shows nothing of 
     CHECK(tried.viewports == blend.viewports);
     CHECK(tried.blend == 0.75);
 
+    stage.good("compare wipe iso,cs\ncompare-wipe 0.25");
+    const render::Sheet wiped = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
+    CHECK_FALSE(wiped.blend);
+    CHECK(wiped.wipe == 0.25);
+    CHECK(wiped.heading == "Isosurface of the tree's voxels left, convolution surface right");
+    CHECK(wiped.viewports[0].frame.overlays == wiped.viewports[1].frame.overlays);
+    const render::Sheet dragged =
+        compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing, {.wipe = 0.75});
+    CHECK(dragged.viewports == wiped.viewports);
+    CHECK(dragged.wipe == 0.75);
+
     stage.good("compare superimposed");
     const render::Sheet over = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     REQUIRE(over.viewports.size() == 1);
@@ -231,7 +247,7 @@ TEST_CASE("all viewports have one camera; one without branches shows nothing of 
     const render::Sheet plain = compose_sheet(stage.document.session(), stage.current_assets(), surfaces, viewing);
     REQUIRE(plain.viewports.size() == 1);
     CHECK(plain.viewports[0].frame == compose(stage.document.session(), stage.current_assets(),
-                                              surfaces.of(mesh::Method::kConvolutionSurface), viewing));
+                                              surfaces.of(Compared::kConvolutionSurface), viewing));
 }
 
 TEST_CASE("an isosurface beside systems has a colour that no system has") {
@@ -259,10 +275,10 @@ TEST_CASE("the surfaces that a comparison needs") {
     Marks marks;
     CHECK(compared_requests(marks).empty());
     marks.comparison = {
-        Mode::kSideBySide, {mesh::Method::kConvolutionSurface, mesh::Method::kIsosurface}, "mask.nii", "", {3}, 0.5};
+        Mode::kSideBySide, {Compared::kConvolutionSurface, Compared::kIsosurface}, "mask.nii", "", {3}, 0.5};
     auto requests = compared_requests(marks);
     REQUIRE(requests.size() == 1); // its own is there
-    CHECK(requests[0].kind == mesh::Method::kIsosurface);
+    CHECK(requests[0].kind == Compared::kIsosurface);
     CHECK(requests[0].mask == "mask.nii");
     CHECK(requests[0].labels == std::vector<std::int32_t>{3});
     // Hiding and smoothing are nothing to a mask.
@@ -272,14 +288,39 @@ TEST_CASE("the surfaces that a comparison needs") {
     marks.options.method = mesh::Method::kTruncatedCones;
     requests = compared_requests(marks);
     REQUIRE(requests.size() == 2);
-    CHECK(requests[0].kind == mesh::Method::kConvolutionSurface);
+    CHECK(requests[0].kind == Compared::kConvolutionSurface);
     CHECK(requests[0].surface.hidden == std::vector<int>{1});
     marks.comparison.mode = Mode::kSuperimposed;
-    marks.comparison.surfaces = {mesh::Method::kConvolutionSurface, mesh::Method::kTruncatedCones};
+    marks.comparison.surfaces = {Compared::kConvolutionSurface, Compared::kTruncatedCones};
     requests = compared_requests(marks);
     REQUIRE(requests.size() == 2); // its own, as lines
     CHECK_FALSE(requests[0].wire);
     CHECK(requests[1].wire);
+}
+
+TEST_CASE("both ways to blend are compared, whichever the session's own is") {
+    Marks marks;
+    marks.comparison.mode = Mode::kWipe;
+    marks.comparison.surfaces = {Compared::kMerged, Compared::kApart};
+    const auto mesh = std::make_shared<const render::PagedMesh>();
+    for (const mesh::Blend blend : {mesh::Blend::kTree, mesh::Blend::kPaper}) {
+        marks.options.blend = blend;
+        const Compared own = blend == mesh::Blend::kTree ? Compared::kApart : Compared::kMerged;
+        const Compared other = blend == mesh::Blend::kTree ? Compared::kMerged : Compared::kApart;
+        const auto requests = compared_requests(marks);
+        REQUIRE(requests.size() == 1);
+        CHECK(requests[0].kind == other);
+        CHECK(requests[0].surface.options.blend != blend);
+        CHECK(requests[0].surface.options.method == mesh::Method::kConvolutionSurface);
+        ShownSurfaces surfaces;
+        surfaces.set_own(marks.options, mesh, nullptr);
+        CHECK(surfaces.of(own) == mesh);
+        CHECK(surfaces.of(Compared::kConvolutionSurface) == mesh);
+        CHECK_FALSE(surfaces.of(other));
+        CHECK_FALSE(surfaces.of(Compared::kTruncatedCones));
+    }
+    marks.options.method = mesh::Method::kTruncatedCones;
+    CHECK(compared_requests(marks).size() == 2);
 }
 
 TEST_CASE("surfaces to compare with are made, of masks and without one") {
@@ -288,7 +329,7 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     Marks marks;
     marks.comparison.mask = write_mask(folder.path() / "mask.nii").string();
     Job job;
-    const auto iso = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
+    const auto iso = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
     REQUIRE_MESSAGE(iso, iso.error().message());
     // A box of voxels whose centres span 3 x 3 x 19 mm, the surface half a voxel farther.
     const render::Box& box = iso->mesh->bounds();
@@ -298,21 +339,21 @@ TEST_CASE("surfaces to compare with are made, of masks and without one") {
     CHECK(iso->voxel_mm == 0.0);
 
     marks.comparison.labels = {1};
-    const auto absent = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
+    const auto absent = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
     REQUIRE_FALSE(absent);
     CHECK(absent.error().message().find("mask.nii") != std::string::npos);
     marks.comparison.labels = {3};
     marks.comparison.mask = write_mask(folder.path() / "elsewhere.nii", 500.0).string();
-    const auto elsewhere = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
+    const auto elsewhere = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
     REQUIRE_FALSE(elsewhere);
     CHECK(elsewhere.error().message().find("elsewhere") != std::string::npos);
 
     marks.comparison.mask.clear();
-    const auto own = make_compared(tree, compared_request(marks, mesh::Method::kIsosurface), job);
+    const auto own = make_compared(tree, compared_request(marks, Compared::kIsosurface), job);
     REQUIRE_MESSAGE(own, own.error().message());
     CHECK(own->voxel_mm > 0.0);
     CHECK(own->mesh->triangle_count() > 100);
-    ComparedRequest wire = compared_request(marks, mesh::Method::kTruncatedCones);
+    ComparedRequest wire = compared_request(marks, Compared::kTruncatedCones);
     wire.wire = true;
     const auto lines = make_compared(tree, wire, job);
     REQUIRE(lines);
@@ -339,36 +380,35 @@ TEST_CASE("a workspace makes them behind the document, and says why it cannot") 
     };
     change([](Marks& m) {
         m.comparison.mode = Mode::kSideBySide;
-        m.comparison.surfaces = {mesh::Method::kIsosurface, mesh::Method::kTruncatedCones,
-                                 mesh::Method::kConvolutionSurface};
+        m.comparison.surfaces = {Compared::kIsosurface, Compared::kTruncatedCones, Compared::kConvolutionSurface};
     });
     CHECK(workspace.comparing());
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().empty());
-    CHECK(workspace.surfaces().of(mesh::Method::kConvolutionSurface) == workspace.shown().mesh);
-    const auto iso = workspace.surfaces().of(mesh::Method::kIsosurface);
-    const auto cones = workspace.surfaces().of(mesh::Method::kTruncatedCones);
+    CHECK(workspace.surfaces().of(Compared::kConvolutionSurface) == workspace.shown().mesh);
+    const auto iso = workspace.surfaces().of(Compared::kIsosurface);
+    const auto cones = workspace.surfaces().of(Compared::kTruncatedCones);
     REQUIRE(iso);
     REQUIRE(cones);
 
     // The cones follow what is hidden; the isosurface stays.
     change([](Marks& m) { set_state(m, std::vector<int>{2}, render::BranchState::kHidden); });
-    CHECK(workspace.surfaces().of(mesh::Method::kTruncatedCones) == cones); // until the others are there
+    CHECK(workspace.surfaces().of(Compared::kTruncatedCones) == cones); // until the others are there
     REQUIRE(settle(workspace, [&] { return !workspace.busy() && !workspace.comparing(); }));
-    CHECK(workspace.surfaces().of(mesh::Method::kTruncatedCones) != cones);
-    CHECK(workspace.surfaces().of(mesh::Method::kIsosurface) == iso);
+    CHECK(workspace.surfaces().of(Compared::kTruncatedCones) != cones);
+    CHECK(workspace.surfaces().of(Compared::kIsosurface) == iso);
 
     std::ofstream(folder.path() / "bad.nii") << "this is no mask";
     change([&](Marks& m) { m.comparison.mask = (folder.path() / "bad.nii").string(); });
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().find("bad.nii") != std::string::npos);
-    CHECK(workspace.surfaces().of(mesh::Method::kIsosurface) == iso); // what was there before
+    CHECK(workspace.surfaces().of(Compared::kIsosurface) == iso); // what was there before
     change([&](Marks& m) { m.comparison.mask = write_mask(folder.path() / "mask.nii").string(); });
     REQUIRE(settle(workspace, [&] { return !workspace.comparing(); }));
     CHECK(workspace.comparison_problem().empty());
-    CHECK(workspace.surfaces().of(mesh::Method::kIsosurface) != iso);
+    CHECK(workspace.surfaces().of(Compared::kIsosurface) != iso);
 
     change([](Marks& m) { m.comparison.mode = Mode::kOff; });
     workspace.update();
-    CHECK_FALSE(workspace.surfaces().of(mesh::Method::kIsosurface)); // nobody looks at it
+    CHECK_FALSE(workspace.surfaces().of(Compared::kIsosurface)); // nobody looks at it
 }

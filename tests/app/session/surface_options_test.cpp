@@ -70,12 +70,22 @@ TEST_CASE("an option of words takes these and nothing else") {
 
     for (const nlohmann::json& wrong : {nlohmann::json(1), nlohmann::json("trees"), nlohmann::json(nullptr)}) {
         nlohmann::json value = to_json(Session{}, "/");
-        CHECK(value["options"]["blend"] == "paper");
+        CHECK(value["options"]["blend"] == "tree");
         value["options"]["blend"] = wrong;
         CHECK_FALSE(session_from_json(value, "/", "s.json"));
-        value["options"].erase("blend"); // as sessions of earlier versions have it
-        CHECK(session_from_json(value, "/", "s.json"));
     }
+}
+
+TEST_CASE("a session from before there was a choice shows the plain sum, as it did then") {
+    nlohmann::json value = to_json(Session{}, "/");
+    value["options"].erase("blend");
+    const auto before = session_from_json(value, "/", "s.json");
+    REQUIRE(before);
+    CHECK(before->session.marks.options.blend == mesh::Blend::kPaper);
+    value.erase("options"); // written by hand: as by default
+    const auto by_hand = session_from_json(value, "/", "s.json");
+    REQUIRE(by_hand);
+    CHECK(by_hand->session.marks.options == mesh::SurfaceOptions{});
 }
 
 TEST_CASE("options of the session are saved under their keys and read back, the machine's are not") {

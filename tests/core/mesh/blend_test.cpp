@@ -5,9 +5,9 @@
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
-#include "core/tree/grow/grow.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"
+#include "tests/support/packed_trees.h"
 #include "tests/support/shared_data.h"
 
 #include <algorithm>
@@ -135,44 +135,6 @@ TEST_CASE("where one of two vessels is hidden the other is whole again, and both
 
 namespace {
 
-// Trees of forks that grow through each other, with a loop in every other one.
-tree::VesselTree packed_trees(std::uint64_t seed) {
-    tree::Graph graph;
-    for (std::uint64_t n = 0; n < 1 + seed % 3; ++n) {
-        tree::GrowOptions options;
-        options.branches = 21 + 10 * static_cast<int>(seed % 4);
-        options.seed = 10 * seed + n + 1;
-        options.organ_width_mm = 100.0;
-        options.root_radius_mm = 2.8;
-        Job job;
-        const auto grown = tree::grow(options, job);
-        REQUIRE(grown.has_value());
-        const auto first = static_cast<std::uint32_t>(graph.points.size());
-        for (tree::Point point : grown->points) {
-            point.position += static_cast<double>(n) * glm::dvec3(3.0, 5.0, -4.0);
-            graph.points.push_back(point);
-        }
-        for (std::uint32_t p = 0; p < grown->parents.size(); ++p) {
-            if (grown->parents[p] < 0)
-                graph.roots.push_back(first + p);
-            else
-                graph.edges.emplace_back(first + static_cast<std::uint32_t>(grown->parents[p]), first + p);
-        }
-    }
-    if (seed % 2 == 1) {
-        std::vector<int> degree(graph.points.size(), 0);
-        for (const auto& [a, b] : graph.edges) ++degree[a], ++degree[b];
-        std::vector<std::uint32_t> ends;
-        for (std::uint32_t p = 0; p < degree.size(); ++p)
-            if (degree[p] == 1) ends.push_back(p);
-        graph.edges.emplace_back(ends[1], ends[ends.size() / 2]);
-    }
-    auto tree = tree::build_tree(std::move(graph), tree::without(tree::Repair::kUsual, tree::Repair::kOpenEnds),
-                                 [](std::uint32_t) { return std::string(); });
-    REQUIRE(tree.has_value());
-    return std::move(*tree);
-}
-
 Shape shape_of(const tree::VesselTree& tree, const SurfaceOptions& options) {
     Job job;
     const auto surface = make_surface(tree, options, job);
@@ -194,10 +156,11 @@ TEST_CASE("the surface of trees that grow through each other has their pieces an
     int merged = 0, exact = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         CAPTURE(seed);
-        const tree::VesselTree tree = packed_trees(seed);
+        const tree::VesselTree tree = test::packed_trees(seed);
         const auto pieces = static_cast<long>(tree.roots.size());
         SurfaceOptions options;
         options.smooth_passes = static_cast<int>(seed / 3 % 2);
+        options.blend = Blend::kPaper;
         const Shape plain = shape_of(tree, options);
         merged += plain.pieces != pieces || plain.loops != tree.loop_count ? 1 : 0;
         options.blend = Blend::kTree;

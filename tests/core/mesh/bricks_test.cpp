@@ -24,7 +24,7 @@ namespace {
 // An adaptive octree: bricks meet others of the same size, larger and smaller ones, and none at all.
 struct Scene {
     tree::VesselTree tree = *test::grown_tree(150);
-    field::VesselField field = make_field(tree, {}, {});
+    field::VesselField field = make_field(tree, {.blend = Blend::kPaper}, {}); // walls are tested elsewhere
     Octree octree;
     std::vector<std::uint32_t> subtrees;
     SurfaceCells cells;

@@ -53,6 +53,7 @@ TEST_CASE("surfaces of real trees are closed manifolds on the isosurface") {
         REQUIRE(tree.has_value());
         mesh::SurfaceOptions options;
         options.smooth_passes = 0;
+        options.blend = mesh::Blend::kPaper;
         const test::BruteForceField witness(mesh::prepare_tree(*tree, options), options.width);
 
         const mesh::TriangleMesh mesh = surface_of(*tree, options);

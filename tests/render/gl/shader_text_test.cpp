@@ -78,7 +78,7 @@ TEST_CASE("below 4.30 the text has no numbers, and tells them") {
     };
     CHECK(number(floor.samplers, "occlusion") == kUnitOcclusion);
     CHECK(number(floor.blocks, "Scene") == kBlockScene);
-    CHECK(number(shader_text("fragment_layer.frag", {}, 330).uniforms, "sample_positions") == kUniformSamplePositions);
+    CHECK(number(shader_text("fragment.frag", {}, 330).uniforms, "sample_positions") == kUniformSamplePositions);
     CHECK(shader_text("shade.frag", {}, 450).samplers.empty());
     const std::string vertex = shader_text("mark.vert", {}, 330, true).glsl;
     CHECK(vertex.find("2.0 * gl_Position.z - gl_Position.w") != std::string::npos);

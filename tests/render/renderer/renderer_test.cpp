@@ -196,9 +196,10 @@ TEST_CASE("interactive quality shows the same tree") {
 TEST_CASE("presenting copies the picture, which itself stays untouched") {
     SmallTree scene;
     const Image image = scene.draw();
-    const Target target(scene.frame.size.x, scene.frame.size.y);
-    scene.renderer->present(target.framebuffer());
-    CHECK(target.read_image() == image);
+    PictureTarget target;
+    target.make({scene.frame.size.x, scene.frame.size.y});
+    scene.renderer->present(target.framebuffer);
+    CHECK(target.read_premultiplied() == image);
     CHECK(scene.renderer->read_image() == image);
 }
 

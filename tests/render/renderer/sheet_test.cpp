@@ -76,9 +76,10 @@ TEST_CASE_FIXTURE(TwoViewports, "a sheet of one viewport is that frame's picture
             }
     CHECK(wrong == 0);
     // The window gets the same.
-    const Target target(603, 200);
-    sheets.present(target.framebuffer());
-    CHECK(target.read_image() == both);
+    PictureTarget target;
+    target.make({603, 200});
+    sheets.present(target.framebuffer);
+    CHECK(target.read_premultiplied() == both);
 }
 
 TEST_CASE_FIXTURE(TwoViewports, "a sheet asks each viewport for what it shows") {
@@ -136,6 +137,46 @@ TEST_CASE_FIXTURE(TwoViewports, "nothing lies between a sheet's viewports on not
     CHECK(sheets.read_image().pixel(301, 100)[3] == 0);
 }
 
+TEST_CASE("beside a line either picture is what it is, and draws no frame again") {
+    for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
+        CAPTURE(version.text());
+        const WatchedContext context(version);
+        const auto renderer = Renderer::create().value();
+        const Frame thick = tube(6.0F), thin = tube(3.0F);
+        const Image first = drawn(*renderer, thick), second = drawn(*renderer, thin);
+        SheetRenderer sheets(*renderer);
+        Sheet sheet;
+        sheet.size = thick.size;
+        sheet.viewports = {{{0, 0}, thick, true}, {{0, 0}, thin, true}};
+        sheet.line_width = 2.0F;
+        for (const double at : {0.5, 0.25, 0.0, 1.0}) {
+            CAPTURE(at);
+            sheet.wipe = at;
+            const auto done = sheets.draw(sheet);
+            REQUIRE(done);
+            CHECK(done->shaded);
+            CHECK(done->geometry == (at == 0.5)); // the first time
+            const Image wiped = sheets.read_image();
+            const int line = static_cast<int>(at * sheet.size.x);
+            int beside = 0, on_line = 0;
+            for (int y = 0; y < wiped.height; ++y)
+                for (int x = 0; x < wiped.width; ++x) {
+                    const bool seen = at > 0.0 && at < 1.0 && (x == line - 1 || x == line);
+                    const std::uint8_t* one = wiped.pixel(x, y);
+                    const std::uint8_t* wanted = (x < line ? first : second).pixel(x, y);
+                    (seen ? on_line : beside) += std::equal(one, one + 4, wanted) ? 0 : 1;
+                }
+            CHECK(beside == 0);
+            CHECK(on_line == (at > 0.0 && at < 1.0 ? 2 * wiped.height : 0));
+        }
+        sheet.wipe = 0.5;
+        REQUIRE(sheets.draw(sheet));
+        // What is seen is pointed at: beyond the thin one there is nothing on the right.
+        CHECK(sheets.pick({100.0, 100.0 + 45.0}).branch == 0);
+        CHECK(sheets.pick({200.0, 100.0 + 45.0}).branch == kNoBranch);
+    }
+}
+
 TEST_CASE("fading is the mean of linear light, exact at both ends, and draws no frame again") {
     for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
         CAPTURE(version.text());
@@ -174,9 +215,10 @@ TEST_CASE("fading is the mean of linear light, exact at both ends, and draws no 
             sheet.blend = 0.9;
             REQUIRE(sheets.draw(sheet));
             CHECK(sheets.pick({150.0, 100.0 + 45.0}).branch == 0); // on the thick one
-            const Target target(300, 200);
-            sheets.present(target.framebuffer());
-            if (!transparent) CHECK(target.read_image() == sheets.read_image());
+            PictureTarget target;
+            target.make({300, 200});
+            sheets.present(target.framebuffer);
+            if (!transparent) CHECK(target.read_premultiplied() == sheets.read_image());
             sheet.heading = "Half and half";
             REQUIRE(sheets.draw(sheet));
             CHECK(sheets.read_image().pixel(150, 100)[0] > 0);

@@ -1,5 +1,6 @@
 #include "core/io/volumes/dicom/dicom_pixels.h"
 
+#include "core/base/memory.h"
 #include "core/base/own_process.h"
 
 #include <bit>
@@ -102,8 +103,8 @@ Result<void> check_pixels(const DicomImage& image, double memory_bytes) {
         static_cast<double>(image.layout.pixel_bytes) * (image.layout.encapsulated ? kMostCompression : 1.0);
     if (claimed > possible) return fail("its header claims more pixels than the file can hold", name, kExportAgain);
     if (claimed > memory_bytes)
-        return fail("its pixels take " + std::to_string(std::llround(claimed / 1e6)) + " MB of memory; " +
-                        std::to_string(std::llround(memory_bytes / 1e6)) + " MB are left to them",
+        return fail("its pixels take " + megabytes(claimed) + " of memory; " + megabytes(memory_bytes) +
+                        " are left to them",
                     name, "allow more with --memory");
     return {};
 }

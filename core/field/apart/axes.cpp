@@ -1,0 +1,197 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/field/apart/axes.cpp"
+// clang-format off: foreach_target compiles this file once per instruction set and must come first.
+#include <hwy/foreach_target.h>
+// clang-format on
+#include "core/field/apart/axes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ramus::field::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, 8>;
+using Real = hn::Vec<Doubles>;
+
+struct Vector {
+    Real x, y, z;
+};
+HWY_INLINE Vector set(const glm::dvec3& v) {
+    const Doubles d;
+    return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+}
+template <class Rows> HWY_INLINE Vector load(const Rows& rows, std::size_t first_row, std::size_t n) {
+    const Doubles d;
+    return {hn::LoadU(d, rows.row(first_row) + n), hn::LoadU(d, rows.row(first_row + 1) + n),
+            hn::LoadU(d, rows.row(first_row + 2) + n)};
+}
+HWY_INLINE Vector minus(const Vector& a, const Vector& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+// a + s b
+HWY_INLINE Vector along(const Vector& a, Real s, const Vector& b) {
+    return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+HWY_INLINE Real dot(const Vector& a, const Vector& b) {
+    return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+HWY_INLINE Real limited(Real x, Real low, Real high) { return hn::Min(hn::Max(x, low), high); }
+
+void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
+    const Doubles d;
+    const Vector p = set(point);
+    const Real reach2 = hn::Set(d, radii * radii), zero = hn::Zero(d);
+    for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
+        const Vector u = load(axes.rows, kAlongX, n);
+        const Vector from = minus(p, load(axes.rows, kStartX, n));
+        const Real t = limited(dot(from, u), zero, hn::LoadU(d, axes.rows.row(kAxisLength) + n));
+        const Vector off = along(from, hn::Neg(t), u);
+        const Real distance2 = dot(off, off);
+        const Real radius =
+            hn::MulAdd(hn::LoadU(d, axes.rows.row(kAxisSlope) + n), t, hn::LoadU(d, axes.rows.row(kAxisRadius) + n));
+        const Real relative2 = hn::Div(distance2, hn::Mul(radius, radius));
+        hn::StoreU(t, d, feet.rows.row(kFootAlong) + n);
+        hn::StoreU(distance2, d, feet.rows.row(kFootDistance2) + n);
+        hn::StoreU(radius, d, feet.rows.row(kFootRadius) + n);
+        hn::StoreU(relative2, d, feet.rows.row(kFootRelative2) + n);
+        const auto near = hn::Lt(relative2, reach2);
+        if (hn::AllFalse(d, near)) continue;
+        HWY_ALIGN std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, near, bits);
+        const unsigned there = bits[0] & ((1U << std::min(hn::Lanes(d), axes.count - n)) - 1);
+        for (unsigned left = there; left != 0; left &= left - 1)
+            feet.near.push_back(static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(std::countr_zero(left)));
+    }
+}
+
+Shadow nearest_shadow(const ObstacleRows& rows, const ObstacleRange& range, const WayOut& way) {
+    const Doubles d;
+    constexpr std::size_t kLanes = 8;
+    const Real zero = hn::Zero(d), far = hn::Set(d, std::numeric_limits<double>::infinity());
+    const Vector foot = set(way.foot), w = set(way.direction), axis_foot = set(way.axis_foot);
+    const Real way_length = hn::Set(d, way.length), own_radius = hn::Set(d, way.radius);
+    Shadow nearest;
+    for (std::size_t n = range.first; n < range.first + range.count; n += hn::Lanes(d)) {
+        const Vector start = load(rows, kStartX, n), u = load(rows, kAlongX, n);
+        const Real length = hn::LoadU(d, rows.row(kAxisLength) + n);
+        const Real start_radius = hn::LoadU(d, rows.row(kAxisRadius) + n);
+        const Real slope = hn::LoadU(d, rows.row(kAxisSlope) + n);
+        // Only of those that the vessel is kept apart from where it is.
+        const Vector between_axes = minus(axis_foot, start);
+        const Real t = limited(dot(between_axes, u), zero, length);
+        const Vector gap = along(between_axes, hn::Neg(t), u);
+        const Real most =
+            hn::Mul(hn::LoadU(d, rows.row(kApartFrom) + n), hn::Add(own_radius, hn::MulAdd(slope, t, start_radius)));
+        const auto is_apart = hn::Lt(dot(gap, gap), hn::Mul(most, most));
+        if (hn::AllFalse(d, is_apart)) continue;
+        // Where the way is nearest to the obstacle's axis, how far it is then, and how long it is within the obstacle.
+        const Vector across = minus(start, foot);
+        const Real cosine = dot(w, u);
+        const Real sine2 = hn::Max(hn::NegMulAdd(cosine, cosine, hn::Set(d, 1.0)), hn::Set(d, 1e-12));
+        Real at = hn::Div(hn::NegMulAdd(cosine, dot(across, u), dot(across, w)), sine2);
+        const auto beside_way = [&](Real place) { return dot(minus(along(foot, place, w), start), u); };
+        const Real beside_line = beside_way(at);
+        Real beside = limited(beside_line, zero, length);
+        const auto is_within = hn::And(hn::Gt(beside_line, zero), hn::Lt(beside_line, length));
+        at = hn::IfThenElse(is_within, at, dot(along(across, beside, u), w));
+        beside = hn::IfThenElse(is_within, beside, limited(beside_way(at), zero, length));
+        const Vector axis = along(start, beside, u);
+        const Vector off = minus(along(foot, at, w), axis);
+        const Real off2 = dot(off, off);
+        const Real radius = hn::MulAdd(slope, beside, start_radius);
+        const Real lateral =
+            hn::Mul(hn::Sub(hn::Sqrt(off2), radius), hn::Min(hn::Div(way_length, at), hn::Set(d, 1.0)));
+        const Real half_chord = hn::Sqrt(hn::Max(hn::Sub(hn::Mul(radius, radius), off2), zero));
+        // From where on it is nearer to the obstacle's axis, as that counts, than long.
+        const Real share = hn::Div(beside, hn::Max(length, hn::Set(d, 1e-300)));
+        const Vector move_start = load(rows, kMoveStartX, n);
+        const Vector move = along(move_start, share, minus(load(rows, kMoveEndX, n), move_start));
+        const Vector to_obstacle = along(minus(axis, foot), hn::Set(d, 1.0), move);
+        const Real ahead = dot(to_obstacle, w);
+        const Real middle = hn::IfThenElse(
+            hn::Gt(ahead, zero), hn::Div(hn::Mul(hn::Set(d, 0.5), dot(to_obstacle, to_obstacle)), ahead), far);
+        const Real front = hn::Sub(hn::Max(at, middle), way_length);
+        const auto is_passed = hn::And(hn::Ge(middle, hn::Add(at, half_chord)), hn::Lt(lateral, zero));
+        auto counts = hn::And(is_apart, hn::And(hn::Gt(length, zero), hn::Gt(at, zero)));
+        counts = hn::And(counts, hn::And(hn::Le(at, hn::Add(way_length, own_radius)), hn::Not(is_passed)));
+        if (hn::AllFalse(d, counts)) continue;
+        const auto is_front = hn::Or(hn::Ge(front, lateral), hn::Not(hn::Gt(off2, zero)));
+        const Real spare = hn::IfThenElse(counts, hn::IfThenElse(is_front, front, lateral), far);
+        HWY_ALIGN double spares[kLanes];
+        hn::Store(spare, d, spares);
+        for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+            if (spares[lane] < nearest.spare) nearest = {spares[lane], n + lane};
+    }
+    return nearest;
+}
+
+} // namespace ramus::field::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ramus::field {
+
+HWY_EXPORT(find_feet);
+HWY_EXPORT(nearest_shadow);
+
+void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope) {
+    const auto put = [&](AxisRow row, double number) { rows.row(row)[count] = number; };
+    put(kStartX, start.x), put(kStartY, start.y), put(kStartZ, start.z);
+    put(kAlongX, along.x), put(kAlongY, along.y), put(kAlongZ, along.z);
+    put(kAxisLength, length), put(kAxisRadius, radius), put(kAxisSlope, slope);
+    ++count;
+}
+
+glm::dvec3 Axes::at(std::size_t n, double along) const {
+    return {rows.row(kStartX)[n] + along * rows.row(kAlongX)[n], rows.row(kStartY)[n] + along * rows.row(kAlongY)[n],
+            rows.row(kStartZ)[n] + along * rows.row(kAlongZ)[n]};
+}
+
+void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
+    feet.near.clear();
+    HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
+}
+
+Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way) {
+    if (range.count == 0 || !(way.length > 0.0)) return {};
+    return HWY_DYNAMIC_DISPATCH(nearest_shadow)(obstacles, range, way);
+}
+
+// Where the way is beside the obstacle it is left sideways, otherwise backwards.
+glm::dvec3 toward_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way) {
+    const auto vector = [&](std::size_t row) {
+        return glm::dvec3(obstacles.row(row)[obstacle], obstacles.row(row + 1)[obstacle],
+                          obstacles.row(row + 2)[obstacle]);
+    };
+    const glm::dvec3 start = vector(kStartX), u = vector(kAlongX), across = start - way.foot;
+    const double length = obstacles.row(kAxisLength)[obstacle];
+    const double cosine = glm::dot(way.direction, u);
+    double at = glm::dot(across, way.direction - cosine * u) / std::max(1.0 - cosine * cosine, 1e-12);
+    const auto beside_way = [&] { return glm::dot(at * way.direction - across, u); };
+    double beside = std::clamp(beside_way(), 0.0, length);
+    if (beside <= 0.0 || beside >= length) {
+        at = glm::dot(across + beside * u, way.direction);
+        beside = std::clamp(beside_way(), 0.0, length);
+    }
+    const glm::dvec3 axis = start + beside * u;
+    const glm::dvec3 off = way.foot + at * way.direction - axis;
+    const double distance = glm::length(off);
+    const double radius = obstacles.row(kAxisRadius)[obstacle] + beside * obstacles.row(kAxisSlope)[obstacle];
+    const double lateral = (distance - radius) * std::min(way.length / at, 1.0);
+    const glm::dvec3 move =
+        vector(kMoveStartX) + beside / std::max(length, 1e-300) * (vector(kMoveEndX) - vector(kMoveStartX));
+    const glm::dvec3 to_obstacle = axis + move - way.foot;
+    const double ahead = glm::dot(to_obstacle, way.direction);
+    const double middle =
+        ahead > 0.0 ? 0.5 * glm::dot(to_obstacle, to_obstacle) / ahead : std::numeric_limits<double>::infinity();
+    const double front = std::max(at, middle) - way.length;
+    return front >= lateral || !(distance > 0.0) ? way.direction : -off / distance;
+}
+
+} // namespace ramus::field
+#endif

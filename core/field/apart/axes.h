@@ -1,0 +1,111 @@
+// Axes: straight pieces of vessels' axes with linear radii, side by side in memory, for what is asked of many of them
+// at one point. All in double precision and in the tree's coordinates, so that the answers have the same bits whoever
+// asks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
+
+namespace ramus::field {
+
+// Rows of numbers that are read by whole vectors.
+template <std::size_t Rows> class NumberRows {
+public:
+    static constexpr std::size_t kWidestVector = 8;
+
+    // The number of whole vectors' entries that holds so many.
+    static constexpr std::size_t padded(std::size_t count) {
+        return (count + kWidestVector - 1) / kWidestVector * kWidestVector;
+    }
+    // With room for so many, all of them 0.
+    void resize(std::size_t most) {
+        stride_ = padded(most);
+        numbers_.assign(Rows * stride_, 0.0);
+    }
+    // With room for so many, and nothing in particular in it.
+    void reserve(std::size_t most) {
+        stride_ = padded(most);
+        if (numbers_.size() < Rows * stride_) numbers_.resize(Rows * stride_);
+    }
+    [[nodiscard]] double* row(std::size_t n) { return numbers_.data() + n * stride_; }
+    [[nodiscard]] const double* row(std::size_t n) const { return numbers_.data() + n * stride_; }
+
+private:
+    std::size_t stride_ = 0;
+    std::vector<double> numbers_;
+};
+
+// An axis: start (mm), unit direction, length (mm), radius at the start (mm) and its change per mm.
+enum AxisRow : std::uint8_t {
+    kStartX,
+    kStartY,
+    kStartZ,
+    kAlongX,
+    kAlongY,
+    kAlongZ,
+    kAxisLength,
+    kAxisRadius,
+    kAxisSlope,
+    kAxisRows
+};
+
+struct Axes {
+    NumberRows<kAxisRows> rows;
+    std::size_t count = 0;
+
+    void clear(std::size_t most) { rows.resize(most), count = 0; }
+    void add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope);
+    // The place so far along the n-th.
+    [[nodiscard]] glm::dvec3 at(std::size_t n, double along) const;
+};
+
+// Of a point, on each of some axes: how far along the nearest place is (mm), how far from the point (mm^2), the radius
+// there (mm), and the distance in radii, squared.
+enum FootRow : std::uint8_t { kFootAlong, kFootDistance2, kFootRadius, kFootRelative2, kFootRows };
+struct AxisFeet {
+    NumberRows<kFootRows> rows;
+    std::vector<std::uint32_t> near; // those nearer than so many radii, ascending
+    [[nodiscard]] double of(std::uint32_t axis, FootRow row) const { return rows.row(row)[axis]; }
+};
+// Overwrites `feet`, whose rows have room for all axes.
+void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
+
+// What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h), and the
+// closeness from which on it and the vessel that it is an obstacle to count as together.
+enum ObstacleRow : std::uint8_t {
+    kMoveStartX = kAxisRows,
+    kMoveStartY,
+    kMoveStartZ,
+    kMoveEndX,
+    kMoveEndY,
+    kMoveEndZ,
+    kApartFrom,
+    kObstacleRows
+};
+using ObstacleRows = NumberRows<kObstacleRows>;
+struct ObstacleRange {
+    std::size_t first = 0, count = 0; // from the start of a vector on; what pads the last one has kApartFrom 0
+};
+
+// From an axis outward to a point.
+struct WayOut {
+    glm::dvec3 foot{0.0};      // where it begins, mm: on the axis as it counts
+    glm::dvec3 direction{0.0}; // unit
+    double length = 0.0;       // mm
+    double radius = 0.0;       // of the vessel there, mm
+    glm::dvec3 axis_foot{0.0}; // on the axis as it is, mm
+};
+
+// How far a point is from what lies behind an obstacle, seen from a vessel's axis: negative within.
+struct Shadow {
+    double spare = std::numeric_limits<double>::infinity(); // mm
+    std::size_t obstacle = 0;                               // by its place in the rows; none where spare is infinite
+};
+[[nodiscard]] Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way);
+// The unit vector in which the spare room of one of them grows least.
+[[nodiscard]] glm::dvec3 toward_shadow(const ObstacleRows& obstacles, std::size_t obstacle, const WayOut& way);
+
+} // namespace ramus::field

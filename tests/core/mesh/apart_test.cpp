@@ -1,0 +1,274 @@
+// What surfaces with vessels kept apart share with the plain sum's, and what they promise like them.
+#include "core/field/vessel_field.h"
+#include "core/io/trees/tree_file.h"
+#include "core/mesh/polygonize/polygonize.h"
+#include "core/mesh/polygonize/polygonizer.h"
+#include "core/mesh/surface.h"
+#include "tests/support/grown_tree.h"
+#include "tests/support/kept_apart.h"
+#include "tests/support/mesh_topology.h"
+#include "tests/support/packed_trees.h"
+#include "tests/support/shared_data.h"
+#include "tests/support/surface_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace ramus::mesh {
+
+namespace {
+
+TriangleMesh surface_with(const tree::VesselTree& tree, const SurfaceOptions& options,
+                          const std::vector<std::uint8_t>& hidden = {}) {
+    Job job;
+    auto surface = make_surface(tree, options, job, hidden);
+    REQUIRE_MESSAGE(surface, (surface ? "" : surface.error().message()));
+    return std::move(surface->mesh);
+}
+
+struct BitsOfPosition {
+    std::size_t operator()(const glm::vec3& p) const {
+        std::array<std::uint32_t, 3> bits{};
+        std::memcpy(bits.data(), &p, sizeof(bits));
+        return (bits[0] * 73856093ULL) ^ (bits[1] * 19349663ULL << 7) ^ (bits[2] * 83492791ULL << 13);
+    }
+};
+
+constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
+
+// For each vertex of one mesh the one of the other that is the same in every bit.
+std::vector<std::uint32_t> same_vertices(const TriangleMesh& mesh, const TriangleMesh& other) {
+    std::unordered_map<glm::vec3, std::uint32_t, BitsOfPosition> at;
+    for (std::uint32_t v = 0; v < other.positions.size(); ++v) at.emplace(other.positions[v], v);
+    std::vector<std::uint32_t> same(mesh.positions.size(), kNoVertex);
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        const auto found = at.find(mesh.positions[v]);
+        if (found == at.end()) continue;
+        const std::uint32_t w = found->second;
+        if (mesh.normals[v] == other.normals[w] && mesh.radii[v] == other.radii[w] &&
+            mesh.branches[v] == other.branches[w] && mesh.dominance[v] == other.dominance[w])
+            same[v] = w;
+    }
+    return same;
+}
+
+// Triangles, as corners from the lowest on, of a mesh whose vertices all `counts`.
+template <class Counts, class Name>
+std::vector<std::array<std::uint32_t, 3>> triangles_where(const TriangleMesh& mesh, const Counts& counts,
+                                                          const Name& name) {
+    std::vector<std::array<std::uint32_t, 3>> all;
+    for (const glm::uvec3& t : mesh.triangles) {
+        if (!counts(t.x) || !counts(t.y) || !counts(t.z)) continue;
+        std::array<std::uint32_t, 3> corners{name(t.x), name(t.y), name(t.z)};
+        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        all.push_back(corners);
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
+struct Agreement {
+    std::size_t far = 0, near = 0; // vertices of the first
+    std::size_t vertices = 0;      // far, and not in the other mesh
+    bool triangles = false;        // the far ones are the same
+};
+
+// Whether two meshes are the same in every bit where nothing is `near`.
+template <class Near> Agreement agreement(const TriangleMesh& mesh, const TriangleMesh& other, const Near& near) {
+    Agreement found;
+    const std::vector<std::uint32_t> same = same_vertices(mesh, other), back = same_vertices(other, mesh);
+    std::vector<bool> far_here(mesh.positions.size()), far_there(other.positions.size());
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        far_here[v] = !near(glm::dvec3(mesh.positions[v]));
+        ++(far_here[v] ? found.far : found.near);
+        found.vertices += far_here[v] && same[v] == kNoVertex ? 1 : 0;
+    }
+    for (std::uint32_t v = 0; v < other.positions.size(); ++v) {
+        far_there[v] = !near(glm::dvec3(other.positions[v]));
+        found.vertices += far_there[v] && back[v] == kNoVertex ? 1 : 0;
+    }
+    found.triangles =
+        triangles_where(
+            mesh, [&](std::uint32_t v) { return far_here[v]; }, [&](std::uint32_t v) { return same[v]; }) ==
+        triangles_where(
+            other, [&](std::uint32_t v) { return far_there[v]; }, [](std::uint32_t v) { return v; });
+    return found;
+}
+
+// A kernel reaches 1.7 radii. A vertex is told of the corners of its cell, the diagonal away at most, and a cell is
+// twice 2 pi / 16 of the radius where that of a neighbour made it larger.
+constexpr double kConcern = 1.7 + std::numbers::sqrt3 * 2.0 * 2.0 * std::numbers::pi / 16.0;
+
+// A tree of which all pieces of the surface are told apart by themselves.
+bool has_shape_of(const TriangleMesh& mesh, const tree::PreparedTree& prepared) {
+    return test::wrong_pieces(mesh, test::pieces_of(mesh), test::pieces_of(prepared)).none();
+}
+
+class CollectingSink final : public SurfaceSink {
+public:
+    [[nodiscard]] bool add_vertices(const VertexSpan& more) override {
+        positions.insert(positions.end(), more.positions.begin(), more.positions.end());
+        return true;
+    }
+    [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const VertexSpan&) override {
+        triangles.insert(triangles.end(), more.begin(), more.end());
+        return true;
+    }
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;
+};
+
+} // namespace
+
+TEST_CASE("a grown tree without contacts has the plain sum's surface, to the bit") {
+    const tree::VesselTree tree = test::grown(101);
+    SurfaceOptions options;
+    const tree::Contacts contacts = tree::find_contacts(prepare_tree(tree, options), options.width);
+    REQUIRE(contacts.list.empty());
+    const TriangleMesh apart = surface_with(tree, options);
+    options.blend = Blend::kPaper;
+    CHECK(apart == surface_with(tree, options));
+}
+
+TEST_CASE("away from contacts the surface is the plain sum's, to the bit") {
+    // Packed trees, with forks and loops among what touches, and a real one.
+    std::vector<std::pair<std::string, tree::VesselTree>> trees;
+    for (const std::uint64_t seed : {1U, 2U, 5U}) trees.emplace_back(std::to_string(seed), test::packed_trees(seed));
+    trees.emplace_back("grown", test::grown(151));
+    for (const auto& path : test::shared_trees())
+        if (path.filename() == "brain_BG001.swc") trees.emplace_back("BG001", io::read_tree(path).value());
+    for (const auto& one : trees) {
+        const std::string& name = one.first;
+        const tree::VesselTree& tree = one.second;
+        CAPTURE(name);
+        SurfaceOptions options;
+        const tree::PreparedTree prepared = prepare_tree(tree, options);
+        const tree::Contacts contacts = tree::find_contacts(prepared, options.width);
+        REQUIRE_FALSE(contacts.list.empty());
+        const auto segments = test::kept_apart(prepared, contacts, true);
+        const TriangleMesh apart = surface_with(tree, options);
+        options.blend = Blend::kPaper;
+        const TriangleMesh merged = surface_with(tree, options);
+        const Agreement found = agreement(
+            apart, merged, [&](const glm::dvec3& p) { return test::concerned(p, segments, contacts, kConcern); });
+        MESSAGE(name << ": " << found.far << " vertices away from contacts, " << found.near << " near them");
+        CHECK(found.vertices == 0);
+        CHECK(found.triangles);
+        CHECK(found.far > found.near);
+        CHECK(found.near > 0);
+    }
+}
+
+TEST_CASE("where one side of a contact is hidden the other is the plain sum's, to the bit") {
+    const tree::VesselTree tree = test::packed_trees(5);
+    SurfaceOptions options;
+    const tree::PreparedTree prepared = prepare_tree(tree, options);
+    const tree::Contacts contacts = tree::find_contacts(prepared, options.width);
+    const auto all = test::kept_apart(prepared, contacts, true);
+    int whole = 0;
+    for (std::size_t n = 0; n < std::min<std::size_t>(contacts.list.size(), 6); ++n) {
+        const tree::Contact& contact = contacts.list[n];
+        if (contact.sides[0].branch == contact.sides[1].branch) continue;
+        CAPTURE(n);
+        std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
+        for (const int branch : contact.sides[0].branches) hidden[static_cast<std::size_t>(branch)] = 1;
+        if (hidden[static_cast<std::size_t>(contact.sides[1].branch)] != 0) continue;
+        auto left = all;
+        std::erase_if(left, [&](const auto& one) { return hidden[static_cast<std::size_t>(one.branch)] != 0; });
+        options.blend = Blend::kTree;
+        const TriangleMesh apart = surface_with(tree, options, hidden);
+        options.blend = Blend::kPaper;
+        const TriangleMesh merged = surface_with(tree, options, hidden);
+        // Around the contact, unless others are there too.
+        const glm::dvec3 at = contact.sides[1].at;
+        const double around = 3.0 * contact.sides[1].radius;
+        const Agreement found = agreement(apart, merged, [&](const glm::dvec3& p) {
+            return glm::distance(p, at) > around || test::concerned(p, left, contacts, kConcern);
+        });
+        CHECK(found.vertices == 0);
+        CHECK(found.triangles);
+        whole += found.far > 100 ? 1 : 0;
+    }
+    CHECK(whole >= 2);
+}
+
+TEST_CASE("with contacts too, threads, streams and a second run give the same bits") {
+    const tree::VesselTree tree = test::packed_trees(5);
+    SurfaceOptions options;
+    options.threads = 1;
+    const TriangleMesh one = surface_with(tree, options);
+    options.threads = 2;
+    CHECK(surface_with(tree, options) == one);
+    CHECK(surface_with(tree, options) == one);
+    CollectingSink sink;
+    Job job;
+    REQUIRE(stream_surface(tree, options, sink, job));
+    CHECK(std::ranges::equal(sink.positions, one.positions));
+    CHECK(std::ranges::equal(sink.triangles, one.triangles));
+}
+
+TEST_CASE("with contacts too, what follows the tree is what is made from nothing, bit for bit") {
+    const tree::VesselTree tree = test::packed_trees(5);
+    SurfaceOptions surface;
+    REQUIRE(tree::find_contacts(prepare_tree(tree, surface), surface.width).list.size() > 4);
+    Polygonizer polygonizer;
+    Job job;
+    std::mt19937 random(7);
+    std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
+    const auto check = [&](const field::VesselField& field) {
+        REQUIRE(polygonizer.update(field, {}, job));
+        const auto anew = polygonize(field, {}, job);
+        REQUIRE(anew.has_value());
+        CHECK(polygonizer.compact() == *anew);
+        CHECK(test::topology(*anew).closed_manifold());
+    };
+    check(make_field(tree, surface, hidden));
+    for (int round = 0; round < 8; ++round) {
+        CAPTURE(round);
+        const int branch = static_cast<int>(random() % tree.branches.size());
+        const auto value = static_cast<std::uint8_t>(1 - hidden[static_cast<std::size_t>(branch)]);
+        for (const int below : tree::subtree(tree, branch)) hidden[static_cast<std::size_t>(below)] = value;
+        if (std::ranges::count(hidden, 1) == static_cast<long>(hidden.size())) hidden.assign(hidden.size(), 0);
+        check(make_field(tree, surface, hidden));
+    }
+    surface.smooth_passes = 3;
+    check(make_field(tree, surface, hidden));
+    surface.blend = Blend::kPaper;
+    check(make_field(tree, surface, hidden));
+    surface.blend = Blend::kTree;
+    surface.prune_ratio = 0.3;
+    check(make_field(tree, surface, {}));
+}
+
+TEST_CASE("contacts are apart at other widths, at one cell size, smoothed and pruned") {
+    for (const std::uint64_t seed : {1U, 4U}) {
+        const tree::VesselTree tree = test::packed_trees(seed);
+        std::vector<SurfaceOptions> all;
+        for (const double width : {2.0, 10.0}) all.push_back({.width = width});
+        all.push_back({.cell_mm = 0.4});
+        all.push_back({.smooth_passes = 0});
+        all.push_back({.smooth_passes = 4});
+        all.push_back({.prune_ratio = 0.5});
+        for (const SurfaceOptions& options : all) {
+            CAPTURE(seed);
+            CAPTURE(options.width);
+            CAPTURE(options.cell_mm);
+            CAPTURE(options.smooth_passes);
+            CAPTURE(options.prune_ratio);
+            const TriangleMesh mesh = surface_with(tree, options);
+            CHECK(test::topology(mesh).closed_manifold());
+            CHECK(has_shape_of(mesh, prepare_tree(tree, options)));
+        }
+    }
+}
+
+} // namespace ramus::mesh

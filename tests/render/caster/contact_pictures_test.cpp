@@ -1,0 +1,115 @@
+// Vessels that press on each other in pictures: while the view moves they look as they do at rest, and a wall of glass
+// is one layer.
+#include "core/mesh/surface.h"
+#include "render/renderer/renderer.h"
+#include "render/scene/centerlines.h"
+#include "tests/support/built_tree.h"
+#include "tests/support/gl_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <memory>
+
+using namespace ramus::render;
+
+namespace {
+
+// A thick vessel along x, and another one of `radius` that crosses it in front, the axes `distance` apart along y.
+Frame crossing_frame(double distance, double radius) {
+    const ramus::tree::VesselTree tree = ramus::test::built_tree(
+        {{{-30, 0, 0}, 4}, {{30, 0, 0}, 4}, {{1, distance, -30}, radius}, {{-1, distance, 30}, radius}},
+        {{0, 1}, {2, 3}}, {0, 2});
+    ramus::Job job;
+    ramus::mesh::SurfaceOptions options;
+    options.detail = 24;
+    auto surface = ramus::mesh::make_surface(tree, options, job);
+    REQUIRE(surface);
+    auto lines = std::make_shared<Centerlines>();
+    for (std::size_t branch = 0; branch < tree.branches.size(); ++branch) {
+        lines->runs.push_back({static_cast<std::uint32_t>(lines->points.size()), 2});
+        for (const std::uint32_t point : tree.branches[branch].points) {
+            lines->points.emplace_back(tree.points[point].position, 0.0F);
+            lines->details.push_back(
+                {static_cast<float>(2.0 * tree.points[point].radius), static_cast<std::int32_t>(branch)});
+        }
+    }
+    Frame frame;
+    frame.mesh = std::make_shared<const PagedMesh>(surface->mesh);
+    frame.centerlines = lines;
+    frame.width = 5.0F;
+    frame.size = {480, 480};
+    frame.camera = camera_for(frame.mesh->positions(), View::kAnterior, frame.size, false);
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = false;
+    frame.states.assign(2, BranchState::kNormal);
+    return frame;
+}
+
+// The picture at rest, or on the way there.
+Image drawn_as(Renderer& renderer, Frame frame, Quality quality) {
+    frame.quality = quality;
+    if (quality == Quality::kInteractive) { // what moves has been somewhere else
+        Frame before = frame;
+        before.camera = turned(frame.camera, 20.0, 0.0);
+        REQUIRE(renderer.draw(before));
+    }
+    const auto done = renderer.draw(frame);
+    REQUIRE(done);
+    CHECK((done->cones > 0) == (quality == Quality::kInteractive));
+    return renderer.read_image();
+}
+
+} // namespace
+
+TEST_CASE("vessels that overlap look the same while the view moves") {
+    for (const double radius : {4.0, 2.0}) {
+        for (const double share : {0.5, 0.75, 1.0}) {
+            CAPTURE(radius);
+            CAPTURE(share);
+            const ramus::test::WatchedContext context(GlVersion{99, 0});
+            const auto still = Renderer::create().value(), moving = Renderer::create().value();
+            Frame frame = crossing_frame(share * (4.0 + radius), radius);
+            frame.camera = turned(frame.camera, 25.0, 20.0);
+            const Image surface = drawn_as(*still, frame, Quality::kFull);
+            const Image cones = drawn_as(*moving, frame, Quality::kInteractive);
+            const BranchPicture of_surface = still->read_branches(), of_cones = moving->read_branches();
+            double sum = 0.0;
+            std::size_t vessels = 0, others = 0;
+            for (std::size_t i = 0; i < of_surface.branches.size(); ++i) {
+                if (of_surface.branches[i] == kNoBranch) continue;
+                ++vessels;
+                others += of_cones.branches[i] == of_surface.branches[i] ? 0 : 1;
+                for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(surface.rgba[k] - cones.rgba[k]) / 3.0;
+            }
+            MESSAGE("radius " << radius << ", " << share << " of the radii apart: mean difference "
+                              << sum / double(vessels) << " of 255, " << 100.0 * double(others) / double(vessels)
+                              << " % show another branch");
+            REQUIRE(vessels > 20'000);
+            CHECK(sum < 2.0 * double(vessels)); // as of vessels without contacts
+            CHECK(double(others) < 0.01 * double(vessels));
+        }
+    }
+}
+
+TEST_CASE("a wall between vessels of glass is one layer") {
+    for (const GlVersion version : {GlVersion{99, 0}, GlVersion{3, 3}}) {
+        CAPTURE(version.text());
+        const ramus::test::WatchedContext context(version);
+        const auto renderer = Renderer::create().value();
+        // In the middle of the picture one looks through both vessels: apart from each other, or through their wall.
+        const auto middle = [&](double distance, Quality quality) {
+            Frame frame = crossing_frame(distance, 4.0);
+            frame.states.assign(2, BranchState::kDefocused);
+            const Image picture = drawn_as(*renderer, frame, quality);
+            double sum = 0.0;
+            for (int y = 232; y < 248; ++y)
+                for (int x = 232; x < 248; ++x) sum += picture.pixel(x, y)[1] / 256.0;
+            return sum;
+        };
+        const double apart = middle(10.0, Quality::kFull), wall = middle(4.0, Quality::kFull);
+        const double moving = middle(4.0, Quality::kInteractive);
+        MESSAGE("apart " << apart << ", with a wall " << wall << ", while it moves " << moving);
+        CHECK(std::abs(wall - apart) < 6.0); // a layer more or less is 20
+        CHECK(std::abs(moving - wall) < 6.0);
+    }
+}

@@ -1,0 +1,242 @@
+// Whether two triangles with corners in single precision meet, decided exactly: signs of determinants are found in
+// double precision where that is certain, and as sums of doubles without any rounding elsewhere. Triangles contain
+// their edges and corners. Corners that two of them share are told by number: such triangles meet there anyway, and
+// what is asked is whether they meet beyond. A triangle may have no area.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
+
+namespace ramus::test {
+
+// A number as a sum of doubles, of which none overlaps another: smallest first, without zeros (Shewchuk 1997).
+class ExactSum {
+public:
+    ExactSum() = default;
+    static ExactSum difference(double a, double b) {
+        ExactSum sum;
+        sum.add(a), sum.add(-b);
+        return sum;
+    }
+    void add(double more) {
+        std::size_t kept = 0;
+        for (const double term : terms_) {
+            const double high = more + term;
+            const double part = high - more;
+            const double low = (more - (high - part)) + (term - part);
+            if (low != 0.0) terms_[kept++] = low;
+            more = high;
+        }
+        terms_.resize(kept);
+        if (more != 0.0) terms_.push_back(more);
+    }
+    void add(const ExactSum& more, double sign = 1.0) {
+        for (const double term : more.terms_) add(sign * term);
+    }
+    [[nodiscard]] ExactSum times(const ExactSum& other) const {
+        ExactSum product;
+        for (const double a : terms_) {
+            for (const double b : other.terms_) {
+                const double high = a * b;
+                product.add(std::fma(a, b, -high));
+                product.add(high);
+            }
+        }
+        return product;
+    }
+    [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.back() > 0.0 ? 1 : -1; }
+
+private:
+    std::vector<double> terms_;
+};
+
+namespace exact {
+
+using Corner = glm::vec3;
+
+inline constexpr double kRounding = 0.5 * std::numeric_limits<double>::epsilon();
+
+// The sign of det(b - a, c - a, p - a): on which side of the plane through a, b and c the point is.
+inline int side_of_plane(const Corner& a, const Corner& b, const Corner& c, const Corner& p) {
+    const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
+    const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
+    const glm::dvec3 w = glm::dvec3(p) - glm::dvec3(a);
+    const double det = u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x);
+    const double most = std::abs(u.x) * (std::abs(v.y * w.z) + std::abs(v.z * w.y)) +
+                        std::abs(u.y) * (std::abs(v.z * w.x) + std::abs(v.x * w.z)) +
+                        std::abs(u.z) * (std::abs(v.x * w.y) + std::abs(v.y * w.x));
+    const double error = (7.0 + 56.0 * kRounding) * kRounding * most; // Shewchuk 1997, the first bound of orient3d
+    if (det > error) return 1;
+    if (det < -error) return -1;
+    const auto row = [&](const Corner& to) {
+        std::array<ExactSum, 3> parts;
+        for (int i = 0; i < 3; ++i)
+            parts[static_cast<std::size_t>(i)] =
+                ExactSum::difference(static_cast<double>(to[i]), static_cast<double>(a[i]));
+        return parts;
+    };
+    const auto r = row(b);
+    const auto s = row(c);
+    const auto t = row(p);
+    ExactSum sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        const std::size_t k = (i + 2) % 3;
+        sum.add(r[i].times(s[j]).times(t[k]));
+        sum.add(r[i].times(s[k]).times(t[j]), -1.0);
+    }
+    return sum.sign();
+}
+
+// Seen along an axis: the sign of the turn from a over b to c.
+inline int turn(const Corner& a, const Corner& b, const Corner& c, int axis) {
+    const int x = (axis + 1) % 3;
+    const int y = (axis + 2) % 3;
+    const auto at = [](const Corner& p, int i) { return static_cast<double>(p[i]); };
+    const double left = (at(b, x) - at(a, x)) * (at(c, y) - at(a, y));
+    const double right = (at(b, y) - at(a, y)) * (at(c, x) - at(a, x));
+    const double det = left - right;
+    const double error = (3.0 + 16.0 * kRounding) * kRounding * (std::abs(left) + std::abs(right)); // of orient2d
+    if (det > error) return 1;
+    if (det < -error) return -1;
+    const auto part = [&](const Corner& p, int i) { return ExactSum::difference(at(p, i), at(a, i)); };
+    ExactSum sum = part(b, x).times(part(c, y));
+    sum.add(part(b, y).times(part(c, x)), -1.0);
+    return sum.sign();
+}
+
+inline bool on_a_line(const Corner& a, const Corner& b, const Corner& c) {
+    return turn(a, b, c, 0) == 0 && turn(a, b, c, 1) == 0 && turn(a, b, c, 2) == 0;
+}
+
+// Seen along an axis.
+inline bool lines_meet_seen(const Corner& a, const Corner& b, const Corner& c, const Corner& d, int axis) {
+    for (int i = 0; i < 3; ++i)
+        if (i != axis && (std::max(a[i], b[i]) < std::min(c[i], d[i]) || std::max(c[i], d[i]) < std::min(a[i], b[i])))
+            return false;
+    return turn(a, b, c, axis) * turn(a, b, d, axis) <= 0 && turn(c, d, a, axis) * turn(c, d, b, axis) <= 0;
+}
+
+// The line from a to b and that from c to d.
+inline bool lines_meet(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+    if (side_of_plane(a, b, c, d) != 0) return false;
+    // Seen along one of the axes at least, no two places of their plane fall together.
+    return lines_meet_seen(a, b, c, d, 0) && lines_meet_seen(a, b, c, d, 1) && lines_meet_seen(a, b, c, d, 2);
+}
+
+struct Triangle {
+    std::array<Corner, 3> at;
+    [[nodiscard]] bool flat() const { return on_a_line(at[0], at[1], at[2]); } // without area
+};
+
+// Of a point in the triangle's plane; the triangle has an area.
+inline bool contains_in_plane(const Triangle& t, const Corner& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int whole = turn(t.at[0], t.at[1], t.at[2], axis);
+        if (whole == 0) continue;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (turn(t.at[i], t.at[(i + 1) % 3], p, axis) == -whole) return false;
+    }
+    return true;
+}
+
+inline bool line_meets(const Corner& p, const Corner& q, const Triangle& t) {
+    const auto& [a, b, c] = t.at;
+    const int from = side_of_plane(a, b, c, p);
+    const int to = side_of_plane(a, b, c, q);
+    if (from * to > 0) return false;
+    if (from == 0 && to == 0) { // in the plane, or there is none
+        if (lines_meet(p, q, a, b) || lines_meet(p, q, b, c) || lines_meet(p, q, c, a)) return true;
+        return !t.flat() && contains_in_plane(t, p);
+    }
+    const int first = side_of_plane(p, q, a, b);
+    const int second = side_of_plane(p, q, b, c);
+    const int third = side_of_plane(p, q, c, a);
+    return (first >= 0 && second >= 0 && third >= 0) || (first <= 0 && second <= 0 && third <= 0);
+}
+
+// Whether the lines from a corner to two others run in one direction.
+inline bool same_direction(const Corner& from, const Corner& a, const Corner& b) {
+    if (!on_a_line(from, a, b)) return false;
+    for (int i = 0; i < 3; ++i)
+        if ((a[i] > from[i] && b[i] > from[i]) || (a[i] < from[i] && b[i] < from[i])) return true;
+    return false;
+}
+
+// Whether the line from the first corner to p has more of the triangle than that corner.
+inline bool line_from_corner_meets(const Corner& p, const Triangle& t) {
+    const auto& [corner, c, d] = t.at;
+    if (t.flat()) return same_direction(corner, p, c) || same_direction(corner, p, d);
+    if (p == corner || side_of_plane(corner, c, d, p) != 0) return false;
+    return contains_in_plane(t, p) || lines_meet(corner, p, c, d);
+}
+
+// Two that share their first corner. Where they have more in common, they have a line from there, which ends in the far
+// side of one of them.
+inline bool meet_beyond_corner(const Triangle& s, const Triangle& t) {
+    if (s.flat()) return line_from_corner_meets(s.at[1], t) || line_from_corner_meets(s.at[2], t);
+    if (t.flat()) return meet_beyond_corner(t, s);
+    return line_meets(s.at[1], s.at[2], t) || line_meets(t.at[1], t.at[2], s);
+}
+
+// Two that share their first two corners: one lies on the other.
+inline bool meet_beyond_edge(const Triangle& s, const Triangle& t) {
+    const auto& [a, b, c] = s.at;
+    const Corner& d = t.at[2];
+    if (s.flat() && t.flat()) return same_direction(a, c, d) || same_direction(b, c, d);
+    for (int axis = 0; axis < 3; ++axis)
+        if (turn(a, b, c, axis) * turn(a, b, d, axis) < 0) return false;
+    return side_of_plane(a, b, c, d) == 0 && !s.flat() && !t.flat();
+}
+
+inline bool meet(const Triangle& s, const Triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (line_meets(s.at[i], s.at[(i + 1) % 3], t) || line_meets(t.at[i], t.at[(i + 1) % 3], s)) return true;
+    return false;
+}
+
+} // namespace exact
+
+// Triangles of one mesh: numbers of their corners, and where those are. One that is there twice meets itself.
+template <class Positions>
+[[nodiscard]] bool triangles_meet(const Positions& positions, const glm::uvec3& s, const glm::uvec3& t) {
+    // Shared corners first, in the same order.
+    std::array<std::uint32_t, 3> first{}, second{};
+    int shared = 0;
+    std::array<bool, 3> taken_s{}, taken_t{};
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const auto a = static_cast<std::size_t>(i);
+            const auto b = static_cast<std::size_t>(j);
+            if (s[i] != t[j] || taken_s[a] || taken_t[b]) continue;
+            first[static_cast<std::size_t>(shared)] = second[static_cast<std::size_t>(shared)] = s[i];
+            taken_s[a] = taken_t[b] = true;
+            ++shared;
+        }
+    }
+    std::size_t rest_s = static_cast<std::size_t>(shared), rest_t = rest_s;
+    for (int i = 0; i < 3; ++i) {
+        if (!taken_s[static_cast<std::size_t>(i)]) first[rest_s++] = s[i];
+        if (!taken_t[static_cast<std::size_t>(i)]) second[rest_t++] = t[i];
+    }
+    const auto triangle = [&](const std::array<std::uint32_t, 3>& corners) {
+        return exact::Triangle{{positions[corners[0]], positions[corners[1]], positions[corners[2]]}};
+    };
+    switch (shared) {
+    case 0:
+        return exact::meet(triangle(first), triangle(second));
+    case 1:
+        return exact::meet_beyond_corner(triangle(first), triangle(second));
+    case 2:
+        return exact::meet_beyond_edge(triangle(first), triangle(second));
+    default:
+        return true;
+    }
+}
+
+} // namespace ramus::test
