@@ -1,0 +1,130 @@
+// `ramus compare A B`: how far two surfaces are from each other (the paper's section VII-B).
+#include "app/commands/deviation_report.h"
+#include "app/commands/inputs.h"
+#include "app/commands/picture_flags.h"
+#include "app/commands/subcommands.h"
+#include "app/commands/surface_flags.h"
+#include "app/commands/surface_input.h"
+#include "app/session/numbers.h"
+#include "core/base/stopwatch.h"
+#include "core/measure/deviation/deviation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace ramus::app {
+
+namespace {
+
+struct CompareFlags {
+    SurfaceFlags surface;
+    MaskInput mask;
+    std::array<std::string, 2> files;
+    std::optional<double> threshold_mm;
+    bool json = false;
+};
+
+// The vertices of one surface beside the other, both ways.
+struct Deviations {
+    std::array<measure::DeviationStatistics, 2> ways;
+    std::optional<double> threshold_mm;
+    double seconds = 0.0;
+};
+
+Deviations deviations(const std::array<SurfaceInput, 2>& inputs, const CompareFlags& flags) {
+    Deviations found;
+    found.threshold_mm = flags.threshold_mm;
+    for (const SurfaceInput& input : inputs)
+        if (!found.threshold_mm && input.half_voxel_mm) found.threshold_mm = input.half_voxel_mm;
+    const Stopwatch watch;
+    for (std::size_t way = 0; way < 2; ++way) {
+        LargeArray<double> distances =
+            measure::deviations(inputs[way].mesh, inputs[1 - way].mesh, flags.surface.surface.threads);
+        found.ways[way] = measure::statistics_of(distances, found.threshold_mm);
+    }
+    found.seconds = watch.seconds();
+    return found;
+}
+
+nlohmann::ordered_json input_json(const std::string& file, const SurfaceInput& input,
+                                  const measure::SurfaceSize& size) {
+    nlohmann::ordered_json json = {
+        {"file", file}, {"vertices", input.mesh.positions.size()}, {"triangles", input.mesh.triangles.size()}};
+    json.update(size_json(size));
+    return json;
+}
+
+Result<int> run_compare(const CompareFlags& flags) {
+    std::array<SurfaceInput, 2> inputs;
+    std::array<measure::SurfaceSize, 2> sizes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        RAMUS_TRY(input, load_surface(flags.files[i], flags.surface, flags.mask));
+        if (input.mesh.triangles.empty()) return fail("there is no surface in it", flags.files[i]);
+        inputs[i] = std::move(input);
+        sizes[i] = measure::size_of(inputs[i].mesh);
+    }
+    const Deviations found = deviations(inputs, flags);
+    const double hausdorff = std::max(found.ways[0].max, found.ways[1].max);
+    const double hausdorff_95 = std::max(found.ways[0].percentile_95, found.ways[1].percentile_95);
+    say(flags.surface, "distances in " + seconds_text(found.seconds));
+    if (flags.json) {
+        nlohmann::ordered_json json = deviation_json(found.ways[0]);
+        json.update(size_json(sizes[0]));
+        json["threshold_mm"] = nullptr;
+        if (found.threshold_mm) json["threshold_mm"] = *found.threshold_mm;
+        json["back"] = deviation_json(found.ways[1]);
+        json["back"].update(size_json(sizes[1]));
+        json["hausdorff"] = hausdorff;
+        json["hausdorff_95"] = hausdorff_95;
+        json["a"] = input_json(flags.files[0], inputs[0], sizes[0]);
+        json["b"] = input_json(flags.files[1], inputs[1], sizes[1]);
+        json["seconds"] = found.seconds;
+        std::cout << json.dump(2) << '\n';
+        return kDone;
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+        std::cout << flags.files[i] << ": " << counted(inputs[i].mesh.positions.size(), "vertex", "vertices") << ", "
+                  << counted(inputs[i].mesh.triangles.size(), "triangle", "triangles") << ", area "
+                  << digits(sizes[i].area_mm2, 5) << " mm2, "
+                  << (sizes[i].volume_mm3 ? "volume " + volume_text(*sizes[i].volume_mm3) : "not closed") << '\n';
+    std::cout << deviation_text("A to B", found.ways[0], found.threshold_mm)
+              << deviation_text("B to A", found.ways[1], found.threshold_mm) << "Hausdorff distance "
+              << digits(hausdorff, 4) << " mm, its 95th percentile " << digits(hausdorff_95, 4) << " mm\n";
+    return kDone;
+}
+
+} // namespace
+
+void register_compare(CLI::App& app, Action& chosen) {
+    const auto flags = std::make_shared<CompareFlags>();
+    CLI::App* command = add_command(
+        app, "compare", "How far the vertices of one surface are from another surface, and the other way round");
+    add_option(*command, "A", "", flags->files[0], "Surface: " + surface_input_kinds())->required();
+    add_option(*command, "B", "", flags->files[1], "The surface that it is compared with, likewise")->required();
+    command
+        ->add_option_function<double>(
+            "--threshold", [flags](double mm) { flags->threshold_mm = mm; },
+            "Say how many of the distances are above this (default, with a mask: half the diagonal of its voxels)")
+        ->type_name("MM")
+        ->check(CLI::Validator(
+            [](std::string& text) -> std::string {
+                double value = 0.0;
+                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0.0
+                           ? ""
+                           : text + " is not a number of mm from 0 on";
+            },
+            ""));
+    add_label_flag(*command, flags->mask.labels, "Labels of the mask that are these vessels (default: all)");
+    add_mask_units_flag(*command, flags->mask.units, "a mask");
+    command->add_flag("--json", flags->json, "Print the figures as one JSON object");
+    add_surface_flags(*command, flags->surface);
+    command->callback([flags, &chosen] { chosen = [flags] { return run_compare(*flags); }; });
+}
+
+} // namespace ramus::app

@@ -1,0 +1,69 @@
+#include "app/commands/surface_input.h"
+
+#include "app/commands/inputs.h"
+#include "app/commands/progress.h"
+#include "core/io/length_unit.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/io/volumes/volume_file.h"
+#include "core/volume/isosurface.h"
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace ramus::app {
+
+std::string surface_input_kinds() {
+    return "a mesh (" + io::readable_mesh_extensions() + "), a vessel tree, of which the surface is made, or a mask (" +
+           io::readable_volume_extensions() + "), of which the isosurface is";
+}
+
+Result<SurfaceInput> load_mesh(const std::string& file) {
+    RAMUS_TRY(mesh, io::read_mesh(file, io::Holes::kAllowed));
+    return SurfaceInput{std::move(mesh), {}};
+}
+
+Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
+    SurfaceFlags reading = flags;
+    if (!mask.units.empty()) reading.read.unit = io::length_unit(mask.units);
+    RAMUS_TRY(volume, load_volume(file, reading));
+    warn_about(file, volume);
+    SurfaceInput made;
+    made.half_voxel_mm = 0.5 * glm::length(volume::spacing_mm(volume.to_patient));
+    Job job;
+    auto surface = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("isosurface", job);
+        const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
+        return volume::isosurface(std::move(volume), {mask.labels, std::nullopt}, options, job);
+    }();
+    if (job.cancelled()) return fail("cancelled");
+    if (!surface) {
+        if (surface.error().where.empty()) surface.error().where = file;
+        return tl::unexpected(surface.error());
+    }
+    made.mesh = std::move(*surface);
+    return made;
+}
+
+Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const SurfaceFlags& flags) {
+    Job job;
+    auto surface = [&] {
+        const CancelOnInterrupt cancel(job);
+        const ProgressBar bar("surface", job);
+        return mesh::make_surface(tree, flags.surface, job);
+    }();
+    if (job.cancelled()) return fail("cancelled");
+    if (!surface) return tl::unexpected(surface.error());
+    return SurfaceInput{std::move(surface->mesh), {}};
+}
+
+Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
+    if (io::names_mesh(file)) return load_mesh(file);
+    if (io::is_volume(file)) return surface_of_mask(file, flags, mask);
+    RAMUS_TRY(tree, load_tree(file, flags));
+    auto made = surface_of_tree(tree, flags);
+    if (!made && made.error().where.empty()) made.error().where = file;
+    return made;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,39 @@
+// Surfaces that command lines name, read or made: a mesh, a tree's surface, the isosurface of a mask.
+#pragma once
+
+#include "app/commands/surface_flags.h"
+#include "core/base/error.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+struct SurfaceInput {
+    mesh::TriangleMesh mesh;
+    std::optional<double> half_voxel_mm; // half the diagonal of the voxels of a mask; none of what has no voxels
+};
+
+// What is said of masks beside their file.
+struct MaskInput {
+    std::vector<std::int32_t> labels; // empty: all
+    std::string units;                // of lengths; empty: as the file says
+};
+
+// "a mesh (.ply, ...), a mask (...) or a vessel tree"
+[[nodiscard]] std::string surface_input_kinds();
+
+// With a progress bar; an interrupt cancels. Meshes may have holes.
+[[nodiscard]] Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags,
+                                                const MaskInput& mask);
+// Each of them alone.
+[[nodiscard]] Result<SurfaceInput> load_mesh(const std::string& file);
+[[nodiscard]] Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags,
+                                                   const MaskInput& mask);
+[[nodiscard]] Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const SurfaceFlags& flags);
+
+} // namespace ramus::app

@@ -1,0 +1,195 @@
+#include "core/measure/deviation/packed_triangles.h"
+
+#include "core/measure/deviation/packed_queries.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
+
+namespace ramus::measure {
+
+namespace {
+
+constexpr std::size_t kGrain = 4096; // things for a thread at once
+
+// How far along a Hilbert curve through a cube of 2^16 cells a side one of them lies (J. Skilling, "Programming the
+// Hilbert curve", AIP Conference Proceedings 707, 2004).
+std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
+    constexpr std::uint32_t kBits = 16, kTop = 1U << (kBits - 1);
+    for (std::uint32_t bit = kTop; bit > 1; bit >>= 1U) {
+        const std::uint32_t below = bit - 1;
+        for (std::uint32_t& coordinate : x) {
+            if ((coordinate & bit) != 0) {
+                x[0] ^= below;
+            } else {
+                const std::uint32_t change = (x[0] ^ coordinate) & below;
+                x[0] ^= change;
+                coordinate ^= change;
+            }
+        }
+    }
+    x[1] ^= x[0];
+    x[2] ^= x[1];
+    std::uint32_t parity = 0;
+    for (std::uint32_t bit = kTop; bit > 1; bit >>= 1U)
+        if ((x[2] & bit) != 0) parity ^= bit - 1;
+    std::uint64_t index = 0;
+    for (std::uint32_t bit = kTop; bit > 0; bit >>= 1U)
+        for (const std::uint32_t coordinate : x) index = index << 1U | (((coordinate ^ parity) & bit) != 0 ? 1U : 0U);
+    return index;
+}
+
+template <class Call> void for_all(std::size_t count, const Call& call) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) call(i);
+    });
+}
+
+void put_box(PackedNode& node, std::uint32_t child, const glm::vec3& least, const glm::vec3& most) {
+    for (int axis = 0; axis < 3; ++axis) {
+        node.least[axis][child] = least[axis];
+        node.most[axis][child] = most[axis];
+    }
+}
+
+struct FloatBox {
+    glm::vec3 least{std::numeric_limits<float>::infinity()}, most{-std::numeric_limits<float>::infinity()};
+    void take(const glm::vec3& low, const glm::vec3& high) {
+        least = glm::min(least, low);
+        most = glm::max(most, high);
+    }
+};
+
+FloatBox box_of(const PackedLeaf& leaf) {
+    FloatBox box;
+    for (std::uint32_t n = 0; n < kPack; ++n)
+        for (const auto& corner : leaf.corner) {
+            const glm::vec3 place(corner[0][n], corner[1][n], corner[2][n]);
+            box.take(place, place);
+        }
+    return box;
+}
+
+FloatBox box_of(const PackedNode& node) {
+    FloatBox box;
+    for (std::uint32_t n = 0; n < kPack; ++n)
+        box.take({node.least[0][n], node.least[1][n], node.least[2][n]},
+                 {node.most[0][n], node.most[1][n], node.most[2][n]});
+    return box;
+}
+
+// One level of nodes above `count` leaves or nodes.
+template <class Below> void put_level(PackedNode* nodes, std::size_t number, const Below* below, std::size_t count) {
+    for_all(number, [&](std::size_t n) {
+        for (std::uint32_t child = 0; child < kPack; ++child) {
+            const std::size_t at = n * kPack + child;
+            const FloatBox box = at < count ? box_of(below[at]) : FloatBox();
+            put_box(nodes[n], child, box.least, box.most);
+        }
+    });
+}
+
+} // namespace
+
+std::vector<std::uint32_t> along_hilbert_curve(std::span<const glm::vec3> places) {
+    FloatBox box;
+    for (const glm::vec3& place : places) box.take(place, place);
+    const glm::dvec3 least(box.least), size = glm::dvec3(box.most) - least;
+    const double side = std::max({size.x, size.y, size.z});
+    const double scale = side > 0.0 ? 65535.0 / side : 0.0;
+    struct Key {
+        std::uint64_t index;
+        std::uint32_t place;
+    };
+    LargeArray<Key> keys(places.size());
+    for_all(places.size(), [&](std::size_t i) {
+        const glm::dvec3 cell = scale * (glm::dvec3(places[i]) - least);
+        keys[i] = {hilbert_index({static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y),
+                                  static_cast<std::uint32_t>(cell.z)}),
+                   static_cast<std::uint32_t>(i)};
+    });
+    tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+        return a.index < b.index || (a.index == b.index && a.place < b.place);
+    });
+    std::vector<std::uint32_t> order(places.size());
+    for_all(order.size(), [&](std::size_t i) { order[i] = keys[i].place; });
+    return order;
+}
+
+PackedTriangles::PackedTriangles(const mesh::TriangleMesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    LargeArray<glm::vec3> middles(count);
+    for_all(count, [&](std::size_t i) {
+        const glm::uvec3& t = mesh.triangles[i];
+        const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
+        middles[i] = 0.5F * (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c));
+    });
+    order_ = along_hilbert_curve(middles);
+    leaves_.resize((count + kPack - 1) / kPack);
+    for_all(leaves_.size(), [&](std::size_t leaf) {
+        for (std::uint32_t n = 0; n < kPack; ++n) {
+            const glm::uvec3& t = mesh.triangles[order_[std::min(leaf * kPack + n, count - 1)]];
+            for (int corner = 0; corner < 3; ++corner)
+                for (int axis = 0; axis < 3; ++axis)
+                    leaves_[leaf].corner[corner][axis][n] = mesh.positions[t[corner]][axis];
+        }
+    });
+    std::vector<std::size_t> numbers; // of nodes of each level
+    std::size_t total = 0, below = leaves_.size();
+    do {
+        below = (below + kPack - 1) / kPack;
+        numbers.push_back(below);
+        total += below;
+    } while (below > 1);
+    nodes_.resize(total);
+    std::size_t first = 0;
+    for (std::size_t level = 0; level < numbers.size(); ++level) {
+        view_.first[level] = static_cast<std::uint32_t>(first);
+        if (level == 0)
+            put_level(nodes_.data(), numbers[0], leaves_.data(), leaves_.size());
+        else
+            put_level(nodes_.data() + first, numbers[level], nodes_.data() + view_.first[level - 1],
+                      numbers[level - 1]);
+        first += numbers[level];
+    }
+    view_.leaves = leaves_.data();
+    view_.nodes = nodes_.data();
+    view_.levels = static_cast<std::uint32_t>(numbers.size());
+}
+
+LargeArray<double> PackedTriangles::distances(std::span<const glm::vec3> points) const {
+    const std::vector<std::uint32_t> order = along_hilbert_curve(points);
+    LargeArray<double> distances(points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kGrain), [&](const auto& range) {
+        packed_distances(view_, points.data(), order.data() + range.begin(), range.size(), distances.data());
+    });
+    return distances;
+}
+
+void PackedTriangles::crossings(const glm::dvec3& from, const glm::dvec3& direction, double length,
+                                std::vector<Crossing>& found) const {
+    found.resize(std::max<std::size_t>(found.capacity(), 16));
+    std::size_t count = packed_crossings(view_, &from.x, &direction.x, length, found.data(), found.size());
+    if (count > found.size()) {
+        found.resize(count);
+        count = packed_crossings(view_, &from.x, &direction.x, length, found.data(), found.size());
+    }
+    found.resize(count);
+    std::ranges::sort(
+        found, [](const Crossing& a, const Crossing& b) { return a.at < b.at || (a.at == b.at && a.out < b.out); });
+    // Through an edge or a corner the line meets all triangles there, at one place.
+    const double same = 1e-12 * (glm::length(from) + length);
+    const auto repeats = std::unique(found.begin(), found.end(), [&](const Crossing& a, const Crossing& b) {
+        return a.out == b.out && b.at - a.at <= same;
+    });
+    found.erase(repeats, found.end());
+    for (Crossing& crossing : found)
+        crossing.triangle = order_[std::min<std::size_t>(crossing.triangle, order_.size() - 1)];
+}
+
+} // namespace ramus::measure

@@ -1,0 +1,155 @@
+#include "core/base/infinity.h"
+#include "core/validate/questions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+namespace ramus::validate {
+
+namespace {
+
+constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;
+
+std::vector<std::uint8_t> far_from_vessels(const Reference& reference, const mesh::TriangleMesh& surface) {
+    std::vector<std::uint8_t> far(surface.positions.size(), 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, far.size(), 1024), [&](const auto& range) {
+        for (std::size_t v = range.begin(); v < range.end(); ++v) {
+            const tree::Point place{glm::dvec3(surface.positions[v]), 0.0};
+            far[v] = reference.vessels().nearest(place, kOwn, kNoBranches, kOwn).branch == tree::kNoBranch ? 1 : 0;
+        }
+    });
+    return far;
+}
+
+// The vertices that are far and their edges: parts are what edges connect.
+class FarGraph {
+public:
+    FarGraph(const mesh::TriangleMesh& surface, const std::vector<std::uint8_t>& far) : surface_(surface) {
+        std::vector<std::uint32_t> number(far.size(), kNowhere);
+        for (std::uint32_t v = 0; v < far.size(); ++v)
+            if (far[v] != 0) number[v] = static_cast<std::uint32_t>(vertices_.size()), vertices_.push_back(v);
+        next_.resize(vertices_.size());
+        rim_.resize(vertices_.size(), 0);
+        for (const glm::uvec3& t : surface.triangles)
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t a = number[t[k]], b = number[t[(k + 1) % 3]];
+                if (a != kNowhere && b != kNowhere) next_[a].push_back(b), next_[b].push_back(a);
+                if (a != kNowhere && b == kNowhere) rim_[a] = 1;
+                if (b != kNowhere && a == kNowhere) rim_[b] = 1;
+            }
+    }
+    [[nodiscard]] std::size_t size() const { return vertices_.size(); }
+    [[nodiscard]] glm::dvec3 place(std::uint32_t n) const { return glm::dvec3(surface_.positions[vertices_[n]]); }
+    [[nodiscard]] bool on_rim(std::uint32_t n) const { return rim_[n] != 0; }
+    [[nodiscard]] const std::vector<std::uint32_t>& next(std::uint32_t n) const { return next_[n]; }
+
+    // mm along edges from the nearest of `sources` to all that is connected with them; `from`: the vertex before.
+    void spread(const std::vector<std::uint32_t>& sources, std::vector<double>& distance,
+                std::vector<std::uint32_t>& from) const {
+        using Item = std::pair<double, std::uint32_t>;
+        std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
+        for (const std::uint32_t n : sources) distance[n] = 0.0, from[n] = kNowhere, open.emplace(0.0, n);
+        while (!open.empty()) {
+            const auto [at, n] = open.top();
+            open.pop();
+            if (at > distance[n]) continue;
+            for (const std::uint32_t other : next_[n]) {
+                const double there = at + glm::distance(place(n), place(other));
+                if (there < distance[other]) distance[other] = there, from[other] = n, open.emplace(there, other);
+            }
+        }
+    }
+
+private:
+    const mesh::TriangleMesh& surface_;
+    std::vector<std::uint32_t> vertices_;
+    std::vector<std::vector<std::uint32_t>> next_;
+    std::vector<std::uint8_t> rim_; // beside what is near a vessel
+};
+
+// The middle of the ring of vertices that are as far from the part's beginning as `n`, and connected with it.
+glm::dvec3 middle_of_ring(const FarGraph& graph, std::uint32_t n, const std::vector<double>& distance, double width) {
+    std::unordered_map<std::uint32_t, bool> seen{{n, true}};
+    std::vector<std::uint32_t> ring{n};
+    glm::dvec3 least = graph.place(n), most = least;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        least = glm::min(least, graph.place(ring[i]));
+        most = glm::max(most, graph.place(ring[i]));
+        for (const std::uint32_t other : graph.next(ring[i]))
+            if (std::abs(distance[other] - distance[n]) <= width && seen.emplace(other, true).second)
+                ring.push_back(other);
+    }
+    return 0.5 * (least + most);
+}
+
+// Ways along the surface, of all parts, found one part after the other.
+struct Ways {
+    std::vector<double> distance;
+    std::vector<std::uint32_t> from;
+    explicit Ways(std::size_t size) : distance(size, kInfinity), from(size, kNowhere) {}
+    [[nodiscard]] std::uint32_t farthest(const std::vector<std::uint32_t>& part) const {
+        return *std::ranges::max_element(part, {}, [&](std::uint32_t n) { return distance[n]; });
+    }
+};
+
+// Of one part: how far it reaches along itself, and where its middle is.
+FalsePart describe(const FarGraph& graph, const std::vector<std::uint32_t>& part, Ways& ways) {
+    std::vector<std::uint32_t> sources;
+    for (const std::uint32_t n : part)
+        if (graph.on_rim(n)) sources.push_back(n);
+    if (sources.empty()) { // a piece of its own: from the end that is farthest from any of its vertices
+        graph.spread({part.front()}, ways.distance, ways.from);
+        sources = {ways.farthest(part)};
+        for (const std::uint32_t n : part) ways.distance[n] = kInfinity;
+    }
+    graph.spread(sources, ways.distance, ways.from);
+    const std::uint32_t tip = ways.farthest(part);
+    std::uint32_t half = tip;
+    double edge = 0.0;
+    while (ways.from[half] != kNowhere && ways.distance[half] > 0.5 * ways.distance[tip]) {
+        edge = std::max(edge, ways.distance[half] - ways.distance[ways.from[half]]);
+        half = ways.from[half];
+    }
+    return {middle_of_ring(graph, half, ways.distance, 2.0 * edge), ways.distance[tip]};
+}
+
+// What surrounds a centerline is that vessel, wider than it should be; what stands out of a vessel's wall by less than
+// the vessel's radius is a bulge of the wall.
+bool is_a_branch(const Reference& reference, const FalsePart& part) {
+    const NearbyVessels& vessels = reference.vessels();
+    if (vessels.nearest({part.at, 0.0}, 1.0, kNoBranches, 1.0).branch != tree::kNoBranch) return false;
+    const auto beside = vessels.nearest({part.at, part.length_mm}, kOwn, kNoBranches, 0.0);
+    return part.length_mm > 0.0 && part.length_mm >= beside.radius;
+}
+
+} // namespace
+
+std::vector<FalsePart> false_parts(const Reference& reference, const mesh::TriangleMesh& surface) {
+    const FarGraph graph(surface, far_from_vessels(reference, surface));
+    std::vector<std::uint8_t> taken(graph.size(), 0);
+    std::vector<FalsePart> found;
+    std::vector<std::uint32_t> part;
+    Ways ways(graph.size());
+    for (std::uint32_t seed = 0; seed < graph.size(); ++seed) {
+        if (taken[seed] != 0) continue;
+        part.assign(1, seed);
+        taken[seed] = 1;
+        for (std::size_t i = 0; i < part.size(); ++i)
+            for (const std::uint32_t other : graph.next(part[i]))
+                if (taken[other] == 0) taken[other] = 1, part.push_back(other);
+        const FalsePart whole = describe(graph, part, ways);
+        if (is_a_branch(reference, whole)) found.push_back(whole);
+    }
+    std::ranges::stable_sort(found, std::greater<>(), &FalsePart::length_mm);
+    return found;
+}
+
+} // namespace ramus::validate

@@ -1,0 +1,111 @@
+#include "core/base/disjoint_sets.h"
+#include "core/tree/contacts/contacts.h"
+#include "core/validate/questions.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace ramus::validate {
+
+namespace {
+
+// Of the closeness from which on two vessels count as together again: from here on, in the crotch of a fork, passing
+// and being joined cannot be told apart.
+constexpr double kNearlyTogether = 0.97;
+constexpr double kThird = 1.25; // radii of a third vessel, of which a place is part: joints bulge
+
+// Two links of vessels that are kept apart, where they are closest.
+struct PassingPair {
+    std::uint32_t a = 0, b = 0; // links, ascending
+    tree::Point at_a, at_b;
+    glm::dvec3 seen_from{0.0}, seen_to{0.0}; // where the axes count as: moved apart where they cross
+    bool merged = false;
+};
+
+// Whether something else that is there covers the way between them: then the two are in that, not one with each other.
+bool third_between(const Reference& reference, const PassingPair& pair) {
+    const tree::Links& links = reference.links();
+    constexpr int kAsked = 5;
+    for (int i = 0; i < kAsked; ++i) {
+        const glm::dvec3 at = glm::mix(pair.seen_from, pair.seen_to, (i + 0.5) / kAsked);
+        const auto third =
+            reference.vessels().nearest({at, 0.0}, kThird, {links[pair.a].branch, links[pair.b].branch}, kThird);
+        if (third.branch != tree::kNoBranch) return true;
+    }
+    return false;
+}
+
+std::vector<PassingPair> passing_pairs(const Reference& reference, double width) {
+    const tree::Contacts contacts = tree::find_contacts(reference.prepared(), width);
+    const tree::Links& links = reference.links();
+    std::vector<PassingPair> pairs;
+    for (std::uint32_t a = 0; a < links.all().size(); ++a)
+        for (const tree::Contacts::Partner& partner : contacts.partners_of(a)) {
+            if (partner.piece <= a) continue;
+            const std::uint32_t b = partner.piece;
+            const tree::Approach approach = tree::closest_approach(links[a], links[b]);
+            if (partner.apart_from > 0.0F && approach.closeness > kNearlyTogether * double(partner.apart_from))
+                continue;
+            PassingPair pair{
+                a, b, tree::point_on(links[a], approach.share_a), tree::point_on(links[b], approach.share_b), {}, {}};
+            pair.seen_from = pair.at_a.position + contacts.move_of(a).at(approach.share_a);
+            pair.seen_to = pair.at_b.position + contacts.move_of(b).at(approach.share_b);
+            pairs.push_back(pair);
+        }
+    return pairs;
+}
+
+double gap_of(const PassingPair& pair) {
+    return glm::distance(pair.at_a.position, pair.at_b.position) - pair.at_a.radius - pair.at_b.radius;
+}
+
+// The set of each pair: they belong together where both of their links are the same or meet.
+std::vector<std::uint32_t> sets_of(const std::vector<PassingPair>& pairs, const tree::Links& links) {
+    DisjointSets sets(pairs.size());
+    std::map<std::uint32_t, std::vector<std::uint32_t>> by_link;
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) by_link[pairs[i].a].push_back(i), by_link[pairs[i].b].push_back(i);
+    const auto meet = [&](std::uint32_t p, std::uint32_t q) { return p == q || links.joined(p, q); };
+    for (std::uint32_t i = 0; i < pairs.size(); ++i)
+        for (const std::uint32_t point : {links[pairs[i].a].from, links[pairs[i].a].to})
+            for (const std::uint32_t link : links.at(point))
+                if (const auto there = by_link.find(link); there != by_link.end())
+                    for (const std::uint32_t other : there->second)
+                        if ((meet(pairs[i].a, pairs[other].a) && meet(pairs[i].b, pairs[other].b)) ||
+                            (meet(pairs[i].a, pairs[other].b) && meet(pairs[i].b, pairs[other].a)))
+                            sets.join(i, other);
+    std::vector<std::uint32_t> set(pairs.size());
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) set[i] = sets.find(i);
+    return set;
+}
+
+} // namespace
+
+std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width) {
+    std::vector<PassingPair> pairs = passing_pairs(reference, width);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 64), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            pairs[i].merged = !third_between(reference, pairs[i]) && probe.sees(pairs[i].seen_from, pairs[i].seen_to) &&
+                              probe.inside(pairs[i].seen_from) && probe.inside(pairs[i].seen_to);
+    });
+    std::erase_if(pairs, [](const PassingPair& pair) { return !pair.merged; });
+    const std::vector<std::uint32_t> sets = sets_of(pairs, reference.links());
+    std::map<std::uint32_t, std::size_t> closest; // of each set
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto [found, fresh] = closest.try_emplace(sets[i], i);
+        if (!fresh && gap_of(pairs[i]) < gap_of(pairs[found->second])) found->second = i;
+    }
+    std::vector<Merged> merged;
+    for (const auto& [set, i] : closest) {
+        const PassingPair& pair = pairs[i];
+        const auto [low, high] = std::minmax(reference.links()[pair.a].branch, reference.links()[pair.b].branch);
+        merged.push_back({{low, high}, 0.5 * (pair.at_a.position + pair.at_b.position), gap_of(pair)});
+    }
+    std::ranges::stable_sort(merged, {}, &Merged::gap_mm);
+    return merged;
+}
+
+} // namespace ramus::validate

@@ -1,0 +1,101 @@
+#include "core/validate/validation.h"
+
+#include "core/measure/deviation/deviation.h"
+#include "core/validate/questions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace ramus::validate {
+
+namespace {
+
+constexpr double kReach = 4.0;   // of the rays across, in radii
+constexpr double kFromEnd = 1.5; // radii: nearer to a free end, the surface closes
+
+std::vector<CrossSection> sections_at(const Reference& reference, const Probe& probe) {
+    const std::vector<Place>& places = reference.places();
+    std::vector<double> widest(reference.branches(), 0.0); // a stenosis may be filled to the width beside it
+    for (const Place& place : places) {
+        double& most = widest[static_cast<std::size_t>(place.branch)];
+        most = std::max(most, place.radius);
+    }
+    std::vector<CrossSection> sections(places.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 64), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            sections[i] = probe.cross_section(
+                places[i].at, places[i].direction,
+                std::max(kReach * places[i].radius, 2.0 * widest[static_cast<std::size_t>(places[i].branch)]));
+    });
+    return sections;
+}
+
+std::vector<RadiusPlace> radii_of(const Reference& reference, const std::vector<CrossSection>& sections) {
+    std::vector<RadiusPlace> radii;
+    radii.reserve(sections.size());
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Place& place = reference.places()[i];
+        const bool alone = place.beside >= kFar && place.to_end >= kFromEnd * place.radius;
+        radii.push_back({place.branch, place.along, place.at, place.input_radius, place.radius, sections[i].radius,
+                         sections[i].flat_radius, alone});
+    }
+    return radii;
+}
+
+RadiusError error_of(const std::vector<RadiusPlace>& radii) {
+    std::vector<double> errors, flat_errors;
+    for (const RadiusPlace& place : radii) {
+        if (!place.alone) continue;
+        errors.push_back(std::abs(place.surface_mm - place.input_mm) / place.input_mm);
+        flat_errors.push_back(std::abs(place.flat_mm - place.input_mm) / place.input_mm);
+    }
+    if (errors.empty()) return {};
+    RadiusError error;
+    error.places = errors.size();
+    error.median = measure::quantile(errors, 0.5);
+    error.p95 = measure::quantile(errors, 0.95);
+    error.flat_median = measure::quantile(flat_errors, 0.5);
+    error.flat_p95 = measure::quantile(flat_errors, 0.95);
+    return error;
+}
+
+Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh& surface,
+                       const ValidationOptions& options, Job& job) {
+    const Reference reference(source, options.smooth_passes);
+    const Probe probe(surface, reference.places());
+    const std::vector<Place>& places = reference.places();
+    if (job.cancelled()) return fail("cancelled");
+    job.report(0.2F);
+    const std::vector<CrossSection> sections = sections_at(reference, probe);
+    if (job.cancelled()) return fail("cancelled");
+    job.report(0.6F);
+    Validation found;
+    found.lost = lost_stretches(reference, probe, sections);
+    job.report(0.7F);
+    found.false_parts = false_parts(reference, surface);
+    if (job.cancelled()) return fail("cancelled");
+    job.report(0.8F);
+    found.merged = merged_vessels(reference, probe, options.width);
+    job.report(0.95F);
+    const auto smoothed = [&](std::size_t i) { return places[i].radius; };
+    found.constrictions = changed_constrictions(reference, smoothed, [&](std::size_t i) { return sections[i].radius; });
+    std::erase_if(found.constrictions, [&](const Constriction& one) { return is_oblique(reference, probe, one); });
+    found.smoothed_away = changed_constrictions(
+        reference, [&](std::size_t i) { return places[i].input_radius; }, smoothed);
+    found.radii = radii_of(reference, sections);
+    found.radius_error = error_of(found.radii);
+    return found;
+}
+
+} // namespace
+
+Result<Validation> validate(const tree::VesselTree& source, const mesh::TriangleMesh& surface,
+                            const ValidationOptions& options, Job& job) {
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    return arena.execute([&] { return run(source, surface, options, job); });
+}
+
+} // namespace ramus::validate

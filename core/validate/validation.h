@@ -1,0 +1,88 @@
+// Validation of a surface against the tree that it is to be of: any surface, whoever made it. The four questions of
+// S. Oeltze and B. Preim, "Visualization of Vasculature with Convolution Surfaces: Method, Validation and Evaluation",
+// IEEE Transactions on Medical Imaging 24, 2005: are branches lost, are there false ones, are separate branches merged,
+// are constrictions right? And how true the radius is along the branches. The tree is smoothed as for its surface, and
+// has all its branches. mm, RAS; deterministic.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/job.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramus::validate {
+
+// A stretch of a branch's centerline that is outside of the surface, or where the surface is less than half as wide as
+// the vessel.
+struct Lost {
+    int branch = 0;
+    glm::dvec3 at{0.0}; // its middle, on the centerline
+    double length_mm = 0.0;
+};
+
+// A part of the surface with no centerline within 1.5 of its radii, that surrounds none, and that is at least as long
+// as the vessel beside it is thick: else it is a bulge of the wall.
+struct FalsePart {
+    glm::dvec3 at{0.0}; // in its middle
+    double length_mm = 0.0;
+};
+
+// Two vessels that pass each other without a joint, and are one in the surface.
+struct Merged {
+    std::array<int, 2> branches{}; // ascending; the same twice where a vessel comes back to itself
+    glm::dvec3 at{0.0};            // between the two, where they are closest
+    double gap_mm = 0.0;           // between their walls there; below 0: they overlap
+};
+
+// A narrow place of a branch whose radius in the surface is off by more than 10 %.
+struct Constriction {
+    int branch = 0;
+    glm::dvec3 at{0.0};
+    double expected_radius_mm = 0.0, radius_mm = 0.0;
+};
+
+// What the surface makes of a place on a centerline.
+struct RadiusPlace {
+    int branch = 0;
+    double along_mm = 0.0; // from the branch's first point
+    glm::dvec3 at{0.0};
+    double input_mm = 0.0;    // radius as it was read
+    double expected_mm = 0.0; // radius as smoothed
+    double surface_mm = 0.0;  // radius of a circle as large as the surface's cross-section; 0 outside of the surface
+    double flat_mm = 0.0;     // likewise of the flat triangles, which are chords of the surface
+    bool alone = false;       // away from joints, ends and other vessels
+};
+
+// |surface - input| / input over all places that are alone.
+struct RadiusError {
+    std::size_t places = 0; // 0: none is alone, the others mean nothing
+    double median = 0.0, p95 = 0.0;
+    double flat_median = 0.0, flat_p95 = 0.0; // of flat_mm
+};
+
+struct Validation {
+    std::vector<Lost> lost;             // by branch, along each
+    std::vector<FalsePart> false_parts; // the longest first
+    std::vector<Merged> merged;         // the deepest overlap first
+    std::vector<Constriction> constrictions;
+    std::vector<Constriction> smoothed_away; // narrow places as read that smoothing itself has changed that much
+    RadiusError radius_error;
+    std::vector<RadiusPlace> radii; // branch by branch, along each
+};
+
+struct ValidationOptions {
+    int smooth_passes = 1;
+    double width = 5.0; // of the kernel: says how close vessels have to come to count as passing each other
+    int threads = 0;    // 0: all cores
+};
+
+// The surface has a triangle at least. Fails when `job` is cancelled (what == "cancelled").
+[[nodiscard]] Result<Validation> validate(const tree::VesselTree& source, const mesh::TriangleMesh& surface,
+                                          const ValidationOptions& options, Job& job);
+
+} // namespace ramus::validate
