@@ -69,7 +69,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_where(const TriangleMesh& me
     for (const glm::uvec3& t : mesh.triangles) {
         if (!counts(t.x) || !counts(t.y) || !counts(t.z)) continue;
         std::array<std::uint32_t, 3> corners{name(t.x), name(t.y), name(t.z)};
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         all.push_back(corners);
     }
     std::ranges::sort(all);
