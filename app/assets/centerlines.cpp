@@ -50,6 +50,7 @@ render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::S
         }
 
     render::Centerlines lines;
+    lines.smooth_radii = prepared.centerline == tree::Centerline::kSmooth;
     lines.origin = box.empty() ? glm::dvec3(0.0) : box.centre();
     lines.runs.resize(tree.branches.size());
     const std::vector<Extent> extents = extents_of(tree);

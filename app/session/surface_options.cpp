@@ -29,7 +29,13 @@ constexpr std::array<OptionWord, 2> kBlendWords = {{
     {mesh::name_of(mesh::Blend::kPaper), "Wherever close"},
 }};
 
-constexpr std::array<SurfaceOption, 7> kSurfaceOptions = {{
+// In the order of tree::Centerline.
+constexpr std::array<OptionWord, 2> kCenterlineWords = {{
+    {tree::name_of(tree::Centerline::kSmooth), "Curves"},
+    {tree::name_of(tree::Centerline::kLines), "Lines"},
+}};
+
+constexpr std::array<SurfaceOption, 8> kSurfaceOptions = {{
     {.key = "smooth",
      .unit = "N",
      .help = "Smoothing passes over points and radii (default 1)",
@@ -87,6 +93,23 @@ constexpr std::array<SurfaceOption, 7> kSurfaceOptions = {{
      .slider_most = 1,
      .words = kBlendWords,
      .before_it_was = static_cast<double>(mesh::Blend::kPaper)},
+    {.key = "centerline",
+     .unit = "smooth|lines",
+     .help =
+         "What runs between the points of a centerline: smooth, curves with smooth radii (default); lines, straight "
+         "lines, as in the paper",
+     .domain = "smooth or lines",
+     .least = 0,
+     .most = 1,
+     .whole = true,
+     .of_session = true,
+     .value = value_of<&Options::centerline>,
+     .set = set_to<&Options::centerline>,
+     .label = "Centerline",
+     .tooltip = "Smooth curves through the points, or straight lines between them, as in the paper",
+     .slider_most = 1,
+     .words = kCenterlineWords,
+     .before_it_was = static_cast<double>(tree::Centerline::kLines)},
     {.key = "detail",
      .unit = "N",
      .help = "Triangles around a vessel, thick or thin (default 16)",

@@ -14,7 +14,8 @@ std::vector<CullingSegment> culling_segments(const Skeleton& skeleton) {
     segments.reserve(skeleton.segments().size());
     for (const FieldSegment& s : skeleton.segments())
         segments.push_back({static_cast<float>(s.ax - origin.x), static_cast<float>(s.ay - origin.y),
-                            static_cast<float>(s.az - origin.z), s.ux, s.uy, s.uz, s.length, s.radius, s.slope});
+                            static_cast<float>(s.az - origin.z), s.ux, s.uy, s.uz, s.length, s.radius, s.slope,
+                            s.beyond, s.thickest()});
     return segments;
 }
 

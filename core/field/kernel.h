@@ -23,7 +23,8 @@ struct Kernel;
 // What culling reads of a segment, in single precision relative to one origin, side by side in memory.
 struct CullingSegment {
     float ax, ay, az, ux, uy, uz;
-    float length, radius, slope;
+    float length, radius, slope, beyond;
+    float thickest; // as FieldSegment::thickest()
 };
 
 // Which segments to evaluate: kAllSegments takes every one everywhere, which gives the same values and measures what
@@ -41,7 +42,8 @@ struct SegmentTerms {
         kUz,
         kLength,
         kRadius,
-        kSlope, // as in FieldSegment
+        kSlope,
+        kBeyond, // as in FieldSegment
         kValue,
         kGradientX,
         kGradientY,

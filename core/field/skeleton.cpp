@@ -1,11 +1,17 @@
 #include "core/field/skeleton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 namespace ramus::field {
+
+double beyond_for(double slope) {
+    const double steepness = std::abs(slope);
+    return 1.0 / (1.0 + 4.0 * steepness * (1.0 + 8.0 * steepness));
+}
 
 Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     const tree::VesselTree& tree = prepared.tree;
@@ -15,6 +21,7 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     frame_.lower = glm::dvec3(std::numeric_limits<double>::max());
     frame_.upper = -frame_.lower;
     frame_.thinnest = std::numeric_limits<double>::max();
+    const bool smooth = prepared.centerline == tree::Centerline::kSmooth;
     std::size_t ordinal = 0;
     for (const tree::Branch& branch : tree.branches) {
         for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
@@ -24,6 +31,7 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
             // Smoothing may pull two points of a tight zigzag onto each other; such a segment has no integral.
             if (!(length > 0.0)) continue;
             const glm::dvec3 direction = (to.position - from.position) / length;
+            const double slope = (to.radius - from.radius) / length;
             const std::size_t index = prepared.segment_index.empty() ? ordinal : prepared.segment_index[ordinal];
             segments[index] = {from.position.x,
                                from.position.y,
@@ -33,11 +41,13 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
                                static_cast<float>(direction.z),
                                static_cast<float>(length),
                                static_cast<float>(from.radius),
-                               static_cast<float>((to.radius - from.radius) / length),
+                               static_cast<float>(slope),
+                               static_cast<float>(smooth ? beyond_for(slope) : 0.0),
                                prepared.segment_source[ordinal]};
             is_present[index] = 1;
 
-            const glm::dvec3 reach(support_radii * std::max(from.radius, to.radius));
+            const glm::dvec3 reach(support_radii *
+                                   std::max({from.radius, to.radius, double(segments[index].thickest())}));
             frame_.lower = glm::min(frame_.lower, glm::min(from.position, to.position) - reach);
             frame_.upper = glm::max(frame_.upper, glm::max(from.position, to.position) + reach);
             frame_.thinnest = std::min({frame_.thinnest, from.radius, to.radius});

@@ -15,15 +15,28 @@ namespace ramus::field {
 
 // A line segment with linear radius. Its start stays in double precision; all else is relative and fits in single
 // precision. One cache line, since samples take segments from all over the tree.
+//
+// Beyond an end, at x mm along the axis, the radius goes on from the end's radius r as r + slope x E / (|x| + E) with
+// E = beyond r: its slope does not jump there, so that the field's gradient does not either, and a cone cut in two
+// stays the cone that it was. With beyond = 0 it stays r, as in the paper.
 struct alignas(64) FieldSegment {
     double ax, ay, az;           // start point, mm
     float ux, uy, uz;            // unit direction
     float length, radius, slope; // mm, mm at the start, radius change per mm
-    std::int32_t branch;         // id in the source tree
+    float beyond;
+    std::int32_t branch; // id in the source tree
 
     [[nodiscard]] float end_radius() const { return radius + slope * length; }
+    // The largest radius that any point sees, and the smallest.
+    [[nodiscard]] float thickest() const {
+        return slope > 0.0F ? end_radius() * (1.0F + slope * beyond) : radius * (1.0F - slope * beyond);
+    }
     bool operator==(const FieldSegment&) const = default;
 };
+
+// How far `beyond` lets radii go on, by the slope: less where it is steep, as where a twig begins with the radius of
+// its stem. The radius changes by an eighth of itself at the most.
+[[nodiscard]] double beyond_for(double slope);
 
 // The space that a field is in, and its finest feature. What lattices are laid out by; a field and parts of it share
 // one, so that what they have in common is the same to the last bit.

@@ -110,6 +110,7 @@ Error at_memory_end() {
 PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options) {
     PreparedTree prepared = tree::prune(source, options.prune_ratio);
     prepared.tree = tree::smooth(std::move(prepared.tree), options.smooth_passes);
+    prepared.centerline = options.centerline;
     return prepared;
 }
 

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> indices_in_order(const VesselTree& tree, const std::m
 }
 
 PreparedTree unpruned(const VesselTree& tree) {
-    PreparedTree result{tree, {}, {}, 0};
+    PreparedTree result{tree, {}, {}, 0, Centerline::kLines};
     result.segment_source.reserve(tree.segment_count());
     for (std::size_t id = 0; id < tree.branches.size(); ++id)
         result.segment_source.insert(result.segment_source.end(), tree.branches[id].points.size() - 1,

@@ -1,6 +1,7 @@
 // What is done to a tree before a surface is made of it, or a picture that stands for a moment only.
 #pragma once
 
+#include "core/tree/centerline.h"
 #include "core/tree/vessel_tree.h"
 
 namespace ramus::tree {
@@ -15,6 +16,7 @@ struct PreparedTree {
     // Empty: nothing was pruned, each has its own index.
     std::vector<std::uint32_t> segment_index;
     std::size_t source_segments = 0;
+    Centerline centerline = Centerline::kLines;
 };
 
 // Pruning of short leaf branches: the spurs that thinning leaves behind (after Hahn et al. 2001, the paper's [6]).

@@ -86,9 +86,9 @@ struct BlockTriangles {
 // A segment of the convolution surface's field, in eye space, mm.
 struct FieldSegment {
     float from[3], direction[3]; // direction: of unit length
-    float length, radius, slope;
+    float length, radius, slope, beyond;
 };
-inline constexpr FieldSegment kNoSegment{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F};
+inline constexpr FieldSegment kNoSegment{{1e9F, 1e9F, 1e9F}, {1.0F, 0.0F, 0.0F}, 1.0F, 1.0F, 0.0F, 0.0F};
 
 // The field around each cone: of segments neighbours[first[c]] to neighbours[first[c + 1] - 1], an even number.
 struct Field {

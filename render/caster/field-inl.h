@@ -31,9 +31,11 @@ HWY_INLINE void for_neighbours(const Field& field, const std::uint32_t* list, st
                                        both(a.direction[2], b.direction[2]),
                                        both(a.length, b.length),
                                        both(a.radius, b.radius),
-                                       both(a.slope, b.slope)};
+                                       both(a.slope, b.slope),
+                                       both(a.beyond, b.beyond)};
         const auto from = [&](Float x, int c) { return kernel::Pack<2>{(x - a.from[c]).v, (x - b.from[c]).v}; };
-        call(i, pair, kernel::find_foot(pair, root_width, from(at.x, 0), from(at.y, 1), from(at.z, 2)));
+        call(i, pair,
+             kernel::find_foot<kernel::Ends::kSome>(pair, root_width, from(at.x, 0), from(at.y, 1), from(at.z, 2)));
     }
 }
 

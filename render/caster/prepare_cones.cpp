@@ -1,4 +1,5 @@
 // Where the cones lie before the eye of a picture.
+#include "core/field/skeleton.h"
 #include "render/caster/vessel_cones.h"
 #include "render/scene/record_flags.h"
 
@@ -96,6 +97,7 @@ FieldSegment VesselCones::field_segment_of(const Segment& segment, const glm::ma
     made.length = length;
     made.radius = std::max(first, 1e-6F);
     made.slope = (std::max(last, 1e-6F) - made.radius) / length;
+    made.beyond = lines_->smooth_radii ? static_cast<float>(field::beyond_for(made.slope)) : 0.0F;
     return made;
 }
 

@@ -26,8 +26,9 @@ struct Centerlines {
 
     std::vector<glm::vec4> points; // mm relative to origin; w: mm from the root along the tree
     std::vector<Detail> details;   // of the same points
-    std::vector<Run> runs;  // by branch id, from the parent's end outward; a branch without a position has no point
-    glm::dvec3 origin{0.0}; // mm
+    std::vector<Run> runs;     // by branch id, from the parent's end outward; a branch without a position has no point
+    glm::dvec3 origin{0.0};    // mm
+    bool smooth_radii = false; // whether radii go on beyond the ends of segments (core/field/skeleton.h)
 
     // From corner to corner of the box around the points; 0 without any.
     [[nodiscard]] double extent_mm() const;

@@ -2,6 +2,7 @@
 // written from the formula and sharing no code with the fast one. 1/2 [erf + erf] is taken from the standard library.
 #pragma once
 
+#include "core/field/skeleton.h"
 #include "core/mesh/surface.h"
 
 #include <algorithm>
@@ -23,17 +24,29 @@ public:
     };
 
     BruteForceField(const tree::PreparedTree& prepared, double width) : w_(width * std::numbers::ln2) {
+        const bool smooth = prepared.centerline == tree::Centerline::kSmooth;
         std::size_t ordinal = 0;
         for (const tree::Branch& branch : prepared.tree.branches) {
             for (std::size_t i = 1; i < branch.points.size(); ++i, ++ordinal) {
                 const tree::Point& a = prepared.tree.points[branch.points[i - 1]];
                 const tree::Point& b = prepared.tree.points[branch.points[i]];
                 const double length = glm::distance(a.position, b.position);
+                const double slope = (b.radius - a.radius) / length;
                 if (length > 0.0)
                     segments_.push_back({a.position, (b.position - a.position) / length, length, a.radius, b.radius,
-                                         prepared.segment_source[ordinal]});
+                                         smooth ? field::beyond_for(slope) : 0.0, prepared.segment_source[ordinal]});
             }
         }
+    }
+
+    // The part of the field that its segments within `reach` mm of a point make.
+    [[nodiscard]] BruteForceField around(glm::dvec3 p, double reach) const {
+        BruteForceField part(w_);
+        for (const Segment& s : segments_) {
+            const double t = std::clamp(glm::dot(p - s.a, s.u), 0.0, s.length);
+            if (glm::distance(p, s.a + t * s.u) < reach) part.segments_.push_back(s);
+        }
+        return part;
     }
 
     [[nodiscard]] double isovalue() const { return std::exp(-w_); }
@@ -52,16 +65,22 @@ public:
             result.value += k.h;
             if (k.h > best) best = k.h, result.radius = k.r, result.strongest = i;
         }
-        // Central differences: independent of any derivation, and exact to 1e-9 of the gradient at this step.
-        const double step = 1e-5 * result.radius;
+        result.gradient = gradient(p, result.radius);
+        return result;
+    }
+
+    // Central differences: independent of any derivation, and exact to 1e-9 of the gradient at this step.
+    [[nodiscard]] glm::dvec3 gradient(glm::dvec3 p, double radius) const {
+        const double step = 1e-5 * radius;
+        glm::dvec3 gradient(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 plus = p;
             glm::dvec3 minus = p;
             plus[axis] += step;
             minus[axis] -= step;
-            result.gradient[axis] = (value(plus) - value(minus)) / (2.0 * step);
+            gradient[axis] = (value(plus) - value(minus)) / (2.0 * step);
         }
-        return result;
+        return gradient;
     }
 
     // What each branch adds to the field at a point.
@@ -77,9 +96,12 @@ public:
     }
 
 private:
+    explicit BruteForceField(double w) : w_(w) {}
+
     struct Segment {
         glm::dvec3 a, u;
         double length, ra, rb;
+        double beyond; // as in field::FieldSegment
         int branch;
     };
     struct Kernel {
@@ -89,7 +111,11 @@ private:
     [[nodiscard]] Kernel kernel(const Segment& s, glm::dvec3 p) const {
         const glm::dvec3 v = p - s.a;
         const double t = glm::dot(v, s.u);
-        const double r = s.ra + (s.rb - s.ra) * std::clamp(t, 0.0, s.length) / s.length;
+        const double slope = (s.rb - s.ra) / s.length;
+        const double at_end = s.ra + slope * std::clamp(t, 0.0, s.length);
+        const double excess = t - std::clamp(t, 0.0, s.length);
+        const double room = s.beyond * at_end;
+        const double r = room > 0.0 ? at_end + slope * excess * room / (std::abs(excess) + room) : at_end;
         const glm::dvec3 off = v - t * s.u;
         const double q = w_ * glm::dot(off, off) / (r * r);
         if (q > 60.0) return {0.0, r}; // below 1e-26: nothing, in double precision, next to the isovalue

@@ -37,16 +37,19 @@ void VesselViews::list_axes() {
     kept_axes_.clear(list_.size());
     other_axes_.clear(list_.size());
     any_moved_ = false;
+    double most = 1.0; // that a radius grows to beyond the ends of its segment
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
         const int piece = contacts_.piece(n);
         (piece >= 0 ? kept_apart_ : others_).push_back(n);
         if (piece >= 0) piece_of_axis_.push_back(piece);
+        most = std::max(most, static_cast<double>(s.thickest() / std::max(s.radius, s.end_radius())));
         (piece >= 0 ? kept_axes_ : other_axes_)
             .add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
                  static_cast<double>(s.slope));
         any_moved_ = any_moved_ || (piece >= 0 && contacts_.shape(piece).move != tree::AxisMove{});
     }
+    reach_radii_ = kernel_.support_radii * most;
     kept_feet_.rows.reserve(kept_axes_.count);
     other_feet_.rows.reserve(other_axes_.count);
     if (!any_moved_) return;
@@ -88,7 +91,7 @@ std::uint32_t nearest_in_radii(const AxisFeet& feet) {
 VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     point_ = point;
     counted_known_ = others_known_ = beside_contact_ = false;
-    find_feet(kept_axes_, point_, kernel_.support_radii, kept_feet_);
+    find_feet(kept_axes_, point_, reach_radii_, kept_feet_);
     if (kept_feet_.near.empty()) return Sight::kPlain;
     if (any_left_out()) {
         see_all();
@@ -105,7 +108,7 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
 }
 
 void VesselViews::find_others() {
-    if (!others_known_) find_feet(other_axes_, point_, kernel_.support_radii, other_feet_);
+    if (!others_known_) find_feet(other_axes_, point_, reach_radii_, other_feet_);
     others_known_ = true;
 }
 

@@ -106,6 +106,7 @@ private:
     const FieldSegment* segments_;
     LocalContacts contacts_;
     SegmentIndices list_;
+    double reach_radii_ = 0.0; // of its own radius at the foot, that any of the list may reach
     glm::dvec3 point_{0.0};
     // Places in the list: those whose pieces have partners, and the rest; with their axes, and the feet of the point.
     std::vector<std::uint32_t> kept_apart_, others_;

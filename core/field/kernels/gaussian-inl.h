@@ -116,8 +116,9 @@ struct Gaussian {
             mul(mul(set(d, static_cast<float>(-6.0 / (kFadeEnd - kFadeBegin))), c), sub(one, c));
         const Pack<N, T> body = mul(gauss, end_filter<Near>(s, f));
         const Pack<N, T> twice_scale = mul(set(d, 2.0F * kNaturalLog), f.scale);
-        const Pack<N, T> q_slope = mul(mul(set(d, -2.0F * kNaturalLog), f.q), growth);
-        const Pack<N, T> rho_slope = mul_add(twice_scale, f.e, q_slope);
+        const Pack<N, T> twice_growth = mul(set(d, -2.0F * kNaturalLog), growth);
+        const Pack<N, T> q_slope = mul(f.q, twice_growth);
+        const Pack<N, T> rho_slope = mul_add(twice_scale, f.e, mul(f.rho, twice_growth));
         KernelGradient<N, T> g;
         g.value = mul(step, body);
         g.radial = mul(mul(twice_scale, f.scale), mul(body, sub(step_slope, step)));

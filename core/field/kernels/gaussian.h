@@ -1,7 +1,7 @@
 // The paper's kernel (Oeltze & Preim 2005, eqs. 7-10): a Gaussian across the vessel, integrated along the segment.
 //
 // Of a segment a -> b of length L with unit direction u, radii linear between its ends, w = width ln 2:
-//     t = (p - a) . u,   d = distance of p to the line,   r = radius at clamp(t, 0, L)
+//     t = (p - a) . u,   d = distance of p to the line,   r = radius at t (beyond the ends: FieldSegment)
 //     h(p) = S(rho) exp(-w d^2 / r^2) * 1/2 [erf(sqrt(w) t / r) + erf(sqrt(w) (L - t) / r)]
 // and the surface is where the sum is exp(-w). S fades the kernel smoothly to exactly zero between 1.4 and 1.7 radii
 // (times sqrt(5 / width)) from the segment, so that distant segments can be left out without a trace.

@@ -95,14 +95,6 @@ template <class X> HWY_INLINE X times_power(X p, X shifted) {
         },
         p, shifted);
 }
-// a where low < x < high, 0 elsewhere.
-template <std::size_t N, class T>
-HWY_INLINE Pack<N, T> where_between(const Pack<N, T>& low, const Pack<N, T>& x, const Pack<N, T>& high,
-                                    const Pack<N, T>& a) {
-    return each<N, T>([&](std::size_t s) {
-        return hn::IfThenElseZero(hn::And(hn::Gt(x.v[s], low.v[s]), hn::Lt(x.v[s], high.v[s])), a.v[s]);
-    });
-}
 
 } // namespace ramus::field::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::field::HWY_NAMESPACE {
 
 // Segments, each broadcast to all lanes.
-template <std::size_t N, class T = D> struct Segments { Pack<N, T> ux, uy, uz, length, radius, slope; };
+template <std::size_t N, class T = D> struct Segments { Pack<N, T> ux, uy, uz, length, radius, slope, beyond; };
 
 // Away from the ends of a long segment a kernel does not change along it, to the last bit: kNone. Near one of them
 // counts as near both: the work for the other costs less than guessing a branch wrong.
@@ -30,6 +30,33 @@ template <class Call> HWY_INLINE void for_ends(bool near, const Call& call) {
         call(std::integral_constant<Ends, Ends::kNone>());
 }
 
+// One over a number: one step of Newton's method makes the quick reciprocal exact to single precision, at a third of a
+// division's time.
+template <class Tag, class Vec> HWY_INLINE Vec reciprocal(Tag d, Vec a) {
+    const Vec guess = rough_reciprocal(a);
+    return mul(guess, neg_mul_add(a, guess, set(d, 2.0F)));
+}
+
+// What the radius of a segment is made of (FieldSegment), and the radius at an axial coordinate.
+template <class Vec> struct RadiusLanes { Vec length, radius, slope, beyond; };
+template <class Vec> struct RadiusThere {
+    Vec radius;
+    Vec excess;  // axial distance beyond the ends, signed, mm; 0 between them
+    Vec carried; // share of the slope's effect that is left there: 1 between the ends, to the last bit
+};
+template <class Tag, class Shape, class Vec>
+HWY_INLINE RadiusThere<Vec> radius_along(Tag d, const Shape& s, const Vec& t) {
+    const Vec zero = set(d, 0.0F);
+    const Vec clamped = max(min(t, s.length), zero);
+    const Vec excess = sub(t, clamped);
+    const Vec at_end = mul_add(s.slope, clamped, s.radius);
+    const Vec size = max(excess, sub(zero, excess));
+    // Nothing is divided by 0: that far radii are not resolved anyway.
+    const Vec room = mul_add(max(s.beyond, set(d, 1e-9F)), at_end, size);
+    const Vec carried = neg_mul_add(size, reciprocal(d, room), set(d, 1.0F));
+    return {mul_add(mul(s.slope, excess), carried, at_end), excess, carried};
+}
+
 // A point seen from a segment. Lengths times the kernel's scale, over the radius r at the foot, have no dimension: the
 // kernel depends on nothing else.
 template <std::size_t N, class T = D> struct Foot {
@@ -39,35 +66,35 @@ template <std::size_t N, class T = D> struct Foot {
     Pack<N, T> q;          // squared scaled distance d to the line
     Pack<N, T> e;          // axial distance beyond the ends, scaled; 0 between them
     Pack<N, T> rho;        // q + e^2: squared scaled distance to the segment
+    Pack<N, T> carried;    // as in RadiusThere
 };
 
-template <std::size_t N, class T>
+template <Ends Near, std::size_t N, class T>
 HWY_INLINE Foot<N, T> find_foot(const Segments<N, T>& s, const Pack<N, T>& scale, const Pack<N, T>& px,
                                 const Pack<N, T>& py, const Pack<N, T>& pz) {
     const PackTag<N, T> d;
     Foot<N, T> f;
     f.t = mul_add(pz, s.uz, mul_add(py, s.uy, mul(px, s.ux)));
-    const Pack<N, T> clamped = max(min(f.t, s.length), set(d, 0.0F));
-    // One step of Newton's method makes the quick reciprocal exact to single precision, at a third of a division's
-    // time.
-    const Pack<N, T> radius = mul_add(s.slope, clamped, s.radius);
-    const Pack<N, T> guess = rough_reciprocal(radius);
-    f.scale = mul(mul(scale, guess), neg_mul_add(radius, guess, set(d, 2.0F)));
+    RadiusThere<Pack<N, T>> there{mul_add(s.slope, f.t, s.radius), set(d, 0.0F), set(d, 1.0F)};
+    if constexpr (Near == Ends::kSome) there = radius_along(d, s, f.t);
+    const Pack<N, T> guess = rough_reciprocal(there.radius);
+    f.scale = mul(mul(scale, guess), neg_mul_add(there.radius, guess, set(d, 2.0F)));
+    f.carried = there.carried;
     // The offset vector, not |p|^2 - t^2: beside a long segment the difference of squares would lose all digits.
     f.qx = neg_mul_add(f.t, s.ux, px);
     f.qy = neg_mul_add(f.t, s.uy, py);
     f.qz = neg_mul_add(f.t, s.uz, pz);
     const Pack<N, T> d2 = mul_add(f.qz, f.qz, mul_add(f.qy, f.qy, mul(f.qx, f.qx)));
     f.q = mul(d2, mul(f.scale, f.scale));
-    f.e = mul(sub(f.t, clamped), f.scale);
+    f.e = mul(there.excess, f.scale);
     f.rho = mul_add(f.e, f.e, f.q);
     return f;
 }
 
-// Relative change of the radius per mm along the axis; none beyond the ends.
+// Relative change of the radius per mm along the axis.
 template <std::size_t N, class T>
 HWY_INLINE Pack<N, T> growth_of(const Segments<N, T>& s, const Foot<N, T>& f, const Pack<N, T>& inverse_scale) {
-    return where_between(set(PackTag<N, T>(), 0.0F), f.t, s.length, mul(s.slope, mul(f.scale, inverse_scale)));
+    return mul(mul(s.slope, mul(f.carried, f.carried)), mul(f.scale, inverse_scale));
 }
 
 // A kernel h and its gradient: grad h = radial * (qx, qy, qz) + axial * u.

@@ -81,10 +81,9 @@ HWY_INLINE Sight look_at_boxes(D8 d, const CullingSegment& s, const Offsets& p, 
     box.nearest = hn::Max(hn::Sub(off, hn::Div(seen.extent_off, hn::Max(off, hn::Set(d, 1e-20F)))), zero);
     box.beyond = hn::Sub(box.t, hn::Max(hn::Min(box.t, length), zero));
     const V8 gap = hn::Max(hn::Sub(hn::Abs(box.beyond), box.along), zero);
-    const V8 radius = hn::Set(d, s.radius);
-    const V8 slope = hn::Set(d, s.slope);
-    const V8 r1 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Sub(box.t, box.along), length), zero), radius);
-    const V8 r2 = hn::MulAdd(slope, hn::Max(hn::Min(hn::Add(box.t, box.along), length), zero), radius);
+    const RadiusLanes<V8> radii{length, hn::Set(d, s.radius), hn::Set(d, s.slope), hn::Set(d, s.beyond)};
+    const V8 r1 = radius_along(d, radii, hn::Sub(box.t, box.along)).radius;
+    const V8 r2 = radius_along(d, radii, hn::Add(box.t, box.along)).radius;
     seen.thinnest = hn::Min(r1, r2);
     seen.thickest = hn::Max(r1, r2);
     // Away from the line and beyond its ends.
@@ -130,8 +129,7 @@ ChildBounds bound_children(const Kernel& kernel, const CullingSegment* segments,
             const CullingSegment& s = segments[list[m]];
             const Offsets p{hn::Sub(cx, hn::Set(d, s.ax)), hn::Sub(cy, hn::Set(d, s.ay)),
                             hn::Sub(cz, hn::Set(d, s.az))};
-            const float thickest = std::max(s.radius, s.radius + s.slope * s.length);
-            const float support2 = thickest * thickest * support2_per_radius2;
+            const float support2 = s.thickest * s.thickest * support2_per_radius2;
             M8 reaches = hn::Lt(distance2_along_axes(d, s, p, h), hn::Set(d, support2));
             if (half_extent * half_extent > kLarge * support2) {
                 // No box lies within the support, so there is nothing to gain for the lower bound; and boxes so large

@@ -21,7 +21,7 @@ struct LocalSegments {
 
     // By segment. The arrays go on for at least a vector's width.
     std::vector<float> x, y, z; // start relative to the corner, mm
-    std::vector<float> ux, uy, uz, length, radius, slope;
+    std::vector<float> ux, uy, uz, length, radius, slope, beyond;
     std::vector<std::int32_t> branch;
     // Coordinates of the grid seen from the segment's start: 8 along x, 8 along y, 8 along z. Rounded once from double
     // precision: the same point of space gives the same float whatever the grid it is taken from.

@@ -70,7 +70,8 @@ HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local
         const One ax = broadcast<T>(local.x, at), ay = broadcast<T>(local.y, at), az = broadcast<T>(local.z, at);
         const std::int32_t before = std::exchange(branch, local.branch[at.m[0]]);
         for_ends(at.near_ends, [&](auto near) {
-            const Foot foot = find_foot(one, scale, sub(One{p.x}, ax), sub(One{p.y}, ay), sub(One{p.z}, az));
+            const Foot foot =
+                find_foot<near.value>(one, scale, sub(One{p.x}, ax), sub(One{p.y}, ay), sub(One{p.z}, az));
             const KernelGradient g =
                 Profile::template gradient<near.value>(one, foot, growth_of(one, foot, inverse_scale));
             const auto value = g.value.v[0], radial = g.radial.v[0], axial = g.axial.v[0];

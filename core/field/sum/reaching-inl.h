@@ -32,7 +32,7 @@ inline void gather_segments(LocalSegments& local) {
         subtract(local.axes.z, s.az, table + 16);
         local.x[m] = -table[0], local.y[m] = -table[8], local.z[m] = -table[16];
         local.ux[m] = s.ux, local.uy[m] = s.uy, local.uz[m] = s.uz;
-        local.length[m] = s.length, local.radius[m] = s.radius, local.slope[m] = s.slope;
+        local.length[m] = s.length, local.radius[m] = s.radius, local.slope[m] = s.slope, local.beyond[m] = s.beyond;
         local.branch[m] = s.branch;
     }
 }
@@ -44,13 +44,14 @@ struct Box {
 
 // A vector of segments, from the m-th on.
 template <class T, class V = hn::Vec<T>> struct SegmentLanes {
-    V x, y, z, ux, uy, uz, length, radius, slope;
+    V x, y, z, ux, uy, uz, length, radius, slope, beyond;
 
     HWY_INLINE SegmentLanes(T d, const LocalSegments& local, std::size_t m)
         : x(hn::LoadU(d, local.x.data() + m)), y(hn::LoadU(d, local.y.data() + m)), z(hn::LoadU(d, local.z.data() + m)),
           ux(hn::LoadU(d, local.ux.data() + m)), uy(hn::LoadU(d, local.uy.data() + m)),
           uz(hn::LoadU(d, local.uz.data() + m)), length(hn::LoadU(d, local.length.data() + m)),
-          radius(hn::LoadU(d, local.radius.data() + m)), slope(hn::LoadU(d, local.slope.data() + m)) {}
+          radius(hn::LoadU(d, local.radius.data() + m)), slope(hn::LoadU(d, local.slope.data() + m)),
+          beyond(hn::LoadU(d, local.beyond.data() + m)) {}
 };
 
 // A box as a vector of segments sees it.
@@ -83,9 +84,7 @@ HWY_INLINE BoxInSight<T> look_at(T d, const Box& box, const SegmentLanes<T>& s) 
     seen.t_low = hn::Sub(t, along);
     seen.t_high = hn::Add(t, along);
     const V gap = hn::Max(hn::Max(hn::Neg(seen.t_high), hn::Sub(seen.t_low, s.length)), zero);
-    const V r1 = hn::MulAdd(s.slope, hn::Max(hn::Min(seen.t_low, s.length), zero), s.radius);
-    const V r2 = hn::MulAdd(s.slope, hn::Max(hn::Min(seen.t_high, s.length), zero), s.radius);
-    seen.thickest = hn::Max(r1, r2);
+    seen.thickest = hn::Max(radius_along(d, s, seen.t_low).radius, radius_along(d, s, seen.t_high).radius);
     // Along the box's own axes as well.
     const V half_length = hn::Mul(hn::Set(d, 0.5F), s.length);
     const auto apart = [&](V p, V u, V h) {
@@ -172,7 +171,8 @@ HWY_INLINE Pack<N, T> broadcast(const std::vector<float>& of, const PackIndices<
 template <class T = D, std::size_t N>
 HWY_INLINE Segments<N, T> broadcast(const LocalSegments& local, const PackIndices<N>& at) {
     return {broadcast<T>(local.ux, at),     broadcast<T>(local.uy, at),     broadcast<T>(local.uz, at),
-            broadcast<T>(local.length, at), broadcast<T>(local.radius, at), broadcast<T>(local.slope, at)};
+            broadcast<T>(local.length, at), broadcast<T>(local.radius, at), broadcast<T>(local.slope, at),
+            broadcast<T>(local.beyond, at)};
 }
 
 } // namespace ramus::field::HWY_NAMESPACE

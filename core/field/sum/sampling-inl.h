@@ -86,9 +86,9 @@ HWY_INLINE void sample_group(const Profile& profile, const LocalSegments& local,
                     return look_up(d, local.tables.data() + LocalSegments::kTableStride * at.m[s] + 8 * axis, index);
                 });
             };
-            const Foot foot = find_foot(pack, set(PackTag<kPack>(), profile.scale), coordinate(0, i), coordinate(1, j),
-                                        coordinate(2, k));
             for_ends(at.near_ends, [&](auto near) {
+                const Foot foot = find_foot<near.value>(pack, set(PackTag<kPack>(), profile.scale), coordinate(0, i),
+                                                        coordinate(1, j), coordinate(2, k));
                 const Pack value = Profile::template value<near.value>(pack, foot);
                 for (const V& of : value.v) sum = hn::Add(sum, of);
             });
@@ -178,8 +178,8 @@ std::uint64_t sample_lattice(const Profile& profile, LocalSegments& local, const
                     const auto coordinate = [&](std::size_t axis, const std::int32_t* index) {
                         return Pack<1>{hn::GatherIndex(d, table[axis], hn::Load(di, index + n))};
                     };
-                    const Foot foot = find_foot(one, set(PackTag<1>(), profile.scale), coordinate(0, pi),
-                                                coordinate(1, pj), coordinate(2, pk));
+                    const Foot foot = find_foot<near.value>(one, set(PackTag<1>(), profile.scale), coordinate(0, pi),
+                                                            coordinate(1, pj), coordinate(2, pk));
                     const Pack value = Profile::template value<near.value>(one, foot);
                     hn::Store(hn::Add(hn::Load(d, sum + n), value.v[0]), d, sum + n);
                 }

@@ -18,6 +18,7 @@ void SegmentTerms::add(const FieldSegment& segment, const glm::dvec3& point) {
     put(kX, point.x - segment.ax), put(kY, point.y - segment.ay), put(kZ, point.z - segment.az);
     row(kUx)[count] = segment.ux, row(kUy)[count] = segment.uy, row(kUz)[count] = segment.uz;
     row(kLength)[count] = segment.length, row(kRadius)[count] = segment.radius, row(kSlope)[count] = segment.slope;
+    row(kBeyond)[count] = segment.beyond;
     ++count;
 }
 

@@ -30,9 +30,10 @@ template <class Profile> void find_terms(const Kernel& kernel, SegmentTerms& ter
     for (std::size_t n = 0; n < terms.count; n += hn::Lanes(d)) {
         const Segments<1, T> s{load(SegmentTerms::kUx, n),     load(SegmentTerms::kUy, n),
                                load(SegmentTerms::kUz, n),     load(SegmentTerms::kLength, n),
-                               load(SegmentTerms::kRadius, n), load(SegmentTerms::kSlope, n)};
-        const Foot<1, T> foot =
-            find_foot(s, scale, load(SegmentTerms::kX, n), load(SegmentTerms::kY, n), load(SegmentTerms::kZ, n));
+                               load(SegmentTerms::kRadius, n), load(SegmentTerms::kSlope, n),
+                               load(SegmentTerms::kBeyond, n)};
+        const Foot<1, T> foot = find_foot<Ends::kSome>(s, scale, load(SegmentTerms::kX, n), load(SegmentTerms::kY, n),
+                                                       load(SegmentTerms::kZ, n));
         const KernelGradient<1, T> g =
             Profile::template gradient<Ends::kSome>(s, foot, growth_of(s, foot, inverse_scale));
         const auto store = [&](SegmentTerms::Numbers numbers, hn::Vec<T> v) {

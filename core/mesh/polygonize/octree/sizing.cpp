@@ -18,6 +18,7 @@ constexpr double kRunBend = 0.25;   // how far a piece's segments may lie from i
 struct Run {
     std::size_t first, last; // segments, inclusive
     double thinnest, thickest;
+    double widest;    // as FieldSegment::thickest()
     double off = 0.0; // farthest that a point of the run lies from its chord, mm
 };
 
@@ -53,6 +54,7 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
     }
     if (off2 > kRunBend * kRunBend * thinnest * thinnest) return false;
     run.last = next, run.thinnest = thinnest, run.thickest = thickest, run.off = std::sqrt(off2);
+    run.widest = std::max(run.widest, double(s[next].thickest()));
     return true;
 }
 
@@ -111,7 +113,7 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
     Sizing sizing;
     sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.frame().thinnest;
     const auto add = [&](std::int32_t branch, glm::dvec3 a, glm::dvec3 b, double thinnest, double thickest,
-                         double off) {
+                         double reach) {
         const double length = glm::distance(a, b);
         const double cell = cell_mm > 0.0 ? cell_mm : cells_per_radius * thinnest;
         // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each.
@@ -119,7 +121,7 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
         if (cell_mm > 0.0) return;
         sizing.pieces.push_back({glm::vec3(a - origin), glm::vec3(length > 0.0 ? (b - a) / length : glm::dvec3(0.0)),
                                  static_cast<float>(length), static_cast<float>(Sizing::kRounding * cell),
-                                 static_cast<float>(reach_radii * thickest + off), branch});
+                                 static_cast<float>(reach), branch});
     };
     const std::vector<std::uint32_t>& present = field.skeleton().present();
     for (std::size_t n = 0; n < present.size();) {
@@ -137,15 +139,17 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
                 const double f1 = static_cast<double>(part + 1) / count;
                 const double ra = r0 + (r1 - r0) * f0;
                 const double rb = r0 + (r1 - r0) * f1;
-                add(s[i].branch, a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb), 0.0);
+                add(s[i].branch, a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb),
+                    reach_radii * std::max(ra, rb) * double(s[i].thickest()) / std::max(r0, r1));
             }
             ++n;
             continue;
         }
-        Run run{i, i, std::min(r0, r1), std::max(r0, r1)};
+        Run run{i, i, std::min(r0, r1), std::max(r0, r1), double(s[i].thickest())};
         std::size_t end = n + 1;
         while (end < present.size() && present[end] == run.last + 1 && extend(run, s, run.last + 1)) ++end;
-        add(s[i].branch, start_of(s[run.first]), end_of(s[run.last]), run.thinnest, run.thickest, run.off);
+        add(s[i].branch, start_of(s[run.first]), end_of(s[run.last]), run.thinnest, run.thickest,
+            reach_radii * run.widest + run.off);
         n = end;
     }
     if (cell_mm <= 0.0) {

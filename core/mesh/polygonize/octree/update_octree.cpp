@@ -108,7 +108,7 @@ private:
         float thickest = 0.0F;
         for (const std::uint32_t index : cube.segments) {
             const field::FieldSegment& s = after_.field.skeleton().segments()[index];
-            thickest = std::max({thickest, s.radius, s.end_radius()});
+            thickest = std::max(thickest, s.thickest());
         }
         const float most = most_asked(after_.sizing, thickest);
         const auto side = static_cast<float>(splitter_.child_side(parent));
