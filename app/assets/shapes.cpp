@@ -1,5 +1,6 @@
 #include "app/assets/shapes.h"
 
+#include "app/session/of_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/mesh/coarse_mesh.h"
@@ -31,12 +32,8 @@ Result<mesh::TriangleMesh> read_surface(const ContextSource& source, std::string
     if (source.label != 0) selection.labels = {source.label};
     const glm::dmat4 to_patient = volume->to_patient;
     const bool has_steps = !volume::isovalue_of(*volume, selection);
-    auto surface = volume::isosurface(std::move(*volume), selection, {}, job);
-    if (!surface) {
-        if (surface.error().where.empty()) surface.error().where = source.file;
-        return surface;
-    }
-    if (source.exact) return surface;
+    auto surface = of_file(volume::isosurface(std::move(*volume), selection, {}, job), source.file);
+    if (!surface || source.exact) return surface;
     if (has_steps) volume::relax_surface(*surface, to_patient, kRelaxPasses, job);
     mesh::smooth_normals(*surface, kSmoothPasses);
     return surface;

@@ -2,6 +2,7 @@
 
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
+#include "app/session/of_file.h"
 #include "core/io/length_unit.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -61,9 +62,7 @@ Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& f
     if (io::names_mesh(file)) return load_mesh(file);
     if (io::is_volume(file)) return surface_of_mask(file, flags, mask);
     RAMUS_TRY(tree, load_tree(file, flags));
-    auto made = surface_of_tree(tree, flags);
-    if (!made && made.error().where.empty()) made.error().where = file;
-    return made;
+    return of_file(surface_of_tree(tree, flags), file);
 }
 
 } // namespace ramus::app

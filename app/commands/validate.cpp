@@ -8,6 +8,7 @@
 #include "app/commands/surface_flags.h"
 #include "app/commands/surface_input.h"
 #include "app/session/numbers.h"
+#include "app/session/of_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -123,12 +124,9 @@ Result<void> write_report(const std::filesystem::path& folder, const ordered_jso
 Result<Findings> look(const ValidateFlags& flags) {
     RAMUS_TRY(tree, load_tree(flags.tree, flags.surface));
     const mesh::SurfaceOptions& options = flags.surface.surface;
-    Result<SurfaceInput> loaded = flags.mesh.empty() ? surface_of_tree(tree, flags.surface) : load_mesh(flags.mesh);
-    if (!loaded) {
-        if (loaded.error().where.empty()) loaded.error().where = flags.mesh.empty() ? flags.tree : flags.mesh;
-        return tl::unexpected(loaded.error());
-    }
-    const mesh::TriangleMesh& surface = loaded->mesh;
+    RAMUS_TRY(loaded, flags.mesh.empty() ? of_file(surface_of_tree(tree, flags.surface), flags.tree)
+                                         : of_file(load_mesh(flags.mesh), flags.mesh));
+    const mesh::TriangleMesh& surface = loaded.mesh;
     if (surface.triangles.empty()) return fail("there is no surface in it", flags.mesh);
     Findings found;
     Job job;

@@ -1,5 +1,6 @@
 #include "app/storage/tree_source.h"
 
+#include "app/session/of_file.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -51,20 +52,16 @@ std::vector<tree::Note> notes_on(const volume::Volume& mask, std::size_t systems
 Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,
                                       Job& job) {
     RAMUS_TRY(mask, io::read_volume(path, {memory_bytes, options.unit}, job));
-    const auto at_file = [&](Error error) {
-        if (error.where.empty()) error.where = path.string();
-        return tl::unexpected(std::move(error));
-    };
     volume::LabelGroups groups(std::in_place); // each label one
     if (options.mask.labels && options.mask.labels->empty())
         groups.reset();
     else if (options.mask.labels)
         groups = options.mask.labels;
-    const auto systems = volume::systems_of(mask, groups);
-    if (!systems) return at_file(systems.error());
-    const std::vector<tree::Note> notes = notes_on(mask, options.mask.labels ? 0 : systems->size());
-    auto tree = volume::skeletonize(std::move(mask), *systems, skeletonize_options(options.mask, memory_bytes), job);
-    if (!tree) return at_file(tree.error());
+    RAMUS_TRY(systems, of_file(volume::systems_of(mask, groups), path.string()));
+    const std::vector<tree::Note> notes = notes_on(mask, options.mask.labels ? 0 : systems.size());
+    const volume::SkeletonizeOptions how = skeletonize_options(options.mask, memory_bytes);
+    auto tree = of_file(volume::skeletonize(std::move(mask), systems, how, job), path.string());
+    if (!tree) return tree;
     tree->source = path.filename().string();
     tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
     return tree;

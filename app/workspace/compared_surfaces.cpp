@@ -1,5 +1,6 @@
 #include "app/workspace/compared_surfaces.h"
 
+#include "app/session/of_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
@@ -45,9 +46,7 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
     RAMUS_TRY(read, io::read_volume(request.mask, {options.memory_bytes, io::length_unit(request.units)}, job));
     made.notes = read.notes;
     made.notes.insert(made.notes.end(), read.suspicions.begin(), read.suspicions.end());
-    auto surface = volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job);
-    if (!surface && surface.error().where.empty()) surface.error().where = request.mask;
-    return surface;
+    return of_file(volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job), request.mask);
 }
 
 } // namespace

@@ -1,0 +1,16 @@
+// Errors of functions that do not know the file that they work on.
+#pragma once
+
+#include "core/base/error.h"
+
+#include <string>
+
+namespace ramus::app {
+
+// The same, and an error that does not say where names `file`.
+template <class T> [[nodiscard]] Result<T> of_file(Result<T> result, const std::string& file) {
+    if (!result && result.error().where.empty()) result.error().where = file;
+    return result;
+}
+
+} // namespace ramus::app
