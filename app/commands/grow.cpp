@@ -3,10 +3,10 @@
 
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
+#include "core/base/stopwatch.h"
 #include "core/io/trees/tree_file.h"
 #include "core/tree/build_tree.h"
 
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -43,26 +43,19 @@ std::string command_line(const tree::GrowOptions& options) {
     return line.str();
 }
 
-Result<tree::GrownTree> grow_with_progress(const tree::GrowOptions& options) {
-    Job job;
-    const CancelOnInterrupt cancel(job);
-    const ProgressBar bar("tree", job);
-    return tree::grow(options, job);
-}
-
 Result<int> grow(const Flags& flags) {
     if (const auto writable = io::check_tree_output(flags.output); !writable) return tl::unexpected(writable.error());
-    const auto start = std::chrono::steady_clock::now();
-    Result<tree::GrownTree> grown = grow_with_progress(flags.grow);
-    if (!grown) return tl::unexpected(grown.error());
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    const double litres = grown->organ_volume_mm3 * 1e-6;
-    const double terminal_mm = grown->terminal_radius_mm;
-    const tree::VesselTree tree = as_vessel_tree(std::move(*grown));
+    const Stopwatch watch;
+    const auto make = [&](Job& job) { return tree::grow(flags.grow, job); };
+    RAMUS_TRY(grown, with_progress("tree", make, "growing was cancelled"));
+    const double seconds = watch.seconds();
+    const double litres = grown.organ_volume_mm3 * 1e-6;
+    const double terminal_mm = grown.terminal_radius_mm;
+    const tree::VesselTree tree = as_vessel_tree(std::move(grown));
     if (flags.verbose)
         std::cerr << "grew " << tree.branches.size() << " branches of " << tree.points.size() << " points in "
-                  << seconds.count() << " s; the organ holds " << litres << " l, the mean terminal radius is "
-                  << terminal_mm << " mm\n";
+                  << seconds << " s; the organ holds " << litres << " l, the mean terminal radius is " << terminal_mm
+                  << " mm\n";
     if (const auto written = io::write_tree(tree, flags.output, {command_line(flags.grow)}); !written)
         return tl::unexpected(written.error());
     return kDone;

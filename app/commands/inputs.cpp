@@ -20,13 +20,9 @@ Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& 
 }
 
 Result<tree::VesselTree> load_tree(const std::string& file, const SurfaceFlags& flags, const io::ReadOptions& reading) {
-    Job job;
-    auto tree = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("reading", job);
+    auto tree = with_progress("reading", [&](Job& job) {
         return read_tree_or_mask(file, reading, static_cast<double>(flags.surface.memory_bytes), job);
-    }();
-    if (job.cancelled()) return fail("cancelled");
+    });
     if (!tree) return tree;
     // A file that needs many repairs shall not drown what else is said.
     constexpr std::size_t kShown = 5;
@@ -53,13 +49,9 @@ void say(const SurfaceFlags& flags, const std::string& line) {
 }
 
 Result<volume::Volume> load_volume(const std::string& file, const SurfaceFlags& flags) {
-    Job job;
-    auto read = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("reading", job);
+    auto read = with_progress("reading", [&](Job& job) {
         return io::read_volume(file, {static_cast<double>(flags.surface.memory_bytes), flags.read.unit}, job);
-    }();
-    if (job.cancelled()) return fail("cancelled");
+    });
     if (!read) return read;
     say(flags, file + ": " + read->type + ", " + std::to_string(read->size.x) + " x " + std::to_string(read->size.y) +
                    " x " + std::to_string(read->size.z) + " voxels");

@@ -9,6 +9,7 @@
 #include "app/picture/surface_names.h"
 #include "app/session/comparison.h"
 #include "app/session/numbers.h"
+#include "app/session/of_file.h"
 #include "app/session/surface_options.h"
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
@@ -82,21 +83,14 @@ Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& ma
     RAMUS_TRY(read, load_volume(file, flags));
     warn_about(file, read);
     load_s = watch.lap();
-    Job job;
-    auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
-        return volume::isosurface(std::move(read), mask.selection, options, job);
-    }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!surface) {
-        if (surface.error().where.empty()) surface.error().where = file;
-        return tl::unexpected(surface.error());
-    }
+    const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
+    const auto make = [&](Job& job) {
+        return of_file(volume::isosurface(std::move(read), mask.selection, options, job), file);
+    };
+    RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.mesh_s = watch.lap();
-    if (auto saved = write_surface(*surface, target, written); !saved) return tl::unexpected(saved.error());
+    if (auto saved = write_surface(surface, target, written); !saved) return tl::unexpected(saved.error());
     return written;
 }
 

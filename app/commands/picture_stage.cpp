@@ -16,15 +16,9 @@ Result<void> PictureStage::make_surface() {
     SurfaceRequest request = surface_request(document_.marks());
     request.options.threads = flags_.surface.threads; // the machine's business, not the session's
     if (surface_.mesh && surface_.request == request) return {};
-    Job job;
-    auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        return make_ready(*document_.tree(), request, job);
-    }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!surface) return tl::unexpected(surface.error());
-    surface_ = std::move(*surface);
+    const auto make = [&](Job& job) { return make_ready(*document_.tree(), request, job); };
+    RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
+    surface_ = std::move(surface);
     say(flags_,
         counted(surface_.mesh->triangle_count(), "triangle", "triangles") + " in " + rounded(surface_.seconds) + " s");
     return {};
@@ -44,7 +38,7 @@ Result<void> PictureStage::complete_assets() {
         const CancelOnInterrupt cancel(job);
         return complete(assets, document_, job);
     }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
+    if (job.cancelled()) return fail(kNothingWritten);
     return read;
 }
 
@@ -52,20 +46,15 @@ Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
     request.surface.options.threads = flags_.surface.threads;
     for (const ComparedSurface& one : compared_)
         if (one.request == request) return {};
-    Job job;
-    auto made = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar(request.kind == Compared::kIsosurface ? "isosurface" : "surface", job);
-        return make_compared(*document_.tree(), request, job);
-    }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!made) return tl::unexpected(made.error());
-    for (const std::string& note : made->notes) say(flags_, request.mask + ": " + note);
-    say(flags_, title_of(request.kind, document_.marks().comparison) + ": " +
-                    counted(made->lines ? made->lines->triangles.size() : made->mesh->triangle_count(), "triangle",
-                            "triangles"));
+    const auto make = [&](Job& job) { return make_compared(*document_.tree(), request, job); };
+    RAMUS_TRY(made,
+              with_progress(request.kind == Compared::kIsosurface ? "isosurface" : "surface", make, kNothingWritten));
+    for (const std::string& note : made.notes) say(flags_, request.mask + ": " + note);
+    say(flags_,
+        title_of(request.kind, document_.marks().comparison) + ": " +
+            counted(made.lines ? made.lines->triangles.size() : made.mesh->triangle_count(), "triangle", "triangles"));
     std::erase_if(compared_, [&](const ComparedSurface& one) { return one.request.same_place(request); });
-    compared_.push_back(std::move(*made));
+    compared_.push_back(std::move(made));
     return {};
 }
 

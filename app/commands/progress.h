@@ -1,12 +1,14 @@
 // What a command tells while it works, and how it is stopped.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/job.h"
 
 #include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <type_traits>
 
 namespace ramus::app {
 
@@ -45,5 +47,18 @@ private:
     bool done_ = false;
     std::thread thread_;
 };
+
+// What `work(job)` gives, with a bar that follows it. An interrupt cancels the job, and the error says `cancelled`.
+template <class Work>
+std::invoke_result_t<Work, Job&> with_progress(const std::string& what, const Work& work,
+                                               const char* cancelled = "cancelled") {
+    Job job;
+    const CancelOnInterrupt cancel(job);
+    const ProgressBar bar(what, job);
+    auto result = work(job);
+    if (job.cancelled()) return fail(cancelled);
+    return result;
+}
+inline constexpr const char* kNothingWritten = "cancelled; nothing was written";
 
 } // namespace ramus::app

@@ -6,6 +6,7 @@
 #include "app/commands/subcommands.h"
 #include "app/session/comparison.h"
 #include "app/session/numbers.h"
+#include "app/session/of_file.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
 #include "core/io/trees/tree_file.h"
@@ -97,28 +98,21 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     if (!systems) return fail(systems.error().what, flags.file, systems.error().hint);
     if (!flags.labels && volume::label_counts(mask).size() > 1)
         say(flags.reading, flags.file + ": all labels are taken together; --label all makes each a system");
-    Job job;
     volume::SkeletonizeFigures figures;
     const auto options =
         skeletonize_options(flags.reading.read.mask, static_cast<double>(flags.reading.surface.memory_bytes));
-    auto tree = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("skeleton", job);
-        return volume::skeletonize(std::move(mask), *systems, options, job, &figures);
-    }();
-    if (job.cancelled()) return fail("cancelled; nothing was written");
-    if (!tree) {
-        if (tree.error().where.empty()) tree.error().where = flags.file;
-        return tl::unexpected(tree.error());
-    }
+    const auto make = [&](Job& job) {
+        return of_file(volume::skeletonize(std::move(mask), *systems, options, job, &figures), flags.file);
+    };
+    RAMUS_TRY(tree, with_progress("skeleton", make, kNothingWritten));
     seconds.skeleton = watch.lap();
-    tree->source = std::filesystem::path(flags.file).filename().string();
+    tree.source = std::filesystem::path(flags.file).filename().string();
     if (auto written =
-            io::write_tree(*tree, flags.output, {"written by ramus " RAMUS_VERSION, "source: " + tree->source});
+            io::write_tree(tree, flags.output, {"written by ramus " RAMUS_VERSION, "source: " + tree.source});
         !written)
         return tl::unexpected(written.error());
     seconds.write = watch.lap();
-    flags.json ? report_json(*tree, figures, seconds) : report_text(flags, *tree, seconds);
+    flags.json ? report_json(tree, figures, seconds) : report_text(flags, tree, seconds);
     return kDone;
 }
 

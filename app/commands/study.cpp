@@ -70,10 +70,8 @@ Result<Surfaces> make_surfaces(const StudyFlags& flags, const tree::VesselTree& 
         marks.comparison.labels = flags.labels;
         ComparedRequest request = compared_request(marks, kind);
         request.voxel_mm = flags.voxel_mm;
-        Job job;
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar(kind == Compared::kIsosurface ? "isosurface" : "surface", job);
-        RAMUS_TRY(surface, make_compared(tree, request, job));
+        RAMUS_TRY(surface, with_progress(kind == Compared::kIsosurface ? "isosurface" : "surface",
+                                         [&](Job& job) { return make_compared(tree, request, job); }));
         for (const std::string& note : surface.notes) say(flags.common, flags.mask + ": " + note);
         if (kind == Compared::kIsosurface) made.voxel_mm = surface.voxel_mm;
         const std::string title = kind == Compared::kIsosurface ? "Isosurface of the mask" : title_of(kind, {});

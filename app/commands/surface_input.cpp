@@ -30,32 +30,19 @@ Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags
     warn_about(file, volume);
     SurfaceInput made;
     made.half_voxel_mm = 0.5 * glm::length(volume::spacing_mm(volume.to_patient));
-    Job job;
-    auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("isosurface", job);
-        const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
-        return volume::isosurface(std::move(volume), {mask.labels, std::nullopt}, options, job);
-    }();
-    if (job.cancelled()) return fail("cancelled");
-    if (!surface) {
-        if (surface.error().where.empty()) surface.error().where = file;
-        return tl::unexpected(surface.error());
-    }
-    made.mesh = std::move(*surface);
+    const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
+    RAMUS_TRY(
+        surface, with_progress("isosurface", [&](Job& job) {
+            return of_file(volume::isosurface(std::move(volume), {mask.labels, std::nullopt}, options, job), file);
+        }));
+    made.mesh = std::move(surface);
     return made;
 }
 
 Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const SurfaceFlags& flags) {
-    Job job;
-    auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        return mesh::make_surface(tree, flags.surface, job);
-    }();
-    if (job.cancelled()) return fail("cancelled");
-    if (!surface) return tl::unexpected(surface.error());
-    return SurfaceInput{std::move(surface->mesh), {}};
+    RAMUS_TRY(surface,
+              with_progress("surface", [&](Job& job) { return mesh::make_surface(tree, flags.surface, job); }));
+    return SurfaceInput{std::move(surface.mesh), {}};
 }
 
 Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {

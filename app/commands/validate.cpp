@@ -129,14 +129,11 @@ Result<Findings> look(const ValidateFlags& flags) {
     const mesh::TriangleMesh& surface = loaded.mesh;
     if (surface.triangles.empty()) return fail("there is no surface in it", flags.mesh);
     Findings found;
-    Job job;
-    auto validation = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("validation", job);
-        return validate::validate(tree, surface, {options.smooth_passes, options.width, options.threads}, job);
-    }();
-    if (!validation) return tl::unexpected(validation.error());
-    found.validation = std::move(*validation);
+    RAMUS_TRY(
+        validation, with_progress("validation", [&](Job& job) {
+            return validate::validate(tree, surface, {options.smooth_passes, options.width, options.threads}, job);
+        }));
+    found.validation = std::move(validation);
     SurfaceFlags of_cones = flags.surface;
     of_cones.surface.method = mesh::Method::kTruncatedCones;
     RAMUS_TRY(cones, surface_of_tree(tree, of_cones));

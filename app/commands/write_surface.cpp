@@ -12,8 +12,6 @@ namespace ramus::app {
 
 namespace {
 
-tl::unexpected<Error> cancelled() { return fail("cancelled; nothing was written"); }
-
 // Counts the pieces of what passes through to the file.
 class CountingSink final : public mesh::SurfaceSink {
 public:
@@ -39,13 +37,8 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
     Stopwatch watch;
     RAMUS_TRY(file, io::SurfaceFile::create(output));
     CountingSink sink(*file);
-    Job job;
-    const auto streamed = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        return mesh::stream_surface(tree, options, sink, job, hidden);
-    }();
-    if (job.cancelled()) return cancelled();
+    const auto stream = [&](Job& job) { return mesh::stream_surface(tree, options, sink, job, hidden); };
+    const auto streamed = with_progress("surface", stream, kNothingWritten);
     if (auto taken = file->check(); !taken) return tl::unexpected(taken.error());
     if (!streamed) return tl::unexpected(streamed.error());
     WrittenSurface written;
@@ -86,18 +79,12 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
         return write_streamed(tree, options, hidden, target.file);
     }
     Stopwatch watch;
-    Job job;
-    const auto surface = [&] {
-        const CancelOnInterrupt cancel(job);
-        const ProgressBar bar("surface", job);
-        return mesh::make_surface(tree, options, job, hidden);
-    }();
-    if (job.cancelled()) return cancelled();
-    if (!surface) return tl::unexpected(surface.error());
+    const auto make = [&](Job& job) { return mesh::make_surface(tree, options, job, hidden); };
+    RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
-    written.evaluations = surface->statistics.evaluations;
+    written.evaluations = surface.statistics.evaluations;
     written.mesh_s = watch.lap();
-    if (auto saved = write_surface(surface->mesh, target, written); !saved) return tl::unexpected(saved.error());
+    if (auto saved = write_surface(surface.mesh, target, written); !saved) return tl::unexpected(saved.error());
     return written;
 }
 
