@@ -33,4 +33,16 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, const std::s
     return command.add_option(name, value, help)->type_name(type);
 }
 
+// The same, whose value `take` gets.
+template <class Value, class Take>
+CLI::Option* add_option_taking(CLI::App& command, const std::string& name, const std::string& type, const Take& take,
+                               const std::string& help) {
+    return command.add_option_function<Value>(name, take, help)->type_name(type);
+}
+
+// For CLI::Option::check(): a word that does not fit is wrong usage, "WORD is not ...".
+template <class Fits> auto expecting(const std::string& what, const Fits& fits) {
+    return [=](const std::string& word) { return fits(word) ? std::string() : word + what; };
+}
+
 } // namespace ramus::app

@@ -107,19 +107,12 @@ void register_compare(CLI::App& app, Action& chosen) {
         app, "compare", "How far the vertices of one surface are from another surface, and the other way round");
     add_option(*command, "A", "", flags->files[0], "Surface: " + surface_input_kinds())->required();
     add_option(*command, "B", "", flags->files[1], "The surface that it is compared with, likewise")->required();
-    command
-        ->add_option_function<double>(
-            "--threshold", [flags](double mm) { flags->threshold_mm = mm; },
-            "Say how many of the distances are above this (default, with a mask: half the diagonal of its voxels)")
-        ->type_name("MM")
-        ->check(CLI::Validator(
-            [](std::string& text) -> std::string {
-                double value = 0.0;
-                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0.0
-                           ? ""
-                           : text + " is not a number of mm from 0 on";
-            },
-            ""));
+    add_option(*command, "--threshold", "MM", flags->threshold_mm,
+               "Say how many of the distances are above this (default, with a mask: half the diagonal of its voxels)")
+        ->check(expecting(" is not a number of mm from 0 on", [](const std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0.0;
+        }));
     add_label_flag(*command, flags->mask.labels, "Labels of the mask that are these vessels (default: all)");
     add_mask_units_flag(*command, flags->mask.units, "a mask");
     command->add_flag("--json", flags->json, "Print the figures as one JSON object");

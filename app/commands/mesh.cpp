@@ -40,26 +40,18 @@ struct MaskFlags {
 
 // --label and --isovalue.
 void add_mask_flags(CLI::App& command, MaskFlags& flags) {
-    CLI::Option* label =
-        command
-            .add_option_function<std::string>(
-                "--label", [&flags](const std::string& list) { flags.selection.labels = *label_list(list); },
-                "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
-            ->type_name("N[,N...]")
-            ->check(CLI::Validator(
-                [](std::string& list) -> std::string {
-                    return label_list(list) ? "" : list + " is not a list of whole numbers other than 0";
-                },
-                ""));
-    command
-        .add_option_function<double>(
-            "--isovalue",
-            [&flags](double value) {
-                if (!std::isfinite(value)) throw CLI::ValidationError("--isovalue", "must be a finite number");
-                flags.selection.isovalue = value;
-            },
-            "With iso: what is at least that is inside (default for fractions: 0.5)")
-        ->type_name("VALUE")
+    CLI::Option* label = add_option_taking<std::string>(
+                             command, "--label", "N[,N...]",
+                             [&flags](const std::string& list) { flags.selection.labels = *label_list(list); },
+                             "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
+                             ->check(expecting(" is not a list of whole numbers other than 0", label_list));
+    add_option_taking<double>(
+        command, "--isovalue", "VALUE",
+        [&flags](double value) {
+            if (!std::isfinite(value)) throw CLI::ValidationError("--isovalue", "must be a finite number");
+            flags.selection.isovalue = value;
+        },
+        "With iso: what is at least that is inside (default for fractions: 0.5)")
         ->excludes(label);
 }
 
@@ -105,18 +97,11 @@ struct MeshFlags {
 
 // Of .glb.
 void add_parts_flag(CLI::App& command, std::optional<io::PartsBy>& parts) {
-    command
-        .add_option_function<std::string>(
-            "--parts", [&parts](const std::string& word) { parts = parts_named(word); },
-            "Of .glb: an object for each branch, for each system, or for the whole (default: system, where the tree "
-            "has "
-            "systems)")
-        ->type_name("branch|system|none")
-        ->check(CLI::Validator(
-            [](std::string& word) -> std::string {
-                return parts_named(word) ? "" : word + " is not branch, system or none";
-            },
-            ""));
+    add_option_taking<std::string>(
+        command, "--parts", "branch|system|none", [&parts](const std::string& word) { parts = parts_named(word); },
+        "Of .glb: an object for each branch, for each system, or for the whole (default: system, where the tree has "
+        "systems)")
+        ->check(expecting(" is not branch, system or none", parts_named));
 }
 
 void report(const MeshFlags& flags, const WrittenSurface& written, double load_s) {

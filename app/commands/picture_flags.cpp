@@ -32,15 +32,13 @@ std::string read_size(const std::string& text, glm::ivec2& size) {
 
 void add_size_flag(CLI::App& command, glm::ivec2& size) {
     const std::string usual = std::to_string(size.x) + "x" + std::to_string(size.y);
-    command
-        .add_option_function<std::string>(
-            "--size",
-            [&size](const std::string& text) {
-                if (const std::string wrong = read_size(text, size); !wrong.empty())
-                    throw CLI::ValidationError("--size", wrong);
-            },
-            "Pixels of the picture (default " + usual + ")")
-        ->type_name("WxH");
+    add_option_taking<std::string>(
+        command, "--size", "WxH",
+        [&size](const std::string& text) {
+            if (const std::string wrong = read_size(text, size); !wrong.empty())
+                throw CLI::ValidationError("--size", wrong);
+        },
+        "Pixels of the picture (default " + usual + ")");
 }
 
 CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes) {
@@ -58,68 +56,52 @@ CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
 }
 
 CLI::Option* add_label_flag(CLI::App& command, std::vector<std::int32_t>& labels, const std::string& help) {
-    return command
-        .add_option_function<std::string>(
-            "--label",
-            [&labels](const std::string& list) {
-                const auto found = label_list(list);
-                if (!found)
-                    throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0");
-                labels = *found;
-            },
-            help)
-        ->type_name("N[,N...]");
+    return add_option_taking<std::string>(
+        command, "--label", "N[,N...]",
+        [&labels](const std::string& list) {
+            const auto found = label_list(list);
+            if (!found) throw CLI::ValidationError("--label", list + " is not a list of whole numbers other than 0");
+            labels = *found;
+        },
+        help);
 }
 
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
-    command
-        .add_option_function<std::string>(
-            "--compare",
-            [&flags](const std::string& name) {
-                flags.mode = comparison_mode_named(name);
-                if (!flags.mode)
-                    throw CLI::ValidationError("--compare",
-                                               name + " is not side-by-side, blend, superimposed, wipe or off");
-            },
-            "Show surfaces of the same vessels together: side-by-side, blend, superimposed or wipe (one left of a "
-            "line, "
-            "the other right of it), in every picture of a --turntable or --sheet too")
-        ->type_name("MODE");
-    command
-        .add_option_function<std::string>(
-            "--methods",
-            [&flags](const std::string& list) {
-                flags.surfaces = surface_list(list);
-                if (!flags.surfaces)
-                    throw CLI::ValidationError("--methods", list + " is not two or three of " + compared_names());
-            },
-            "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask, tree "
-            "and "
-            "paper are the convolution surface under either --blend")
-        ->type_name("LIST");
+    add_option_taking<std::string>(
+        command, "--compare", "MODE",
+        [&flags](const std::string& name) {
+            flags.mode = comparison_mode_named(name);
+            if (!flags.mode)
+                throw CLI::ValidationError("--compare",
+                                           name + " is not side-by-side, blend, superimposed, wipe or off");
+        },
+        "Show surfaces of the same vessels together: side-by-side, blend, superimposed or wipe (one left of a line, "
+        "the other right of it), in every picture of a --turntable or --sheet too");
+    add_option_taking<std::string>(
+        command, "--methods", "LIST",
+        [&flags](const std::string& list) {
+            flags.surfaces = surface_list(list);
+            if (!flags.surfaces)
+                throw CLI::ValidationError("--methods", list + " is not two or three of " + compared_names());
+        },
+        "With --compare: which surfaces, in this order (default cs,cones); iso is the isosurface of --mask, tree and "
+        "paper are the convolution surface under either --blend");
     CLI::Option* mask = add_option(command, "--mask", "MASK", flags.mask,
                                    "Segmentation mask of the same vessels (" + io::readable_volume_extensions() +
                                        "; default: the tree's own voxels)");
     add_mask_units_flag(command, flags.mask_units, "--mask and of those beside the tree");
     add_label_flag(command, flags.labels, "These labels of the mask alone, as 1 or 1,2 (default: all)")->needs(mask);
-    command
-        .add_option_function<double>(
-            "--share",
-            [&flags](double share) {
-                if (!(share >= 0.0 && share <= 1.0)) throw CLI::ValidationError("--share", "goes from 0 to 1");
-                flags.share = share;
-            },
-            "With --compare blend: how much of the second surface there is, from 0 to 1 (default 0.5)")
-        ->type_name("SHARE");
-    command
-        .add_option_function<double>(
-            "--wipe",
-            [&flags](double at) {
-                if (!(at >= 0.0 && at <= 1.0)) throw CLI::ValidationError("--wipe", "goes from 0 to 1");
-                flags.wipe = at;
-            },
-            "With --compare wipe: where the line is, from 0 (left) to 1 (default 0.5)")
-        ->type_name("AT");
+    const auto is_share = [](const std::string& text) {
+        double value = 0.0; // what is no number is told of where it is read
+        const bool is = !CLI::detail::lexical_cast(text, value) || (value >= 0.0 && value <= 1.0);
+        return std::string(is ? "" : "goes from 0 to 1");
+    };
+    add_option(command, "--share", "SHARE", flags.share,
+               "With --compare blend: how much of the second surface there is, from 0 to 1 (default 0.5)")
+        ->check(is_share);
+    add_option(command, "--wipe", "AT", flags.wipe,
+               "With --compare wipe: where the line is, from 0 (left) to 1 (default 0.5)")
+        ->check(is_share);
     command.add_flag("--skeleton", flags.skeleton, "Draw centerlines, with rings of the radius, over the vessels");
     command.add_flag(
         "--contacts", flags.contacts,

@@ -27,14 +27,10 @@ void add_printing_flags(CLI::App& command, PrintingFlags& flags) {
     command.add_option("--thinnest", flags.thinnest_mm, "With --for-printing: warn of what is thinner (default 0.8)")
         ->type_name("MM")
         ->needs(wanted)
-        ->check(CLI::Validator(
-            [](std::string& text) -> std::string {
-                double value = 0.0;
-                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0
-                           ? ""
-                           : text + " is not a positive number of mm";
-            },
-            ""));
+        ->check(expecting(" is not a positive number of mm", [](const std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
+        }));
 }
 
 nlohmann::ordered_json printing_json(const PrintingFlags& flags, std::span<const Thickness> thicknesses) {

@@ -309,12 +309,10 @@ void add_backend_flags(CLI::App& command, RenderFlags& flags) {
 void add_colour_flag(CLI::App& command, std::optional<ColourBy>& colour_by) {
     std::vector<std::string> keys;
     for (const ColouringRow& row : colourings()) keys.emplace_back(row.key);
-    command
-        .add_option_function<std::string>(
-            "--colour-by", [&colour_by](const std::string& key) { colour_by = colouring_named(key); },
-            "What colours say: " + io::listed(std::vector<std::string_view>(keys.begin(), keys.end())) +
-                " (default: the session's; system where a tree has several, else nothing)")
-        ->type_name("QUANTITY")
+    add_option_taking<std::string>(
+        command, "--colour-by", "QUANTITY", [&colour_by](const std::string& key) { colour_by = colouring_named(key); },
+        "What colours say: " + io::listed(std::vector<std::string_view>(keys.begin(), keys.end())) +
+            " (default: the session's; system where a tree has several, else nothing)")
         ->check(CLI::IsMember(keys).description(""));
 }
 

@@ -117,17 +117,11 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
 }
 
 void add_mask_options(CLI::App& command, SkeletonizeFlags& flags) {
-    command
-        .add_option_function<std::string>(
-            "--label", [&flags](const std::string& list) { flags.labels = system_list(list); },
-            "Labels that are vessels, each a system of its own that is joined with no other; 1+3 makes one of two "
-            "(default: all that is inside is one)")
-        ->type_name("N[,M...]|all")
-        ->check(CLI::Validator(
-            [](std::string& list) -> std::string {
-                return system_list(list) ? "" : list + " is neither all nor a list of whole numbers other than 0";
-            },
-            ""));
+    add_option_taking<std::string>(
+        command, "--label", "N[,M...]|all", [&flags](const std::string& list) { flags.labels = system_list(list); },
+        "Labels that are vessels, each a system of its own that is joined with no other; 1+3 makes one of two "
+        "(default: all that is inside is one)")
+        ->check(expecting(" is neither all nor a list of whole numbers other than 0", system_list));
     add_mask_reading_flags(command, flags.reading.read.mask);
     add_units_flag(command, flags.reading.read);
     add_option(command, "--memory", "SIZE", flags.reading.surface.memory_bytes,

@@ -19,24 +19,16 @@ namespace ramus::app {
 namespace {
 
 // CLI::Range would let NaN through.
-CLI::Validator domain_of(const SurfaceOption& option) {
-    return {[&option](std::string& text) -> std::string {
-                double value = 0.0;
-                if (!CLI::detail::lexical_cast(text, value) || !takes(option, value))
-                    return text + " is not " + std::string(option.domain);
-                return {};
-            },
-            ""};
+auto domain_of(const SurfaceOption& option) {
+    return expecting(" is not " + std::string(option.domain), [&option](const std::string& text) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(text, value) && takes(option, value);
+    });
 }
 
 std::string flag_of(std::string_view key) { return "--" + std::string(key); }
 
-CLI::Validator unit_check() {
-    return {[](std::string& text) -> std::string {
-                return io::length_unit(text) ? "" : text + " is not mm, um, cm, m, or a size of voxels in mm, as 0.62";
-            },
-            ""};
-}
+auto unit_check() { return expecting(" is not mm, um, cm, m, or a size of voxels in mm, as 0.62", io::length_unit); }
 
 // What the numbers of a file mean, where it does not say or says it wrongly.
 void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
@@ -50,38 +42,30 @@ void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
     command.add_option("--axes", read.axes, "Where a tree's axes lead: ras or lps")
         ->type_name("AXES")
         ->transform(CLI::CheckedTransformer(axes, CLI::ignore_case).description(""));
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--columns",
-            [&read](const std::vector<std::string>& pairs) {
-                for (const std::string& pair : pairs) {
-                    const std::size_t equals = pair.find('=');
-                    read.columns[pair.substr(0, equals)] = pair.substr(equals + 1);
-                }
-            },
-            "Columns of a table to read: x, y, z, radius, id, from, to = NAME")
-        ->type_name("WHAT=NAME,...")
-        ->delimiter(',')
-        ->check(CLI::Validator(
-            [](std::string& pair) -> std::string {
-                const std::set<std::string> known = {"x", "y", "z", "radius", "id", "from", "to"};
+    add_option_taking<std::vector<std::string>>(
+        command, "--columns", "WHAT=NAME,...",
+        [&read](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) {
                 const std::size_t equals = pair.find('=');
-                return equals != std::string::npos && known.contains(pair.substr(0, equals))
-                           ? ""
-                           : pair + " is not WHAT=NAME with x, y, z, radius, id, from or to";
-            },
-            ""));
+                read.columns[pair.substr(0, equals)] = pair.substr(equals + 1);
+            }
+        },
+        "Columns of a table to read: x, y, z, radius, id, from, to = NAME")
+        ->delimiter(',')
+        ->check(expecting(" is not WHAT=NAME with x, y, z, radius, id, from or to", [](const std::string& pair) {
+            const std::set<std::string> known = {"x", "y", "z", "radius", "id", "from", "to"};
+            const std::size_t equals = pair.find('=');
+            return equals != std::string::npos && known.contains(pair.substr(0, equals));
+        }));
 }
 
 } // namespace
 
 void add_units_flag(CLI::App& command, io::ReadOptions& read) {
-    command
-        .add_option_function<std::string>(
-            "--units", [&read](const std::string& text) { read.unit = io::length_unit(text); },
-            "Unit of a tree's or a volume's lengths: mm, um, cm, m, or the size of a voxel in mm, as 0.62 or "
-            "0.3x0.3x0.6")
-        ->type_name("UNIT")
+    add_option_taking<std::string>(
+        command, "--units", "UNIT", [&read](const std::string& text) { read.unit = io::length_unit(text); },
+        "Unit of a tree's or a volume's lengths: mm, um, cm, m, or the size of a voxel in mm, as 0.62 or "
+        "0.3x0.3x0.6")
         ->check(unit_check());
 }
 
@@ -92,64 +76,45 @@ CLI::Option* add_mask_units_flag(CLI::App& command, std::string& units, const st
 }
 
 void add_reading_flags(CLI::App& command, SurfaceFlags& flags) {
-    command
-        .add_option_function<std::string>(
-            "--repair", [&flags](const std::string& list) { flags.read.repair = *repairs_in(list); },
-            "What to mend in a damaged tree: usual (default, all that leaves measured radii alone), all, none, or some "
-            "of " +
-                repair_names())
-        ->type_name("LIST")
-        ->check(CLI::Validator(
-            [](std::string& list) -> std::string {
-                return repairs_in(list) ? "" : list + " is not usual, all, none, or a list of " + repair_names();
-            },
-            ""));
+    add_option_taking<std::string>(
+        command, "--repair", "LIST", [&flags](const std::string& list) { flags.read.repair = *repairs_in(list); },
+        "What to mend in a damaged tree: usual (default, all that leaves measured radii alone), all, none, or some "
+        "of " +
+            repair_names())
+        ->check(expecting(" is not usual, all, none, or a list of " + repair_names(), repairs_in));
     add_meaning_flags(command, flags.read);
     command.add_flag("--verbose", flags.verbose, "Say on standard error what is going on");
 }
 
 void add_mask_reading_flags(CLI::App& command, io::MaskReading& mask) {
-    command
-        .add_option_function<std::array<double, 3>>(
-            "--root", [&mask](const std::array<double, 3>& at) { mask.root = glm::dvec3(at[0], at[1], at[2]); },
-            "Of a mask: the end nearest to this place (mm, RAS) is the root of its piece (default: the thickest end of "
-            "each)")
-        ->type_name("X,Y,Z")
+    add_option_taking<std::array<double, 3>>(
+        command, "--root", "X,Y,Z",
+        [&mask](const std::array<double, 3>& at) { mask.root = glm::dvec3(at[0], at[1], at[2]); },
+        "Of a mask: the end nearest to this place (mm, RAS) is the root of its piece (default: the thickest end of "
+        "each)")
         ->delimiter(',');
     command.add_flag_callback(
         "--fill-holes", [&mask] { mask.fill_holes = true; },
         "Of a mask: close loops, each where it is thinnest: vessels that touch, holes in the mask");
-    command
-        .add_option_function<double>(
-            "--islands", [&mask](double mm) { mask.islands_mm = mm; },
-            "Of a mask: leave out pieces that are nowhere longer (default 0)")
-        ->type_name("MM")
+    add_option(command, "--islands", "MM", mask.islands_mm,
+               "Of a mask: leave out pieces that are nowhere longer (default 0)")
         ->check(CLI::NonNegativeNumber.description(""));
-    command
-        .add_option_function<double>(
-            "--bulge-size", [&mask](double size) { mask.bulge_size = size; },
-            "Of a mask: what stands out of a vessel's wall is a vessel if it does so by this times its own thickness, "
-            "and a voxel; more ignores more of a rough surface (default 0.5)")
-        ->type_name("X")
+    add_option(
+        command, "--bulge-size", "X", mask.bulge_size,
+        "Of a mask: what stands out of a vessel's wall is a vessel if it does so by this times its own thickness, "
+        "and a voxel; more ignores more of a rough surface (default 0.5)")
         ->check(CLI::NonNegativeNumber.description(""));
 }
 
 void add_source_flags(CLI::App& command, SurfaceFlags& flags) {
     add_reading_flags(command, flags);
-    command
-        .add_option_function<std::string>(
-            "--labels",
-            [&flags](const std::string& text) {
-                flags.read.mask.labels = with(io::MaskReading(), "labels", text)->labels;
-            },
-            "Of a mask: apart (default, each label a system of its own), together, or the labels of each system")
-        ->type_name("apart|together|N[+M...],...")
-        ->check(CLI::Validator(
-            [](std::string& text) -> std::string {
-                const auto mask = with(io::MaskReading(), "labels", text);
-                return mask && text != "auto" ? "" : text + " is not apart, together, or labels as 1+3,2";
-            },
-            ""));
+    add_option_taking<std::string>(
+        command, "--labels", "apart|together|N[+M...],...",
+        [&flags](const std::string& text) { flags.read.mask.labels = with(io::MaskReading(), "labels", text)->labels; },
+        "Of a mask: apart (default, each label a system of its own), together, or the labels of each system")
+        ->check(expecting(" is not apart, together, or labels as 1+3,2", [](const std::string& text) {
+            return with(io::MaskReading(), "labels", text) && text != "auto";
+        }));
     add_mask_reading_flags(command, flags.read.mask);
 }
 
@@ -187,11 +152,9 @@ void add_method_flag(CLI::App& command, bool with_masks, const std::function<voi
     std::vector<std::string> keys;
     for (const mesh::MethodRow& row : mesh::kMethods)
         if (row.of_tree || with_masks) keys.emplace_back(row.key);
-    command
-        .add_option_function<std::string>(
-            "--method", [take](const std::string& key) { take(*mesh::method_named(key)); },
-            mesh::method_help(with_masks))
-        ->type_name("METHOD")
+    add_option_taking<std::string>(
+        command, "--method", "METHOD", [take](const std::string& key) { take(*mesh::method_named(key)); },
+        mesh::method_help(with_masks))
         ->check(CLI::IsMember(keys));
 }
 
@@ -200,17 +163,14 @@ namespace {
 CLI::Option* add_surface_flag(CLI::App& command, const SurfaceOption& option, mesh::SurfaceOptions& surface) {
     const std::string name = flag_of(option.key), help(option.help), unit(option.unit);
     if (option.words.empty())
-        return command
-            .add_option_function<double>(
-                name, [&surface, &option](double value) { option.set(surface, value); }, help)
-            ->type_name(unit)
+        return add_option_taking<double>(
+                   command, name, unit, [&surface, &option](double value) { option.set(surface, value); }, help)
             ->check(domain_of(option));
     std::vector<std::string> words;
     for (const OptionWord& word : option.words) words.emplace_back(word.key);
-    return command
-        .add_option_function<std::string>(
-            name, [&surface, &option](const std::string& word) { option.set(surface, *value_in(option, word)); }, help)
-        ->type_name(unit)
+    return add_option_taking<std::string>(
+               command, name, unit,
+               [&surface, &option](const std::string& word) { option.set(surface, *value_in(option, word)); }, help)
         ->check(CLI::IsMember(words).description(""));
 }
 
