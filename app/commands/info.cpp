@@ -50,6 +50,15 @@ std::string name_of_label(const volume::Volume& volume, std::int32_t label) {
     return found == volume.label_names.end() ? std::string() : found->name;
 }
 
+void line(const std::string& name, const std::string& value) {
+    std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
+}
+
+// Names in files may hold bytes that are not UTF-8.
+void print(const ordered_json& report) {
+    std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
 ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 void print_json(const volume::Volume& volume, const Figures& figures) {
@@ -78,14 +87,10 @@ void print_json(const volume::Volume& volume, const Figures& figures) {
                             {"volume_ml", static_cast<double>(*figures.inside) * figures.voxel_ml}};
     report["notes"] = volume.notes;
     report["suspicions"] = volume.suspicions;
-    // Names in files may hold bytes that are not UTF-8.
-    std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+    print(report);
 }
 
 void print_text(const std::string& file, const volume::Volume& volume, const Figures& figures) {
-    const auto line = [](const std::string& name, const std::string& value) {
-        std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
-    };
     const auto amount = [&](std::uint64_t voxels) {
         return counted(voxels, "voxel", "voxels") + ", " + rounded(static_cast<double>(voxels) * figures.voxel_ml) +
                " ml";
@@ -138,8 +143,6 @@ ordered_json range_json(const measure::Range& range) {
     return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
 }
 
-ordered_json point_json(const tree::Point& point) { return {point.position.x, point.position.y, point.position.z}; }
-
 ordered_json quantity_json(const QuantityRow& row, const tree::VesselTree& tree, const TreeFacts& facts, int id) {
     const double value = row.value(tree, facts, id);
     if (row.least != nullptr) return range_json({row.least(facts, id), value, row.largest(facts, id)});
@@ -157,8 +160,8 @@ ordered_json branch_list(const tree::VesselTree& tree, const TreeFacts& facts) {
         if (!tree.systems.empty()) entry["system"] = system_name(tree.systems, branch.system);
         for (const QuantityRow* row : rows_with(&QuantityRow::info))
             entry[std::string(row->info.json)] = quantity_json(*row, tree, facts, static_cast<int>(id));
-        entry["first"] = point_json(tree.points[branch.points.front()]);
-        entry["last"] = point_json(tree.points[branch.points.back()]);
+        entry["first"] = list_of(tree.points[branch.points.front()].position);
+        entry["last"] = list_of(tree.points[branch.points.back()].position);
         list.push_back(std::move(entry));
     }
     return list;
@@ -217,8 +220,7 @@ void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& sta
     if (!tree.systems.empty()) report["system_list"] = system_list(tree);
     if (branches) report["branch_list"] = branch_list(tree, facts_of(tree));
     if (contacts) report["contacts"] = contacts_json(*contacts);
-    // File names in repairs may hold bytes that are not UTF-8.
-    std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+    print(report);
 }
 
 // Of its column; 0 where there are none.
@@ -265,7 +267,7 @@ void print_branches(const tree::VesselTree& tree) {
 void print_systems(const tree::VesselTree& tree) {
     if (tree.systems.empty()) return;
     const std::vector<SystemFacts> facts = system_facts(tree, facts_of(tree), {});
-    std::cout << std::left << std::setw(14) << "systems" << std::right << facts.size() << '\n';
+    line("systems", std::to_string(facts.size()));
     for (std::size_t i = 0; i < facts.size(); ++i)
         std::cout << "  " << system_name(tree.systems, static_cast<int>(i)) << ": "
                   << counted(static_cast<std::uint64_t>(facts[i].branches), "branch", "branches") << ", "
@@ -274,9 +276,6 @@ void print_systems(const tree::VesselTree& tree) {
 
 void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
                 const ContactList& contacts) {
-    const auto line = [](const std::string& name, const std::string& value) {
-        std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
-    };
     std::cout << flags.file << '\n';
     line("branches", grouped(tree.branches.size()) + " (" +
                          counted(static_cast<std::uint64_t>(statistics.leaves), "end", "ends") + ")");
