@@ -69,9 +69,7 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
 
 // Something that lies far from the tree is of another patient, or in other coordinates.
 std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
-    render::Box vessels;
-    for (const tree::Point& point : tree.points) vessels.include(point.position);
-    const render::Box box = render::bounds_of(mesh);
+    const render::Box vessels = render::bounds_of(tree), box = render::bounds_of(mesh);
     if (box.empty() || vessels.empty()) return {};
     const double away = glm::length(glm::max(glm::max(box.lower - vessels.upper, vessels.lower - box.upper), 0.0));
     return away > 0.0 ? "; it lies " + length_text(away) + " beside the tree: is it in the same coordinates?"

@@ -36,8 +36,7 @@ std::vector<Extent> extents_of(const tree::VesselTree& tree) {
 render::Centerlines make_centerlines(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
     const mesh::PreparedTree prepared = mesh::prepare_tree(tree, options);
     const auto& points = prepared.tree.points;
-    render::Box box;
-    for (const tree::Point& point : points) box.include(point.position);
+    const render::Box box = render::bounds_of(prepared.tree);
 
     // Runs of the file's branches: pruning joins some into one branch, one behind the other.
     std::vector<std::vector<std::uint32_t>> runs(tree.branches.size());

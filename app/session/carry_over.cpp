@@ -37,12 +37,6 @@ auto looks_of(const tree::VesselTree& tree, const tree::Branch& branch) {
     return std::tuple(branch.points.size(), first, end, middle, other);
 }
 
-render::Box box_of(const tree::VesselTree& tree) {
-    render::Box box;
-    for (const tree::Point& point : tree.points) box.include(point.position);
-    return box;
-}
-
 // The branches of `after` of systems that are in both and hidden as a whole; those of `before` are taken out of
 // `hidden`.
 std::vector<int> take_hidden_systems(std::vector<int>& hidden, const tree::VesselTree& before,
@@ -137,7 +131,7 @@ void follow_unit(Marks& marks, const TreeFile& file) {
 
 render::Camera carried_over(const render::Camera& camera, const tree::VesselTree& before,
                             const tree::VesselTree& after) {
-    const render::Box from = box_of(before), to = box_of(after);
+    const render::Box from = render::bounds_of(before), to = render::bounds_of(after);
     const double size = glm::distance(from.lower, from.upper);
     if (from.empty() || to.empty() || !(size > 0.0)) return camera;
     const double scale = glm::distance(to.lower, to.upper) / size;

@@ -5,6 +5,7 @@
 #include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/voxelise.h"
+#include "render/scene/bounds.h"
 
 #include <algorithm>
 
@@ -100,10 +101,8 @@ Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const Compar
         return made;
     }
     RAMUS_TRY(surface, isosurface_of(tree, request, made, job));
-    render::Box box, own;
-    for (const tree::Point& point : tree.points) box.include(point.position);
-    for (const auto& position : surface.positions) own.include(glm::dvec3(position));
-    if (!own.empty() && apart(own, box))
+    const render::Box own = render::bounds_of(surface);
+    if (!own.empty() && apart(own, render::bounds_of(tree)))
         return fail("this mask lies elsewhere than the tree", request.mask,
                     "give the mask that the tree was made from, or its unit if it is not mm");
     if (request.wire) {

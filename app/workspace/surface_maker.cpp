@@ -4,6 +4,7 @@
 #include "core/base/stopwatch.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
+#include "render/scene/bounds.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,12 +15,6 @@ namespace {
 
 constexpr int kPreviewDetail = 6;
 constexpr std::uint64_t kPreviewFrom = 150'000; // triangles: below, even a software rasteriser keeps up
-
-render::Box box_of(const tree::VesselTree& tree) {
-    render::Box box;
-    for (const tree::Point& point : tree.points) box.include(point.position);
-    return box;
-}
 
 } // namespace
 
@@ -36,7 +31,7 @@ std::vector<std::uint8_t> hidden_flags(std::span<const int> hidden, std::size_t 
 }
 
 std::shared_ptr<const render::PagedMesh> paged(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
-    return std::make_shared<const render::PagedMesh>(mesh, box_of(tree).centre());
+    return std::make_shared<const render::PagedMesh>(mesh, render::bounds_of(tree).centre());
 }
 
 Result<ReadySurface> make_ready(const tree::VesselTree& tree, const SurfaceRequest& request, Job& job) {

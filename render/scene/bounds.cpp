@@ -30,6 +30,12 @@ Box bounds_of(const mesh::TriangleMesh& mesh) {
     return {glm::dvec3(box.least), glm::dvec3(box.most)};
 }
 
+Box bounds_of(const tree::VesselTree& tree) {
+    Box box;
+    for (const tree::Point& point : tree.points) box.include(point.position);
+    return box;
+}
+
 Box bounds_of(const Centerlines& lines) {
     if (lines.points.empty()) return {};
     Bounds<glm::vec3> box;

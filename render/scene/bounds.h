@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
 #include "render/scene/centerlines.h"
 
 #include <glm/vec3.hpp>
@@ -21,6 +22,7 @@ struct Box {
 };
 
 [[nodiscard]] Box bounds_of(const mesh::TriangleMesh& mesh);
-[[nodiscard]] Box bounds_of(const Centerlines& lines); // the vessels, balls around every point
+[[nodiscard]] Box bounds_of(const tree::VesselTree& tree); // of its points
+[[nodiscard]] Box bounds_of(const Centerlines& lines);     // the vessels, balls around every point
 
 } // namespace ramus::render
