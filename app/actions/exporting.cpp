@@ -176,10 +176,8 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
 Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
     if (auto fits = expect_extension(wanted, ".csv", "a table"); !fits) return tl::unexpected(fits.error());
     complete_lesions(context.assets, context.document);
-    std::vector<int> ids;
     const auto exported = exported_branches(context.document, wanted.of);
-    for (std::size_t id = 0; id < exported.size(); ++id)
-        if (exported[id] != 0) ids.push_back(static_cast<int>(id));
+    const auto ids = branches_where(exported.size(), [&](std::size_t id) { return exported[id] != 0; });
     const Table table = branches_table(context.document, context.assets, ids);
     if (auto written = io::write_file(wanted.file, csv_of(table)); !written) return tl::unexpected(written.error());
     context.say(saved_text("Table", wanted));

@@ -58,10 +58,8 @@ Result<void> select_siblings(ActionContext& context, Arguments) {
 }
 
 std::vector<int> of_generations(const Document& document, auto&& wanted) {
-    std::vector<int> ids;
-    for (int id = 0; id < document.branch_count(); ++id)
-        if (wanted(branch_of(document, id).generation)) ids.push_back(id);
-    return ids;
+    return branches_where(static_cast<std::size_t>(document.branch_count()),
+                          [&](std::size_t id) { return wanted(document.tree()->branches[id].generation); });
 }
 
 Result<void> select_same_generation(ActionContext& context, Arguments) {
@@ -94,19 +92,16 @@ Result<void> select_diameter(ActionContext& context, Arguments arguments) {
     const auto least = arguments.size() == 2 ? number_in(arguments[0], 0.0, kFarthestMm) : std::nullopt;
     const auto most = least ? number_in(arguments[1], *least, kFarthestMm) : std::nullopt;
     if (!most) return fail("select-diameter takes the least and the largest mean diameter in mm");
-    std::vector<int> ids;
-    for (int id = 0; id < context.document.branch_count(); ++id) {
-        const double diameter = context.document.facts()->branches[static_cast<std::size_t>(id)].diameter_mm.mean;
-        if (diameter >= *least && diameter <= *most) ids.push_back(id);
-    }
+    auto ids = branches_where(static_cast<std::size_t>(context.document.branch_count()), [&](std::size_t id) {
+        const double diameter = context.document.facts()->branches[id].diameter_mm.mean;
+        return diameter >= *least && diameter <= *most;
+    });
     return select_and_say(context, std::move(ids), "of " + arguments[0] + " to " + arguments[1] + " mm diameter");
 }
 
 Result<void> select_closer(ActionContext& context, double reach, const std::vector<double>& distances,
                            const std::string& what) {
-    std::vector<int> ids;
-    for (std::size_t id = 0; id < distances.size(); ++id)
-        if (distances[id] <= reach) ids.push_back(static_cast<int>(id));
+    auto ids = branches_where(distances.size(), [&](std::size_t id) { return distances[id] <= reach; });
     return select_and_say(context, std::move(ids), "within " + what);
 }
 

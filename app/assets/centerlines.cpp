@@ -1,5 +1,6 @@
 #include "app/assets/centerlines.h"
 
+#include "app/session/branch_facts.h"
 #include "render/scene/bounds.h"
 
 #include <glm/geometric.hpp>
@@ -16,19 +17,13 @@ struct Extent {
 
 std::vector<Extent> extents_of(const tree::VesselTree& tree) {
     std::vector<Extent> extents(tree.branches.size());
-    std::vector<int> order; // parents before children
-    for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto id = static_cast<std::size_t>(order[i]);
-        const tree::Branch& branch = tree.branches[id];
-        Extent& own = extents[id];
+    for (const int id : parents_first(tree)) {
+        const tree::Branch& branch = tree.branches[static_cast<std::size_t>(id)];
+        Extent& own = extents[static_cast<std::size_t>(id)];
         own.length = tree::length_mm(tree, branch);
-        if (branch.parent != tree::kNoBranch) {
-            const Extent& parent = extents[static_cast<std::size_t>(branch.parent)];
-            own.begin = parent.begin + parent.length;
-        }
-        order.insert(order.end(), branch.children.begin(), branch.children.end());
+        if (branch.parent == tree::kNoBranch) continue;
+        const Extent& parent = extents[static_cast<std::size_t>(branch.parent)];
+        own.begin = parent.begin + parent.length;
     }
     return extents;
 }

@@ -81,9 +81,7 @@ namespace {
 Result<void> show_only(Marks& marks, const tree::VesselTree& tree, const std::vector<std::string>& systems,
                        const std::string& where) {
     RAMUS_TRY(chosen, branches_of(tree, marks, systems, where));
-    std::vector<int> others;
-    for (std::size_t branch = 0; branch < chosen.size(); ++branch)
-        if (chosen[branch] == 0) others.push_back(static_cast<int>(branch));
+    const auto others = branches_where(chosen.size(), [&](std::size_t id) { return chosen[id] == 0; });
     set_state(marks, others, render::BranchState::kHidden);
     return {};
 }

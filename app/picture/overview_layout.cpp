@@ -43,11 +43,12 @@ Links find_links(const tree::VesselTree& tree) {
 }
 
 // Where a subtree lies in the anterior view, from left to right: the mean of its ends.
-std::vector<double> places_across(const tree::VesselTree& tree, const std::vector<int>& parents_first) {
+std::vector<double> places_across(const tree::VesselTree& tree) {
     std::vector<double> sum(tree.branches.size(), 0.0);
     std::vector<int> ends(tree.branches.size(), 0);
-    for (std::size_t i = parents_first.size(); i-- > 0;) {
-        const std::size_t id = index(parents_first[i]);
+    const std::vector<int> order = parents_first(tree);
+    for (std::size_t i = order.size(); i-- > 0;) {
+        const std::size_t id = index(order[i]);
         const tree::Branch& branch = tree.branches[id];
         if (ends[id] == 0) sum[id] = -tree.points[branch.points.back()].position.x, ends[id] = 1;
         if (branch.parent == tree::kNoBranch) continue;
@@ -56,6 +57,12 @@ std::vector<double> places_across(const tree::VesselTree& tree, const std::vecto
     }
     for (std::size_t id = 0; id < sum.size(); ++id) sum[id] /= std::max(1, ends[id]);
     return sum;
+}
+
+std::span<const int> children_in(const OverviewLayout& layout, int id) {
+    const auto first = static_cast<std::size_t>(layout.first_child[index(id)]);
+    const auto last = static_cast<std::size_t>(layout.first_child[index(id) + 1]);
+    return std::span(layout.children).subspan(first, last - first);
 }
 
 class Builder {
@@ -74,22 +81,11 @@ public:
     }
 
 private:
-    [[nodiscard]] std::span<const int> children_of(int id) const {
-        const auto first = static_cast<std::size_t>(layout_.first_child[index(id)]);
-        const auto last = static_cast<std::size_t>(layout_.first_child[index(id) + 1]);
-        return std::span(layout_.children).subspan(first, last - first);
-    }
+    [[nodiscard]] std::span<const int> children_of(int id) const { return children_in(layout_, id); }
     [[nodiscard]] std::uint32_t root_point(int id) const { return tree_.branches[index(id)].points.front(); }
 
     void sort_children() {
-        std::vector<int> parents_first;
-        for (std::size_t id = 0; id < tree_.branches.size(); ++id)
-            if (tree_.branches[id].parent == tree::kNoBranch) parents_first.push_back(static_cast<int>(id));
-        for (std::size_t i = 0; i < parents_first.size(); ++i) {
-            const auto& children = tree_.branches[index(parents_first[i])].children;
-            parents_first.insert(parents_first.end(), children.begin(), children.end());
-        }
-        const std::vector<double> across = places_across(tree_, parents_first);
+        const std::vector<double> across = places_across(tree_);
         const auto sort = [&](auto first, auto last) {
             std::stable_sort(first, last, [&](int a, int b) { return across[index(a)] < across[index(b)]; });
         };
@@ -103,9 +99,9 @@ private:
         layout_.first_child.push_back(static_cast<int>(layout_.children.size()));
 
         // Trees stand side by side, from left to right too.
-        for (std::size_t id = 0; id < tree_.branches.size(); ++id)
-            if (tree_.branches[id].parent == tree::kNoBranch && links_.is_link[id] == 0)
-                layout_.roots.push_back(static_cast<int>(id));
+        layout_.roots = branches_where(tree_.branches.size(), [&](std::size_t id) {
+            return tree_.branches[id].parent == tree::kNoBranch && links_.is_link[id] == 0;
+        });
         std::map<std::uint32_t, std::pair<double, int>> trees; // by root: sum over its branches, and how many
         for (const int id : layout_.roots)
             trees[root_point(id)].first += across[index(id)], ++trees[root_point(id)].second;
@@ -232,12 +228,6 @@ private:
     Links links_;
     OverviewLayout layout_;
 };
-
-std::span<const int> children_in(const OverviewLayout& layout, int id) {
-    const auto first = static_cast<std::size_t>(layout.first_child[index(id)]);
-    const auto last = static_cast<std::size_t>(layout.first_child[index(id) + 1]);
-    return std::span(layout.children).subspan(first, last - first);
-}
 
 constexpr double kNarrow = 1.5; // pixels: what takes less is drawn as one
 

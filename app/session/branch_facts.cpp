@@ -9,19 +9,25 @@ TreeFacts facts_of(const tree::VesselTree& tree) {
     facts.dependency = tree::Dependency(tree);
     facts.statistics = measure::tree_statistics(tree);
     facts.dependents = measure::dependent_amounts(tree, facts.statistics, facts.dependency);
-    std::vector<int> order; // parents before children
-    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
-        if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
         facts.branches.push_back({facts.statistics.branches[id], facts.dependents[id]});
-    }
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto id = static_cast<std::size_t>(order[i]);
-        const auto& children = tree.branches[id].children;
+    for (const int branch : parents_first(tree)) {
+        const auto id = static_cast<std::size_t>(branch);
         const double end = facts.branches[id].root_distance_mm + facts.branches[id].length_mm;
-        for (const int child : children) facts.branches[static_cast<std::size_t>(child)].root_distance_mm = end;
-        order.insert(order.end(), children.begin(), children.end());
+        for (const int child : tree.branches[id].children)
+            facts.branches[static_cast<std::size_t>(child)].root_distance_mm = end;
     }
     return facts;
+}
+
+std::vector<int> parents_first(const tree::VesselTree& tree) {
+    std::vector<int> order = branches_where(
+        tree.branches.size(), [&](std::size_t id) { return tree.branches[id].parent == tree::kNoBranch; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto& children = tree.branches[static_cast<std::size_t>(order[i])].children;
+        order.insert(order.end(), children.begin(), children.end());
+    }
+    return order;
 }
 
 std::vector<int> path_to(const tree::VesselTree& tree, int branch) {

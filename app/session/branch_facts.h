@@ -24,6 +24,17 @@ struct TreeFacts {
 
 [[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);
 
+// Every branch, behind the one that it comes from.
+[[nodiscard]] std::vector<int> parents_first(const tree::VesselTree& tree);
+
+// Of so many branches those that are so, ascending.
+template <class Is> [[nodiscard]] std::vector<int> branches_where(std::size_t count, const Is& is) {
+    std::vector<int> ids;
+    for (std::size_t id = 0; id < count; ++id)
+        if (is(id)) ids.push_back(static_cast<int>(id));
+    return ids;
+}
+
 // From the root to `branch`, both included.
 [[nodiscard]] std::vector<int> path_to(const tree::VesselTree& tree, int branch);
 

@@ -225,11 +225,9 @@ std::vector<int> branches_passing(const BranchFilter& filter, const tree::Vessel
         }
         return false;
     };
-    std::vector<int> ids;
-    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id)
-        if (std::ranges::all_of(filter, [&](const BranchCondition& condition) { return passes(condition, id); }))
-            ids.push_back(id);
-    return ids;
+    return branches_where(tree.branches.size(), [&](std::size_t id) {
+        return std::ranges::all_of(filter, [&](const auto& each) { return passes(each, static_cast<int>(id)); });
+    });
 }
 
 } // namespace ramus::app

@@ -1,5 +1,7 @@
 #include "app/session/session.h"
 
+#include "app/session/branch_facts.h"
+
 #include <algorithm>
 #include <array>
 
@@ -27,10 +29,7 @@ void set_state(Marks& marks, std::span<const int> branches, BranchState state) {
 }
 
 std::vector<int> branches_in_state(const Marks& marks, BranchState state) {
-    std::vector<int> branches;
-    for (std::size_t i = 0; i < marks.states.size(); ++i)
-        if (marks.states[i] == state) branches.push_back(static_cast<int>(i));
-    return branches;
+    return branches_where(marks.states.size(), [&](std::size_t id) { return marks.states[id] == state; });
 }
 
 std::vector<int> canonical(std::vector<int> branches) {

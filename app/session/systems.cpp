@@ -63,10 +63,7 @@ Result<int> find_system(const Systems& systems, std::string_view word) {
 }
 
 std::vector<int> branches_in_system(const tree::VesselTree& tree, int system) {
-    std::vector<int> ids;
-    for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (tree.branches[id].system == system) ids.push_back(static_cast<int>(id));
-    return ids;
+    return branches_where(tree.branches.size(), [&](std::size_t id) { return tree.branches[id].system == system; });
 }
 
 std::vector<SystemFacts> system_facts(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks) {

@@ -1,5 +1,7 @@
 #include "app/tools/lasso.h"
 
+#include "app/session/branch_facts.h"
+
 #include <glm/geometric.hpp>
 
 namespace ramus::app {
@@ -44,11 +46,9 @@ std::vector<int> branches_inside(const tree::VesselTree& tree, const render::Cam
                                  const PixelPolygon& polygon, const LassoRule& rule,
                                  std::span<const std::uint8_t> hidden) {
     const Judge judge(tree, camera, size, polygon, rule);
-    std::vector<int> ids;
-    for (std::size_t i = 0; i < tree.branches.size(); ++i)
-        if ((i >= hidden.size() || hidden[i] == 0) && judge.is_in(static_cast<int>(i)))
-            ids.push_back(static_cast<int>(i));
-    return ids;
+    return branches_where(tree.branches.size(), [&](std::size_t id) {
+        return (id >= hidden.size() || hidden[id] == 0) && judge.is_in(static_cast<int>(id));
+    });
 }
 
 } // namespace ramus::app
