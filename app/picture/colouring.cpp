@@ -120,27 +120,13 @@ void colour_by_diameter(Colouring& colouring, const tree::VesselTree& tree, Colo
                        ramp_of(map)};
 }
 
-void colour_by_root_distance(Colouring& colouring, const tree::VesselTree& tree, ColourMap map,
-                             const std::string& title) {
-    std::vector<double> begin(tree.branches.size(), 0.0), length(tree.branches.size(), 0.0);
-    std::vector<int> order; // parents before children
-    for (std::size_t id = 0; id < tree.branches.size(); ++id)
-        if (tree.branches[id].parent == tree::kNoBranch) order.push_back(static_cast<int>(id));
+void colour_by_root_distance(Colouring& colouring, const TreeFacts& facts, ColourMap map, const std::string& title) {
     double farthest = 0.0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto id = static_cast<std::size_t>(order[i]);
-        const tree::Branch& branch = tree.branches[id];
-        length[id] = tree::length_mm(tree, branch);
-        if (branch.parent != tree::kNoBranch) {
-            const auto parent = static_cast<std::size_t>(branch.parent);
-            begin[id] = begin[parent] + length[parent];
-        }
-        farthest = std::max(farthest, begin[id] + length[id]);
-        order.insert(order.end(), branch.children.begin(), branch.children.end());
-    }
+    for (const BranchFacts& branch : facts.branches)
+        farthest = std::max(farthest, branch.root_distance_mm + branch.length_mm);
     if (!(farthest > 0.0)) return;
-    for (std::size_t id = 0; id < begin.size(); ++id)
-        colouring.branches.push_back(colour_at(map, (begin[id] + 0.5 * length[id]) / farthest));
+    for (const BranchFacts& branch : facts.branches)
+        colouring.branches.push_back(colour_at(map, (branch.root_distance_mm + 0.5 * branch.length_mm) / farthest));
     colouring.legend = bar_legend(title, map, 0.0, farthest, false);
     colouring.scale = {render::ColourScale::Value::kRootDistance, 0.0F, static_cast<float>(farthest), false,
                        ramp_of(map)};
@@ -151,7 +137,7 @@ void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree
                         const TreeFacts& facts, ColourMap map) {
     const std::string title = std::string(row.label) + (row.unit.empty() ? "" : " (" + std::string(row.unit) + ")");
     if (row.quantity == Quantity::kDiameter) return colour_by_diameter(colouring, tree, map, title);
-    if (row.quantity == Quantity::kRootDistance) return colour_by_root_distance(colouring, tree, map, title);
+    if (row.quantity == Quantity::kRootDistance) return colour_by_root_distance(colouring, facts, map, title);
     if (tree.branches.empty()) return;
     std::vector<double> values;
     for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) values.push_back(row.value(tree, facts, id));
