@@ -167,7 +167,7 @@ void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan
             if (plan->lesion_distances_mm[id] <= bands[i]) colouring.branches[id] = margin_colour(i, count);
 }
 
-void colour_by_label(Colouring& colouring, const tree::VesselTree& tree, const Marks& marks) {
+void colour_by_label(Colouring& colouring, const TreeFacts& facts, const Marks& marks) {
     constexpr glm::vec3 kUnnamed{0.47F, 0.50F, 0.54F};
     std::map<int, glm::vec3> colours;
     colouring.legend.title = marks.names.empty() ? "No branch has a name" : "Names";
@@ -176,7 +176,7 @@ void colour_by_label(Colouring& colouring, const tree::VesselTree& tree, const M
         colours[id] = colour;
         colouring.legend.swatches.push_back({colour, latin1(name)});
     }
-    for (const int source : label_sources(tree, marks.names)) {
+    for (const int source : label_sources(facts.dependency, marks.names)) {
         const auto found = colours.find(source);
         colouring.branches.push_back(found == colours.end() ? kUnnamed : found->second);
     }
@@ -256,7 +256,7 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
         colour_by_lesion(colouring, marks, plan, tree.branches.size());
         break;
     case ColourBy::kLabel:
-        colour_by_label(colouring, tree, marks);
+        colour_by_label(colouring, facts, marks);
         break;
     case ColourBy::kSystem:
         colour_by_system(colouring, tree, marks);

@@ -21,11 +21,6 @@ std::vector<int> label_sources(const tree::Dependency& dependency, const BranchN
     return sources;
 }
 
-std::vector<int> label_sources(const tree::VesselTree& tree, const BranchNames& names) {
-    return names.empty() ? std::vector<int>(tree.branches.size(), tree::kNoBranch)
-                         : label_sources(tree::Dependency(tree), names);
-}
-
 std::string label_of(const tree::Dependency& dependency, const BranchNames& names, int branch) {
     const int source = label_source(dependency, names, branch);
     return source == tree::kNoBranch ? std::string{} : names.at(source);

@@ -18,7 +18,6 @@ using BranchNames = std::map<int, std::string>; // by branch id
 [[nodiscard]] int label_source(const tree::Dependency& dependency, const BranchNames& names, int branch);
 // The same for every branch at once.
 [[nodiscard]] std::vector<int> label_sources(const tree::Dependency& dependency, const BranchNames& names);
-[[nodiscard]] std::vector<int> label_sources(const tree::VesselTree& tree, const BranchNames& names); // looks for it
 
 // The name that `branch` bears; empty when it bears none.
 [[nodiscard]] std::string label_of(const tree::Dependency& dependency, const BranchNames& names, int branch);

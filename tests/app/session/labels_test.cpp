@@ -39,9 +39,8 @@ TEST_CASE("labels of all branches at once agree with labels one by one") {
     const tree::Dependency dependency(tree);
     for (const BranchNames& names :
          {BranchNames{}, BranchNames{{0, "trunk"}}, BranchNames{{0, "trunk"}, {7, "a"}, {40, "b"}, {123, "c"}}}) {
-        const std::vector<int> sources = label_sources(tree, names);
+        const std::vector<int> sources = label_sources(dependency, names);
         REQUIRE(sources.size() == tree.branches.size());
-        CHECK(sources == label_sources(dependency, names));
         for (int id = 0; id < static_cast<int>(sources.size()); ++id)
             CHECK(sources[static_cast<std::size_t>(id)] == label_source(dependency, names, id));
     }
