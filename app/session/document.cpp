@@ -152,35 +152,31 @@ const MarksChange* Document::last_change() const { return joining_ ? &steps_.bac
 
 bool Document::undo() {
     if (!can_undo()) return false;
-    joining_ = false;
     const Step& step = steps_[--position_];
-    const std::vector<tree::Edit> before = session_.marks.edits;
-    for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
-        change->apply(session_.marks, Direction::kBack);
-    const bool camera_stayed = step.cameras && session_.camera == step.cameras->second;
-    if (step.trees)
-        go_to_tree(step.trees->first, step.tree_moves);
-    else
-        follow_edits(before);
-    if (camera_stayed) session_.camera = step.cameras->first;
-    ++revision_;
+    take_step(step, {step.changes.rbegin(), step.changes.rend()}, Direction::kBack);
     return true;
 }
 
 bool Document::redo() {
     if (!can_redo()) return false;
-    joining_ = false;
     const Step& step = steps_[position_++];
-    const std::vector<tree::Edit> before = session_.marks.edits;
-    for (const MarksChange& change : step.changes) change.apply(session_.marks, Direction::kForward);
-    const bool camera_stayed = step.cameras && session_.camera == step.cameras->first;
-    if (step.trees)
-        go_to_tree(step.trees->second, step.tree_moves);
-    else
-        follow_edits(before);
-    if (camera_stayed) session_.camera = step.cameras->second;
-    ++revision_;
+    take_step(step, step.changes, Direction::kForward);
     return true;
+}
+
+void Document::take_step(const Step& step, const std::vector<MarksChange>& changes, Direction direction) {
+    joining_ = false;
+    const auto before = [&](const auto& both) { return direction == Direction::kForward ? both.first : both.second; };
+    const auto after = [&](const auto& both) { return direction == Direction::kForward ? both.second : both.first; };
+    const std::vector<tree::Edit> edits = session_.marks.edits;
+    for (const MarksChange& change : changes) change.apply(session_.marks, direction);
+    const bool camera_stayed = step.cameras && session_.camera == before(*step.cameras);
+    if (step.trees)
+        go_to_tree(after(*step.trees), step.tree_moves);
+    else
+        follow_edits(edits);
+    if (camera_stayed) session_.camera = after(*step.cameras);
+    ++revision_;
 }
 
 bool Document::has_unsaved_work() const {

@@ -100,6 +100,7 @@ private:
     void take_change(Marks next);
     void keep_tree();
     void follow_edits(const std::vector<tree::Edit>& before);
+    void take_step(const Step& step, const std::vector<MarksChange>& changes, MarksChange::Direction direction);
     void go_to_tree(const TreeWithFacts& other, bool moves);
 
     std::shared_ptr<const tree::VesselTree> tree_, base_;
