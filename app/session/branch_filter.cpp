@@ -171,16 +171,12 @@ bool holds(double value, Relation comparison, double wanted, double precision) {
 }
 
 bool has(BranchProperty property, const tree::VesselTree& tree, const Marks& marks, int id, int source) {
-    using render::BranchState;
     switch (property) {
     case BranchProperty::kNormal:
-        return state_of(marks, id) == BranchState::kNormal;
     case BranchProperty::kHighlighted:
-        return state_of(marks, id) == BranchState::kHighlighted;
     case BranchProperty::kDefocused:
-        return state_of(marks, id) == BranchState::kDefocused;
     case BranchProperty::kHidden:
-        return state_of(marks, id) == BranchState::kHidden;
+        return state_of(marks, id) == static_cast<render::BranchState>(property);
     case BranchProperty::kSelected:
         return is_selected(marks, id);
     case BranchProperty::kLeaf:

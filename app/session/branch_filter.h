@@ -22,6 +22,7 @@
 namespace ramus::app {
 
 enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
+// The states in the order of render::BranchState, then others.
 enum class BranchProperty { kNormal, kHighlighted, kDefocused, kHidden, kSelected, kLeaf, kNamed };
 
 struct BranchCondition {
