@@ -1,35 +1,19 @@
 #include "app/storage/settings.h"
 
 #include "app/session/json_text.h"
+#include "app/session/json_values.h"
 #include "core/io/output_file.h"
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace ramus::app {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using namespace session_json;
 
 namespace {
 
 constexpr const char* kFile = "settings.json";
-
-struct Refusal {
-    std::string what;
-};
-
-double number(const json& value, const std::string& name, double least, double most) {
-    if (!value.is_number()) throw Refusal{name + " is not a number"};
-    const auto found = value.get<double>();
-    if (!(found >= least && found <= most)) throw Refusal{name + " " + value.dump() + " is out of range"};
-    return found;
-}
-
-int integer(const json& value, const std::string& name, int least, int most) {
-    if (!value.is_number_integer()) throw Refusal{name + " is not a whole number"};
-    return static_cast<int>(number(value, name, least, most));
-}
 
 } // namespace
 
@@ -55,20 +39,15 @@ Result<Settings> settings_from_json(const json& value, const std::string& where)
             settings.window = {integer(size[0], "width of the window", 480, 16384),
                                integer(size[1], "height of the window", 360, 16384)};
         }
-        if (value.contains("panel_open")) {
-            if (!value["panel_open"].is_boolean()) throw Refusal{"panel_open is neither true nor false"};
-            settings.panel_open = value["panel_open"].get<bool>();
-        }
-        if (value.contains("drop_beside")) {
-            if (!value["drop_beside"].is_boolean()) throw Refusal{"drop_beside is neither true nor false"};
-            settings.drop_beside = value["drop_beside"].get<bool>();
+        for (const auto& [name, member] :
+             {std::pair("panel_open", &Settings::panel_open), std::pair("drop_beside", &Settings::drop_beside)}) {
+            if (!value.contains(name)) continue;
+            if (!value[name].is_boolean()) throw Refusal{std::string(name) + " is neither true nor false"};
+            settings.*member = value[name].get<bool>();
         }
         if (value.contains("recent_files"))
             settings.recent_files = integer(value["recent_files"], "recent_files", 0, 100);
-        if (value.contains("last_folder")) {
-            if (!value["last_folder"].is_string()) throw Refusal{"last_folder is not a text"};
-            settings.last_folder = value["last_folder"].get<std::string>();
-        }
+        if (value.contains("last_folder")) settings.last_folder = text(value["last_folder"], "last_folder");
         return settings;
     } catch (const Refusal& refusal) {
         return fail(refusal.what, where);
