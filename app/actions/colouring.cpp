@@ -18,9 +18,8 @@ Result<void> colour_by(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> colour_map(ActionContext& context, Arguments arguments) {
-    const auto found = std::ranges::find_if(
-        kColourMaps, [&](ColourMap map) { return arguments.size() == 1 && name_of(map) == arguments[0]; });
-    if (found == kColourMaps.end())
+    const auto found = arguments.size() == 1 ? colour_map_named(arguments[0]) : std::nullopt;
+    if (!found)
         return fail("colour-map takes a name", {},
                     "one of " + joined(kColourMaps, ", ", [](ColourMap map) { return name_of(map); }));
     return edit(context, [&](Marks& marks) { marks.colour_map = *found; });

@@ -76,6 +76,11 @@ std::string_view name_of(ColourMap map) {
     return kNames[static_cast<std::size_t>(map)];
 }
 
+std::optional<ColourMap> colour_map_named(std::string_view name) {
+    const auto found = std::ranges::find(kColourMaps, name, [](ColourMap map) { return name_of(map); });
+    return found == kColourMaps.end() ? std::nullopt : std::optional(*found);
+}
+
 glm::vec3 colour_at(ColourMap map, double t) {
     const Stations& stations = map == ColourMap::kViridis ? kViridis : map == ColourMap::kCividis ? kCividis : kMagma;
     const double darkest = map == ColourMap::kMagma ? 0.28 : 0.12;

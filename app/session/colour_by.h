@@ -42,6 +42,7 @@ struct ColouringRow {
 enum class ColourMap : std::uint8_t { kViridis, kCividis, kMagma };
 inline constexpr std::array kColourMaps{ColourMap::kViridis, ColourMap::kCividis, ColourMap::kMagma};
 [[nodiscard]] std::string_view name_of(ColourMap map); // "viridis", ...
+[[nodiscard]] std::optional<ColourMap> colour_map_named(std::string_view name);
 
 // sRGB at t from 0 to 1. The darkest end is left out: it would sink into the dark background.
 [[nodiscard]] glm::vec3 colour_at(ColourMap map, double t);

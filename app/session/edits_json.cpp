@@ -18,11 +18,11 @@ tree::Edit edit_in(const json& value) {
     expect_only(value, "an edit", {"edit", "branches", "at", "value"});
     if (!value.contains("edit")) throw Refusal{"an edit does not say what it is"};
     const std::string name = text(value["edit"], "edit");
-    const auto* const known = std::ranges::find(tree::kEditNames, std::string_view(name),
+    const auto* const found = std::ranges::find(tree::kEditNames, std::string_view(name),
                                                 &std::pair<tree::Edit::Kind, std::string_view>::second);
-    if (known == std::end(tree::kEditNames)) throw Refusal{"unknown edit \"" + name + "\""};
+    if (found == std::end(tree::kEditNames)) throw Refusal{"unknown edit \"" + name + "\""};
     tree::Edit edit;
-    edit.kind = known->first;
+    edit.kind = found->first;
     for (const json& id : list_in(value, "branches"))
         edit.branches.push_back(integer(id, "branch id of an edit", 0, kMostBranches));
     const json at = list_in(value, "at");

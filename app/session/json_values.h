@@ -51,6 +51,15 @@ inline std::string text(const json& value, const std::string& name) {
     return value.get<std::string>();
 }
 
+// A word of those that named(word) knows.
+template <class Named>
+auto word(const json& value, const std::string& name, const std::string& what, const Named& named) {
+    const std::string wanted = text(value, name);
+    const auto found = named(wanted);
+    if (!found) throw Refusal{"unknown " + what + " \"" + wanted + "\""};
+    return *found;
+}
+
 // The list of this name; an empty one when there is none.
 inline json list_in(const json& object, const std::string& name) {
     if (!object.contains(name)) return json::array();

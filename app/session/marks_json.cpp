@@ -12,11 +12,11 @@ namespace ramus::app::session_json {
 
 namespace {
 
-constexpr std::array<std::pair<Measurement::Kind, const char*>, 4> kMeasurementNames{
-    {{Measurement::Kind::kDistance, "distance"},
-     {Measurement::Kind::kPath, "path"},
-     {Measurement::Kind::kDiameter, "diameter"},
-     {Measurement::Kind::kAngle, "angle"}}};
+constexpr std::array<std::pair<std::string_view, Measurement::Kind>, 4> kMeasurementNames{
+    {{"distance", Measurement::Kind::kDistance},
+     {"path", Measurement::Kind::kPath},
+     {"diameter", Measurement::Kind::kDiameter},
+     {"angle", Measurement::Kind::kAngle}}};
 
 } // namespace
 
@@ -51,27 +51,22 @@ json options_json(const Marks& marks) {
 // A surface option's value, as options_json() writes it.
 static double option_value(const SurfaceOption& option, const json& value) {
     const std::string key(option.key);
-    if (!option.words.empty()) {
-        const auto word = value_in(option, text(value, key));
-        if (!word) throw Refusal{"unknown " + key + " \"" + value.get<std::string>() + "\""};
-        return *word;
-    }
+    if (!option.words.empty())
+        return word(value, key, key, [&](const std::string& wanted) { return value_in(option, wanted); });
     const double least = option.only_when_set ? 0.0 : option.least;
     return option.whole ? integer(value, key, static_cast<int>(least), static_cast<int>(option.most))
                         : number(value, key, least, option.most);
 }
 
-static void read_bands(const json& value, std::vector<double>& bands) {
-    if (!value.is_array()) throw Refusal{"bands is not a list"};
+static void read_bands(const json& list, std::vector<double>& bands) {
     bands.clear();
-    for (const json& band : value) bands.push_back(number(band, "band", 1e-6, 1e6));
+    for (const json& band : list) bands.push_back(number(band, "band", 1e-6, 1e6));
     if (!std::ranges::is_sorted(bands)) throw Refusal{"bands do not ascend"};
 }
 
-static void read_depth_cues(const json& value, Marks& marks) {
-    if (!value.is_array()) throw Refusal{"depth_cues is not a list"};
+static void read_depth_cues(const json& list, Marks& marks) {
     marks.depth_cues.clear();
-    for (const json& one : value) {
+    for (const json& one : list) {
         const std::string wanted = text(one, "depth cue");
         const DepthCue* cue = depth_cue_named(wanted);
         if (cue == nullptr) throw Refusal{"unknown depth cue \"" + wanted + "\""};
@@ -86,12 +81,11 @@ void read_options(const json& value, Marks& marks) {
         if (option.of_session) known.push_back(option.key);
     expect_only(value, "options", known);
     mesh::SurfaceOptions& options = marks.options;
-    if (value.contains("method")) {
-        const std::string name = text(value["method"], "method");
+    const auto method_of_tree = [](const std::string& name) {
         const auto method = mesh::method_named(name);
-        if (!method || !mesh::row_of(*method).of_tree) throw Refusal{"unknown method \"" + name + "\""};
-        options.method = *method;
-    }
+        return method && mesh::row_of(*method).of_tree ? method : std::nullopt;
+    };
+    if (value.contains("method")) options.method = word(value["method"], "method", "method", method_of_tree);
     for (const SurfaceOption& option : surface_options()) {
         const std::string key(option.key);
         if (!option.of_session) continue;
@@ -100,32 +94,20 @@ void read_options(const json& value, Marks& marks) {
         else if (option.before_it_was)
             option.set(options, *option.before_it_was);
     }
-    if (value.contains("bands")) read_bands(value["bands"], marks.planning.bands_mm);
+    if (value.contains("bands")) read_bands(list_in(value, "bands"), marks.planning.bands_mm);
     if (value.contains("reconstruct"))
         marks.planning.reconstruct_mm = number(value["reconstruct"], "reconstruct", 0.0, 1e6);
     if (value.contains("glass_opacity"))
         marks.glass.opacity = number(value["glass_opacity"], "glass_opacity", 0.0, 2.0);
     if (value.contains("glass_grey")) marks.glass.grey = number(value["glass_grey"], "glass_grey", 0.0, 1.0);
     for (const auto& [key, member] :
-         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks)}) {
-        if (!value.contains(key)) continue;
-        if (!value[key].is_boolean()) throw Refusal{std::string(key) + " is not true or false"};
-        marks.*member = value[key].get<bool>();
-    }
-    if (value.contains("depth_cues")) read_depth_cues(value["depth_cues"], marks);
-    if (value.contains("colour_by")) {
-        const std::string wanted = text(value["colour_by"], "colour_by");
-        const auto found = colouring_named(wanted);
-        if (!found) throw Refusal{"unknown colour_by \"" + wanted + "\""};
-        marks.colour_by = *found;
-    }
-    if (value.contains("colour_map")) {
-        const std::string wanted = text(value["colour_map"], "colour_map");
-        const auto found =
-            std::find_if(kColourMaps.begin(), kColourMaps.end(), [&](ColourMap m) { return name_of(m) == wanted; });
-        if (found == kColourMaps.end()) throw Refusal{"unknown colour_map \"" + wanted + "\""};
-        marks.colour_map = *found;
-    }
+         {std::pair("skeleton", &Marks::skeleton), std::pair("contact_marks", &Marks::contact_marks)})
+        if (value.contains(key)) marks.*member = truth(value[key], key);
+    if (value.contains("depth_cues")) read_depth_cues(list_in(value, "depth_cues"), marks);
+    if (value.contains("colour_by"))
+        marks.colour_by = word(value["colour_by"], "colour_by", "colour_by", colouring_named);
+    if (value.contains("colour_map"))
+        marks.colour_map = word(value["colour_map"], "colour_map", "colour_map", colour_map_named);
 }
 
 void read_states(const json& value, Marks& marks) {
@@ -143,8 +125,8 @@ void read_states(const json& value, Marks& marks) {
 
 json measurement_json(const Measurement& m) {
     json value;
-    for (const auto& [kind, name] : kMeasurementNames)
-        if (kind == m.kind) value["kind"] = name;
+    for (const auto& [name, kind] : kMeasurementNames)
+        if (kind == m.kind) value["kind"] = std::string(name);
     if (m.kind == Measurement::Kind::kDistance)
         for (const glm::dvec3& p : m.points) value["points"].push_back({p.x, p.y, p.z});
     else if (m.kind == Measurement::Kind::kPath)
@@ -159,10 +141,9 @@ static Measurement measurement(const json& value) {
     expect_only(value, "a measurement", {"kind", "points", "branches", "fraction"});
     Measurement found;
     const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
-    const auto known =
-        std::ranges::find(kMeasurementNames, wanted, [](const auto& k) { return std::string(k.second); });
-    if (known == kMeasurementNames.end()) throw Refusal{"unknown measurement \"" + wanted + "\""};
-    found.kind = known->first;
+    const auto kind = paired(kMeasurementNames, wanted);
+    if (!kind) throw Refusal{"unknown measurement \"" + wanted + "\""};
+    found.kind = *kind;
     const json points = value.value("points", json::array());
     const json branches = value.value("branches", json::array());
     const std::size_t wants_points = found.kind == Measurement::Kind::kDistance ? 2 : 0;
@@ -233,12 +214,8 @@ json comparison_json(const Comparison& comparison, const fs::path& folder) {
 Comparison comparison_in(const json& value, const fs::path& folder) {
     expect_only(value, "comparison", {"mode", "surfaces", "mask", "mask_units", "labels", "blend", "wipe"});
     Comparison comparison;
-    if (value.contains("mode")) {
-        const std::string wanted = text(value["mode"], "mode of the comparison");
-        const auto mode = comparison_mode_named(wanted);
-        if (!mode) throw Refusal{"unknown comparison \"" + wanted + "\""};
-        comparison.mode = *mode;
-    }
+    if (value.contains("mode"))
+        comparison.mode = word(value["mode"], "mode of the comparison", "comparison", comparison_mode_named);
     if (value.contains("surfaces")) {
         const auto surfaces = surface_list(joined(
             list_in(value, "surfaces"), ",", [](const json& name) { return text(name, "surface of the comparison"); }));
@@ -259,14 +236,17 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     return comparison;
 }
 
+static std::array<std::uint8_t, 3> colour_from(const json& value, const std::string& name) {
+    const std::string wanted = text(value, name);
+    const auto found = colour_in(wanted);
+    if (!found) throw Refusal{"\"" + wanted + "\" is not a colour: #RRGGBB"};
+    return *found;
+}
+
 tree::System system_in(const json& value) {
     expect_only(value, "systems", {"name", "colour"});
-    tree::System system{text(value.value("name", json()), "name of a system"), {}};
-    const std::string wanted = text(value.value("colour", json()), "colour of a system");
-    const auto colour = colour_in(wanted);
-    if (!colour) throw Refusal{"\"" + wanted + "\" is not a colour: #RRGGBB"};
-    system.colour = *colour;
-    return system;
+    return {text(value.value("name", json()), "name of a system"),
+            colour_from(value.value("colour", json()), "colour of a system")};
 }
 
 json context_json(const ContextItem& item, const fs::path& folder) {
@@ -293,11 +273,7 @@ ContextItem context_item(const json& value, const fs::path& folder) {
     if (value.contains("exact")) item.exact = truth(value["exact"], "exact");
     if (value.contains("units")) item.units = units_in(value["units"]);
     if (value.contains("visible")) item.visible = truth(value["visible"], "visible");
-    if (value.contains("colour")) {
-        const auto colour = colour_in(text(value["colour"], "colour"));
-        if (!colour) throw Refusal{"\"" + value["colour"].get<std::string>() + "\" is not a colour: #RRGGBB"};
-        item.colour = *colour;
-    }
+    if (value.contains("colour")) item.colour = colour_from(value["colour"], "colour");
     return item;
 }
 
