@@ -100,10 +100,8 @@ Result<void> toggle_part(ActionContext& context, const std::string& part) {
 
 tl::unexpected<Error> no_window(const std::string& part) { return fail("there is no " + part + " without a window"); }
 
-void select_these(Document& document, std::vector<int> ids) {
-    Marks next = document.marks();
-    next.selection = canonical(std::move(ids));
-    document.change(std::move(next));
+Result<void> select_these(ActionContext& context, std::vector<int> ids) {
+    return edit(context, [&](Marks& marks) { marks.selection = canonical(std::move(ids)); });
 }
 
 std::vector<int> unselected(const Document& document) {

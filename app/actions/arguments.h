@@ -51,8 +51,8 @@ Result<void> remove_from(ActionContext& context, Arguments arguments, List Marks
 
 inline constexpr double kFarthestMm = 1e6; // of positions, distances and diameters that people give
 
-// Makes these branches, in any order, the selection.
-void select_these(Document& document, std::vector<int> ids);
+// Makes these branches, in any order, the selection. Succeeds.
+Result<void> select_these(ActionContext& context, std::vector<int> ids);
 // All that is not selected.
 [[nodiscard]] std::vector<int> unselected(const Document& document);
 // Fails when nothing is selected.

@@ -48,7 +48,7 @@ Result<void> go_to(ActionContext& context, Arguments arguments) {
     const tree::Contact& chosen = (*list)[index];
     constexpr double kNearer = 0.5; // than one looks at a whole vessel: what is between two of them is small
     const double radius = std::max(chosen.sides[0].radius, chosen.sides[1].radius);
-    select_these(context.document, app::branches_of(chosen));
+    select_these(context, app::branches_of(chosen));
     if (wipes) wipe_both_ways(context.document);
     if (context.window != nullptr) context.window->show_contact(static_cast<int>(index));
     const render::Camera near =

@@ -80,7 +80,7 @@ Result<void> lasso(ActionContext& context, Arguments arguments) {
     else
         next = std::move(inside);
     const bool more = !next.empty() && !wanted.remove;
-    select_these(context.document, std::move(next));
+    select_these(context, std::move(next));
     context.say(count + " inside the lasso" + (more ? "; D takes all that depends on the selection" : ""));
     return {};
 }

@@ -17,15 +17,13 @@ const tree::Branch& branch_of(const Document& document, int id) {
 // Makes `ids` the selection, unless there are none: then what was asked for is not there.
 Result<void> select_found(ActionContext& context, std::vector<int> ids, const std::string& missing) {
     if (ids.empty()) return fail(missing);
-    select_these(context.document, std::move(ids));
-    return {};
+    return select_these(context, std::move(ids));
 }
 
 // A selection by value may well come out empty; how many it took is said.
 Result<void> select_and_say(ActionContext& context, std::vector<int> ids, const std::string& what) {
     context.say("Selected " + counted(ids.size(), "branch", "branches") + " " + what);
-    select_these(context.document, std::move(ids));
-    return {};
+    return select_these(context, std::move(ids));
 }
 
 Result<void> select_parent(ActionContext& context, Arguments) {
@@ -68,7 +66,7 @@ Result<void> select_same_generation(ActionContext& context, Arguments) {
     std::vector<int> generations;
     for (const int id : document.marks().selection) generations.push_back(branch_of(document, id).generation);
     generations = canonical(std::move(generations));
-    select_these(context.document, of_generations(document, [&](int generation) {
+    select_these(context, of_generations(document, [&](int generation) {
                      return std::ranges::binary_search(generations, generation);
                  }));
     return {};

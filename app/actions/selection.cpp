@@ -12,21 +12,18 @@ namespace {
 
 Result<void> select(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(ids, branch_ids(context.document, arguments));
-    select_these(context.document, std::move(ids));
-    return {};
+    return select_these(context, std::move(ids));
 }
 
 Result<void> select_add(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(ids, branch_ids(context.document, arguments));
     ids.insert(ids.end(), context.document.marks().selection.begin(), context.document.marks().selection.end());
-    select_these(context.document, std::move(ids));
-    return {};
+    return select_these(context, std::move(ids));
 }
 
 Result<void> select_subtree(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(ids, branch_ids(context.document, arguments));
-    select_these(context.document, context.document.dependency().with_dependents(ids));
-    return {};
+    return select_these(context, context.document.dependency().with_dependents(ids));
 }
 
 Result<void> select_toggle(ActionContext& context, Arguments arguments) {
@@ -34,19 +31,14 @@ Result<void> select_toggle(ActionContext& context, Arguments arguments) {
     std::vector<int> next;
     const std::vector<int> toggled = canonical(ids);
     std::ranges::set_symmetric_difference(context.document.marks().selection, toggled, std::back_inserter(next));
-    select_these(context.document, std::move(next));
-    return {};
+    return select_these(context, std::move(next));
 }
 
-Result<void> select_none(ActionContext& context, Arguments) {
-    select_these(context.document, {});
-    return {};
-}
+Result<void> select_none(ActionContext& context, Arguments) { return select_these(context, {}); }
 
 Result<void> select_dependents(ActionContext& context, Arguments) {
     const Document& document = context.document;
-    select_these(context.document, document.dependency().with_dependents(document.marks().selection));
-    return {};
+    return select_these(context, document.dependency().with_dependents(document.marks().selection));
 }
 
 Result<void> select_upstream(ActionContext& context, Arguments) {
@@ -56,13 +48,11 @@ Result<void> select_upstream(ActionContext& context, Arguments) {
         for (; id != tree::kNoBranch && std::exchange(found[static_cast<std::size_t>(id)], 1) == 0;
              id = context.document.tree()->branches[static_cast<std::size_t>(id)].parent)
             ids.push_back(id);
-    select_these(context.document, std::move(ids));
-    return {};
+    return select_these(context, std::move(ids));
 }
 
 Result<void> select_invert(ActionContext& context, Arguments) {
-    select_these(context.document, unselected(context.document));
-    return {};
+    return select_these(context, unselected(context.document));
 }
 
 Result<void> dismiss(ActionContext& context, Arguments arguments) {

@@ -29,8 +29,7 @@ Result<std::vector<int>> named_branches(const Document& document, Arguments argu
 
 Result<void> select_system(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(ids, named_branches(context.document, arguments, "select-system"));
-    select_these(context.document, std::move(ids));
-    return {};
+    return select_these(context, std::move(ids));
 }
 
 Result<void> hide_system(ActionContext& context, Arguments arguments) {
