@@ -80,6 +80,13 @@ std::optional<bool> switched(Arguments arguments, bool now) {
     return arguments[0] == "on";
 }
 
+std::vector<glm::vec3> visible_positions(const ActionContext& context) {
+    const auto mesh = context.picture.picture_mesh();
+    if (!mesh) return {};
+    const Marks& marks = context.document.marks();
+    return mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+}
+
 Result<void> move_camera(ActionContext& context, const render::Camera& camera) {
     context.document.set_camera(camera);
     context.picture.camera_leapt();

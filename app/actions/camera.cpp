@@ -15,14 +15,10 @@ constexpr const char* kNoClipboard = "there is no clipboard without a window";
 
 // All that is not hidden, from where `camera` looks.
 render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
-    const auto mesh = context.picture.picture_mesh();
-    if (!mesh) return camera;
-    // A surface from before they were hidden may be what there is.
-    const Marks& marks = context.document.marks();
-    const auto visible =
-        mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+    const auto visible = visible_positions(context);
     if (visible.empty()) return camera;
-    return with_room(render::fitted(camera, visible, context.picture.picture_size()), marks.comparison);
+    return with_room(render::fitted(camera, visible, context.picture.picture_size()),
+                     context.document.marks().comparison);
 }
 
 Result<void> view(ActionContext& context, Arguments arguments) {

@@ -66,15 +66,10 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
         glm::ivec2 size;
     };
     std::vector<Wanted> wanted{{"As it was looked at", current, kLarge}};
-    if (const auto mesh = context.picture.picture_mesh()) {
-        const Marks& marks = context.document.marks();
-        const auto visible =
-            mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
-        if (!visible.empty())
-            for (const auto& [caption, view] :
-                 {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}})
-                wanted.push_back({caption, render::camera_for(visible, view, kSmall, current.orthographic), kSmall});
-    }
+    if (const auto visible = visible_positions(context); !visible.empty())
+        for (const auto& [caption, view] :
+             {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}})
+            wanted.push_back({caption, render::camera_for(visible, view, kSmall, current.orthographic), kSmall});
     std::vector<ReportPicture> pictures;
     for (const Wanted& one : wanted) {
         RAMUS_TRY(image, context.picture.draw_picture(one.camera, one.size));
