@@ -172,17 +172,12 @@ Result<void> context_style(ActionContext& context, Arguments arguments) {
                       });
 }
 
-Result<void> set_visible(ActionContext& context, Arguments arguments, bool visible) {
+template <bool visible> Result<void> set_visible(ActionContext& context, Arguments arguments) {
     return change_one(context, arguments, 0, visible ? "context-show takes a number" : "context-hide takes a number",
-                      [&](auto& list, std::size_t i) {
+                      [](auto& list, std::size_t i) {
                           list[i].visible = visible;
                           return Result<void>{};
                       });
-}
-
-Result<void> context_show(ActionContext& context, Arguments arguments) { return set_visible(context, arguments, true); }
-Result<void> context_hide(ActionContext& context, Arguments arguments) {
-    return set_visible(context, arguments, false);
 }
 
 bool has_context(const Document& document) { return !document.marks().context.empty(); }
@@ -200,8 +195,8 @@ std::vector<Command> context_commands() {
             .when(has_tree),
         Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),
         Command("context-clear", "", "Takes all context meshes away.", context_clear).when(has_context),
-        Command("context-show", "N", "Shows the N-th context mesh again.", context_show).when(has_context),
-        Command("context-hide", "N", "Keeps the N-th context mesh, and does not show it.", context_hide)
+        Command("context-show", "N", "Shows the N-th context mesh again.", set_visible<true>).when(has_context),
+        Command("context-hide", "N", "Keeps the N-th context mesh, and does not show it.", set_visible<false>)
             .when(has_context),
         Command("context-opacity", "N X", "How dense the N-th context mesh is, from 0 to 1, which is solid.",
                 context_opacity)

@@ -24,12 +24,8 @@ struct LassoArguments {
 
 std::optional<glm::dvec2> pixel(const std::string& word) {
     constexpr double kFarthest = 1e6; // far outside of any picture, and still exact
-    const std::size_t comma = word.find(',');
-    if (comma == std::string::npos) return {};
-    const auto x = number_in(word.substr(0, comma), -kFarthest, kFarthest);
-    const auto y = number_in(word.substr(comma + 1), -kFarthest, kFarthest);
-    if (!x || !y) return {};
-    return glm::dvec2(*x, *y);
+    const auto numbers = numbers_in(word, 2, kFarthest);
+    return numbers ? std::optional(glm::dvec2((*numbers)[0], (*numbers)[1])) : std::nullopt;
 }
 
 Result<LassoArguments> read(Arguments arguments) {

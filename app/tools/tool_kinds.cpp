@@ -147,10 +147,8 @@ const std::vector<ToolKind>& tool_kinds() {
 }
 
 const ToolKind* find_tool(std::string_view name) {
-    const auto& kinds = tool_kinds();
-    const auto found =
-        std::find_if(kinds.begin(), kinds.end(), [&](const ToolKind& kind) { return kind.name == name; });
-    return found == kinds.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(tool_kinds(), name, &ToolKind::name);
+    return found == tool_kinds().end() ? nullptr : &*found;
 }
 
 } // namespace ramus::app
