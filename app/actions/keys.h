@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace ramus::app {
 
@@ -14,12 +13,8 @@ struct KeyPress {
     bool ctrl = false;
     bool shift = false;
     bool alt = false;
-    bool operator==(const KeyPress&) const = default;
 };
 
-// "Ctrl+Shift+Z" as a KeyPress.
-[[nodiscard]] KeyPress parse_key(std::string_view text);
-
-[[nodiscard]] std::string spelling(const KeyPress& press); // the other way
+[[nodiscard]] std::string spelling(const KeyPress& press);
 
 } // namespace ramus::app
