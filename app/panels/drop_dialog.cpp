@@ -16,11 +16,10 @@ bool draw_choice(const char* text, const char* words, const char* key, bool mark
     const float height = 2.0F * ImGui::GetTextLineHeight() + 18.0F * scale;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::PushStyleColor(ImGuiCol_Button, marked ? theme::kAccentDim : ImGui::GetStyleColorVec4(ImGuiCol_Button));
+    const ImVec4 ground = marked ? theme::kAccentDim : ImGui::GetStyleColorVec4(ImGuiCol_Button);
     ImGui::PushID(text);
-    const bool pressed = ImGui::Button("##choice", {width, height});
+    const bool pressed = widgets::button("##choice", {width, height}, ground);
     ImGui::PopID();
-    ImGui::PopStyleColor();
     widgets::note_item(text);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float left = std::round(at.x + 12.0F * scale), top = std::round(at.y + 8.0F * scale);

@@ -38,10 +38,8 @@ void draw_error_dialog(InterfaceContext& context) {
         another = ImGui::Button("Open another...", {other, 0.0F});
         ImGui::SameLine();
     }
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-    const bool closed =
-        ImGui::Button("Close", {width, 0.0F}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
-    ImGui::PopStyleColor();
+    const bool closed = widgets::button("Close", {width, 0.0F}, theme::kAccentDim) ||
+                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
     if (closed || another) {
         errors.pop_front();
         ImGui::CloseCurrentPopup();

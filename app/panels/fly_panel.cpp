@@ -99,10 +99,7 @@ void draw_title_row(InterfaceContext& context, const FlyPath& path) {
     widgets::quiet(passed.c_str());
     ImGui::SameLine(0.0F, 12.0F * scale);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * scale, 0.0F});
-    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-    if (ImGui::Button("Close", {close_width, 0.0F})) fly.open = fly.playing = false;
-    ImGui::PopStyleColor(2);
+    if (widgets::button("Close", {close_width, 0.0F}, theme::kNothing, theme::kQuiet)) fly.open = fly.playing = false;
     ImGui::PopStyleVar();
     widgets::tooltip("Ends the flight; the view stays", "Escape");
 }

@@ -64,9 +64,7 @@ Choice draw_entry(const RecoveryDialog::Entry& entry, float height) {
     if (ImGui::Button("Discard", {button, 0.0F})) choice = Choice::kDiscard;
     ImGui::SameLine();
     ImGui::BeginDisabled(!entry.problem.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-    if (ImGui::Button("Recover", {button, 0.0F})) choice = Choice::kRecover;
-    ImGui::PopStyleColor();
+    if (widgets::button("Recover", {button, 0.0F}, theme::kAccentDim)) choice = Choice::kRecover;
     ImGui::EndDisabled();
     ImGui::SetCursorPos(end);
     return choice;
@@ -141,9 +139,8 @@ void draw_unsaved_dialog(InterfaceContext& context) {
     ImGui::SameLine();
     const bool cancel = ImGui::Button("Cancel", {width, 0.0F});
     ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-    const bool save = ImGui::Button("Save", {width, 0.0F}) || pressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    ImGui::PopStyleColor();
+    const bool save =
+        widgets::button("Save", {width, 0.0F}, theme::kAccentDim) || pressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
     if (discard || cancel || save) {
         const auto next = std::exchange(dialog.next, nullptr);
         ImGui::CloseCurrentPopup();

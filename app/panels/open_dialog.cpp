@@ -221,11 +221,10 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
     ImGui::SameLine();
     ImGui::BeginDisabled(dialog.name[0] == '\0');
-    ImGui::PushStyleColor(ImGuiCol_Button, dialog.replace_asked ? theme::kTroubleDim : theme::kAccentDim);
     const char* save = dialog.purpose == FilePurpose::kExport ? "Export" : "Save";
-    wanted |= ImGui::Button(dialog.replace_asked ? "Replace" : save, {button_width, 0.0F});
+    wanted |= widgets::button(dialog.replace_asked ? "Replace" : save, {button_width, 0.0F},
+                              dialog.replace_asked ? theme::kTroubleDim : theme::kAccentDim);
     widgets::note_item("Write it");
-    ImGui::PopStyleColor();
     ImGui::EndDisabled();
     if (!wanted || dialog.name[0] == '\0') return {};
     fs::path target = dialog.named();
@@ -267,9 +266,7 @@ fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
     ImGui::SameLine();
     const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
     ImGui::BeginDisabled(!can_open);
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccentDim);
-    const bool opens = ImGui::Button("Open", {button_width, 0.0F});
-    ImGui::PopStyleColor();
+    const bool opens = widgets::button("Open", {button_width, 0.0F}, theme::kAccentDim);
     ImGui::EndDisabled();
     return opens ? dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name : fs::path();
 }

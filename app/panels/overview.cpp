@@ -238,11 +238,9 @@ void draw_header(InterfaceContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8.0F * scale, 0.0F});
     const auto choice = [&](const char* label, OverviewDepth depth, const char* setting, const char* help) {
         const bool chosen = overview.depth == depth;
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
-        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? ImGui::GetStyleColorVec4(ImGuiCol_ButtonHovered)
-                                                      : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
-        if (ImGui::Button(label)) context.perform("overview", {setting});
-        ImGui::PopStyleColor(2);
+        const ImVec4 ground = chosen ? ImGui::GetStyleColorVec4(ImGuiCol_ButtonHovered) : theme::kNothing;
+        if (widgets::button(label, {}, ground, chosen ? theme::kText : theme::kQuiet))
+            context.perform("overview", {setting});
         widgets::tooltip(help);
         ImGui::SameLine(0.0F, 2.0F * scale);
     };
@@ -259,10 +257,8 @@ void draw_header(InterfaceContext& context) {
     }
     ImGui::PopFont();
     widgets::align_right(close_width);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-    if (ImGui::Button("Close", {close_width, 0.0F})) context.perform("overview", {"off"});
-    ImGui::PopStyleColor(2);
+    if (widgets::button("Close", {close_width, 0.0F}, theme::kNothing, theme::kQuiet))
+        context.perform("overview", {"off"});
     widgets::tooltip("Opens again with", "T");
     ImGui::PopStyleVar();
 }

@@ -41,10 +41,7 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
     widgets::tooltip(shown == text ? help : text.c_str());
     ImGui::SameLine();
     widgets::align_right(cross);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-    if (ImGui::Button("\xC3\x97", {cross, 0.0F})) result = -1;
-    ImGui::PopStyleColor(2);
+    if (widgets::button("\xC3\x97", {cross, 0.0F}, theme::kNothing, theme::kQuiet)) result = -1;
     widgets::tooltip("Remove");
     return result;
 }

@@ -189,11 +189,10 @@ void draw_halves(InterfaceContext& context) {
     for (const bool planning : {false, true}) {
         if (planning) ImGui::SameLine();
         const bool chosen = context.interface.planning == planning;
-        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentDim : ImVec4(1.0F, 1.0F, 1.0F, 0.05F));
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
-        if (ImGui::Button(planning ? "Plan" : "Explore", {width, 0.0F}))
+        const ImVec4 ground = chosen ? theme::kAccentDim : ImVec4(1.0F, 1.0F, 1.0F, 0.05F);
+        if (widgets::button(planning ? "Plan" : "Explore", {width, 0.0F}, ground,
+                            chosen ? theme::kText : theme::kQuiet))
             context.perform("panel", {planning ? "plan" : "explore"});
-        ImGui::PopStyleColor(2);
         widgets::tooltip(planning ? "Lesions, cuts and measurements" : "Surface, selection and branches", "B");
     }
     ImGui::PopStyleVar();

@@ -20,6 +20,7 @@ inline const ImVec4 kTroubleDim{0.52F, 0.25F, 0.21F, 1.00F};
 inline const ImVec4 kPanel{0.098F, 0.106F, 0.122F, 1.00F};
 inline const ImVec4 kBar{0.082F, 0.090F, 0.104F, 1.00F};
 inline const ImVec4 kLine{0.18F, 0.195F, 0.22F, 1.00F};
+inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // the ground of a button without one
 
 // Sets colours and sizes of the current ImGui context and loads its fonts; upload them afterwards.
 void apply(float scale);

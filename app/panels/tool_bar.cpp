@@ -29,9 +29,8 @@ void draw_icon(const ToolKind& kind, ImVec2 at, float side, ImU32 colour) {
 void draw_button(InterfaceContext& context, const ToolKind& kind, float side) {
     const bool chosen = context.interface.tool_kind == &kind;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentDim : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
-    if (ImGui::Button(("##" + kind.name).c_str(), {side, side})) context.perform("tool", {kind.name});
-    ImGui::PopStyleColor();
+    if (widgets::button(("##" + kind.name).c_str(), {side, side}, chosen ? theme::kAccentDim : theme::kNothing))
+        context.perform("tool", {kind.name});
     draw_icon(kind, at, side, ImGui::GetColorU32(chosen || ImGui::IsItemHovered() ? theme::kText : theme::kQuiet));
     widgets::tooltip(kind.label.c_str(), kind.keys.empty() ? nullptr : kind.keys.front().c_str());
 }
@@ -44,11 +43,9 @@ void draw_switch(InterfaceContext& context, std::string_view name, std::initiali
     for (const Command& command : command_table()) {
         if (command.name != name || command.scripted()) continue;
         const bool chosen = command.in_use(context.actions, command);
-        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme::kAccentDim : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme::kText : theme::kQuiet);
-        if (ImGui::Button(*text, {ImGui::CalcTextSize(*text).x + 16.0F * theme::scale(), height}))
+        if (widgets::button(*text, {ImGui::CalcTextSize(*text).x + 16.0F * theme::scale(), height},
+                            chosen ? theme::kAccentDim : theme::kNothing, chosen ? theme::kText : theme::kQuiet))
             context.perform(command);
-        ImGui::PopStyleColor(2);
         ImGui::PopFont();
         widgets::tooltip(command.help.c_str());
         ImGui::PushFont(theme::small_font());

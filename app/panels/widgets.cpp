@@ -75,6 +75,14 @@ void section(const char* title) {
     ImGui::Dummy({0.0F, 1.0F * theme::scale()});
 }
 
+bool button(const char* text, const ImVec2& size, const ImVec4& ground, const ImVec4& words) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ground);
+    ImGui::PushStyleColor(ImGuiCol_Text, words);
+    const bool pressed = ImGui::Button(text, size);
+    ImGui::PopStyleColor(2);
+    return pressed;
+}
+
 bool small_button(const char* text, const char* help) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7.0F * theme::scale(), 2.0F * theme::scale()});
     const bool pressed = ImGui::Button(text);

@@ -1,6 +1,8 @@
 // The few widgets that the panels share, so that they align and look alike.
 #pragma once
 
+#include "app/panels/theme.h"
+
 #include <array>
 #include <glm/vec4.hpp>
 #include <imgui.h>
@@ -22,6 +24,7 @@ void heading(const char* text);
 void rule();                     // a line across a panel, between its parts
 void section(const char* title); // the same, and the title of what follows
 bool small_button(const char* text, const char* help);
+bool button(const char* text, const ImVec2& size, const ImVec4& ground, const ImVec4& words = theme::kText);
 struct TitleButton {
     const char *text, *help, *command;
     std::vector<std::string> words{}; // of the command
