@@ -355,11 +355,7 @@ void draw_branch_list(InterfaceContext& context) {
             ImGui::TableSetColumnIndex(kId);
             widgets::quiet("none");
         }
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(list.rows.size()));
-        while (clipper.Step())
-            for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
-                draw_row(context, list.rows[static_cast<std::size_t>(row)]);
+        widgets::clipped(list.rows.size(), [&](std::size_t row) { draw_row(context, list.rows[row]); });
         ImGui::EndTable();
     }
     ImGui::PopFont();

@@ -102,11 +102,7 @@ void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, floa
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         ImGui::TableHeadersRow();
         ImGui::PopStyleColor();
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(list.size()));
-        while (clipper.Step())
-            for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n)
-                draw_row(context, list[static_cast<std::size_t>(n)], static_cast<std::size_t>(n));
+        widgets::clipped(list.size(), [&](std::size_t n) { draw_row(context, list[n], n); });
         ImGui::EndTable();
     }
     ImGui::PopFont();

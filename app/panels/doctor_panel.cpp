@@ -201,11 +201,9 @@ void draw_group(InterfaceContext& context, const tree::NoteGroup& group) {
     if (few) {
         for (const std::size_t index : group.notes) draw_note(context, index, true);
     } else if (open) {
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(group.notes.size()), ImGui::GetTextLineHeightWithSpacing());
-        while (clipper.Step())
-            for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n)
-                draw_note(context, group.notes[static_cast<std::size_t>(n)], false);
+        widgets::clipped(
+            group.notes.size(), [&](std::size_t n) { draw_note(context, group.notes[n], false); },
+            ImGui::GetTextLineHeightWithSpacing());
     }
     ImGui::PopID();
 }

@@ -133,27 +133,23 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
             ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
             ImGui::TableHeadersRow();
             ImGui::PopStyleColor();
-            ImGuiListClipper clipper;
-            clipper.Begin(static_cast<int>(band.rows.size()));
-            while (clipper.Step())
-                for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
-                    const measure::BandRow& row = band.rows[static_cast<std::size_t>(n)];
-                    ImGui::TableNextRow();
+            widgets::clipped(band.rows.size(), [&](std::size_t n) {
+                const measure::BandRow& row = band.rows[n];
+                ImGui::TableNextRow();
+                ImGui::TableNextColumn();
+                ImGui::PushID(row.branch);
+                const bool selected = is_selected(context.workspace.document.marks(), row.branch);
+                const std::string name = branch_name(context.workspace.document, row.branch);
+                if (ImGui::Selectable(name.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns))
+                    go_to(context, row.branch);
+                if (ImGui::IsItemHovered()) context.interface.listed = row.branch;
+                ImGui::PopID();
+                for (const std::string& text : {digits(row.mean_diameter_mm), digits(row.distance_mm, 2),
+                                                grouped(static_cast<std::uint64_t>(row.dependents.branches))}) {
                     ImGui::TableNextColumn();
-                    ImGui::PushID(row.branch);
-                    const bool selected = is_selected(context.workspace.document.marks(), row.branch);
-                    const std::string name = branch_name(context.workspace.document, row.branch);
-                    if (ImGui::Selectable(name.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns))
-                        go_to(context, row.branch);
-                    if (ImGui::IsItemHovered()) context.interface.listed = row.branch;
-                    ImGui::PopID();
-                    ImGui::TableNextColumn();
-                    ImGui::TextUnformatted(digits(row.mean_diameter_mm).c_str());
-                    ImGui::TableNextColumn();
-                    ImGui::TextUnformatted(digits(row.distance_mm, 2).c_str());
-                    ImGui::TableNextColumn();
-                    ImGui::TextUnformatted(grouped(static_cast<std::uint64_t>(row.dependents.branches)).c_str());
+                    ImGui::TextUnformatted(text.c_str());
                 }
+            });
             ImGui::EndTable();
         }
         ImGui::PopFont();

@@ -54,6 +54,14 @@ void note_controls(Controls* controls);
 void note(const char* words, const ImVec2& from, const ImVec2& to);
 void note_item(const char* words); // the last one drawn
 
+// Calls row(n) for those of `count` rows that can be seen; `height`: of each, else that of the first.
+template <class Row> void clipped(std::size_t count, const Row& row, float height = -1.0F) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), height);
+    while (clipper.Step())
+        for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) row(static_cast<std::size_t>(n));
+}
+
 // As ImGui's lists of lines and boxes take colours.
 [[nodiscard]] inline ImU32 packed(const glm::vec4& colour) {
     return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w});
