@@ -7,12 +7,12 @@
 
 namespace ramus::app::widgets {
 
-void begin_row(const char* label, const char* help) {
+void begin_row(const char* label, const char* help, float width) {
     ImGui::AlignTextToFramePadding();
     quiet(label);
     tooltip(help);
     ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
-    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::SetNextItemWidth(width);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     note(help, at, {at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetFrameHeight()});
     ImGui::PushID(label);

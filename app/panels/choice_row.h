@@ -9,7 +9,7 @@
 namespace ramus::app::widgets {
 
 // The label; the next item fills the row. ImGui::PopID() ends it.
-void begin_row(const char* label, const char* help);
+void begin_row(const char* label, const char* help, float width = -1.0F);
 
 // A list to choose from, of values and their words; returns the value that was chosen.
 [[nodiscard]] std::optional<std::string> choice_row(const char* label, const char* help, const std::string& now,

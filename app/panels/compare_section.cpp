@@ -119,13 +119,9 @@ void draw_compare(InterfaceContext& context) {
         }
         if (comparison.mode == Mode::kWipe) {
             widgets::Slider<float>& wipe = context.interface.editing.wipe;
-            const bool changed = widgets::slider_row(
+            const bool changed = widgets::share_row(
                 "Line", "Where the line is, of the picture's width; it is dragged in the picture too", wipe,
-                static_cast<float>(comparison.wipe),
-                [&](float& value) {
-                    ImGui::SliderFloat("##slider", &value, 0.0F, 1.0F, "", ImGuiSliderFlags_AlwaysClamp);
-                },
-                [](float value) { return std::to_string(std::lround(100.0F * value)) + " %"; });
+                comparison.wipe);
             if (wipe.held) context.interface.tried_wipe = wipe.value;
             if (changed) context.perform("compare-wipe", {digits(wipe.value, 4)});
         }

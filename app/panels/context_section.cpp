@@ -66,10 +66,7 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
     const bool waits = item.visible && !trouble && !gave_up && !assets.context_shape(source);
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4.0F * theme::scale(), 2.0F * theme::scale()});
-    if (widgets::icon_button("eye", item.visible, item.visible ? "Hide" : "Show",
-                             [&](ImDrawList& list, const ImVec2& at, float unit, ImU32 colour) {
-                                 widgets::draw_eye(list, at, unit, colour, item.visible);
-                             }))
+    if (widgets::eye_button(item.visible, item.visible ? "Hide" : "Show"))
         context.perform(item.visible ? "context-hide" : "context-show", {n});
     ImGui::SameLine();
     draw_swatch(context, item, number, trial);

@@ -4,7 +4,7 @@
 
 namespace ramus::app::widgets {
 
-void draw_eye(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour, bool open) {
+static void draw_eye(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour, bool open) {
     const float half = 7.0F * unit, lid = 5.5F * unit;
     const ImVec2 left(at.x - half, at.y), right(at.x + half, at.y);
     list.AddBezierQuadratic(left, {at.x, at.y - 2.0F * lid}, right, colour, 1.3F * unit, 16);
@@ -13,6 +13,12 @@ void draw_eye(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour, bool
     if (!open)
         list.AddLine({at.x - 5.5F * unit, at.y + 5.5F * unit}, {at.x + 5.5F * unit, at.y - 5.5F * unit}, colour,
                      1.3F * unit);
+}
+
+bool eye_button(bool open, const char* help) {
+    return icon_button("eye", open, help, [open](ImDrawList& list, const ImVec2& at, float unit, ImU32 colour) {
+        draw_eye(list, at, unit, colour, open);
+    });
 }
 
 bool colour_swatch(std::array<std::uint8_t, 3>& colour) {

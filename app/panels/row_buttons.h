@@ -29,7 +29,7 @@ template <class Draw> bool icon_button(const char* id, bool on, const char* help
     return pressed;
 }
 
-void draw_eye(ImDrawList& list, const ImVec2& at, float unit, ImU32 colour, bool open);
+bool eye_button(bool open, const char* help);
 
 // A swatch that opens a picker, the popup "colour" of the row; true: `colour` was changed in it. What the picker ends
 // with, once the popup has closed, is for the row to take over as one step of undo.

@@ -2,6 +2,7 @@
 // it says while it is held is there to be tried.
 #pragma once
 
+#include "app/panels/choice_row.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 
@@ -21,12 +22,7 @@ template <class T, class Draw, class AsText>
 bool slider_row(const char* label, const char* help, Slider<T>& slider, T current, const Draw& draw,
                 const AsText& as_text) {
     if (!slider.held) slider.value = current;
-    ImGui::AlignTextToFramePadding();
-    quiet(label);
-    tooltip(help);
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 70.0F * theme::scale());
-    ImGui::SetNextItemWidth(-40.0F * theme::scale());
-    ImGui::PushID(label);
+    begin_row(label, help, -40.0F * theme::scale());
     draw(slider.value);
     note_item(help);
     slider.held = ImGui::IsItemActive();

@@ -39,10 +39,7 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
     const std::string name = system_name(systems, system);
     const bool visible = facts.visible > 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4.0F * theme::scale(), 2.0F * theme::scale()});
-    if (widgets::icon_button("eye", visible, ((visible ? "Hide " : "Show ") + name).c_str(),
-                             [&](ImDrawList& list, const ImVec2& at, float unit, ImU32 colour) {
-                                 widgets::draw_eye(list, at, unit, colour, visible);
-                             }))
+    if (widgets::eye_button(visible, ((visible ? "Hide " : "Show ") + name).c_str()))
         context.perform(visible ? "hide-system" : "show-system", {number});
     ImGui::SameLine();
     draw_swatch(context, shown_colour(systems, system), system);
