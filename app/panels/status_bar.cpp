@@ -22,10 +22,10 @@ int branch_at_hand(const InterfaceContext& context) {
     return selection.size() == 1 ? selection.front() : tree::kNoBranch;
 }
 
-void draw_hint(const std::string& hint, float width) {
-    const std::string shown = widgets::fitted(hint, width);
-    widgets::quiet(shown.c_str());
-    if (shown != hint) widgets::tooltip(hint.c_str());
+void draw_sentence(const std::string& sentence, float width, const ImVec4& colour = theme::kQuiet) {
+    const std::string shown = widgets::fitted(sentence, width);
+    ImGui::TextColored(colour, "%s", shown.c_str());
+    if (shown != sentence) widgets::tooltip(sentence.c_str());
 }
 
 void draw_path(InterfaceContext& context, float right_edge) {
@@ -33,8 +33,8 @@ void draw_path(InterfaceContext& context, float right_edge) {
     const auto& tree = context.workspace.document.tree();
     if (branch == tree::kNoBranch || !tree) {
         if (tree)
-            draw_hint("Drag to turn, wheel to zoom, click to select, F1 for all keys",
-                      right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale());
+            draw_sentence("Drag to turn, wheel to zoom, click to select, F1 for all keys",
+                          right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale());
         return;
     }
     const std::vector<int> path = path_to(*tree, branch);
@@ -70,14 +70,6 @@ void draw_path(InterfaceContext& context, float right_edge) {
         ImGui::SameLine(0.0F, 0.0F);
         link(path[i], i + 1 == path.size());
     }
-}
-
-void draw_notice(const Notice& notice, float width) {
-    ImGui::PushStyleColor(ImGuiCol_Text, notice.trouble ? theme::kTrouble : theme::kText);
-    const std::string shown = widgets::fitted(notice.text, width);
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::PopStyleColor();
-    if (shown != notice.text) widgets::tooltip(notice.text.c_str());
 }
 
 float draw_progress(InterfaceContext& context) {
@@ -150,10 +142,12 @@ void draw_status_bar(InterfaceContext& context) {
     const float edge =
         context.workspace.busy() || context.commands.busy() ? draw_progress(context) : draw_facts(context);
     ImGui::SetCursorPos(left);
-    if (context.now < context.interface.notice.until)
-        draw_notice(context.interface.notice, edge - left.x - 24.0F * theme::scale());
+    const Notice& notice = context.interface.notice;
+    const float room = edge - left.x - 24.0F * theme::scale();
+    if (context.now < notice.until)
+        draw_sentence(notice.text, room, notice.trouble ? theme::kTrouble : theme::kText);
     else if (context.interface.tool)
-        draw_hint(context.interface.tool->hint(), edge - left.x - 24.0F * theme::scale());
+        draw_sentence(context.interface.tool->hint(), room);
     else
         draw_path(context, edge);
     ImGui::End();
