@@ -1,10 +1,10 @@
 #include "app/window/headless_interface.h"
 
+#include "app/window/imgui_renderer.h"
 #include "app/window/viewer.h"
 #include "render/gl/gl_objects.h"
 
 #include <chrono>
-#include <imgui.h>
 #include <optional>
 #include <thread>
 
@@ -12,10 +12,7 @@ namespace ramus::app {
 
 Result<render::Image> picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size,
                                              float scale, const std::function<Result<void>(ActionContext&)>& prepare) {
-    struct Context {
-        Context() { ImGui::CreateContext(); }
-        ~Context() { ImGui::DestroyContext(); }
-    } const imgui;
+    const ImguiContext imgui;
     if (auto possible = render::check_size(size.x, size.y); !possible) return tl::unexpected(possible.error());
     render::PictureTarget target;
     try {

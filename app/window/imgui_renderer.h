@@ -12,6 +12,13 @@
 
 namespace ramus::app {
 
+struct ImguiContext {
+    ImguiContext() { ImGui::CreateContext(); }
+    ~ImguiContext() { ImGui::DestroyContext(); }
+    ImguiContext(const ImguiContext&) = delete;
+    ImguiContext& operator=(const ImguiContext&) = delete;
+};
+
 class ImguiRenderer {
 public:
     // Needs a current context, and an ImGui context whose fonts upload_fonts() then takes.

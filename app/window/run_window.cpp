@@ -8,6 +8,7 @@
 #include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
 #include "app/window/glfw_window.h"
+#include "app/window/imgui_renderer.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
 #include "core/io/output_file.h"
@@ -116,13 +117,6 @@ int complain(const Error& error) {
     std::cerr << "ramus: " << error.message() << '\n';
     return 1;
 }
-
-struct ImguiContext {
-    ImguiContext() { ImGui::CreateContext(); }
-    ~ImguiContext() { ImGui::DestroyContext(); }
-    ImguiContext(const ImguiContext&) = delete;
-    ImguiContext& operator=(const ImguiContext&) = delete;
-};
 
 std::optional<std::filesystem::path> first_file(const WindowOptions& options) {
     if (!options.session.empty()) return options.session;
