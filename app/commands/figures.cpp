@@ -9,7 +9,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -153,19 +152,6 @@ void label(render::Sheet& sheet, std::size_t view, bool table) {
     if (view > 0) sheet.heading.clear();
 }
 
-void fill(render::Image& picture, const glm::vec3& colour) {
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-        for (int k = 0; k < 3; ++k)
-            picture.rgba[i + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255.0F * colour[k]));
-        picture.rgba[i + 3] = 255;
-    }
-}
-
-void put(render::Image& onto, const render::Image& image, glm::ivec2 at) {
-    for (int y = 0; y < image.height; ++y)
-        std::memcpy(onto.pixel(at.x, at.y + y), image.pixel(0, y), 4 * static_cast<std::size_t>(image.width));
-}
-
 } // namespace
 
 void add_figure_flags(CLI::App& command, FigureFlags& flags) {
@@ -240,14 +226,14 @@ Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const Com
     const bool table = side_by_side(composed) && below == (grid.count.x > 1);
     render::Image picture(size.x, size.y);
     if (side_by_side(composed) && !composed.viewports.front().frame.background.transparent)
-        fill(picture, composed.divider);
+        picture.fill(composed.divider);
     for (std::size_t i = 0; i < kViews.size(); ++i) {
         render::Sheet one = composed;
         look_from(one, cameras[i]);
         label(one, i, table);
         auto image = draw_figure(renderer, std::move(one), flags);
         if (!image) return image;
-        put(picture, *image, grid.at(static_cast<int>(i)));
+        picture.put(*image, grid.at(static_cast<int>(i)));
     }
     return picture;
 }

@@ -35,6 +35,18 @@ int largest_difference(const std::uint8_t* a, const std::uint8_t* b) {
 
 } // namespace
 
+void Image::fill(const glm::vec3& srgb) {
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (int k = 0; k < 3; ++k)
+            rgba[i + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255.0F * srgb[k]));
+        rgba[i + 3] = 255;
+    }
+}
+
+void Image::put(const Image& other, glm::ivec2 at) {
+    for (int y = 0; y < other.height; ++y) std::copy_n(other.pixel(0, y), 4 * other.width, pixel(at.x, at.y + y));
+}
+
 Result<Image> read_png(const std::filesystem::path& path) {
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) return fail("cannot be opened", path.string(), "check the path");

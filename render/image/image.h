@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct Image {
                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
     }
     [[nodiscard]] const std::uint8_t* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
+    void fill(const glm::vec3& srgb);            // opaque
+    void put(const Image& other, glm::ivec2 at); // all of it, its upper left corner there
     bool operator==(const Image&) const = default;
 };
 

@@ -5,8 +5,6 @@
 #include "render/renderer/passes/overlay_passes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <glad/gl.h>
 
 namespace ramus::render {
@@ -102,18 +100,9 @@ Image SheetRenderer::read_image() {
     Image sheet(shown_.size.x, shown_.size.y);
     const bool clear =
         std::ranges::any_of(shown_.viewports, [](const auto& p) { return p.frame.background.transparent; });
-    for (std::size_t i = 0; i < sheet.rgba.size() && !clear; i += 4) {
-        for (int k = 0; k < 3; ++k)
-            sheet.rgba[i + static_cast<std::size_t>(k)] =
-                static_cast<std::uint8_t>(std::lround(255.0F * shown_.divider[k]));
-        sheet.rgba[i + 3] = 255;
-    }
-    for (std::size_t i = 0; i < shown_.viewports.size(); ++i) {
-        const Image image = renderer(i).read_image();
-        const glm::ivec2 at = shown_.viewports[i].at;
-        for (int y = 0; y < image.height; ++y)
-            std::memcpy(sheet.pixel(at.x, at.y + y), image.pixel(0, y), 4 * static_cast<std::size_t>(image.width));
-    }
+    if (!clear) sheet.fill(shown_.divider);
+    for (std::size_t i = 0; i < shown_.viewports.size(); ++i)
+        sheet.put(renderer(i).read_image(), shown_.viewports[i].at);
     return sheet;
 }
 
