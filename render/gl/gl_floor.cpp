@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <type_traits>
 #include <unordered_map>
 
 namespace ramus::render {
@@ -75,19 +76,14 @@ using DrawnInto = BoundForNow<GL_DRAW_FRAMEBUFFER_BINDING, draw_into, GL_DRAW_FR
 void bind_array(GLuint array) { glBindVertexArray(array); }
 using ArrayBound = BoundForNow<GL_VERTEX_ARRAY_BINDING, bind_array, GL_ELEMENT_ARRAY_BUFFER>;
 
-// Makes `function`, which names its object, call `older`, whose other parameters are the same.
+// Makes `function`, which names its object, call `older`, whose other parameters are the same; some take no target.
 template <class Bind, auto& older> void put_in_terms_of(auto& function) {
     function = [](GLuint id, auto... values) {
         const Bind here(id);
-        return older(here.target, values...);
-    };
-}
-
-// The same where `older` takes no target.
-template <class Bind, auto& older> void put_within(auto& function) {
-    function = [](GLuint id, auto... values) {
-        const Bind here(id);
-        return older(values...);
+        if constexpr (std::is_invocable_v<decltype(older), GLenum, decltype(values)...>)
+            return older(here.target, values...);
+        else
+            return older(values...);
     };
 }
 
@@ -250,8 +246,8 @@ void install_gl_floor(int version, const void* context) {
     create_by<DrawnInto, glad_glGenFramebuffers>(glad_glCreateFramebuffers);
     put_in_terms_of<DrawnInto, glad_glFramebufferTexture>(glad_glNamedFramebufferTexture);
     put_in_terms_of<DrawnInto, glad_glFramebufferTextureLayer>(glad_glNamedFramebufferTextureLayer);
-    put_within<DrawnInto, glad_glDrawBuffers>(glad_glNamedFramebufferDrawBuffers);
-    put_within<DrawnInto, glad_glCheckFramebufferStatus>(glad_glCheckNamedFramebufferStatus);
+    put_in_terms_of<DrawnInto, glad_glDrawBuffers>(glad_glNamedFramebufferDrawBuffers);
+    put_in_terms_of<DrawnInto, glad_glCheckFramebufferStatus>(glad_glCheckNamedFramebufferStatus);
     glad_glBlitNamedFramebuffer = blit_framebuffer;
     create_by<ArrayBound, glad_glGenVertexArrays>(glad_glCreateVertexArrays);
     forget_on<&Names::sources>(glad_glDeleteVertexArrays);
@@ -260,7 +256,7 @@ void install_gl_floor(int version, const void* context) {
     glad_glVertexArrayAttribFormat = vertex_array_format;
     glad_glVertexArrayAttribIFormat = vertex_array_integer_format;
     glad_glVertexArrayAttribBinding = [](GLuint, GLuint, GLuint) {}; // there is one buffer
-    put_within<ArrayBound, glad_glEnableVertexAttribArray>(glad_glEnableVertexArrayAttrib);
+    put_in_terms_of<ArrayBound, glad_glEnableVertexAttribArray>(glad_glEnableVertexArrayAttrib);
     glad_glClipControl = [](GLenum, GLenum) {}; // shaders see to it
     install_uniform_floor(version, context);
 }
