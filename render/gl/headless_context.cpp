@@ -123,10 +123,14 @@ std::vector<EGLDeviceEXT> device_handles() {
     return devices;
 }
 
+// Empty: the device does not say.
+std::string_view text_of(EGLDeviceEXT device, EGLint what) {
+    const char* text = egl().query_device_string != nullptr ? egl().query_device_string(device, what) : nullptr;
+    return text != nullptr ? text : "";
+}
+
 bool is_software(EGLDeviceEXT device) {
-    const char* const extensions =
-        egl().query_device_string != nullptr ? egl().query_device_string(device, EGL_EXTENSIONS) : nullptr;
-    return extensions != nullptr && std::string_view(extensions).find("software") != std::string_view::npos;
+    return text_of(device, EGL_EXTENSIONS).find("software") != std::string_view::npos;
 }
 
 class EglGlContext final : public GlContext {
@@ -199,19 +203,14 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
     if (!osmesa().complete) return fail("OSMesa is not there", RAMUS_OSMESA, remedy + ", or use --backend egl");
     for (const GlVersion version : kAskedFor) {
         const bool any = version == GlVersion{};
-        const std::array<int, 13> attributes{OSMESA_FORMAT,
-                                             OSMESA_RGBA,
-                                             OSMESA_DEPTH_BITS,
-                                             0,
-                                             OSMESA_STENCIL_BITS,
-                                             0,
-                                             any ? 0 : OSMESA_PROFILE,
-                                             OSMESA_CORE_PROFILE,
-                                             OSMESA_CONTEXT_MAJOR_VERSION,
-                                             version.major,
-                                             OSMESA_CONTEXT_MINOR_VERSION,
-                                             version.minor,
-                                             0};
+        const std::array<int, 7> attributes{
+            any ? 0 : OSMESA_PROFILE, // neither depths nor stencil if they are not named
+            OSMESA_CORE_PROFILE,
+            OSMESA_CONTEXT_MAJOR_VERSION,
+            version.major,
+            OSMESA_CONTEXT_MINOR_VERSION,
+            version.minor,
+            0};
         OSMesaContext handle = osmesa().create_context(attributes.data(), nullptr);
         if (handle != nullptr) return made_current(std::make_unique<OsMesaGlContext>(handle));
     }
@@ -221,9 +220,8 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
 std::vector<std::string> egl_devices() {
     std::vector<std::string> found;
     for (EGLDeviceEXT device : device_handles()) {
-        const char* name =
-            egl().query_device_string != nullptr ? egl().query_device_string(device, EGL_DRM_DEVICE_FILE_EXT) : nullptr;
-        found.emplace_back(name != nullptr ? name : is_software(device) ? "software" : "a device without a name");
+        const std::string_view name = text_of(device, EGL_DRM_DEVICE_FILE_EXT);
+        found.emplace_back(!name.empty() ? name : is_software(device) ? "software" : "a device without a name");
     }
     return found;
 }
