@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 namespace ramus::render {
 
@@ -68,24 +69,17 @@ private:
     }
 
     std::string without_number(const std::string& line) {
-        static const std::regex uniform(R"(^layout\(location = (\d+)\) uniform (\w+ (\w+).*)$)");
-        static const std::regex sampler(R"(^layout\(binding = (\d+)\) uniform (\w+ (\w+).*)$)");
-        static const std::regex block(R"(^layout\(std140, binding = (\d+)\) uniform ((\w+).*)$)");
+        using Named = std::vector<ShaderText::Numbered>;
+        static const std::tuple<std::regex, Named ShaderText::*, const char*> kinds[] = {
+            {std::regex(R"(^layout\(location = (\d+)\) uniform (\w+ (\w+).*)$)"), &ShaderText::uniforms, "uniform "},
+            {std::regex(R"(^layout\(binding = (\d+)\) uniform (\w+ (\w+).*)$)"), &ShaderText::samplers, "uniform "},
+            {std::regex(R"(^layout\(std140, binding = (\d+)\) uniform ((\w+).*)$)"), &ShaderText::blocks,
+             "layout(std140) uniform "}};
         std::smatch match;
-        const auto note = [&](std::vector<ShaderText::Numbered>& named) {
-            named.push_back({match[3], std::stoi(match[1])});
-        };
-        if (std::regex_match(line, match, uniform)) {
-            note(text_.uniforms);
-            return "uniform " + match[2].str();
-        }
-        if (std::regex_match(line, match, sampler)) {
-            note(text_.samplers);
-            return "uniform " + match[2].str();
-        }
-        if (std::regex_match(line, match, block)) {
-            note(text_.blocks);
-            return "layout(std140) uniform " + match[2].str();
+        for (const auto& [numbered, named, unnumbered] : kinds) {
+            if (!std::regex_match(line, match, numbered)) continue;
+            (text_.*named).push_back({match[3], std::stoi(match[1])});
+            return unnumbered + match[2].str();
         }
         return line;
     }
