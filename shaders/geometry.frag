@@ -29,11 +29,10 @@ void main() {
 #endif
     uint id = uint(branch + 1);
     vec3 normal = normalize(normal_eye);
-#ifndef LINE
-    if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0); // a lid, where glass begins
-#endif
 #ifdef LINE
     id |= kLine;
+#else
+    if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0); // a lid, where glass begins
 #endif
     surface = uvec2(id, packSnorm2x16(octahedral(normal)));
 }

@@ -13,10 +13,8 @@ layout(location = 0) out float occlusion;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(opaque_depth, pixel, 0).x;
-    if (depth >= kNothing) {
-        occlusion = 0.0;
-        return;
-    }
+    occlusion = 0.0;
+    if (depth >= kNothing) return;
     vec3 centre = eye_position(gl_FragCoord.xy, depth);
     vec3 n = unpack_normal(texelFetch(id_normal, pixel, 0).y) * vec3(1.0, 1.0, -1.0); // depth is +z here
     float turn = first_turn(pixel.x, pixel.y) + 0.39269908 * turned;

@@ -11,10 +11,8 @@ layout(location = 0) out float blurred;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(opaque_depth, pixel, 0).x;
-    if (depth >= kNothing) {
-        blurred = 0.0;
-        return;
-    }
+    blurred = 0.0;
+    if (depth >= kNothing) return;
     float per_tolerance = blur_tolerance_inverse(depth);
     ivec2 last = ivec2(picture.xy) - 1;
     float sum = 0.0, weights = 0.0;

@@ -38,11 +38,10 @@ std::uint64_t draw_shape(const Shape& shape, GLuint number, const glm::dmat4& to
     glUniformMatrix4fv(kUniformToClip, 1, GL_FALSE, glm::value_ptr(glm::mat4(to_clip)));
     glUniformMatrix3fv(kUniformToEye, 1, GL_FALSE, glm::value_ptr(view.to_eye));
     glUniform1ui(kUniformNumber, number);
-    if (shape.closed())
-        glEnable(GL_CULL_FACE);
-    else
-        glDisable(GL_CULL_FACE);
-    return shape.draw();
+    if (!shape.closed()) glDisable(GL_CULL_FACE);
+    const std::uint64_t triangles = shape.draw();
+    glEnable(GL_CULL_FACE);
+    return triangles;
 }
 
 } // namespace
@@ -151,7 +150,6 @@ std::uint64_t ContextPass::draw_opaque(const Subject& subject, const ViewSetup& 
         glUseProgram(opaque_);
         triangles += draw_shape(*shape, number_of(i), view.clip_from(shape->bounds().centre()), view);
     }
-    glEnable(GL_CULL_FACE);
     return triangles;
 }
 
@@ -178,7 +176,6 @@ std::uint64_t ContextPass::draw_context(const Subject& subject, const ViewSetup&
         const glm::dmat4& to_clip = shape->lines() ? lines_to_clip : view.to_clip;
         triangles += draw_shape(*shape, number_of(i), glm::translate(to_clip, shape->bounds().centre()), view);
     }
-    glEnable(GL_CULL_FACE);
     return triangles;
 }
 
@@ -199,7 +196,6 @@ std::uint64_t ContextPass::draw_lesions(const Subject& subject, const ViewSetup&
         const Shape* shape = subject.scene.shapes().of(lesion);
         draw(shape, shape != nullptr ? shape->bounds().centre() : glm::dvec3(0.0), 1.0);
     }
-    glEnable(GL_CULL_FACE);
     return triangles;
 }
 
