@@ -8,6 +8,7 @@
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
+#include "core/tree/curves.h"
 
 #include <algorithm>
 #include <memory>
@@ -110,27 +111,36 @@ Error at_memory_end() {
 PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options) {
     PreparedTree prepared = tree::prune(source, options.prune_ratio);
     prepared.tree = tree::smooth(std::move(prepared.tree), options.smooth_passes);
-    prepared.centerline = options.centerline;
-    return prepared;
+    // Truncated cones are the paper's: one for each segment.
+    if (options.centerline == tree::Centerline::kLines || options.method == Method::kTruncatedCones) return prepared;
+    // Numbers of pieces stay what they are, whatever is pruned.
+    const std::vector<std::uint8_t> pieces = tree::pieces_of_curves(
+        prepared.segment_index.empty() ? prepared.tree : tree::smooth(source, options.smooth_passes));
+    return tree::along_curves(std::move(prepared), pieces);
 }
 
 namespace {
 
+// Of all trees that pruning may leave. Pruning may take the thinnest vessel, or the one that reaches farthest; bounds
+// of the tree as it came hold what smoothing makes of any part of it.
+field::Frame frame_of_all_parts(const tree::VesselTree& source, SurfaceOptions options, double support_radii) {
+    const auto frame_of = [&](int smooth_passes) {
+        options.smooth_passes = smooth_passes;
+        return field::Skeleton(prepare_tree(source, options), support_radii).frame();
+    };
+    options.prune_ratio = 0.0;
+    const double thinnest = frame_of(options.smooth_passes).thinnest;
+    options.centerline = tree::Centerline::kLines; // curves stay within the hull of their points
+    field::Frame frame = frame_of(0);
+    frame.thinnest = thinnest;
+    return frame;
+}
+
 field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceOptions& options,
                                   const PreparedTree& prepared) {
     if (!(options.prune_ratio > 0.0)) return {prepared, options.width};
-    // Pruning may take the thinnest vessel, or the one that reaches farthest; bounds of the tree as it came hold what
-    // smoothing makes of any part of it.
-    SurfaceOptions unpruned = options;
-    unpruned.prune_ratio = 0.0;
     const field::Kernel kernel = field::gaussian(options.width);
-    const auto frame_of = [&](const SurfaceOptions& o) {
-        return field::Skeleton(prepare_tree(source, o), kernel.support_radii).frame();
-    };
-    const field::Frame smoothed = frame_of(unpruned);
-    unpruned.smooth_passes = 0;
-    field::Frame frame = frame_of(unpruned);
-    frame.thinnest = smoothed.thinnest;
+    const field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii);
     return {field::Skeleton(prepared, kernel.support_radii, frame), kernel};
 }
 

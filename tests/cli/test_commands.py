@@ -39,7 +39,8 @@ class Sessions(CommandLineTest):
         self.tree = self.write("tree.swc", GOOD)
 
     def session(self, *hidden, **options):
-        names = {"smooth": 1, "prune": 0.0, "width": 5.0, "detail": 16, "method": "cs", **options}
+        names = {"smooth": 1, "prune": 0.0, "width": 5.0, "detail": 16, "method": "cs", "centerline": "smooth",
+                 **options}
         return self.write("session.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"},
                                                       "states": {"hidden": list(hidden)}, "options": names}))
 

@@ -14,7 +14,7 @@ using namespace ramus;
 TEST_CASE("a vertex belongs to the branch that adds most to the field there, as clearly as it says") {
     const tree::VesselTree tree = test::grown_tree(150).value();
     Job job;
-    const mesh::SurfaceOptions options{.blend = mesh::Blend::kPaper};
+    const mesh::SurfaceOptions options{.blend = mesh::Blend::kPaper, .centerline = tree::Centerline::kLines};
     const auto surface = mesh::make_surface(tree, options, job);
     REQUIRE(surface.has_value());
     const mesh::TriangleMesh& mesh = surface->mesh;

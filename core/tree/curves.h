@@ -1,0 +1,28 @@
+// Centerlines whose corners are rounded, with radii that change smoothly along them, cut into straight pieces.
+//
+// At an inner point a parabola (a quadratic Bezier curve with the point as its control point) leads from one segment to
+// the next. It begins and ends on the segments, a radius from the point or half a segment, whichever is less: so the
+// curve has no corner, is nowhere outside of the hull of its segments' points, and passes each point closer than a
+// quarter of that distance. Corners that the kernel rounds by itself, those of short segments, stay. Radii follow a
+// monotone cubic through the points (Fritsch and Carlson 1980): narrow places keep their radius, and nothing becomes
+// narrower or wider than its points say. Nodes stay where they are.
+#pragma once
+
+#include "core/tree/prepare.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ramus::tree {
+
+// How many pieces follow each segment's curve (branches in order, segments along each): one where both of its corners
+// stay.
+[[nodiscard]] std::vector<std::uint8_t> pieces_of_curves(const VesselTree& tree);
+
+// The tree along its curves. `pieces`: for each segment of the file's tree, as `segment_index` counts them. Pieces of a
+// segment are numbered one after the other, whatever pruning leaves of the others. New points have the label of the
+// point before them.
+[[nodiscard]] PreparedTree along_curves(PreparedTree lines, std::span<const std::uint8_t> pieces);
+
+} // namespace ramus::tree
