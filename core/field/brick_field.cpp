@@ -23,6 +23,10 @@ std::uint64_t BrickField::find_owners(const LatticeAxes& /*lattice*/, std::span<
 
 bool BrickField::apart(Owner /*a*/, Owner /*b*/) const { return false; }
 
+bool BrickField::is_beside_contact(const glm::vec3& /*point*/) { return false; }
+
+OwnedPoint BrickField::move(const OwnedGuess& /*whose*/, const glm::vec3& guess) { return {guess, {}, 0.0F}; }
+
 std::uint64_t BrickField::project_apart(const Projection& /*guesses*/, std::span<const OwnedGuess> /*owned*/,
                                         const SurfacePoints& /*to*/) {
     return 0;

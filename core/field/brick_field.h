@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -139,6 +140,19 @@ struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
     Owner owner = kNoOwner;  // of that vessel
     bool at_wall = false;    // between it and another one
+    // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
+    // there, else within its reach and the box; kBox, in the box, which may be flat; the others, on a line, at whose
+    // lower or upper end the vessel is, where that ends.
+    enum class Place : std::uint8_t { kFree, kBox, kFromLower, kFromUpper };
+    Place place = Place::kFree;
+    glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};
+};
+
+// A point on the surface of one vessel.
+struct OwnedPoint {
+    glm::vec3 at{0.0F};     // mm
+    glm::vec3 normal{0.0F}; // outward
+    float radius = 0.0F;    // local radius, mm
 };
 
 // Counts returned: kernels evaluated, one for each segment and point.
@@ -167,6 +181,10 @@ public:
     virtual std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                                       std::span<Owner> owners);
     [[nodiscard]] virtual bool apart(Owner a, Owner b) const;
+    // Whether something is kept apart at a point or near it. Relative to the brick's corner, mm.
+    [[nodiscard]] virtual bool is_beside_contact(const glm::vec3& point);
+    // Where a guess of a vessel is moved to that does not stay kFree. Positions relative to the brick's corner, mm.
+    [[nodiscard]] virtual OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess);
     // After project(): does it again for those points whose vessel is near another that it is kept apart from.
     virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                         const SurfacePoints& to);

@@ -35,7 +35,7 @@ struct alignas(64) FieldSegment {
 };
 
 // How far `beyond` lets radii go on, by the slope: less where it is steep, as where a twig begins with the radius of
-// its stem. The radius changes by an eighth of itself at the most.
+// its stem. The radius changes by 0.066 of itself at the most, where 32 slope^2 = 1.
 [[nodiscard]] double beyond_for(double slope);
 
 // The space that a field is in, and its finest feature. What lattices are laid out by; a field and parts of it share

@@ -264,13 +264,15 @@ bool look_at_tubes(bool across, double other, double closeness, int detail) {
     const auto between = std::ranges::count_if(pairs, [&](const test::IntersectingPair& pair) {
         return piece[mesh.triangles[pair.first].x] != piece[mesh.triangles[pair.second].x];
     });
-    const double gap = pairs.empty() ? test::least_gap(mesh, piece, 0.5) : 0.0;
+    const test::Gap gap = pairs.empty() ? test::least_gap(mesh, piece, 0.5) : test::Gap{};
+    const glm::vec3 at = mesh.positions[mesh.triangles[gap.triangles.x].x];
     const test::Shape shape = test::shape_of(pieces);
-    const bool right = shape == test::Shape{2, 0} && pairs.empty() && gap >= 0.99 * field::kWallRadii;
+    const bool right = shape == test::Shape{2, 0} && pairs.empty() && gap.mm >= 0.99 * field::kWallRadii;
     std::printf("%-8s 1:%g  closeness %.2f  detail %2d: %ld pieces, %ld loops, %4zu pairs intersect, %4ld between the "
-                "two, gap %.4f%s\n",
+                "two, gap %.4f at %.2f %.2f %.2f%s\n",
                 across ? "crossing" : "parallel", other, closeness, detail, shape.pieces, shape.loops, pairs.size(),
-                static_cast<long>(between), gap, right ? "" : "  WRONG");
+                static_cast<long>(between), gap.mm, static_cast<double>(at.x), static_cast<double>(at.y),
+                static_cast<double>(at.z), right ? "" : "  WRONG");
     return right;
 }
 
@@ -308,7 +310,7 @@ int main(int argc, char** argv) {
     std::vector<int> details{16}, smooths{0, 1};
     int packed = 0, first_packed = 0, contacts = 0;
     bool quick = false, open_ends_stay = false, tubes = false;
-    std::string blend = "tree";
+    std::string blend = "tree", centerline = "smooth";
     ApartOptions options;
     app.add_option("FILE", files, "trees");
     app.add_option("--detail", details)->delimiter(',');
@@ -318,6 +320,7 @@ int main(int argc, char** argv) {
     app.add_option("--prune", options.surface.prune_ratio);
     app.add_option("--threads", options.surface.threads);
     app.add_option("--blend", blend)->check(CLI::IsMember({"tree", "paper"}));
+    app.add_option("--centerline", centerline)->check(CLI::IsMember({"smooth", "lines"}));
     app.add_option("--packed", packed, "so many grown trees that overlap");
     app.add_option("--first", first_packed, "the seed of the first of them");
     app.add_option("--contacts", contacts, "time the contacts of a grown tree of so many branches");
@@ -327,6 +330,7 @@ int main(int argc, char** argv) {
     app.add_flag("--open-ends-stay", open_ends_stay, "do not join open ends");
     CLI11_PARSE(app, argc, argv);
     options.surface.blend = *mesh::blend_named(blend);
+    options.surface.centerline = centerline == "lines" ? tree::Centerline::kLines : tree::Centerline::kSmooth;
     options.intersections = !quick;
     if (contacts > 0) return time_contacts(contacts, options.surface);
     if (tubes) return look_at_all_tubes(details) == 0 ? 0 : 1;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 
 namespace ramus::test {
@@ -53,11 +54,17 @@ inline double line_to_line(const glm::dvec3& a, const glm::dvec3& b, const glm::
     return least;
 }
 
+// Where triangles of different groups are nearest to each other.
+struct Gap {
+    double mm = 0.0;
+    glm::uvec2 triangles{0};
+};
+
 // The least distance between triangles of different groups (a number for each vertex), where it is below `limit`, mm.
-[[nodiscard]] inline double least_gap(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& group_of_vertex,
-                                      double limit) {
+[[nodiscard]] inline Gap least_gap(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& group_of_vertex,
+                                   double limit) {
     const BoxTree tree(mesh);
-    tbb::enumerable_thread_specific<double> least(limit);
+    tbb::enumerable_thread_specific<Gap> least(Gap{limit, {}});
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(mesh.triangles.size()), [&](std::uint32_t n) {
         Box box = tree.box(n);
         box.lower -= static_cast<float>(limit), box.upper += static_cast<float>(limit);
@@ -65,11 +72,13 @@ inline double line_to_line(const glm::dvec3& a, const glm::dvec3& b, const glm::
         tree.for_each_in(box, [&](std::uint32_t other) {
             const glm::uvec3& there = mesh.triangles[other];
             if (other <= n || group_of_vertex[own.x] == group_of_vertex[there.x]) return;
-            least.local() = std::min(least.local(), distance_between(mesh, own, there));
+            const double mm = distance_between(mesh, own, there);
+            if (mm < least.local().mm) least.local() = {mm, {n, other}};
         });
     });
-    double all = limit;
-    for (const double some : least) all = std::min(all, some);
+    Gap all{limit, {}};
+    for (const Gap& some : least)
+        if (some.mm < all.mm) all = some;
     return all;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <utility>
 
 namespace ramus::field {
@@ -129,23 +130,61 @@ std::uint32_t VesselBrick::place_of(Owner owner) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(list, static_cast<std::uint32_t>(owner)) - list.begin());
 }
 
+std::uint32_t VesselBrick::place_near(Owner owner, const glm::dvec3& point) {
+    if (owner != kNoOwner) return place_of(owner);
+    (void)views_.look(point);
+    const std::size_t nearest = views_.nearest_place();
+    return nearest == VesselViews::kNone ? 0 : static_cast<std::uint32_t>(nearest);
+}
+
 bool VesselBrick::apart(Owner a, Owner b) const {
     if (a == b || a == kNoOwner || b == kNoOwner) return false;
     const LocalContacts& contacts = views_.contacts();
     return contacts.apart(contacts.piece(place_of(a)), contacts.piece(place_of(b)));
 }
 
+Bounds VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) {
+    const glm::dvec3 corner = axes_.corner();
+    const glm::dvec3 lower = corner + glm::dvec3(one.lower), upper = corner + glm::dvec3(one.upper);
+    switch (one.place) {
+    case OwnedGuess::Place::kFree:
+        return {glm::max(lower, middle - reach), glm::min(upper, middle + reach)};
+    case OwnedGuess::Place::kBox:
+        return {lower, upper};
+    case OwnedGuess::Place::kFromLower:
+    case OwnedGuess::Place::kFromUpper:
+        break;
+    }
+    const bool up = one.place == OwnedGuess::Place::kFromLower;
+    const glm::dvec3 &from = up ? lower : upper, &to = up ? upper : lower;
+    const glm::dvec3 end = way_out(views_, place_near(one.owner, from), from, to, kernels_);
+    return {end, end};
+}
+
+bool VesselBrick::is_beside_contact(const glm::vec3& point) {
+    return views_.look(axes_.corner() + glm::dvec3(point)) != VesselViews::Sight::kPlain || views_.beside_contact();
+}
+
+OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
+    const glm::dvec3 corner = axes_.corner();
+    const glm::dvec3 from = corner + glm::dvec3(guess);
+    const Bounds bounds = bounds_of(whose, from, 0.0);
+    const WallPoint point = move_to_wall(views_, place_near(whose.owner, bounds.lower), from, bounds, kernels_);
+    return {glm::vec3(point.position - corner), glm::vec3(point.normal), static_cast<float>(point.radius)};
+}
+
 std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                          const SurfacePoints& to) {
+    const glm::dvec3 corner = axes_.corner();
     for (const OwnedGuess& one : owned) {
-        if (one.owner == kNoOwner) continue;
+        if (one.owner == kNoOwner && one.place == OwnedGuess::Place::kFree) continue;
         const std::size_t n = one.guess;
-        const glm::dvec3 corner = axes_.corner();
         const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
-        if (views_.look(guess) == VesselViews::Sight::kPlain && !views_.beside_contact() && !one.at_wall) continue;
+        const bool plain = views_.look(guess) == VesselViews::Sight::kPlain && !views_.beside_contact();
+        if (plain && !one.at_wall && one.place == OwnedGuess::Place::kFree) continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
-        const WallPoint point =
-            move_to_wall(views_, place_of(one.owner), guess, middle, static_cast<double>(guesses.reach[n]), kernels_);
+        const Bounds bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
+        const WallPoint point = move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_);
         to.positions[n] = glm::vec3(point.position);
         to.normals[n] = glm::vec3(point.normal);
         to.radii[n] = static_cast<float>(point.radius);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/field/apart/vessel_views.h"
+#include "core/field/apart/wall.h"
 #include "core/field/convolution_field.h"
 
 #include <memory>
@@ -26,11 +27,15 @@ public:
     std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                               std::span<Owner> owners) override;
     [[nodiscard]] bool apart(Owner a, Owner b) const override;
+    [[nodiscard]] bool is_beside_contact(const glm::vec3& point) override;
+    [[nodiscard]] OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess) override;
     std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                 const SurfacePoints& to) override;
 
 private:
     [[nodiscard]] std::uint32_t place_of(Owner owner) const; // in the list
+    // The same; where nothing is kept apart and nobody owns the point, of the segment that is nearest to it.
+    [[nodiscard]] std::uint32_t place_near(Owner owner, const glm::dvec3& point);
     // What becomes of the plain sum at a point, and whose it is: kNoOwner where nothing is kept apart.
     struct Verdict {
         float value = 0.0F;
@@ -39,6 +44,7 @@ private:
     Verdict judge(const glm::dvec3& point, float plain);
     float value_at(const glm::dvec3& point, float plain);
     Owner owner_at(const glm::dvec3& point); // of one that is inside
+    Bounds bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach);
 
     // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where
     // bricks touch by both.

@@ -21,7 +21,8 @@ constexpr double kBesideRadii = 0.5;
 
 VesselViews::VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces)
     : kernel_(kernel), surface_phi_(std::sqrt(-std::log(kernel.isovalue))),
-      merged_(tree::ContactLimits(kernel.width).merged), segments_(segments), contacts_(pieces) {}
+      merged_(tree::ContactLimits(kernel.width).merged), reach_radii_(kernel.support_radii), segments_(segments),
+      contacts_(pieces) {}
 
 bool VesselViews::enter(SegmentIndices list) {
     list_ = list;
@@ -37,19 +38,16 @@ void VesselViews::list_axes() {
     kept_axes_.clear(list_.size());
     other_axes_.clear(list_.size());
     any_moved_ = false;
-    double most = 1.0; // that a radius grows to beyond the ends of its segment
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
         const int piece = contacts_.piece(n);
         (piece >= 0 ? kept_apart_ : others_).push_back(n);
         if (piece >= 0) piece_of_axis_.push_back(piece);
-        most = std::max(most, static_cast<double>(s.thickest() / std::max(s.radius, s.end_radius())));
         (piece >= 0 ? kept_axes_ : other_axes_)
             .add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
                  static_cast<double>(s.slope));
         any_moved_ = any_moved_ || (piece >= 0 && contacts_.shape(piece).move != tree::AxisMove{});
     }
-    reach_radii_ = kernel_.support_radii * most;
     kept_feet_.rows.reserve(kept_axes_.count);
     other_feet_.rows.reserve(other_axes_.count);
     if (!any_moved_) return;
@@ -226,16 +224,13 @@ glm::dvec3 VesselViews::toward(const SeenSegment& own, const Shadow& shadow) con
 
 void VesselViews::list_vessels() {
     vessels_.clear();
-    listed_.assign(seen_.size(), 0);
     constexpr std::size_t kMostVessels = 6;
-    while (vessels_.size() < kMostVessels) {
-        std::size_t nearest = kNone;
-        for (std::size_t n = 0; n < seen_.size(); ++n)
-            if (listed_[n] == 0 && (nearest == kNone || seen_[n].relative() < seen_[nearest].relative())) nearest = n;
-        if (nearest == kNone) break;
+    left_.clear(); // of what is seen, whose vessel is not listed
+    for (std::size_t n = 0; n < seen_.size(); ++n) left_.emplace_back(seen_[n].relative(), n);
+    while (vessels_.size() < kMostVessels && !left_.empty()) {
+        const std::size_t nearest = std::ranges::min_element(left_)->second;
         vessels_.push_back(nearest);
-        for (std::size_t n = 0; n < seen_.size(); ++n)
-            if (!apart(seen_[nearest], seen_[n])) listed_[n] = 1;
+        std::erase_if(left_, [&](const auto& other) { return !apart(seen_[nearest], seen_[other.second]); });
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 namespace ramus::field {
@@ -103,10 +104,12 @@ private:
 
     Kernel kernel_;
     double surface_phi_, merged_;
+    // In radii at the foot, what is looked at. So far each segment is in the list of every brick around a point; what
+    // it may reach beyond its ends, where radii go on growing, is next to nothing.
+    double reach_radii_;
     const FieldSegment* segments_;
     LocalContacts contacts_;
     SegmentIndices list_;
-    double reach_radii_ = 0.0; // of its own radius at the foot, that any of the list may reach
     glm::dvec3 point_{0.0};
     // Places in the list: those whose pieces have partners, and the rest; with their axes, and the feet of the point.
     std::vector<std::uint32_t> kept_apart_, others_;
@@ -123,7 +126,7 @@ private:
     std::vector<std::uint64_t> near_pieces_; // scratch: one bit each
     bool beside_contact_ = false;
     std::vector<std::size_t> vessels_;
-    std::vector<std::uint8_t> listed_; // scratch: of what is seen, whose vessel is listed
+    std::vector<std::pair<double, std::size_t>> left_; // scratch
     SegmentTerms terms_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 namespace ramus::field {
@@ -78,14 +79,37 @@ void name(const VesselViews& views, std::size_t own, WallPoint& point) {
     }
 }
 
+bool owns(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
+    if (views.look(point) == VesselViews::Sight::kPlain) views.see_all();
+    kernels += views.add_terms();
+    views.list_vessels();
+    const VesselViews::Verdict verdict = views.judge();
+    if (verdict.owner == VesselViews::kNone) return false;
+    return !views.contacts().apart(views.contacts().piece(place), views.seen()[verdict.owner].piece);
+}
+
 } // namespace
 
-WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess, const glm::dvec3& middle,
-                       double reach, std::uint64_t& kernels) {
+glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& from, const glm::dvec3& to,
+                   std::uint64_t& kernels) {
+    constexpr int kHalvings = 9; // a thousandth of a radius, at 16 cells around a vessel
+    double own = 0.0, beyond = 1.0;
+    for (int n = 0; n < kHalvings; ++n) {
+        const double middle = 0.5 * (own + beyond);
+        (owns(views, place, glm::mix(from, to, middle), kernels) ? own : beyond) = middle;
+    }
+    return glm::mix(from, to, own);
+}
+
+WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess, const Bounds& bounds,
+                       std::uint64_t& kernels) {
     constexpr int kSteps = 6;
     constexpr double kShortStep = 0.002; // of the radius
+    const glm::dvec3 size = bounds.upper - bounds.lower;
+    const double reach = 0.5 * std::max({size.x, size.y, size.z});
+    const glm::dvec3 free = glm::vec3(glm::greaterThan(size, glm::dvec3(0.0))); // 0 along axes that are fixed
     WallPoint point;
-    point.position = guess;
+    point.position = glm::clamp(guess, bounds.lower, bounds.upper);
     for (int step = 0; step < kSteps; ++step) {
         if (views.look(point.position) == VesselViews::Sight::kPlain) views.see_all();
         kernels += views.add_terms();
@@ -103,8 +127,18 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         name(views, own, point);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;
-        const glm::dvec3 aim = point.position + depth.outward * std::clamp(depth.mm, -reach, reach);
-        const glm::dvec3 next = glm::clamp(aim, middle - reach, middle + reach);
+        // Along the axes that are free, and that do not lead out of the bounds, the surface is farther by as much as it
+        // is inclined.
+        glm::dvec3 way = free * depth.outward;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double moving = way[axis] * depth.mm;
+            if ((moving < 0.0 && point.position[axis] <= bounds.lower[axis]) ||
+                (moving > 0.0 && point.position[axis] >= bounds.upper[axis]))
+                way[axis] = 0.0;
+        }
+        const double inclined = std::max(glm::dot(way, way), 0.1);
+        const glm::dvec3 aim = point.position + way * std::clamp(depth.mm / inclined, -reach, reach);
+        const glm::dvec3 next = glm::clamp(aim, bounds.lower, bounds.upper);
         const double moved = glm::distance(next, point.position);
         point.position = next;
         if (moved < kShortStep * views.seen()[own].radius) break;

@@ -21,9 +21,18 @@ struct WallPoint {
     Dominance dominance{};
 };
 
-// Moves a point onto the surface of the vessel of a segment (by its place in the brick's list), within `reach` of
-// `middle` along every axis. Adds up the kernels evaluated.
+// Where a point may be moved, mm: a box, which may be flat or a line.
+struct Bounds {
+    glm::dvec3 lower{0.0}, upper{0.0};
+};
+
+// Moves a point onto the surface of the vessel of a segment (by its place in the brick's list), within bounds. Adds up
+// the kernels evaluated.
 [[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
-                                     const glm::dvec3& middle, double reach, std::uint64_t& kernels);
+                                     const Bounds& bounds, std::uint64_t& kernels);
+
+// The last place on a way that is the vessel's; it is at `from`, and not at `to`.
+[[nodiscard]] glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& from, const glm::dvec3& to,
+                                 std::uint64_t& kernels);
 
 } // namespace ramus::field

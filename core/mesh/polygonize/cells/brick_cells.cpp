@@ -68,6 +68,16 @@ field::GridAxes grid_axes(const Lattice& lattice, const Brick& brick) {
     return axes;
 }
 
+field::LatticeAxes lattice_axes(const Lattice& lattice, const Brick& brick) {
+    field::LatticeAxes axes;
+    for (int n = 0; n < field::kLatticeSide; ++n) {
+        const glm::dvec3 p = lattice.position(brick.corner + glm::ivec3(n << brick.level));
+        const auto i = static_cast<std::size_t>(n);
+        axes.x[i] = p.x, axes.y[i] = p.y, axes.z[i] = p.z;
+    }
+    return axes;
+}
+
 namespace {
 
 // Asks for the lines of memory that a value lies in.

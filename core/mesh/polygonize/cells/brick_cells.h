@@ -33,6 +33,7 @@ struct CellRecord {
     std::uint32_t walls = 0xFFFFFFFFU; // into SubtreeCells::upper_loops, where edges have walls; or kNoWalls
     std::uint32_t arcs_begin = 0;      // into SubtreeCells::arc_vertices
     std::uint32_t arcs_count = 0;
+    bool walled = false; // placed as in walled_cells.h
 };
 
 inline constexpr std::uint16_t kNoVertex = 0xFFFF;
@@ -105,6 +106,11 @@ struct SubtreeCells {
     std::vector<std::array<GridBits, 3>> walls; // by axis: first points of edges that a wall goes through
     std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
     SampleCounts counts;
+
+    void add_arc(const FaceArc& arc, std::size_t vertex) {
+        arc_vertices.push_back({arc.face, arc.first, static_cast<std::uint16_t>(vertex)});
+        arc_vertices.push_back({arc.face, arc.second, static_cast<std::uint16_t>(vertex)});
+    }
 };
 
 struct SurfaceCells {
@@ -144,5 +150,7 @@ std::uint64_t append_projected(field::BrickField& field, field::Projection& gues
                                std::span<const field::OwnedGuess> owned = {});
 
 [[nodiscard]] field::GridAxes grid_axes(const Lattice& lattice, const Brick& brick);
+// Coordinates of the brick's points at quarter-cell spacing.
+[[nodiscard]] field::LatticeAxes lattice_axes(const Lattice& lattice, const Brick& brick);
 
 } // namespace ramus::mesh::bricks

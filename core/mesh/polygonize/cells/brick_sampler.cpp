@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <glm/common.hpp>
 
 namespace ramus::mesh::bricks {
 
@@ -43,6 +44,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     half_crossed_ = 0;
     hanging_inside_.clear();
     owned_.clear();
+    walled_.begin(cell_mm_);
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);
@@ -75,11 +77,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
 // Coordinates of the brick's points at quarter-cell spacing, which few bricks need.
 void BrickSampler::prepare_lattice() {
     if (lattice_ready_) return;
-    for (int n = 0; n < field::kLatticeSide; ++n) {
-        const glm::dvec3 p = octree_->lattice.position(brick_->corner + glm::ivec3(n << brick_->level));
-        const auto i = static_cast<std::size_t>(n);
-        lattice_axes_.x[i] = p.x, lattice_axes_.y[i] = p.y, lattice_axes_.z[i] = p.z;
-    }
+    lattice_axes_ = lattice_axes(octree_->lattice, *brick_);
     lattice_ready_ = true;
 }
 
@@ -142,7 +140,10 @@ void BrickSampler::sort_cells(BrickCells& cells) {
         const auto corner_signs =
             static_cast<unsigned>((at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U));
         const bool hangs = (hanging >> cell & 1) != 0;
-        if (hangs || !kPlainCells[corner_signs] || (walled >> cell & 1) != 0) {
+        const bool general = hangs || !kPlainCells[corner_signs] || (walled >> cell & 1) != 0 ||
+                             (parts && coarser_faces(low_corner_of(static_cast<int>(cell))) != 0 &&
+                              is_beside_contact(static_cast<int>(cell)));
+        if (general) {
             trace(static_cast<int>(cell), corner_signs, hangs ? finer : 0);
         } else {
             cells.first[cell] = static_cast<std::uint16_t>(plain_count);
@@ -160,6 +161,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
             const int at = low + offset;
             if ((inside >> at & 1) == 0) continue;
             owned_.push_back({n, owners_.at(2 * (at % 5), 2 * (at / 5 % 5), 2 * (at / 25)), false});
+            keep_within(owned_.back(), {low % 5, low / 5 % 5, low / 25});
             break;
         }
     }
@@ -184,9 +186,18 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         }
     }
     traced.apart = -1;
+    traced.walled = traced.beside_contact = false;
     if (field_->parts_vessels()) {
         traced.apart = static_cast<int>(apart_points_.size());
         apart_points_.push_back(owners_.apart_points(*field_, low_corner_of(cell)));
+        traced.walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
+        traced.beside_contact = traced.walled || is_beside_contact(cell);
+        if (traced.beside_contact) traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
+        for (int face = 0; face < 6; ++face) { // both cells at a face find the same
+            glm::vec3 centre = glm::vec3(low_corner_of(cell)) + 0.5F;
+            centre[face / 2] += (face & 1) != 0 ? 0.5F : -0.5F;
+            if (field_->is_beside_contact(centre * cell_mm_)) traced.shape.contact_faces |= 1U << face;
+        }
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
@@ -210,13 +221,22 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
     }
 }
 
-void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices, field::OwnedGuess whose) {
+// Beside walls vertices stay in their cells, so that they do not reach into those with walls.
+void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const {
+    const Span room = within_cell(cell, cell_mm_);
+    vertex.lower = room.lower, vertex.upper = room.upper;
+}
+
+void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose) {
     const glm::vec3 centre = (glm::vec3(cell) + 0.5F) * cell_mm_;
-    if (field_->parts_vessels())
-        owned_.push_back({static_cast<std::uint32_t>(guesses_.size()), whose.owner, whose.at_wall});
+    if (field_->parts_vessels()) {
+        owned_.push_back(whose);
+        owned_.back().guess = static_cast<std::uint32_t>(guesses_.size());
+        if (whose.place == field::OwnedGuess::Place::kFree) keep_within(owned_.back(), cell);
+    }
     // Where a cell has several vertices, each keeps to the neighbourhood of its own crossings: in one common box two of
     // them could end up at the same corner. At a wall it keeps them apart.
-    if (vertices == 1 || whose.at_wall)
+    if (alone || whose.at_wall)
         guesses_.add(guess, centre, kVertexReach * cell_mm_);
     else
         guesses_.add(guess, guess, kSharedReach * cell_mm_);
@@ -249,6 +269,12 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         record.walls = static_cast<std::uint32_t>(subtree.upper_loops.size());
         std::copy_n(loops.loop_of.begin() + kUpperEnd, kQuarterPoints, subtree.upper_loops.emplace_back().begin());
     }
+    record.walled =
+        traced.walled || (traced.beside_contact && (loops.loop_count > 1 || traced.shape.coarser_faces != 0));
+    if (record.walled) {
+        add_walled_vertices(traced, subtree, record);
+        return;
+    }
     std::array<glm::vec3, kMostLoops> sum{};
     std::array<int, kMostLoops> count{};
     std::array<field::OwnedGuess, kMostLoops> whose{};
@@ -257,29 +283,56 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         if (loop == kNoLoop) continue;
         sum[loop] += crossing(cell, m);
         ++count[loop];
-        if (traced.apart < 0) continue;
-        whose[loop].owner = owners_.of_crossing(cell, m);
-        const int other_end = m < kUpperEnd ? m + kUpperEnd : m - kUpperEnd;
-        if (loops.loop_of[static_cast<std::size_t>(other_end)] != kNoLoop) whose[loop].at_wall = true;
+        if (traced.apart >= 0) whose[loop].owner = owners_.of_crossing(cell, m);
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(loops.loop_count); ++n)
-        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count, whose[n]);
+        add_vertex(sum[n] / static_cast<float>(count[n]) * cell_mm_, cell, loops.loop_count == 1, whose[n]);
 
-    // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
     record.arcs_begin = static_cast<std::uint32_t>(subtree.arc_vertices.size());
-    for (const FaceArc& arc : loops.shared_arcs) {
-        const int axis = arc.face / 2;
-        const int side = arc.face & 1;
-        glm::ivec3 d(0);
-        if (side == 0 && cell[axis] == 0) d[axis] = -1;
-        if (side == 1 && cell[axis] == kBrickCells - 1) d[axis] = 1;
-        const bool beyond_is_coarser = neighbours_->kind(direction_index(d.x, d.y, d.z)) == Neighbour::kCoarser;
-        if (side == 0 && !beyond_is_coarser) continue;
-        const auto vertex = static_cast<std::uint16_t>(guesses_.size());
-        add_vertex(0.5F * (crossing(cell, arc.first) + crossing(cell, arc.second)) * cell_mm_, cell, 2,
+    for (const FaceArc& arc : loops.own_arcs) {
+        if (!owns(arc, cell)) continue;
+        subtree.add_arc(arc, guesses_.size());
+        add_vertex(0.5F * (crossing(cell, arc.first) + crossing(cell, arc.second)) * cell_mm_, cell, false,
                    whose[loops.loop_of[arc.first]]);
-        subtree.arc_vertices.push_back({arc.face, arc.first, vertex});
-        subtree.arc_vertices.push_back({arc.face, arc.second, vertex});
+    }
+    record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
+}
+
+bool BrickSampler::is_beside_contact(int cell) {
+    return field_->is_beside_contact((glm::vec3(low_corner_of(cell)) + 0.5F) * cell_mm_);
+}
+
+// Faces that are parts of coarser cells', as in CellShape.
+std::uint8_t BrickSampler::coarser_faces(glm::ivec3 cell) const {
+    unsigned faces = 0;
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        if (cell[axis] != (face & 1) * (kBrickCells - 1)) continue;
+        glm::ivec3 d(0);
+        d[axis] = (face & 1) != 0 ? 1 : -1;
+        if (neighbours_->kind(direction_index(d.x, d.y, d.z)) == Neighbour::kCoarser) faces |= 1U << face;
+    }
+    return static_cast<std::uint8_t>(faces);
+}
+
+// Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
+bool BrickSampler::owns(const FaceArc& arc, glm::ivec3 cell) const {
+    return (arc.face & 1) != 0 || (coarser_faces(cell) >> arc.face & 1) != 0;
+}
+
+void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
+    const glm::ivec3 cell = low_corner_of(traced.cell);
+    const WalledCells::Cell placed = walled_.place(*field_, owners_, cell, traced.shape, traced.loops);
+    const auto add = [&](const WalledCells::Vertex& vertex) {
+        field::OwnedGuess whose{0, vertex.owner, true, field::OwnedGuess::Place::kBox, vertex.at, vertex.at};
+        add_vertex(vertex.at, cell, false, whose);
+    };
+    for (const WalledCells::Vertex& vertex : placed.loops) add(vertex);
+    record.arcs_begin = static_cast<std::uint32_t>(subtree.arc_vertices.size());
+    for (std::size_t n = 0; n < placed.arcs.size(); ++n) {
+        if (!owns(traced.loops.own_arcs[n], cell)) continue;
+        subtree.add_arc(traced.loops.own_arcs[n], guesses_.size());
+        add(placed.arcs[n]);
     }
     record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
 }

@@ -7,6 +7,7 @@
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
+#include "core/mesh/polygonize/cells/walled_cells.h"
 
 #include <memory>
 
@@ -36,6 +37,8 @@ private:
         FaceCentres centres;
         std::size_t first_centre; // in points_
         int apart;                // in apart_points_, or -1
+        bool walled;              // some of its points are apart
+        bool beside_contact;      // that, or something is near that is kept apart
     };
 
     void prepare_lattice();
@@ -49,7 +52,12 @@ private:
     void add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
     [[nodiscard]] glm::vec3 crossing(glm::ivec3 cell, int edge_midpoint);
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
-    void add_vertex(glm::vec3 guess, glm::ivec3 cell, int vertices, field::OwnedGuess whose = {});
+    void add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose);
+    void add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
+    [[nodiscard]] bool is_beside_contact(int cell);
+    [[nodiscard]] std::uint8_t coarser_faces(glm::ivec3 cell) const;
+    [[nodiscard]] bool owns(const FaceArc& arc, glm::ivec3 cell) const;
+    void keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const;
     [[nodiscard]] const ApartPoints* apart_points(const TracedCell& traced) const {
         return traced.apart < 0 ? nullptr : &apart_points_[static_cast<std::size_t>(traced.apart)];
     }
@@ -84,6 +92,7 @@ private:
     std::vector<field::LatticePoint> hanging_inside_;
     std::vector<ApartPoints> apart_points_; // of traced cells
     std::vector<field::OwnedGuess> owned_;  // by guess
+    WalledCells walled_;
 };
 
 } // namespace ramus::mesh::bricks

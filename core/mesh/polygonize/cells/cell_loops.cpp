@@ -90,6 +90,7 @@ struct Arc {
     std::uint8_t first, second;
     std::uint8_t face;
     bool shared; // one of several on a whole face
+    bool walled; // on a whole face, with a vertex of its own because of a contact
 };
 
 struct Arcs {
@@ -140,7 +141,8 @@ RingCrossings crossings_of(std::uint32_t inside, const Ring& ring, const ApartPo
 
 // Pairs up the crossings of one ring. With four or more the centre decides whether the inside or the outside is
 // connected across the face; what is apart is not connected.
-void add_arcs(std::uint32_t inside, const Ring& ring, const ApartPoints* apart, FaceCentres& centres, Arcs& arcs) {
+void add_arcs(const CellShape& shape, const Ring& ring, const ApartPoints* apart, FaceCentres& centres, Arcs& arcs) {
+    const std::uint32_t inside = shape.inside;
     const RingCrossings found = crossings_of(inside, ring, apart);
     if (found.count == 0) return;
     // Cut off each outside run when the centre is inside (its first crossing leaves), each inside run otherwise.
@@ -152,10 +154,16 @@ void add_arcs(std::uint32_t inside, const Ring& ring, const ApartPoints* apart, 
         centres.centre[static_cast<std::size_t>(centres.count++)] = ring.centre;
     }
     const std::size_t start = found.first_leaves == start_leaving ? 0 : 1;
-    for (std::size_t n = 0; n < found.count; n += 2)
-        arcs.arc[static_cast<std::size_t>(arcs.count++)] = {found.crossing[(start + n) % found.count],
-                                                            found.crossing[(start + n + 1) % found.count], ring.face,
-                                                            ring.whole && found.count > 2};
+    const bool coarser = (shape.coarser_faces >> ring.face & 1) != 0;
+    const bool several = found.count > 2 && (shape.contact_faces >> ring.face & 1) != 0;
+    for (std::size_t n = 0; n < found.count; n += 2) {
+        const std::uint8_t first = found.crossing[(start + n) % found.count];
+        const std::uint8_t second = found.crossing[(start + n + 1) % found.count];
+        const bool same_edge = first % kUpperEnd == second % kUpperEnd;
+        arcs.arc[static_cast<std::size_t>(arcs.count++)] = {first, second, ring.face, ring.whole && found.count > 2,
+                                                            ring.whole && (found.any_apart || coarser || several) &&
+                                                                !same_edge};
+    }
 }
 
 Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoints* apart) {
@@ -171,7 +179,7 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoint
             for (std::size_t quarter = 0; quarter < 4; ++quarter) {
                 std::ranges::copy(rings.quarters[quarter], ring.points.begin());
                 ring.centre = rings.quarter_centres[quarter];
-                add_arcs(shape.inside, ring, apart, centres, arcs);
+                add_arcs(shape, ring, apart, centres, arcs);
             }
             continue;
         }
@@ -184,7 +192,7 @@ Arcs collect_arcs(const CellShape& shape, FaceCentres& centres, const ApartPoint
             }
         }
         ring.centre = rings.centre;
-        add_arcs(shape.inside, ring, apart, centres, arcs);
+        add_arcs(shape, ring, apart, centres, arcs);
     }
     return arcs;
 }
@@ -283,13 +291,15 @@ CellLoops trace_loops(const CellShape& shape, FaceCentres& centres, const ApartP
     if (apart != nullptr) drop_lenses(loops);
     for (int n = 0; n < arc_count; ++n) {
         const Arc& arc = arcs[static_cast<std::size_t>(n)];
-        if (!arc.shared || loops.loop_of[arc.first] == kNoLoop) continue;
-        for (int m = 0; m < arc_count; ++m) {
+        if (apart != nullptr && loops.loop_of[arc.first] != kNoLoop)
+            loops.arcs.push_back({arc.face, arc.first, arc.second});
+        if (!(arc.shared || arc.walled) || loops.loop_of[arc.first] == kNoLoop) continue;
+        bool own_vertex = arc.walled;
+        for (int m = 0; m < arc_count && !own_vertex; ++m) {
             const Arc& other = arcs[static_cast<std::size_t>(m)];
-            if (m == n || other.face != arc.face || loops.loop_of[other.first] != loops.loop_of[arc.first]) continue;
-            loops.shared_arcs.push_back({arc.face, arc.first, arc.second});
-            break;
+            own_vertex = m != n && other.face == arc.face && loops.loop_of[other.first] == loops.loop_of[arc.first];
         }
+        if (own_vertex) loops.own_arcs.push_back({arc.face, arc.first, arc.second});
     }
     return loops;
 }

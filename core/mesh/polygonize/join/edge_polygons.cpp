@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace ramus::mesh::bricks {
@@ -28,14 +29,21 @@ void JoinedSubtree::clear() {
     quads.clear();
     triangles.clear();
     added.count = 0;
+    guesses.clear();
+    owned.clear();
+    edges.clear();
 }
 
 void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const {
     const Edge edge{index, axis, point, !first_inside, false};
     Ring ring = ring_around(edge);
-    if (ring.count == 0) return;
+    if (ring.count < 3) return;
     if (!first_inside) std::ranges::reverse(std::span(ring.cells).first(ring.count));
-    if (!emit_with_arcs(ring.span(), edge, out)) emit(ring.span(), edge, out);
+    const Polygon polygon = polygon_of(ring.span(), false);
+    if (polygon.extra)
+        emit_fan(add_centre(polygon, edge, out), polygon, false, out);
+    else
+        emit(ring.span(), edge, out);
 }
 
 void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, JoinedSubtree& out) const {
@@ -45,49 +53,12 @@ void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, Joi
     if (first.count < 2) return;
     Ring second = ring_around(upper);
     assert(second.count == first.count);
-    const auto reversed = [](Ring ring) {
-        std::ranges::reverse(std::span(ring.cells).first(ring.count));
-        return ring;
-    };
-    if (first.count == 2) {
-        // The wall ends in the two others: what is left are triangles with the arc between these, if it has a vertex.
-        const bool across_start = first.cells[0].place == 0 && first.cells[1].place == 3;
-        const std::size_t from = across_start ? 1 : 0;
-        const std::uint32_t low = arc_vertex(first.cells[from], first.cells[1 - from]);
-        const std::uint32_t high = arc_vertex(second.cells[from], second.cells[1 - from]);
-        if (low != kNoArcVertex)
-            out.triangles.emplace_back(first.cells[from].vertex, low, first.cells[1 - from].vertex);
-        if (high != kNoArcVertex)
-            out.triangles.emplace_back(second.cells[1 - from].vertex, high, second.cells[from].vertex);
-        return;
-    }
-    if (first.count == 3) {
-        if (!emit_with_arcs(first.span(), lower, out)) emit(first.span(), lower, out);
-        second = reversed(second);
-        if (!emit_with_arcs(second.span(), upper, out)) emit(second.span(), upper, out);
-        return;
-    }
-    // A hair lies between the two sides, and what bends one bends the other: cut along the same diagonal they do not
-    // meet.
-    const auto length2 = [&](std::size_t a, std::size_t b) {
-        const glm::vec3 between =
-            vertices_.positions[first.cells[a].vertex] - vertices_.positions[first.cells[b].vertex];
-        return glm::dot(between, between);
-    };
-    const auto [allow_02, allow_13] = diagonals_of(first.span(), lower);
-    const bool along_02 = allow_02 && (!allow_13 || length2(0, 2) <= length2(1, 3));
-    const auto cut = [&](const Ring& ring, bool turned) {
-        const auto v = [&](std::size_t n) { return ring.cells[(n + (along_02 ? 0 : 1)) & 3].vertex; };
-        if (turned) {
-            out.triangles.emplace_back(v(2), v(1), v(0));
-            out.triangles.emplace_back(v(3), v(2), v(0));
-        } else {
-            out.triangles.emplace_back(v(0), v(1), v(2));
-            out.triangles.emplace_back(v(0), v(2), v(3));
-        }
-    };
-    if (!emit_with_arcs(first.span(), lower, out)) cut(first, false);
-    if (!emit_with_arcs(reversed(second).span(), upper, out)) cut(second, true);
+    std::ranges::reverse(std::span(second.cells).first(second.count));
+    const Polygon one = polygon_of(first.span(), first.open), other = polygon_of(second.span(), second.open);
+    // Where the wall ends at the edge its two sides meet there.
+    const std::uint32_t centre = add_centre(one, lower, out);
+    emit_fan(centre, one, first.open, out);
+    emit_fan(first.open ? centre : add_centre(other, upper, out), other, first.open, out);
 }
 
 EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
@@ -133,11 +104,22 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
             assert(around.kind(direction[q]) == Neighbour::kCoarser);
             entry = coarser(brick, edge, cell[q]);
         }
-        if (entry.vertex == SurfaceCells::kAbsent) continue;
+        if (entry.vertex == SurfaceCells::kAbsent) {
+            ring.open = true;
+            continue;
+        }
         if (ring.count > 0 && is_same_cell(ring.cells[ring.count - 1], entry)) continue;
         if (q == 3 && is_same_cell(ring.cells[0], entry)) continue;
         entry.place = static_cast<std::int32_t>(q);
         ring.cells[ring.count++] = entry;
+    }
+    if (ring.open) { // what is missing follows the last
+        const auto cells = std::span(ring.cells).first(ring.count);
+        for (std::size_t n = 0; n + 1 < ring.count; ++n)
+            if (cells[n + 1].place != cells[n].place + 1) {
+                std::ranges::rotate(cells, cells.begin() + static_cast<std::ptrdiff_t>(n + 1));
+                break;
+            }
     }
     return ring;
 }
@@ -148,7 +130,12 @@ EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& e
     entry.cell = cell_index(cell.x & 3, cell.y & 3, cell.z & 3);
     entry.level = octree_.bricks[brick].level;
     entry.crossing = edge_midpoint(4 * edge.axis + side) + (edge.walled && edge.upper ? kUpperEnd : 0);
+    if (!surface_.cells[brick].crossed) { // a wall that only one of the two bricks knows of
+        entry.vertex = SurfaceCells::kAbsent;
+        return entry;
+    }
     entry.recorded = surface_.is_recorded(brick, entry.cell);
+    entry.walled = entry.recorded && surface_.record(octree_.bricks[brick], brick, entry.cell).walled;
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -167,7 +154,12 @@ EdgePolygons::Around EdgePolygons::coarser(std::uint32_t brick, const Edge& edge
     entry.cell = cell_index(covered.x, covered.y, covered.z);
     entry.level = other.level;
     entry.crossing = quarter_index(quarter.x, quarter.y, quarter.z) + (edge.walled && edge.upper ? kUpperEnd : 0);
-    entry.recorded = true;
+    entry.recorded = surface_.cells[brick].crossed;
+    if (!entry.recorded) {
+        entry.vertex = SurfaceCells::kAbsent;
+        return entry;
+    }
+    entry.walled = surface_.is_recorded(brick, entry.cell) && surface_.record(other, brick, entry.cell).walled;
     entry.vertex = surface_.vertex(octree_.bricks[brick], brick, entry.cell, entry.crossing);
     return entry;
 }
@@ -207,20 +199,20 @@ glm::ivec3 EdgePolygons::low_corner(const Around& a) const {
     return brick.corner + glm::ivec3(a.cell & 3, a.cell >> 2 & 3, a.cell >> 4) * cell_units(a.level);
 }
 
-bool EdgePolygons::emit_with_arcs(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const {
-    if (std::ranges::none_of(ring, &Around::recorded)) return false;
-    std::array<std::uint32_t, 8> polygon{};
-    std::size_t count = 0;
-    bool extra = false;
+EdgePolygons::Polygon EdgePolygons::polygon_of(std::span<const Around> ring, bool open) const {
+    Polygon polygon;
+    polygon.walled = std::ranges::any_of(ring, &Around::walled);
+    polygon.extra = polygon.walled;
+    const bool any_arcs = std::ranges::any_of(ring, &Around::recorded);
     for (std::size_t n = 0; n < ring.size(); ++n) {
-        polygon[count++] = ring[n].vertex;
+        polygon.vertices[polygon.count++] = ring[n].vertex;
+        if (!any_arcs || (open && n + 1 == ring.size())) continue;
         const std::uint32_t between = arc_vertex(ring[n], ring[(n + 1) % ring.size()]);
         if (between == kNoArcVertex) continue;
-        polygon[count++] = between;
-        extra = true;
+        polygon.vertices[polygon.count++] = between;
+        polygon.extra = true;
     }
-    if (extra) emit_fan(std::span<const std::uint32_t>(polygon.data(), count), edge, out);
-    return extra;
+    return polygon;
 }
 
 // Between cells of different size only a diagonal that ends in one as small as the edge is unique to this edge.
@@ -248,33 +240,74 @@ void EdgePolygons::emit(std::span<const Around> ring, const Edge& edge, JoinedSu
 }
 
 // A polygon with vertices on its arcs is fanned about a vertex at its edge's crossing, so that no new edge can
-// coincide with another polygon's.
-void EdgePolygons::emit_fan(std::span<const std::uint32_t> polygon, const Edge& edge, JoinedSubtree& out) const {
+// coincide with another polygon's. Where cells have walls that vertex is on the edge: each triangle of a fan then lies
+// in one cell.
+std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const {
     const Brick& brick = octree_.bricks[edge.brick];
     const auto cell = static_cast<float>(octree_.lattice.cell_mm(brick.level));
-    const field::GridAxes axes = grid_axes(octree_.lattice, brick);
-    const auto field = field_.in_brick();
-    field->enter(octree_.segments_of(brick), axes);
-    field::Projection guesses;
+    const glm::dvec3 corner = octree_.lattice.position(brick.corner);
     glm::vec3 sum(0.0F);
-    for (const std::uint32_t v : polygon) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - axes.corner());
+    for (const std::uint32_t v : polygon.span()) sum += glm::vec3(glm::dvec3(vertices_.positions[v]) - corner);
     glm::vec3 middle = glm::vec3(edge.point) * cell;
     middle[edge.axis] += 0.5F * cell;
-    guesses.add(sum / static_cast<float>(polygon.size()), middle, 0.6F * cell);
-    field::OwnedGuess whose{0, field::kNoOwner, edge.walled};
-    if (field->parts_vessels()) {
-        glm::ivec3 inside = edge.point;
-        inside[edge.axis] += edge.upper ? 1 : 0;
-        const auto at = [](const std::array<double, 8>& along, int n) { return along[static_cast<std::size_t>(n)]; };
-        field::LatticeAxes lattice;
-        lattice.x[0] = at(axes.x, inside.x), lattice.y[0] = at(axes.y, inside.y), lattice.z[0] = at(axes.z, inside.z);
-        constexpr std::array<field::LatticePoint, 1> kFirst{};
-        (void)field->find_owners(lattice, kFirst, std::span(&whose.owner, 1));
+    glm::vec3 guess = sum / static_cast<float>(polygon.count);
+    field::OwnedGuess whose{static_cast<std::uint32_t>(out.guesses.size()), field::kNoOwner, edge.walled};
+    if (polygon.walled) {
+        whose.lower = whose.upper = middle;
+        whose.lower[edge.axis] -= 0.5F * cell;
+        whose.upper[edge.axis] += 0.5F * cell;
+        guess = middle;
     }
-    const auto centre = kAddedBit | static_cast<std::uint32_t>(out.added.count);
-    (void)append_projected(*field, guesses, out.added, std::span(&whose, field->parts_vessels() ? 1 : 0));
-    for (std::size_t n = 0; n < polygon.size(); ++n)
-        out.triangles.emplace_back(centre, polygon[n], polygon[(n + 1) % polygon.size()]);
+    out.guesses.add(guess, middle, 0.6F * cell);
+    out.owned.push_back(whose);
+    glm::ivec3 upper = edge.point;
+    ++upper[edge.axis];
+    const auto lattice_point = [](const glm::ivec3& p) {
+        return field::LatticePoint{static_cast<std::uint8_t>(4 * p.x), static_cast<std::uint8_t>(4 * p.y),
+                                   static_cast<std::uint8_t>(4 * p.z)};
+    };
+    out.edges.push_back({{lattice_point(edge.point), lattice_point(upper)}, edge.upper, polygon.walled});
+    return kAddedBit | static_cast<std::uint32_t>(out.added.count + whose.guess);
+}
+
+void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out) {
+    for (std::size_t n = 0; n + (open ? 1 : 0) < polygon.count; ++n)
+        out.triangles.emplace_back(centre, polygon.vertices[n], polygon.vertices[(n + 1) % polygon.count]);
+}
+
+// Whose the vertices on edges are, and where those of edges beside walls go.
+void EdgePolygons::find_centres(field::BrickField& field, const field::LatticeAxes& lattice, JoinedSubtree& out) {
+    for (std::size_t n = 0; n < out.owned.size(); ++n) {
+        field::OwnedGuess& whose = out.owned[n];
+        const JoinedSubtree::GuessEdge& edge = out.edges[n];
+        const std::size_t own = edge.upper_inside ? 1 : 0;
+        const std::size_t begin = whose.at_wall ? 0 : own, count = whose.at_wall ? 2 : 1;
+        std::array<field::Owner, 2> owner{field::kNoOwner, field::kNoOwner};
+        (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
+                                std::span(owner).subspan(begin, count));
+        whose.owner = owner[own];
+        if (!edge.exact) continue;
+        const EdgeKind kind = whose.at_wall       ? EdgeKind::kWall
+                              : edge.upper_inside ? EdgeKind::kUpperInside
+                                                  : EdgeKind::kLowerInside;
+        const EdgeEnds ends = ends_on_edge(field, {whose.lower, whose.upper}, kind, owner[0], owner[1]);
+        whose.place = field::OwnedGuess::Place::kBox;
+        whose.lower = whose.upper = edge.upper_inside ? ends.upper : ends.lower;
+    }
+}
+
+void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {
+    if (out.guesses.size() == 0) return;
+    const Brick& brick = octree_.bricks[index];
+    const auto field = field_.in_brick();
+    field->enter(octree_.segments_of(brick), grid_axes(octree_.lattice, brick));
+    const bool parts = field->parts_vessels();
+    if (parts) find_centres(*field, lattice_axes(octree_.lattice, brick), out);
+    (void)append_projected(*field, out.guesses, out.added,
+                           parts ? std::span(out.owned) : std::span(out.owned).first(0));
+    out.guesses.clear();
+    out.owned.clear();
+    out.edges.clear();
 }
 
 } // namespace ramus::mesh::bricks

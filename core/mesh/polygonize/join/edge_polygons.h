@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/mesh/polygonize/cells/brick_cells.h"
+#include "core/mesh/polygonize/cells/wall_pairs.h"
 
 #include <array>
 #include <glm/vec4.hpp>
@@ -21,6 +22,15 @@ struct JoinedSubtree {
     std::vector<glm::uvec4> quads; // counter-clockwise; their diagonals are chosen later
     std::vector<glm::uvec3> triangles;
     SurfaceVertices added;
+    // Of the brick that is being joined: vertices on edges, to be moved onto the surface all at once.
+    field::Projection guesses;
+    std::vector<field::OwnedGuess> owned;
+    struct GuessEdge {
+        std::array<field::LatticePoint, 2> ends;
+        bool upper_inside = false;
+        bool exact = false; // the vertex is on the edge
+    };
+    std::vector<GuessEdge> edges; // by guess
 
     [[nodiscard]] std::size_t triangle_count() const { return 2 * quads.size() + triangles.size(); }
     // Writes them all, first those of the quads. `vertices`: those joined; `first_added`: the index of the first added.
@@ -41,8 +51,10 @@ public:
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
     void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const;
-    // The same of an edge that a wall goes through: one polygon for each vessel, both cut in the same way.
+    // The same of an edge that a wall goes through: one polygon for each vessel.
     void add_wall(std::uint32_t index, int axis, glm::ivec3 point, JoinedSubtree& out) const;
+    // After the edges of a brick, moves the vertices that polygons got on edges onto the surface.
+    void finish(std::uint32_t index, JoinedSubtree& out) const;
 
     // Edges of a brick that walls go through, by axis: first points.
     [[nodiscard]] const std::array<GridBits, 3>& walls(std::uint32_t index) const {
@@ -59,11 +71,13 @@ private:
         std::int32_t crossing = 0; // as the cell names it
         std::int32_t place = 0;    // of four around the edge, the first that it takes
         bool recorded = false;
+        bool walled = false; // the cell has walls
     };
 
     struct Ring {
         std::array<Around, 4> cells; // counter-clockwise about the axis
-        std::size_t count = 0;       // 0: another brick's to join; of a wall that ends there, some may be missing
+        std::size_t count = 0;       // 0: another brick's to join
+        bool open = false;           // a wall ends there: in some cells it has no vertex, which would follow the last
         [[nodiscard]] std::span<const Around> span() const { return std::span(cells).first(count); }
     };
     // The edge, and which end of it looks at the surface.
@@ -81,10 +95,18 @@ private:
     [[nodiscard]] glm::ivec3 low_corner(const Around& a) const;
     // Which diagonals of four cells may cut their polygon: from the first, from the second.
     [[nodiscard]] std::pair<bool, bool> diagonals_of(std::span<const Around> ring, const Edge& edge) const;
-    // Adds the polygon if arcs between the cells have vertices of their own; returns whether it did.
-    bool emit_with_arcs(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
+    // The polygon with the vertices of arcs between the cells. `extra`: it has such, or some cell has walls.
+    struct Polygon {
+        std::array<std::uint32_t, 8> vertices{};
+        std::size_t count = 0;
+        bool extra = false, walled = false;
+        [[nodiscard]] std::span<const std::uint32_t> span() const { return std::span(vertices).first(count); }
+    };
+    [[nodiscard]] Polygon polygon_of(std::span<const Around> ring, bool open) const;
     void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
-    void emit_fan(std::span<const std::uint32_t> polygon, const Edge& edge, JoinedSubtree& out) const;
+    std::uint32_t add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const;
+    static void find_centres(field::BrickField& field, const field::LatticeAxes& lattice, JoinedSubtree& out);
+    static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
     field::Field field_;
     const Octree& octree_;

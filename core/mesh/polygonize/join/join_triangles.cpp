@@ -98,6 +98,7 @@ public:
             }
         }
         if (HWY_UNLIKELY(cells.walls != kNoWalls)) add_walls(index, around, out);
+        general_.finish(index, out);
     }
 
 private:

@@ -1,0 +1,68 @@
+#include "core/mesh/polygonize/cells/wall_pairs.h"
+
+#include "core/field/apart/wall.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramus::mesh::bricks {
+
+namespace {
+
+constexpr float kMostOfRoom = 0.25F; // of its least extent, that a wall may take
+constexpr float kOffEnds = 0.01F;    // of an edge: so far from its ends the surface goes through it
+
+// The wall's normal, from the first vessel to the second: of the surfaces, where they agree with the edges.
+glm::vec3 normal_of(const field::OwnedPoint& first, const field::OwnedPoint& second, const glm::vec3& toward,
+                    const glm::vec3& size) {
+    constexpr float kAgrees = 0.5F;
+    glm::vec3 between = first.normal - second.normal;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(size[axis] > 0.0F)) between[axis] = 0.0F;
+    const float length = glm::length(between);
+    const glm::vec3 along = glm::normalize(toward);
+    return length > 0.1F && glm::dot(between, along) > kAgrees * length ? between / length : along;
+}
+
+} // namespace
+
+void part(field::OwnedPoint& first, field::OwnedPoint& second, const glm::vec3& toward, const Span& room) {
+    const glm::vec3 size = room.size();
+    const glm::vec3 normal = normal_of(first, second, toward, size);
+    float least = std::numeric_limits<float>::max();
+    for (int axis = 0; axis < 3; ++axis)
+        if (size[axis] > 0.0F) least = std::min(least, size[axis]);
+    const float gap =
+        std::min(static_cast<float>(field::kWallRadii) * std::min(first.radius, second.radius), kMostOfRoom * least);
+    if (const float lacking = gap - glm::dot(second.at - first.at, normal); lacking > 0.0F) {
+        first.at -= 0.5F * lacking * normal;
+        second.at += 0.5F * lacking * normal;
+    }
+    const glm::vec3 inward = glm::max(room.lower - glm::min(first.at, second.at), 0.0F) +
+                             glm::min(room.upper - glm::max(first.at, second.at), 0.0F);
+    first.at = glm::clamp(first.at + inward, room.lower, room.upper);
+    second.at = glm::clamp(second.at + inward, room.lower, room.upper);
+}
+
+EdgeEnds ends_on_edge(field::BrickField& field, const Span& edge, EdgeKind kind, field::Owner lower,
+                      field::Owner upper) {
+    const glm::vec3 along = edge.size();
+    const Span room{edge.lower + kOffEnds * along, edge.upper - kOffEnds * along};
+    const auto end = [&](field::Owner owner, bool from_lower) {
+        field::OwnedGuess line;
+        line.owner = owner;
+        line.place = from_lower ? field::OwnedGuess::Place::kFromLower : field::OwnedGuess::Place::kFromUpper;
+        line.lower = edge.lower, line.upper = edge.upper;
+        return field.move(line, edge.lower);
+    };
+    if (kind != EdgeKind::kWall) {
+        const bool from_lower = kind == EdgeKind::kLowerInside;
+        const glm::vec3 at = glm::clamp(end(from_lower ? lower : upper, from_lower).at, room.lower, room.upper);
+        return {at, at};
+    }
+    field::OwnedPoint first = end(lower, true), second = end(upper, false);
+    part(first, second, along, room);
+    return {first.at, second.at};
+}
+
+} // namespace ramus::mesh::bricks

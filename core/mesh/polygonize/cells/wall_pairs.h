@@ -1,0 +1,34 @@
+// Wall pairs: places on the two sides of a wall between vessels that are kept apart. Each is put on its own side by the
+// field; here the two are moved apart as far as a wall is wide, and kept where their triangles may be.
+#pragma once
+
+#include "core/field/brick_field.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace ramus::mesh::bricks {
+
+// A box, which may be flat along some axes.
+struct Span {
+    glm::vec3 lower{std::numeric_limits<float>::max()}, upper{std::numeric_limits<float>::lowest()};
+    void include(const glm::vec3& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+    [[nodiscard]] glm::vec3 size() const { return upper - lower; }
+};
+
+// `toward`: from the first one's vessel to the second one's, as the edges of their cell tell it; not 0. Both stay in
+// `room`.
+void part(field::OwnedPoint& first, field::OwnedPoint& second, const glm::vec3& toward, const Span& room);
+
+// Where the surface goes through an edge beside a wall: of the vessel at its lower end, and of that at its upper end;
+// of one that the surface crosses once, both are the same.
+struct EdgeEnds {
+    glm::vec3 lower{0.0F}, upper{0.0F};
+};
+enum class EdgeKind : std::uint8_t { kLowerInside, kUpperInside, kWall };
+// Owners of the two ends, as far as they are inside. Positions relative to the brick that the field is in, mm.
+[[nodiscard]] EdgeEnds ends_on_edge(field::BrickField& field, const Span& edge, EdgeKind kind, field::Owner lower,
+                                    field::Owner upper);
+
+} // namespace ramus::mesh::bricks

@@ -1,0 +1,218 @@
+#include "core/mesh/polygonize/cells/walled_cells.h"
+
+#include "core/mesh/polygonize/cells/fans.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace ramus::mesh::bricks {
+
+namespace {
+
+constexpr int other_side(int crossing) { return crossing < kUpperEnd ? crossing + kUpperEnd : crossing - kUpperEnd; }
+
+glm::vec3 direction_of(int crossing) {
+    const auto [low, high] = ends_of_edge(crossing);
+    return 0.25F * glm::vec3(high - low);
+}
+
+// Between some crossings and a little beyond, in a room.
+Span around(const Span& crossings, const Span& room) {
+    constexpr float kBeyond = 0.25F; // of the crossings' extent
+    const glm::vec3 size = crossings.size();
+    const float beyond = kBeyond * std::max({size.x, size.y, size.z});
+    return {glm::clamp(crossings.lower - beyond, room.lower, room.upper),
+            glm::clamp(crossings.upper + beyond, room.lower, room.upper)};
+}
+
+field::OwnedPoint move(field::BrickField& field, field::Owner owner, const Span& box, const glm::vec3& guess) {
+    field::OwnedGuess whose;
+    whose.owner = owner;
+    whose.at_wall = true;
+    whose.place = field::OwnedGuess::Place::kBox;
+    whose.lower = box.lower, whose.upper = box.upper;
+    return field.move(whose, guess);
+}
+
+} // namespace
+
+struct WalledCells::Work {
+    field::BrickField& field;
+    const BrickOwners& owners;
+    glm::ivec3 cell;
+    const CellShape& shape;
+    const CellLoops& loops;
+    Cell made;
+    std::vector<field::OwnedPoint> of_loops, of_arcs;
+
+    [[nodiscard]] std::size_t loop_of(int crossing) const { return loops.loop_of[static_cast<std::size_t>(crossing)]; }
+};
+
+WalledCells::Cell WalledCells::place(field::BrickField& field, const BrickOwners& owners, glm::ivec3 cell,
+                                     const CellShape& shape, const CellLoops& loops) {
+    Work work{field, owners, cell, shape, loops, {}, {}, {}};
+    place_arcs(work);
+    place_loops(work);
+    for (std::size_t n = 0; n < work.of_arcs.size(); ++n) work.made.arcs[n].at = work.of_arcs[n].at;
+    for (std::size_t n = 0; n < work.of_loops.size(); ++n) work.made.loops[n].at = work.of_loops[n].at;
+    return std::move(work.made);
+}
+
+glm::vec3 WalledCells::crossing(Work& work, int crossing) {
+    const auto [a, b] = ends_of_edge(crossing);
+    const glm::ivec3 middle = 4 * work.cell + (a + b) / 2;
+    constexpr int kSide = 4 * kBrickCells + 1;
+    const auto [at, fresh] = ends_.try_emplace(middle.x + kSide * (middle.y + kSide * middle.z));
+    if (fresh) {
+        const auto owner = [&](const glm::ivec3& quarter) {
+            const glm::ivec3 p = 2 * work.cell + quarter / 2;
+            return work.owners.at(p.x, p.y, p.z);
+        };
+        const auto mm = [&](const glm::ivec3& quarter) {
+            return (glm::vec3(work.cell) + 0.25F * glm::vec3(quarter)) * cell_mm_;
+        };
+        const auto inside = [&](const glm::ivec3& quarter) {
+            const glm::ivec3 p = quarter / 2;
+            return (work.shape.inside >> (p.x + 3 * p.y + 9 * p.z) & 1U) != 0;
+        };
+        const EdgeKind kind = !inside(b)   ? EdgeKind::kLowerInside
+                              : !inside(a) ? EdgeKind::kUpperInside
+                                           : EdgeKind::kWall;
+        at->second = ends_on_edge(work.field, {mm(a), mm(b)}, kind, owner(a), owner(b));
+    }
+    return crossing < kUpperEnd ? at->second.lower : at->second.upper;
+}
+
+void WalledCells::place_arcs(Work& work) {
+    const auto& arcs = work.loops.own_arcs;
+    // Arcs of one face on both sides of a wall begin at one place.
+    struct Pair {
+        std::size_t first, second;
+        glm::vec3 toward;
+    };
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < arcs.size(); ++a)
+        for (std::size_t b = 0; b < arcs.size(); ++b) {
+            if (a == b || arcs[a].face != arcs[b].face) continue;
+            glm::vec3 toward(0.0F);
+            for (const int end : {int{arcs[a].first}, int{arcs[a].second}})
+                if (end < kUpperEnd && (arcs[b].first == other_side(end) || arcs[b].second == other_side(end)))
+                    toward += direction_of(end);
+            if (glm::dot(toward, toward) > 0.0F) pairs.push_back({a, b, toward});
+        }
+    const auto room_of = [&](const FaceArc& arc) {
+        Span room = within_cell(work.cell, cell_mm_);
+        const int axis = arc.face / 2;
+        room.lower[axis] = room.upper[axis] = static_cast<float>(work.cell[axis] + (arc.face & 1)) * cell_mm_;
+        return room;
+    };
+    const auto straight = [&](std::size_t a) {
+        return 0.5F * (crossing(work, arcs[a].first) + crossing(work, arcs[a].second));
+    };
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+        Span span;
+        glm::vec3 guess = straight(a);
+        span.include(crossing(work, arcs[a].first)), span.include(crossing(work, arcs[a].second));
+        for (const Pair& pair : pairs)
+            if (pair.first == a || pair.second == a) {
+                const std::size_t other = pair.first == a ? pair.second : pair.first;
+                guess = 0.5F * (guess + straight(other));
+                break;
+            }
+        const field::Owner owner = work.owners.of_crossing(work.cell, arcs[a].first);
+        work.of_arcs.push_back(move(work.field, owner, around(span, room_of(arcs[a])), guess));
+        work.made.arcs.push_back({{}, owner});
+    }
+    const auto meet = [&](std::size_t a, std::size_t b) {
+        return lines_meet({crossing(work, arcs[a].first), work.of_arcs[a].at, crossing(work, arcs[a].second)},
+                          {crossing(work, arcs[b].first), work.of_arcs[b].at, crossing(work, arcs[b].second)},
+                          arcs[a].face / 2);
+    };
+    for (const Pair& pair : pairs)
+        part(work.of_arcs[pair.first], work.of_arcs[pair.second], pair.toward, room_of(arcs[pair.first]));
+    // Straight lines between crossings of a face that follow each other around it do not meet.
+    for (std::size_t a = 0; a < arcs.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            if (arcs[a].face == arcs[b].face && meet(a, b))
+                work.of_arcs[a].at = straight(a), work.of_arcs[b].at = straight(b);
+}
+
+void WalledCells::place_loops(Work& work) {
+    const auto count = static_cast<std::size_t>(work.loops.loop_count);
+    const Span room = within_cell(work.cell, cell_mm_);
+    struct Group {
+        std::size_t first = 0; // of loops on both sides of a wall
+        glm::vec3 sum{0.0F};
+        float count = 0.0F;
+        Span span; // of the loop itself
+    };
+    std::vector<Group> groups(count);
+    for (std::size_t n = 0; n < count; ++n) groups[n].first = n;
+    struct Pair {
+        std::size_t first, second;
+        glm::vec3 toward;
+    };
+    std::vector<Pair> pairs;
+    work.made.loops.resize(count);
+    for (int m = 0; m < kCrossings; ++m) {
+        const std::size_t n = work.loop_of(m);
+        if (n == kNoLoop) continue;
+        if (const field::Owner owner = work.owners.of_crossing(work.cell, m); owner != field::kNoOwner)
+            work.made.loops[n].owner = owner;
+        const std::size_t other = work.loop_of(other_side(m));
+        if (other == kNoLoop || other == n) continue;
+        const auto [first, second] = std::minmax(groups[n].first, groups[other].first);
+        for (Group& group : groups)
+            if (group.first == second) group.first = first;
+        if (m >= kUpperEnd) continue;
+        const auto known =
+            std::ranges::find_if(pairs, [&](const Pair& pair) { return pair.first == n && pair.second == other; });
+        if (known == pairs.end())
+            pairs.push_back({n, other, direction_of(m)});
+        else
+            known->toward += direction_of(m);
+    }
+    for (int m = 0; m < kCrossings; ++m) {
+        if (work.loop_of(m) == kNoLoop) continue;
+        Group& own = groups[work.loop_of(m)];
+        Group& group = groups[own.first];
+        const glm::vec3 at = crossing(work, m);
+        group.sum += at, group.count += 1.0F;
+        own.span.include(at);
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+        const Group& group = groups[groups[n].first];
+        work.of_loops.push_back(
+            move(work.field, work.made.loops[n].owner, around(groups[n].span, room), group.sum / group.count));
+    }
+    for (const Pair& pair : pairs)
+        if (glm::dot(pair.toward, pair.toward) > 0.0F)
+            part(work.of_loops[pair.first], work.of_loops[pair.second], pair.toward, room);
+
+    // The fans of the loops, without their own vertices.
+    std::vector<Fan> fans(count);
+    for (const FaceArc& arc : work.loops.arcs) {
+        Fan& fan = fans[work.loop_of(arc.first)];
+        const glm::vec3 from = crossing(work, arc.first), to = crossing(work, arc.second);
+        std::size_t own = 0;
+        const auto& with_vertex = work.loops.own_arcs;
+        while (own < with_vertex.size() && (with_vertex[own].face != arc.face || with_vertex[own].first != arc.first ||
+                                            with_vertex[own].second != arc.second))
+            ++own;
+        if (own < with_vertex.size()) {
+            fan.edges.push_back({from, work.of_arcs[own].at});
+            fan.edges.push_back({work.of_arcs[own].at, to});
+        } else {
+            fan.edges.push_back({from, to});
+        }
+    }
+    std::vector<glm::vec3> at(count);
+    for (std::size_t n = 0; n < count; ++n) at[n] = work.of_loops[n].at;
+    std::vector<glm::vec3> toward(count, glm::vec3(0.0F));
+    for (const Pair& pair : pairs) toward[pair.first] -= pair.toward, toward[pair.second] += pair.toward;
+    part_fans(fans, toward, room.lower, room.upper, at);
+    for (std::size_t n = 0; n < count; ++n) work.of_loops[n].at = at[n];
+}
+
+} // namespace ramus::mesh::bricks

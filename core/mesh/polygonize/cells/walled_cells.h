@@ -1,0 +1,52 @@
+// WalledCells: where the vertices of cells go that walls between vessels run through, in one brick.
+//
+// In such a cell each loop's surface is the fan from its vertex to the loop's crossings on the cell's edges, and to
+// vertices on its faces between these. All of it stays within the cell, and on a face within that, so surfaces of
+// different cells cannot meet but where they should; within a face or cell, the places are chosen so that fans of
+// different vessels do not meet either.
+#pragma once
+
+#include "core/field/brick_field.h"
+#include "core/mesh/polygonize/cells/brick_owners.h"
+#include "core/mesh/polygonize/cells/cell_loops.h"
+#include "core/mesh/polygonize/cells/wall_pairs.h"
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <unordered_map>
+#include <vector>
+
+namespace ramus::mesh::bricks {
+
+// Where the vertices of a cell with walls may be: a little off its boundary.
+[[nodiscard]] inline Span within_cell(const glm::ivec3& cell, float cell_mm) {
+    constexpr float kOff = 0.01F;
+    return {(glm::vec3(cell) + kOff) * cell_mm, (glm::vec3(cell) + 1.0F - kOff) * cell_mm};
+}
+
+class WalledCells {
+public:
+    struct Vertex {
+        glm::vec3 at{0.0F}; // mm, from the brick's corner
+        field::Owner owner = field::kNoOwner;
+    };
+    struct Cell {
+        std::vector<Vertex> loops; // by loop
+        std::vector<Vertex> arcs;  // of CellLoops::own_arcs
+    };
+
+    void begin(float cell_mm) { cell_mm_ = cell_mm, ends_.clear(); }
+    [[nodiscard]] Cell place(field::BrickField& field, const BrickOwners& owners, glm::ivec3 cell,
+                             const CellShape& shape, const CellLoops& loops);
+
+private:
+    struct Work;
+    [[nodiscard]] glm::vec3 crossing(Work& work, int crossing);
+    void place_arcs(Work& work);
+    void place_loops(Work& work);
+
+    float cell_mm_ = 0.0F;
+    std::unordered_map<int, EdgeEnds> ends_; // by the edge's middle, in quarter cells
+};
+
+} // namespace ramus::mesh::bricks
