@@ -101,6 +101,10 @@ Region region_of(const Walks& walks, PairId start, double limit, std::vector<std
     return region;
 }
 
+// Vessels that are bent, or not equally thick, merge from a little farther than straight ones; that far a basin is a
+// contact if the way from it to the joints is farther by kPass.
+constexpr double kMayMerge = 1.03, kPass = 0.01;
+
 struct Edge {
     double closeness;
     std::uint32_t a, b; // numbers within the region; the last: together
@@ -144,7 +148,7 @@ Basins flood(const Walks& walks, const Region& region, const std::vector<std::in
         if (a == joints || b == joints) {
             const std::uint32_t other = a == joints ? b : a;
             if (met.contains(other)) continue;
-            if (closest[other] < merged && edge.closeness >= merged) {
+            if (closest[other] < kMayMerge * merged && edge.closeness >= std::max(merged, closest[other] + kPass)) {
                 met[other] = edge.closeness;
                 continue;
             }
@@ -220,7 +224,7 @@ Islands find_islands(const Links& links, const TouchingLinks& touching, const Co
             add(region.pairs, region.closest < limits.bundled, limits.reach);
             continue;
         }
-        if (region.closest >= limits.merged) continue;
+        if (region.closest >= kMayMerge * limits.merged) continue;
         const Basins basins = flood(walks, region, mark, limits.merged, limits.reach);
         std::map<std::uint32_t, std::vector<PairId>> members;
         for (std::size_t n = 0; n < region.pairs.size(); ++n)
