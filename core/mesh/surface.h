@@ -20,9 +20,9 @@ namespace ramus::mesh {
 struct SurfaceOptions {
     Method method = Method::kConvolutionSurface; // of a tree
     int smooth_passes = 1;                       // binomial passes over points and radii (core/tree/prepare.h)
-    double prune_ratio = 0.0;       // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
-    double width = 5.0;             // kernel width; 5 is the paper's, 1 is Bloomenthal's
-    Blend blend = Blend::kTree;     // where vessels blend
+    double prune_ratio = 0.0;   // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
+    double width = 5.0;         // kernel width; 5 is the paper's, 1 is Bloomenthal's
+    Blend blend = Blend::kTree; // where vessels blend
     tree::Centerline centerline = tree::Centerline::kSmooth;
     int detail = 16;                // triangles around a vessel
     double cell_mm = 0.0;           // one cell size everywhere instead of detail; 0 = use detail

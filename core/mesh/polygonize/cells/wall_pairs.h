@@ -4,6 +4,8 @@
 
 #include "core/field/brick_field.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -15,6 +17,12 @@ struct Span {
     glm::vec3 lower{std::numeric_limits<float>::max()}, upper{std::numeric_limits<float>::lowest()};
     void include(const glm::vec3& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
     [[nodiscard]] glm::vec3 size() const { return upper - lower; }
+};
+
+// Loops of a cell, or arcs of a face, with a wall between them.
+struct WallPair {
+    std::size_t first = 0, second = 0;
+    glm::vec3 toward{0.0F}; // from the first to the second, as the cell's edges tell it
 };
 
 // `toward`: from the first one's vessel to the second one's, as the edges of their cell tell it; not 0. Both stay in

@@ -37,6 +37,13 @@ field::OwnedPoint move(field::BrickField& field, field::Owner owner, const Span&
 
 } // namespace
 
+struct WalledCells::Loop {
+    std::size_t first = 0; // of those on both sides of its walls
+    glm::vec3 sum{0.0F};   // of these, where it is the first: of their crossings
+    float count = 0.0F;
+    Span span; // its own crossings
+};
+
 struct WalledCells::Work {
     field::BrickField& field;
     const BrickOwners& owners;
@@ -87,11 +94,7 @@ glm::vec3 WalledCells::crossing(Work& work, int crossing) {
 void WalledCells::place_arcs(Work& work) {
     const auto& arcs = work.loops.own_arcs;
     // Arcs of one face on both sides of a wall begin at one place.
-    struct Pair {
-        std::size_t first, second;
-        glm::vec3 toward;
-    };
-    std::vector<Pair> pairs;
+    std::vector<WallPair> pairs;
     for (std::size_t a = 0; a < arcs.size(); ++a)
         for (std::size_t b = 0; b < arcs.size(); ++b) {
             if (a == b || arcs[a].face != arcs[b].face) continue;
@@ -114,7 +117,7 @@ void WalledCells::place_arcs(Work& work) {
         Span span;
         glm::vec3 guess = straight(a);
         span.include(crossing(work, arcs[a].first)), span.include(crossing(work, arcs[a].second));
-        for (const Pair& pair : pairs)
+        for (const WallPair& pair : pairs)
             if (pair.first == a || pair.second == a) {
                 const std::size_t other = pair.first == a ? pair.second : pair.first;
                 guess = 0.5F * (guess + straight(other));
@@ -129,7 +132,7 @@ void WalledCells::place_arcs(Work& work) {
                           {crossing(work, arcs[b].first), work.of_arcs[b].at, crossing(work, arcs[b].second)},
                           arcs[a].face / 2);
     };
-    for (const Pair& pair : pairs)
+    for (const WallPair& pair : pairs)
         part(work.of_arcs[pair.first], work.of_arcs[pair.second], pair.toward, room_of(arcs[pair.first]));
     // Straight lines between crossings of a face that follow each other around it do not meet.
     for (std::size_t a = 0; a < arcs.size(); ++a)
@@ -138,59 +141,58 @@ void WalledCells::place_arcs(Work& work) {
                 work.of_arcs[a].at = straight(a), work.of_arcs[b].at = straight(b);
 }
 
-void WalledCells::place_loops(Work& work) {
-    const auto count = static_cast<std::size_t>(work.loops.loop_count);
-    const Span room = within_cell(work.cell, cell_mm_);
-    struct Group {
-        std::size_t first = 0; // of loops on both sides of a wall
-        glm::vec3 sum{0.0F};
-        float count = 0.0F;
-        Span span; // of the loop itself
-    };
-    std::vector<Group> groups(count);
-    for (std::size_t n = 0; n < count; ++n) groups[n].first = n;
-    struct Pair {
-        std::size_t first, second;
-        glm::vec3 toward;
-    };
-    std::vector<Pair> pairs;
-    work.made.loops.resize(count);
+// The loops that walls lie between; those on both sides of one, or of several in a row, get the number of the first.
+std::vector<WallPair> WalledCells::join_loops(Work& work, std::vector<Loop>& loop) {
+    std::vector<WallPair> pairs;
     for (int m = 0; m < kCrossings; ++m) {
-        const std::size_t n = work.loop_of(m);
+        const std::size_t n = work.loop_of(m), other = work.loop_of(other_side(m));
         if (n == kNoLoop) continue;
         if (const field::Owner owner = work.owners.of_crossing(work.cell, m); owner != field::kNoOwner)
             work.made.loops[n].owner = owner;
-        const std::size_t other = work.loop_of(other_side(m));
         if (other == kNoLoop || other == n) continue;
-        const auto [first, second] = std::minmax(groups[n].first, groups[other].first);
-        for (Group& group : groups)
-            if (group.first == second) group.first = first;
+        const auto [first, second] = std::minmax(loop[n].first, loop[other].first);
+        for (Loop& one : loop)
+            if (one.first == second) one.first = first;
         if (m >= kUpperEnd) continue;
         const auto known =
-            std::ranges::find_if(pairs, [&](const Pair& pair) { return pair.first == n && pair.second == other; });
+            std::ranges::find_if(pairs, [&](const WallPair& pair) { return pair.first == n && pair.second == other; });
         if (known == pairs.end())
             pairs.push_back({n, other, direction_of(m)});
         else
             known->toward += direction_of(m);
     }
+    return pairs;
+}
+
+void WalledCells::place_loops(Work& work) {
+    const auto count = static_cast<std::size_t>(work.loops.loop_count);
+    const Span room = within_cell(work.cell, cell_mm_);
+    work.made.loops.resize(count);
+    std::vector<Loop> loop(count);
+    for (std::size_t n = 0; n < count; ++n) loop[n].first = n;
+    const std::vector<WallPair> pairs = join_loops(work, loop);
     for (int m = 0; m < kCrossings; ++m) {
         if (work.loop_of(m) == kNoLoop) continue;
-        Group& own = groups[work.loop_of(m)];
-        Group& group = groups[own.first];
+        Loop& own = loop[work.loop_of(m)];
         const glm::vec3 at = crossing(work, m);
-        group.sum += at, group.count += 1.0F;
+        loop[own.first].sum += at, loop[own.first].count += 1.0F;
         own.span.include(at);
     }
     for (std::size_t n = 0; n < count; ++n) {
-        const Group& group = groups[groups[n].first];
+        const Loop& first = loop[loop[n].first];
         work.of_loops.push_back(
-            move(work.field, work.made.loops[n].owner, around(groups[n].span, room), group.sum / group.count));
+            move(work.field, work.made.loops[n].owner, around(loop[n].span, room), first.sum / first.count));
     }
-    for (const Pair& pair : pairs)
+    for (const WallPair& pair : pairs)
         if (glm::dot(pair.toward, pair.toward) > 0.0F)
             part(work.of_loops[pair.first], work.of_loops[pair.second], pair.toward, room);
+    part_loops(work, pairs);
+}
 
-    // The fans of the loops, without their own vertices.
+// Parts the fans of loops that meet.
+void WalledCells::part_loops(Work& work, const std::vector<WallPair>& pairs) {
+    const std::size_t count = work.of_loops.size();
+    const Span room = within_cell(work.cell, cell_mm_);
     std::vector<Fan> fans(count);
     for (const FaceArc& arc : work.loops.arcs) {
         Fan& fan = fans[work.loop_of(arc.first)];
@@ -210,7 +212,7 @@ void WalledCells::place_loops(Work& work) {
     std::vector<glm::vec3> at(count);
     for (std::size_t n = 0; n < count; ++n) at[n] = work.of_loops[n].at;
     std::vector<glm::vec3> toward(count, glm::vec3(0.0F));
-    for (const Pair& pair : pairs) toward[pair.first] -= pair.toward, toward[pair.second] += pair.toward;
+    for (const WallPair& pair : pairs) toward[pair.first] -= pair.toward, toward[pair.second] += pair.toward;
     part_fans(fans, toward, room.lower, room.upper, at);
     for (std::size_t n = 0; n < count; ++n) work.of_loops[n].at = at[n];
 }

@@ -41,9 +41,12 @@ public:
 
 private:
     struct Work;
+    struct Loop;
     [[nodiscard]] glm::vec3 crossing(Work& work, int crossing);
     void place_arcs(Work& work);
+    static std::vector<WallPair> join_loops(Work& work, std::vector<Loop>& loop);
     void place_loops(Work& work);
+    void part_loops(Work& work, const std::vector<WallPair>& pairs);
 
     float cell_mm_ = 0.0F;
     std::unordered_map<int, EdgeEnds> ends_; // by the edge's middle, in quarter cells

@@ -113,15 +113,17 @@ EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
         entry.place = static_cast<std::int32_t>(q);
         ring.cells[ring.count++] = entry;
     }
-    if (ring.open) { // what is missing follows the last
-        const auto cells = std::span(ring.cells).first(ring.count);
-        for (std::size_t n = 0; n + 1 < ring.count; ++n)
-            if (cells[n + 1].place != cells[n].place + 1) {
-                std::ranges::rotate(cells, cells.begin() + static_cast<std::ptrdiff_t>(n + 1));
-                break;
-            }
-    }
+    if (ring.open) ring.begin_after_gap();
     return ring;
+}
+
+void EdgePolygons::Ring::begin_after_gap() {
+    const auto present = std::span(cells).first(count);
+    for (std::size_t n = 0; n + 1 < count; ++n)
+        if (present[n + 1].place != present[n].place + 1) {
+            std::rotate(present.begin(), present.begin() + static_cast<std::ptrdiff_t>(n + 1), present.end());
+            return;
+        }
 }
 
 EdgePolygons::Around EdgePolygons::same_level(std::uint32_t brick, const Edge& edge, glm::ivec3 cell, int side) const {

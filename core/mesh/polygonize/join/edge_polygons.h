@@ -79,6 +79,7 @@ private:
         std::size_t count = 0;       // 0: another brick's to join
         bool open = false;           // a wall ends there: in some cells it has no vertex, which would follow the last
         [[nodiscard]] std::span<const Around> span() const { return std::span(cells).first(count); }
+        void begin_after_gap(); // so that what is missing follows the last
     };
     // The edge, and which end of it looks at the surface.
     struct Edge {
