@@ -31,7 +31,7 @@ constexpr std::array<OptionWord, 2> kBlendWords = {{
 
 // In the order of tree::Centerline.
 constexpr std::array<OptionWord, 2> kCenterlineWords = {{
-    {tree::name_of(tree::Centerline::kSmooth), "Curves"},
+    {tree::name_of(tree::Centerline::kSmooth), "Round"},
     {tree::name_of(tree::Centerline::kLines), "Lines"},
 }};
 
@@ -95,9 +95,9 @@ constexpr std::array<SurfaceOption, 8> kSurfaceOptions = {{
      .before_it_was = static_cast<double>(mesh::Blend::kPaper)},
     {.key = "centerline",
      .unit = "smooth|lines",
-     .help =
-         "What runs between the points of a centerline: smooth, curves with smooth radii (default); lines, straight "
-         "lines, as in the paper",
+     .help = "How centerlines run from point to point: smooth, with round corners and radii that change smoothly "
+             "(default); "
+             "lines, straight, as in the paper",
      .domain = "smooth or lines",
      .least = 0,
      .most = 1,
@@ -106,7 +106,7 @@ constexpr std::array<SurfaceOption, 8> kSurfaceOptions = {{
      .value = value_of<&Options::centerline>,
      .set = set_to<&Options::centerline>,
      .label = "Centerline",
-     .tooltip = "Smooth curves through the points, or straight lines between them, as in the paper",
+     .tooltip = "Round corners and radii that change smoothly, or straight lines, as in the paper",
      .slider_most = 1,
      .words = kCenterlineWords,
      .before_it_was = static_cast<double>(tree::Centerline::kLines)},

@@ -44,7 +44,11 @@ double distance_to_line(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
 TEST_CASE("what is straight, and what the kernel rounds by itself, stays as it is") {
     std::vector<Point> straight, stairs;
     for (int n = 0; n <= 20; ++n) straight.push_back({{0.5 * n, 0.0, 0.0}, 1.0 + 0.01 * n});
-    for (int n = 0; n <= 20; ++n) stairs.push_back({{0.2 * ((n + 1) / 2), 0.2 * (n / 2), 0.0}, 1.0});
+    glm::dvec3 step(0.0);
+    for (int n = 0; n <= 20; ++n) {
+        stairs.push_back({step, 1.0});
+        step[n % 2] += 0.2;
+    }
     for (const auto& points : {straight, stairs}) {
         const std::vector<Point> found = along(points);
         REQUIRE(found.size() == points.size());
