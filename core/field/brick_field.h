@@ -139,7 +139,6 @@ inline constexpr Owner kNoOwner = -1;
 struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
     Owner owner = kNoOwner;  // of that vessel
-    bool at_wall = false;    // between it and another one
     // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
     // there, else within its reach and the box; kBox, in the box, which may be flat; the others, on a line, at whose
     // lower or upper end the vessel is, where that ends.

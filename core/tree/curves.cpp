@@ -36,21 +36,14 @@ public:
     explicit Run(std::vector<Point> points) : points_(std::move(points)), lengths_(points_.size() - 1) {
         for (std::size_t i = 0; i < lengths_.size(); ++i)
             lengths_[i] = glm::distance(points_[i].position, points_[i + 1].position);
+        for (std::size_t i = 0; i < points_.size(); ++i) corners_.push_back(rounded(i));
     }
 
-    [[nodiscard]] Corner corner(std::size_t i) const {
-        if (!is_smooth(i)) return {};
-        const double radius = points_[i].radius;
-        const double reach = std::min({0.5 * lengths_[i - 1], 0.5 * lengths_[i], kRounded * radius});
-        const double cosine = glm::dot(direction(i - 1), direction(i));
-        const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
-        if (reach < kShort * radius || turn < kSlight) return {};
-        return {reach, std::min(static_cast<int>(std::ceil(turn / kPerPiece)), kMostPieces)};
-    }
+    [[nodiscard]] const Corner& corner(std::size_t i) const { return corners_[i]; }
 
     // The point of the curve that takes the place of a point.
     [[nodiscard]] Point point(std::size_t i) const {
-        const Corner here = corner(i);
+        const Corner& here = corner(i);
         return here.reach > 0.0 ? Point{on_corner(i, here.reach, 0.5), points_[i].radius} : points_[i];
     }
 
@@ -58,7 +51,7 @@ public:
     [[nodiscard]] std::vector<Point> between(std::size_t i, int pieces) const {
         std::vector<Point> ends;
         const int half = pieces / 2; // on each corner; the middle piece is straight
-        const Corner first = corner(i), last = corner(i + 1);
+        const Corner &first = corner(i), &last = corner(i + 1);
         const double length = lengths_[i];
         const double from = first.reach > 0.0 ? first.reach : std::min(points_[i].radius, 0.25 * length);
         const double to = last.reach > 0.0 ? last.reach : std::min(points_[i + 1].radius, 0.25 * length);
@@ -78,6 +71,15 @@ public:
     }
 
 private:
+    [[nodiscard]] Corner rounded(std::size_t i) const {
+        if (!is_smooth(i)) return {};
+        const double radius = points_[i].radius;
+        const double reach = std::min({0.5 * lengths_[i - 1], 0.5 * lengths_[i], kRounded * radius});
+        const double cosine = glm::dot(direction(i - 1), direction(i));
+        const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+        if (reach < kShort * radius || turn < kSlight) return {};
+        return {reach, std::min(static_cast<int>(std::ceil(turn / kPerPiece)), kMostPieces)};
+    }
     [[nodiscard]] glm::dvec3 direction(std::size_t segment) const {
         return (points_[segment + 1].position - points_[segment].position) / lengths_[segment];
     }
@@ -106,6 +108,7 @@ private:
 
     std::vector<Point> points_;
     std::vector<double> lengths_;
+    std::vector<Corner> corners_; // by point
 };
 
 Run run_of(const VesselTree& tree, const Branch& branch) {

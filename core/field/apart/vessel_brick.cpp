@@ -181,7 +181,7 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
         const std::size_t n = one.guess;
         const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
         const bool plain = views_.look(guess) == VesselViews::Sight::kPlain && !views_.beside_contact();
-        if (plain && !one.at_wall && one.place == OwnedGuess::Place::kFree) continue;
+        if (plain && one.place == OwnedGuess::Place::kFree) continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
         const Bounds bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
         const WallPoint point = move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_);

@@ -160,7 +160,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
         for (const int offset : kCornerOffset) {
             const int at = low + offset;
             if ((inside >> at & 1) == 0) continue;
-            owned_.push_back({n, owners_.at(2 * (at % 5), 2 * (at / 5 % 5), 2 * (at / 25)), false});
+            owned_.push_back({n, owners_.at(2 * (at % 5), 2 * (at / 5 % 5), 2 * (at / 25))});
             keep_within(owned_.back(), {low % 5, low / 5 % 5, low / 25});
             break;
         }
@@ -193,19 +193,27 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         traced.walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
         traced.beside_contact = traced.walled || is_beside_contact(cell);
         if (traced.beside_contact) traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
-        for (int face = 0; face < 6; ++face) { // both cells at a face find the same
-            glm::vec3 centre = glm::vec3(low_corner_of(cell)) + 0.5F;
-            centre[face / 2] += (face & 1) != 0 ? 0.5F : -0.5F;
-            if (field_->is_beside_contact(centre * cell_mm_)) traced.shape.contact_faces |= 1U << face;
-        }
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
     for (int n = 0; n < traced.centres.count; ++n) {
         const int centre = traced.centres.centre[static_cast<std::size_t>(n)];
-        points_.push_back({static_cast<std::uint8_t>(2 * low.x + centre % 5),
-                           static_cast<std::uint8_t>(2 * low.y + centre / 5 % 5),
-                           static_cast<std::uint8_t>(2 * low.z + centre / 25)});
+        const glm::ivec3 quarter(centre % 5, centre / 5 % 5, centre / 25);
+        points_.push_back({static_cast<std::uint8_t>(2 * low.x + quarter.x),
+                           static_cast<std::uint8_t>(2 * low.y + quarter.y),
+                           static_cast<std::uint8_t>(2 * low.z + quarter.z)});
+        if (traced.apart >= 0) note_contact_face(traced, quarter);
+    }
+}
+
+// Notes the face with this centre, in quarter cells, where something is kept apart beside it: both of its cells find
+// the same.
+void BrickSampler::note_contact_face(TracedCell& traced, glm::ivec3 quarter) {
+    for (int face = 0; face < 6; ++face) {
+        glm::ivec3 centre(2);
+        centre[face / 2] = (face & 1) != 0 ? 4 : 0;
+        const glm::vec3 at = glm::vec3(low_corner_of(traced.cell)) + 0.25F * glm::vec3(quarter);
+        if (quarter == centre && field_->is_beside_contact(at * cell_mm_)) traced.shape.contact_faces |= 1U << face;
     }
 }
 
@@ -235,8 +243,8 @@ void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, cons
         if (whose.place == field::OwnedGuess::Place::kFree) keep_within(owned_.back(), cell);
     }
     // Where a cell has several vertices, each keeps to the neighbourhood of its own crossings: in one common box two of
-    // them could end up at the same corner. At a wall it keeps them apart.
-    if (alone || whose.at_wall)
+    // them could end up at the same corner.
+    if (alone)
         guesses_.add(guess, centre, kVertexReach * cell_mm_);
     else
         guesses_.add(guess, guess, kSharedReach * cell_mm_);
@@ -305,7 +313,7 @@ bool BrickSampler::is_beside_contact(int cell) {
 // Faces that are parts of coarser cells', as in CellShape.
 std::uint8_t BrickSampler::coarser_faces(glm::ivec3 cell) const {
     unsigned faces = 0;
-    for (int face = 0; face < 6; ++face) {
+    for (int face = 0; face < 6 && neighbours_->coarser != 0; ++face) {
         const int axis = face / 2;
         if (cell[axis] != (face & 1) * (kBrickCells - 1)) continue;
         glm::ivec3 d(0);
@@ -324,7 +332,7 @@ void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& s
     const glm::ivec3 cell = low_corner_of(traced.cell);
     const WalledCells::Cell placed = walled_.place(*field_, owners_, cell, traced.shape, traced.loops);
     const auto add = [&](const WalledCells::Vertex& vertex) {
-        field::OwnedGuess whose{0, vertex.owner, true, field::OwnedGuess::Place::kBox, vertex.at, vertex.at};
+        const field::OwnedGuess whose{0, vertex.owner, field::OwnedGuess::Place::kBox, vertex.at, vertex.at};
         add_vertex(vertex.at, cell, false, whose);
     };
     for (const WalledCells::Vertex& vertex : placed.loops) add(vertex);

@@ -47,6 +47,7 @@ private:
     void sample_points(SubtreeCells& subtree);
     void sort_cells(BrickCells& cells);
     void trace(int cell, unsigned corner_signs, std::uint32_t finer);
+    void note_contact_face(TracedCell& traced, glm::ivec3 quarter);
     void decide_face_centres(SubtreeCells& subtree);
 
     void add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);

@@ -52,7 +52,7 @@ extern const std::array<bool, 256> kPlainCells;
 struct CellShape {
     std::uint8_t split_faces = 0;  // bit 2 axis + side: four finer faces
     std::uint16_t split_edges = 0; // bit = edge: two finer edges
-    // Beside contacts only: faces that are a quarter of a coarser cell's, and all faces.
+    // Beside contacts only: faces that are a quarter of a coarser cell's, and those whose centre decides.
     std::uint8_t coarser_faces = 0, contact_faces = 0;
     std::uint32_t inside = 0; // bit x + 3 y + 9 z of the 3 x 3 x 3 corners and hanging corners
 };

@@ -29,7 +29,6 @@ Span around(const Span& crossings, const Span& room) {
 field::OwnedPoint move(field::BrickField& field, field::Owner owner, const Span& box, const glm::vec3& guess) {
     field::OwnedGuess whose;
     whose.owner = owner;
-    whose.at_wall = true;
     whose.place = field::OwnedGuess::Place::kBox;
     whose.lower = box.lower, whose.upper = box.upper;
     return field.move(whose, guess);

@@ -253,7 +253,7 @@ std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge,
     glm::vec3 middle = glm::vec3(edge.point) * cell;
     middle[edge.axis] += 0.5F * cell;
     glm::vec3 guess = sum / static_cast<float>(polygon.count);
-    field::OwnedGuess whose{static_cast<std::uint32_t>(out.guesses.size()), field::kNoOwner, edge.walled};
+    field::OwnedGuess whose{static_cast<std::uint32_t>(out.guesses.size())};
     if (polygon.walled) {
         whose.lower = whose.upper = middle;
         whose.lower[edge.axis] -= 0.5F * cell;
@@ -268,7 +268,8 @@ std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge,
         return field::LatticePoint{static_cast<std::uint8_t>(4 * p.x), static_cast<std::uint8_t>(4 * p.y),
                                    static_cast<std::uint8_t>(4 * p.z)};
     };
-    out.edges.push_back({{lattice_point(edge.point), lattice_point(upper)}, edge.upper, polygon.walled});
+    const EdgeKind kind = edge.walled ? EdgeKind::kWall : edge.upper ? EdgeKind::kUpperInside : EdgeKind::kLowerInside;
+    out.edges.push_back({{lattice_point(edge.point), lattice_point(upper)}, kind, edge.upper, polygon.walled});
     return kAddedBit | static_cast<std::uint32_t>(out.added.count + whose.guess);
 }
 
@@ -279,22 +280,22 @@ void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool o
 
 // Whose the vertices on edges are, and where those of edges beside walls go.
 void EdgePolygons::find_centres(field::BrickField& field, const field::LatticeAxes& lattice, JoinedSubtree& out) {
+    std::array<field::Owner, 2> owner{field::kNoOwner, field::kNoOwner};
+    EdgeEnds ends;
     for (std::size_t n = 0; n < out.owned.size(); ++n) {
         field::OwnedGuess& whose = out.owned[n];
         const JoinedSubtree::GuessEdge& edge = out.edges[n];
-        const std::size_t own = edge.upper_inside ? 1 : 0;
-        const std::size_t begin = whose.at_wall ? 0 : own, count = whose.at_wall ? 2 : 1;
-        std::array<field::Owner, 2> owner{field::kNoOwner, field::kNoOwner};
-        (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
-                                std::span(owner).subspan(begin, count));
-        whose.owner = owner[own];
+        const bool wall = edge.kind == EdgeKind::kWall;
+        if (!(wall && edge.upper)) { // else found with the lower side
+            const std::size_t begin = edge.upper ? 1 : 0, count = wall ? 2 : 1;
+            (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
+                                    std::span(owner).subspan(begin, count));
+            if (edge.exact) ends = ends_on_edge(field, {whose.lower, whose.upper}, edge.kind, owner[0], owner[1]);
+        }
+        whose.owner = owner[edge.upper ? 1 : 0];
         if (!edge.exact) continue;
-        const EdgeKind kind = whose.at_wall       ? EdgeKind::kWall
-                              : edge.upper_inside ? EdgeKind::kUpperInside
-                                                  : EdgeKind::kLowerInside;
-        const EdgeEnds ends = ends_on_edge(field, {whose.lower, whose.upper}, kind, owner[0], owner[1]);
         whose.place = field::OwnedGuess::Place::kBox;
-        whose.lower = whose.upper = edge.upper_inside ? ends.upper : ends.lower;
+        whose.lower = whose.upper = edge.upper ? ends.upper : ends.lower;
     }
 }
 

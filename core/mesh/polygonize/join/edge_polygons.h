@@ -27,7 +27,8 @@ struct JoinedSubtree {
     std::vector<field::OwnedGuess> owned;
     struct GuessEdge {
         std::array<field::LatticePoint, 2> ends;
-        bool upper_inside = false;
+        EdgeKind kind = EdgeKind::kLowerInside;
+        bool upper = false; // the vertex is of the upper end; of a wall's two sides that follows the lower one
         bool exact = false; // the vertex is on the edge
     };
     std::vector<GuessEdge> edges; // by guess
