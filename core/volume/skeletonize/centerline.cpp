@@ -17,15 +17,16 @@ namespace ramus::volume {
 
 namespace {
 
-// The surface of a tree goes this part of the radius beyond its last point: at an end, the kernel's sum is that of half
-// a line (the paper's kernel; sqrt(1/2)). The volume there is that of a tube that ends just before.
-constexpr double kBeyondEnd = 0.7071;
+// A tube of the volume of an end ends this part of the radius beyond the last point that stands for it. The surface of
+// a tree ends 0.707 radii beyond it (the paper's kernel: half a line's sum), as a dome that holds as much as 0.277
+// radii of the tube. Between the two the surface is nearest to ends that are flat and to those that are round.
+constexpr double kBeyondEnd = 0.66;
 // Tuned on grown trees and masks of patients: how far positions, their corrections and areas are smoothed along a
 // vessel, in its radii.
 constexpr double kSmoothPositions = 1.0, kSmoothShifts = 0.6, kSmoothAreas = 0.25;
 constexpr double kFlat = 1.255; // see radius_of()
 // Where vessels meet, the wall is farther out than the ball between them reaches.
-constexpr double kNode = 1.188;
+constexpr double kNode = 1.165;
 // How near an end nothing is clear, in radii of the largest ball there; which balls count: those that come within so
 // many of their radii.
 constexpr double kEnd = 0.75, kReach = 1.2;
@@ -104,7 +105,7 @@ private:
     }
 
     // How far around a node of a line nothing is clear: at a node of several lines the ball there; at an end, to which
-    // the way may be askew, most of the largest ball of this vessel that reaches there.
+    // the way may be askew, part of the largest ball of this vessel that reaches there.
     [[nodiscard]] double unclear_around(int node_number, int other, const Course& course) const {
         const MidPoint& here = node(node_number);
         if (!is_end(node_number)) return here.distance;
@@ -252,7 +253,7 @@ private:
     }
 
     // Straight on from the last clear point, as far as the volume there reaches: that of a tube, or, where it reaches
-    // farther than a tube would, of a cone. The surface of a tree goes a little beyond its last point.
+    // farther than a tube would, of a cone.
     void reach_end(Course& course, const std::vector<Slab>& slabs) const {
         const std::size_t last = course.last();
         std::size_t base = last;

@@ -96,8 +96,7 @@ TEST_CASE("trees of real masks have their topology, and surfaces close to theirs
         CHECK(tree->loop_count == known.tunnels);
 
         mesh::SurfaceOptions as_it_is;
-        as_it_is.smooth_passes = 0;                     // centerlines of masks are smooth already
-        as_it_is.centerline = tree::Centerline::kLines; // and so are radii
+        as_it_is.smooth_passes = 0; // centerlines of masks are smooth already
         const auto surface = mesh::make_surface(*tree, as_it_is, job);
         REQUIRE(surface);
         const auto wall = volume::mask_surface(*mask, to_patient, {}, job);
