@@ -6,6 +6,7 @@
 #include "core/tree/prepare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -96,8 +97,9 @@ public:
 
     void join(const OpenEnd& end) {
         joined_[end.point] = 1;
-        const bool same = end.depth < kSamePlace;
-        if (const auto near = near_point(end); !near)
+        const auto near = near_point(end);
+        const bool same = is_on_axis(end, near) && !(near && leads_to_place_of(end.point, *near));
+        if (!near)
             cut(end, same);
         else if (same)
             replace(end.point, *near);
@@ -164,16 +166,33 @@ private:
         place_edge(static_cast<std::uint32_t>(graph_.edges.size() - 1));
     }
 
-    // A point that is about as near: no short segment is made beside it.
+    [[nodiscard]] bool is_on_axis(const OpenEnd& end, std::optional<std::uint32_t> near) const {
+        return end.depth < kSamePlace || (near && graph_.points[*near].position == graph_.points[end.point].position);
+    }
+    // If what an end is connected to lies where a point lies already: then it keeps its own place between them.
+    [[nodiscard]] bool leads_to_place_of(std::uint32_t end, std::uint32_t point) const {
+        const Edge& edge = graph_.edges[edge_of_[end]];
+        const std::uint32_t neighbour = edge.first == end ? edge.second : edge.first;
+        return graph_.points[neighbour].position == graph_.points[point].position;
+    }
+
+    // A point of the segment, or where it was cut, that is about as near: no short segment is made beside it.
     [[nodiscard]] std::optional<std::uint32_t> near_point(const OpenEnd& end) const {
         constexpr double kNear = 0.25; // of the radius there
         const Point& a = graph_.points[end.from];
         const Point& b = graph_.points[end.to];
         const double length = glm::distance(a.position, b.position);
-        const double near = kNear * glm::mix(a.radius, b.radius, end.share);
-        if (end.share * length < near) return standing(end.from);
-        if ((1.0 - end.share) * length < near) return standing(end.to);
-        return std::nullopt;
+        std::optional<std::uint32_t> nearest;
+        double away = kNear * glm::mix(a.radius, b.radius, end.share);
+        const auto look = [&](double share, std::uint32_t point) {
+            const double distance = std::abs(end.share - share) * length;
+            if (distance < away) away = distance, nearest = point;
+        };
+        look(0.0, standing(end.from));
+        look(1.0, standing(end.to));
+        if (const auto cuts = cuts_.find({end.from, end.to}); cuts != cuts_.end())
+            for (const Cut& cut : cuts->second) look(cut.share, standing(cut.point));
+        return nearest;
     }
 
     // An end that is on the other axis becomes the point there itself.

@@ -73,6 +73,37 @@ TEST_CASE("a vessel with both ends in another one is joined by the deeper one: n
     CHECK(sentences(tree, Note::Kind::kRepaired)[0] == "5: an end within another vessel was joined to it");
 }
 
+void check_segments_have_length(const VesselTree& tree) {
+    for (const Branch& branch : tree.branches)
+        for (std::size_t n = 1; n < branch.points.size(); ++n)
+            CHECK(tree.points[branch.points[n]].position != tree.points[branch.points[n - 1]].position);
+}
+
+TEST_CASE("ends that lie at one place of an axis share a point there") {
+    Graph graph = trunk_and_twig(0.0);
+    graph.points.push_back({{5, 0, 10}, 0.5});
+    graph.points.push_back({{5, 0, 0}, 0.5});
+    graph.edges.emplace_back(5, 6);
+    graph.roots = {0, 4, 6};
+    const VesselTree tree = built(graph);
+    CHECK(tree.roots.size() == 1);
+    CHECK(tree.branches.size() == 4);
+    check_segments_have_length(tree);
+}
+
+TEST_CASE("an end is joined though its neighbour lies at a point of the axis") {
+    Graph graph = trunk_and_twig(10.0, 10.0);
+    graph.points[3].position = {10, 0, 0};
+    graph.points[4].position = {10.1, 0, 0};
+    graph.edges = {{0, 1}, {1, 2}, {3, 4}};
+    graph.points.push_back({{10, 10, 0}, 0.5});
+    graph.edges.emplace_back(3, 5);
+    graph.roots = {0, 4};
+    const VesselTree tree = built(graph);
+    CHECK(tree.roots.size() == 1);
+    check_segments_have_length(tree);
+}
+
 TEST_CASE("many ends on one segment, in any order, cut it into parts that follow each other") {
     Graph graph;
     graph.points = {{{0, 0, 0}, 2.0}, {{100, 0, 0}, 2.0}};
