@@ -32,19 +32,23 @@ public:
                 const tree::Point& b = prepared.tree.points[branch.points[i]];
                 const double length = glm::distance(a.position, b.position);
                 const double slope = (b.radius - a.radius) / length;
-                if (length > 0.0)
-                    segments_.push_back({a.position, (b.position - a.position) / length, length, a.radius, b.radius,
-                                         smooth ? field::beyond_for(slope) : 0.0, prepared.segment_source[ordinal]});
+                if (!(length > 0.0)) continue;
+                const double beyond = smooth ? field::beyond_for(slope) : 0.0;
+                segments_.push_back({a.position, (b.position - a.position) / length, length, a.radius, b.radius, beyond,
+                                     prepared.segment_source[ordinal]});
+                constexpr double kReach = 5.0; // radii: beyond 4.2 kernel() is 0 across and, as good as, along
+                const double reach = kReach * std::max(a.radius, b.radius) * (1.0 + std::abs(slope) * beyond);
+                reaches_.push_back({0.5 * (a.position + b.position), std::pow(0.5 * length + reach, 2.0)});
             }
         }
     }
 
-    // The part of the field that its segments within `reach` mm of a point make.
-    [[nodiscard]] BruteForceField around(glm::dvec3 p, double reach) const {
+    // The part of the field whose kernels are not nothing, in double precision, at a point and right beside it.
+    [[nodiscard]] BruteForceField around(glm::dvec3 p) const {
         BruteForceField part(w_);
-        for (const Segment& s : segments_) {
-            const double t = std::clamp(glm::dot(p - s.a, s.u), 0.0, s.length);
-            if (glm::distance(p, s.a + t * s.u) < reach) part.segments_.push_back(s);
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const glm::dvec3 off = p - reaches_[i].middle;
+            if (glm::dot(off, off) < reaches_[i].squared) part.segments_.push_back(segments_[i]);
         }
         return part;
     }
@@ -107,6 +111,10 @@ private:
     struct Kernel {
         double h, r;
     };
+    struct Reach { // the ball in which a segment's kernel is not nothing
+        glm::dvec3 middle;
+        double squared; // of the ball's radius, mm^2
+    };
 
     [[nodiscard]] Kernel kernel(const Segment& s, glm::dvec3 p) const {
         const glm::dvec3 v = p - s.a;
@@ -125,6 +133,7 @@ private:
 
     double w_;
     std::vector<Segment> segments_;
+    std::vector<Reach> reaches_; // of each; none in a part of a field
 };
 
 } // namespace ramus::test

@@ -57,7 +57,7 @@ std::vector<double> jumps(const tree::VesselTree& tree, const mesh::SurfaceOptio
             const glm::dvec3 side = glm::normalize(
                 glm::cross(u, std::abs(u.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
             const glm::dvec3 other = glm::cross(u, side);
-            const test::BruteForceField field = whole.around(at.position, 8.0 * at.radius);
+            const test::BruteForceField field = whole.around(at.position);
             for (int k = 0; k < 8; ++k) {
                 const double angle = k * std::numbers::pi / 4.0;
                 const glm::dvec3 out = std::cos(angle) * side + std::sin(angle) * other;

@@ -57,9 +57,7 @@ TEST_CASE("surfaces of real trees are closed manifolds on the isosurface") {
         options.blend = mesh::Blend::kPaper;
         const tree::PreparedTree prepared = mesh::prepare_tree(*tree, options);
         const test::BruteForceField witness(prepared, options.width);
-        // Beyond 4.2 of the thickest radius no kernel has anything left in double precision.
-        const double reach = 5.0 * std::ranges::max_element(prepared.tree.points, {}, &tree::Point::radius)->radius;
-        const auto sample = [&](const glm::dvec3& at) { return witness.around(at, reach).sample(at); };
+        const auto sample = [&](const glm::dvec3& at) { return witness.around(at).sample(at); };
 
         const mesh::TriangleMesh mesh = surface_of(*tree, options);
         const test::Topology topology = test::topology(mesh);
