@@ -172,13 +172,10 @@ Result<std::unique_ptr<GlContext>> context_on(EGLDisplay display) {
     }
     for (const GlVersion version : kAskedFor) {
         const bool any = version == GlVersion{};
-        const std::array<EGLint, 7> attributes{any ? EGL_NONE : EGL_CONTEXT_MAJOR_VERSION,
-                                               version.major,
-                                               EGL_CONTEXT_MINOR_VERSION,
-                                               version.minor,
-                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                               EGL_NONE};
+        const EGLint first = any ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK;
+        const std::array attributes{first,         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_MAJOR_VERSION,
+                                    version.major, EGL_CONTEXT_MINOR_VERSION,           version.minor,
+                                    EGL_NONE};
         const EGLContext handle = egl().create_context(display, config, EGL_NO_CONTEXT, attributes.data());
         if (handle != EGL_NO_CONTEXT) return made_current(std::make_unique<EglGlContext>(display, handle));
     }
@@ -203,14 +200,14 @@ Result<std::unique_ptr<GlContext>> make_osmesa_context() {
     if (!osmesa().complete) return fail("OSMesa is not there", RAMUS_OSMESA, remedy + ", or use --backend egl");
     for (const GlVersion version : kAskedFor) {
         const bool any = version == GlVersion{};
-        const std::array<int, 7> attributes{
-            any ? 0 : OSMESA_PROFILE, // neither depths nor stencil if they are not named
-            OSMESA_CORE_PROFILE,
-            OSMESA_CONTEXT_MAJOR_VERSION,
-            version.major,
-            OSMESA_CONTEXT_MINOR_VERSION,
-            version.minor,
-            0};
+        const int first = any ? 0 : OSMESA_PROFILE; // neither depths nor stencil if they are not named
+        const std::array attributes{first,
+                                    OSMESA_CORE_PROFILE,
+                                    OSMESA_CONTEXT_MAJOR_VERSION,
+                                    version.major,
+                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                    version.minor,
+                                    0};
         OSMesaContext handle = osmesa().create_context(attributes.data(), nullptr);
         if (handle != nullptr) return made_current(std::make_unique<OsMesaGlContext>(handle));
     }

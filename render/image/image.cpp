@@ -142,8 +142,7 @@ void straighten(Image& image) {
 
 Image reduced(const Image& image, int factor) {
     if (factor <= 1) return image;
-    std::array<float, 256> light{};
-    for (int i = 0; i < 256; ++i) light[static_cast<std::size_t>(i)] = linear(static_cast<float>(i) / 255.0F);
+    const auto light = linear_of_bytes();
     Image result(image.width / factor, image.height / factor);
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) {
@@ -156,11 +155,7 @@ Image reduced(const Image& image, int factor) {
                 }
             }
             std::uint8_t* out = result.pixel(x, y);
-            for (int k = 0; k < 3 && alpha > 0.0F; ++k) {
-                const float c = sum[k] / alpha;
-                const float srgb = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
-                out[k] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(srgb, 0.0F, 1.0F)));
-            }
+            for (int k = 0; k < 3 && alpha > 0.0F; ++k) out[k] = srgb_byte(sum[k] / alpha);
             out[3] = static_cast<std::uint8_t>(std::lround(alpha / static_cast<float>(factor * factor)));
         }
     return result;

@@ -75,8 +75,7 @@ void blur(Channel& channel, int width, int height, const std::array<Blur, 2>& bl
 std::array<Channel, 3> opponent_channels(const Image& image, double pixels_per_degree) {
     const std::size_t count = image.rgba.size() / 4;
     std::array<Channel, 3> channels{Channel(count), Channel(count), Channel(count)};
-    std::array<double, 256> light{};
-    for (std::size_t i = 0; i < light.size(); ++i) light[i] = double(linear(static_cast<float>(i) / 255.0F));
+    const auto light = linear_of_bytes();
     const glm::dmat3 to_channels = kOpponent * kFromRgb;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t* p = &image.rgba[4 * i];

@@ -1,10 +1,9 @@
-// Letters for the pictures' own overlays, as coverage bitmaps without GL or user interface: from a TrueType font where
-// there is one, else from strokes that are built in. Deterministic for a given font.
+// Letters for the pictures' own overlays, as coverage bitmaps without GL or user interface: of the TrueType font that
+// was configured when ramus was built and is part of the program. Deterministic.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,18 +32,7 @@ struct Coverage {
     }
 };
 
-class Font {
-public:
-    // Of a TrueType file; without a name, or where it cannot be read, the strokes that are built in (digits, the unit
-    // letters and A P L R S I).
-    explicit Font(const std::string& path);
-    Font(); // that was configured when ramus was built
-
-    // Latin-1 letters of one line; `capital_height` in pixels.
-    [[nodiscard]] Coverage draw(std::string_view latin1, double capital_height) const;
-
-private:
-    std::vector<unsigned char> file_;
-};
+// Latin-1 letters of one line; `capital_height` in pixels.
+[[nodiscard]] Coverage draw_text(std::string_view latin1, double capital_height);
 
 } // namespace ramus::render

@@ -37,7 +37,7 @@ std::string orientation_letters(const glm::dvec3& direction) {
     return letters;
 }
 
-Image paint_caption(const std::string& text, double pixel_ratio, int width, const Font& font) {
+Image paint_caption(const std::string& text, double pixel_ratio, int width) {
     const double capital = 10.0 * pixel_ratio;
     const int halo = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
     std::vector<Coverage> lines;
@@ -46,14 +46,14 @@ Image paint_caption(const std::string& text, double pixel_ratio, int width, cons
     for (std::string word; words >> word;) {
         std::string longer = line;
         longer.append(line.empty() ? 0 : 1, ' ').append(word);
-        if (!line.empty() && font.draw(longer, capital).width > width) {
-            lines.push_back(font.draw(line, capital));
+        if (!line.empty() && draw_text(longer, capital).width > width) {
+            lines.push_back(draw_text(line, capital));
             line = word;
         } else {
             line = longer;
         }
     }
-    if (!line.empty()) lines.push_back(font.draw(line, capital));
+    if (!line.empty()) lines.push_back(draw_text(line, capital));
     int width_of_all = 0, height_of_all = 2 * halo;
     for (const Coverage& one : lines) {
         width_of_all = std::max(width_of_all, one.width + 2 * halo);

@@ -17,6 +17,6 @@ namespace ramus::render {
 [[nodiscard]] std::string orientation_letters(const glm::dvec3& direction);
 
 // Latin-1, in lines of at most so many pixels where words allow it.
-[[nodiscard]] Image paint_caption(const std::string& text, double pixel_ratio, int width, const Font& font);
+[[nodiscard]] Image paint_caption(const std::string& text, double pixel_ratio, int width);
 
 } // namespace ramus::render

@@ -76,8 +76,8 @@ void hatch(Plate& plate, int left, int top, int width, int height, double period
 
 } // namespace
 
-Image paint_label(const std::string& text, double pixel_ratio, const Font& font) {
-    const Coverage letters = font.draw(text, 8.5 * pixel_ratio);
+Image paint_label(const std::string& text, double pixel_ratio) {
+    const Coverage letters = draw_text(text, 8.5 * pixel_ratio);
     const int side = static_cast<int>(std::lround(5.0 * pixel_ratio)),
               edge = static_cast<int>(std::lround(1.0 * pixel_ratio));
     Plate plate(letters.width + 2 * side, letters.height + 2 * edge, 3.0 * pixel_ratio, 0.72);
@@ -85,9 +85,9 @@ Image paint_label(const std::string& text, double pixel_ratio, const Font& font)
     return std::move(plate).take();
 }
 
-Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const Font& font) {
+Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
     const auto pixels = [&](double points) { return std::max(1, static_cast<int>(std::lround(points * pixel_ratio))); };
-    const auto text = [&](const std::string& words, double size = 8.0) { return font.draw(words, size * pixel_ratio); };
+    const auto text = [&](const std::string& words, double size = 8.0) { return draw_text(words, size * pixel_ratio); };
     const int margin = pixels(8), gap = pixels(6), row = pixels(17), patch = pixels(11), bar_width = pixels(12);
     const Coverage title = text(legend.title, 8.5);
     const int head = margin + title.height + pixels(3);

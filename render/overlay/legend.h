@@ -11,9 +11,9 @@
 namespace ramus::render {
 
 // One line of text on a plate.
-[[nodiscard]] Image paint_label(const std::string& text, double pixel_ratio, const Font& font);
+[[nodiscard]] Image paint_label(const std::string& text, double pixel_ratio);
 
 // Not wider or higher than `most` pixels: a bar gets shorter, swatches that have no room are counted in a last line.
-[[nodiscard]] Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most, const Font& font);
+[[nodiscard]] Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most);
 
 } // namespace ramus::render

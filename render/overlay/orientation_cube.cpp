@@ -1,5 +1,7 @@
 #include "render/overlay/orientation_cube.h"
 
+#include "render/scene/colour.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -27,8 +29,8 @@ const std::array<Face, 6> kFaces{{
     {'I', {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
 }};
 
-Coverage letter_tile(char letter, const Font& font) {
-    const Coverage drawn = font.draw(std::string(1, letter), 0.56 * kLetterSide);
+Coverage letter_tile(char letter) {
+    const Coverage drawn = draw_text(std::string(1, letter), 0.56 * kLetterSide);
     int left = drawn.width, right = -1, top = drawn.height, bottom = -1;
     for (int y = 0; y < drawn.height; ++y)
         for (int x = 0; x < drawn.width; ++x)
@@ -51,12 +53,6 @@ double sampled(const Coverage& tile, double u, double v) { // u, v in [0, 1] fro
            255.0;
 }
 
-std::uint8_t srgb_byte(double linear) {
-    const double c = std::clamp(linear, 0.0, 1.0);
-    return static_cast<std::uint8_t>(
-        std::lround(255.0 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055)));
-}
-
 struct Hit {
     int face = -1;
     glm::dvec3 colour{0.0};
@@ -64,8 +60,8 @@ struct Hit {
 
 } // namespace
 
-OrientationCube::OrientationCube(const Font& font) {
-    for (std::size_t i = 0; i < letters_.size(); ++i) letters_.at(i) = letter_tile(kFaces.at(i).letter, font);
+OrientationCube::OrientationCube() {
+    for (std::size_t i = 0; i < letters_.size(); ++i) letters_.at(i) = letter_tile(kFaces.at(i).letter);
 }
 
 // Parallel rays of one camera: the nearest entry into the three slabs is the face that is seen.

@@ -11,7 +11,7 @@ namespace ramus::render {
 
 class OrientationCube {
 public:
-    explicit OrientationCube(const Font& font); // draws the letters once: the cube turns in every frame
+    OrientationCube(); // draws the letters once: the cube turns in every frame
     [[nodiscard]] Image paint(const Camera& camera, int side) const; // `side` in pixels
 
 private:

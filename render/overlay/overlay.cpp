@@ -35,11 +35,11 @@ std::string scale_bar_label(double length_mm) {
     return text(length_mm) + " mm";
 }
 
-Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, const Font& font) {
+Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio) {
     const int line = std::max(1, rounded(1.5 * pixel_ratio)), tick = std::max(3, rounded(5.0 * pixel_ratio));
     const int halo = std::max(1, rounded(pixel_ratio));
     const int length = std::max(line, rounded(length_pixels));
-    const Coverage label = font.draw(scale_bar_label(length_mm), 9.5 * pixel_ratio);
+    const Coverage label = draw_text(scale_bar_label(length_mm), 9.5 * pixel_ratio);
     const int gap = rounded(2.0 * pixel_ratio);
     const int width = std::max(length, label.width) + 2 * halo, height = label.height + gap + tick + line + 2 * halo;
 
@@ -79,7 +79,7 @@ struct OverlayPainter::Space {
 
 std::optional<Sprite> OverlayPainter::caption(const SpriteSource& frame, const Space& space) const {
     if (!space.readable || frame.overlays.caption.empty()) return {};
-    return Sprite{paint_caption(frame.overlays.caption, space.ratio, space.free.x - 2 * space.margin, font_),
+    return Sprite{paint_caption(frame.overlays.caption, space.ratio, space.free.x - 2 * space.margin),
                   space.corner + space.margin};
 }
 
@@ -90,7 +90,7 @@ int OverlayPainter::caption_bottom(const SpriteSource& frame) const {
 
 Image OverlayPainter::heading(const std::string& text, const SpriteSource& frame) const {
     const Space space(frame);
-    return paint_caption(text, 0.9 * space.ratio, space.free.x - 2 * space.margin, font_);
+    return paint_caption(text, 0.9 * space.ratio, space.free.x - 2 * space.margin);
 }
 
 void OverlayPainter::add_cube(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
@@ -103,7 +103,7 @@ void OverlayPainter::add_scale_bar(Space& space, const SpriteSource& frame, std:
     const double mm = mm_per_pixel(frame.camera, frame.size);
     if (!(std::isfinite(mm) && mm > 1e-9 && mm < 1e9)) return;
     const double length = scale_bar_length_mm(mm * std::min(150.0 * space.ratio, 0.30 * space.free.x));
-    Image bar = paint_scale_bar(length, length / mm, space.ratio, font_);
+    Image bar = paint_scale_bar(length, length / mm, space.ratio);
     const glm::ivec2 corner(space.corner.x + space.margin, space.bottom - bar.height);
     space.bottom = corner.y - rounded(10.0 * space.ratio);
     sprites.push_back({std::move(bar), corner});
@@ -126,7 +126,7 @@ void OverlayPainter::add_words(Space& space, const SpriteSource& frame, std::vec
 void OverlayPainter::add_letters(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
     const CameraAxes axes = axes_of(frame.camera);
     const auto add = [&](const glm::dvec3& direction, double x, double y) {
-        Image image = paint_caption(orientation_letters(direction), space.ratio, space.free.x, font_);
+        Image image = paint_caption(orientation_letters(direction), space.ratio, space.free.x);
         const glm::dvec2 left = glm::dvec2(space.free) - glm::dvec2(image.width, image.height) - double(space.margin);
         const glm::ivec2 corner(rounded(space.corner.x + 0.5 * space.margin + x * left.x),
                                 rounded(space.corner.y + 0.5 * space.margin + y * left.y));
@@ -141,7 +141,7 @@ void OverlayPainter::add_letters(const Space& space, const SpriteSource& frame, 
 void OverlayPainter::add_legend(const Space& space, const Legend& legend, std::vector<Sprite>& sprites) const {
     const glm::ivec2 most(space.free.x / 2, space.bottom - space.top - space.margin);
     if (legend.title.empty() || most.x <= 60 || most.y <= 60) return;
-    Image image = paint_legend(legend, space.ratio, most, font_);
+    Image image = paint_legend(legend, space.ratio, most);
     const glm::ivec2 corner(space.corner.x + space.margin, space.bottom - image.height);
     sprites.push_back({std::move(image), corner});
 }
@@ -152,7 +152,7 @@ void OverlayPainter::add_label(const Space& space, const SpriteSource& frame, co
     const auto at = project(frame.camera, frame.size, label.at);
     if (!at || label.text.empty()) return;
     if (at->x < 0.0 || at->y < 0.0 || at->x >= frame.size.x || at->y >= frame.size.y) return;
-    Image plate = paint_label(label.text, space.ratio, font_);
+    Image plate = paint_label(label.text, space.ratio);
     const double gap = 8.0 * space.ratio;
     const glm::ivec2 beside(std::lround(at->x + gap), std::lround(at->y - gap - plate.height));
     const glm::ivec2 most = glm::max(frame.size - glm::ivec2(plate.width, plate.height), glm::ivec2(0));

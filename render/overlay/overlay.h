@@ -11,7 +11,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ramus::render {
@@ -26,7 +25,7 @@ struct Sprite {
 // "500 um" (with the micro sign in Latin-1), "20 mm", "20 cm".
 [[nodiscard]] std::string scale_bar_label(double length_mm);
 
-[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, const Font& font);
+[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio);
 
 // All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
 struct SpriteSource {
@@ -43,8 +42,6 @@ struct SpriteSource {
 
 class OverlayPainter {
 public:
-    explicit OverlayPainter(Font font = Font()) : font_(std::move(font)), cube_(font_) {}
-
     // What `frame` shows over the tree; nothing where the picture is too small to read it.
     [[nodiscard]] std::vector<Sprite> paint(const SpriteSource& frame) const;
     // Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
@@ -63,7 +60,6 @@ private:
     void add_legend(const Space& space, const Legend& legend, Sprites& sprites) const;
     void add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label, Sprites& sprites) const;
 
-    Font font_;
     OrientationCube cube_;
 };
 

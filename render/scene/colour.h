@@ -1,7 +1,10 @@
-// From the bytes of a picture (sRGB) to linear light.
+// From the bytes of a picture (sRGB) to linear light, and back.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -12,6 +15,17 @@ namespace ramus::render {
 }
 [[nodiscard]] inline glm::vec4 linear(const glm::vec3& srgb, float w) {
     return {linear(srgb.x), linear(srgb.y), linear(srgb.z), w};
+}
+// Of each byte.
+[[nodiscard]] inline std::array<float, 256> linear_of_bytes() {
+    std::array<float, 256> light{};
+    for (std::size_t i = 0; i < light.size(); ++i) light[i] = linear(static_cast<float>(i) / 255.0F);
+    return light;
+}
+template <class Real> [[nodiscard]] std::uint8_t srgb_byte(Real linear) {
+    const Real c = std::clamp(linear, Real(0), Real(1));
+    const Real srgb = c <= Real(0.0031308) ? Real(12.92) * c : Real(1.055) * std::pow(c, 1 / Real(2.4)) - Real(0.055);
+    return static_cast<std::uint8_t>(std::lround(255 * srgb));
 }
 
 } // namespace ramus::render

@@ -48,38 +48,34 @@ TEST_CASE("the scale bar is as long as it says") {
     CHECK(ink == 100);
 }
 
-TEST_CASE("every letter that overlays need has ink in both fonts, and they differ from each other") {
-    for (const Font& font : {Font(), Font(""), Font("/no/such/font.ttf")}) {
-        std::vector<Coverage> drawn;
-        for (const char c : std::string("0123456789.mcn\xb5RLAPSI")) {
-            drawn.push_back(font.draw(std::string(1, c), 24.0));
-            CHECK(std::accumulate(drawn.back().values.begin(), drawn.back().values.end(), 0) > 255 * 8);
-        }
-        for (std::size_t i = 0; i < drawn.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) CHECK(drawn[i].values != drawn[j].values);
-        CHECK(font.draw("20 mm", 10.0).width > font.draw("2 mm", 10.0).width);
+TEST_CASE("every letter that overlays need has ink, and they differ from each other") {
+    std::vector<Coverage> drawn;
+    for (const char c : std::string("0123456789.mcn\xb5RLAPSI")) {
+        drawn.push_back(draw_text(std::string(1, c), 24.0));
+        CHECK(std::accumulate(drawn.back().values.begin(), drawn.back().values.end(), 0) > 255 * 8);
     }
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) CHECK(drawn[i].values != drawn[j].values);
+    CHECK(draw_text("20 mm", 10.0).width > draw_text("2 mm", 10.0).width);
 }
 
 TEST_CASE("the cube shows one face head-on in an anatomical view, and three from a corner") {
-    for (const Font& font : {Font(), Font("")}) {
-        const OrientationCube cube(font);
-        std::vector<Image> faces;
-        for (const View view : kViews) {
-            const Image face = cube.paint(looking(Camera{}, view), 96);
-            CHECK(bright(face, 0, 96, 0, 96) > 60);
-            for (const Image& other : faces) CHECK(compare(face, other, 60)->differing > 40);
-            faces.push_back(face);
-        }
-        // An L has its foot at the lower right and its stem at the left: neither mirrored nor upside down.
-        const Image left = cube.paint(looking(Camera{}, View::kLeft), 96);
-        CHECK(bright(left, 0, 48, 0, 96) > bright(left, 48, 96, 0, 96));
-        CHECK(bright(left, 0, 96, 48, 96) > bright(left, 0, 96, 0, 48));
-        // A P has its bowl at the upper right.
-        const Image back = cube.paint(looking(Camera{}, View::kPosterior), 96);
-        CHECK(bright(back, 49, 96, 0, 48) > bright(back, 49, 96, 50, 96) + 5);
+    const OrientationCube cube;
+    std::vector<Image> faces;
+    for (const View view : kViews) {
+        const Image face = cube.paint(looking(Camera{}, view), 96);
+        CHECK(bright(face, 0, 96, 0, 96) > 60);
+        for (const Image& other : faces) CHECK(compare(face, other, 60)->differing > 40);
+        faces.push_back(face);
     }
-    const Image corner = OrientationCube(Font()).paint(turned(looking(Camera{}, View::kAnterior), 35.0, 30.0), 96);
+    // An L has its foot at the lower right and its stem at the left: neither mirrored nor upside down.
+    const Image left = cube.paint(looking(Camera{}, View::kLeft), 96);
+    CHECK(bright(left, 0, 48, 0, 96) > bright(left, 48, 96, 0, 96));
+    CHECK(bright(left, 0, 96, 48, 96) > bright(left, 0, 96, 0, 48));
+    // A P has its bowl at the upper right.
+    const Image back = cube.paint(looking(Camera{}, View::kPosterior), 96);
+    CHECK(bright(back, 49, 96, 0, 48) > bright(back, 49, 96, 50, 96) + 5);
+    const Image corner = OrientationCube().paint(turned(looking(Camera{}, View::kAnterior), 35.0, 30.0), 96);
     CHECK(corner.pixel(0, 0)[3] == 0); // round about the cube nothing
     CHECK(corner.pixel(48, 48)[3] > 200);
 }
@@ -88,14 +84,14 @@ TEST_CASE("overlays keep clear of the insets and leave small pictures alone") {
     Frame frame;
     frame.size = {1000, 800};
     frame.overlays.inset_left = 200, frame.overlays.inset_right = 150, frame.overlays.inset_bottom = 90;
-    for (const Sprite& sprite : OverlayPainter(Font("")).paint(SpriteSource(frame))) {
+    for (const Sprite& sprite : OverlayPainter().paint(SpriteSource(frame))) {
         CHECK(sprite.corner.x >= 200);
         CHECK(sprite.corner.x + sprite.image.width <= 850);
         CHECK(sprite.corner.y + sprite.image.height <= 710);
     }
     frame.size = {90, 60};
     frame.overlays = {};
-    CHECK(OverlayPainter(Font("")).paint(SpriteSource(frame)).empty());
+    CHECK(OverlayPainter().paint(SpriteSource(frame)).empty());
 }
 
 TEST_CASE("letters say which way of the patient a direction goes, the most first") {

@@ -256,8 +256,8 @@ TEST_CASE("a legend is as sharp as the picture, above the scale bar, and its bar
     legend.title = "Diameter (mm)";
     legend.bar = {{1, 0, 0}, {0, 0, 1}};
     legend.ticks = {{0.0, "1"}, {1.0, "10"}};
-    const Image once = paint_legend(legend, 1.0, {300, 400}, Font());
-    const Image twice = paint_legend(legend, 2.0, {600, 800}, Font());
+    const Image once = paint_legend(legend, 1.0, {300, 400});
+    const Image twice = paint_legend(legend, 2.0, {600, 800});
     CHECK(std::abs(twice.height - 2 * once.height) < 12);
     int red = 0, blue = 0;
     for (int y = 0; y < once.height; ++y) {
@@ -269,7 +269,7 @@ TEST_CASE("a legend is as sharp as the picture, above the scale bar, and its bar
     CHECK(red > blue + 80); // low values below
 
     legend.swatches.assign(50, {{0, 1, 0}, "name"});
-    const Image many = paint_legend(legend, 1.0, {300, 400}, Font());
+    const Image many = paint_legend(legend, 1.0, {300, 400});
     CHECK(many.height <= 400);
 
     Frame frame;
