@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace ramus::field {
@@ -148,6 +149,7 @@ Bounds VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, d
     const glm::dvec3 lower = corner + glm::dvec3(one.lower), upper = corner + glm::dvec3(one.upper);
     switch (one.place) {
     case OwnedGuess::Place::kFree:
+    case OwnedGuess::Place::kCell:
         return {glm::max(lower, middle - reach), glm::min(upper, middle + reach)};
     case OwnedGuess::Place::kBox:
         return {lower, upper};
@@ -165,6 +167,21 @@ bool VesselBrick::is_beside_contact(const glm::vec3& point) {
     return views_.look(axes_.corner() + glm::dvec3(point)) != VesselViews::Sight::kPlain || views_.beside_contact();
 }
 
+// Whether a point, relative to the brick's corner, is in the box of a vertex.
+bool VesselBrick::within(const OwnedGuess& one, const glm::dvec3& point) {
+    const glm::vec3 at(point);
+    return glm::all(glm::greaterThanEqual(at, one.lower)) && glm::all(glm::lessThanEqual(at, one.upper));
+}
+
+// Whether something is kept apart around a vertex, as far as cells with fans may begin.
+bool VesselBrick::near_contact(const OwnedGuess& one, const glm::dvec3& point) {
+    constexpr float kNear = 1.5F; // boxes
+    const glm::vec3 at(point), step = kNear * (one.upper - one.lower);
+    for (int n = 0; n < 27; ++n)
+        if (is_beside_contact(at + step * glm::vec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1))) return true;
+    return false;
+}
+
 OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
     const glm::dvec3 corner = axes_.corner();
     const glm::dvec3 from = corner + glm::dvec3(guess);
@@ -177,11 +194,15 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
                                          const SurfacePoints& to) {
     const glm::dvec3 corner = axes_.corner();
     for (const OwnedGuess& one : owned) {
-        if (one.owner == kNoOwner && one.place == OwnedGuess::Place::kFree) continue;
+        const bool free = one.place == OwnedGuess::Place::kFree, of_cell = one.place == OwnedGuess::Place::kCell;
+        if (one.owner == kNoOwner && (free || of_cell)) continue;
         const std::size_t n = one.guess;
         const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
         const bool plain = views_.look(guess) == VesselViews::Sight::kPlain && !views_.beside_contact();
-        if (plain && one.place == OwnedGuess::Place::kFree) continue;
+        if (plain && free) continue;
+        if (plain && of_cell &&
+            (within(one, glm::dvec3(to.positions[n]) - corner) || !near_contact(one, guess - corner)))
+            continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
         const Bounds bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
         const WallPoint point = move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_);

@@ -44,6 +44,8 @@ private:
     Verdict judge(const glm::dvec3& point, float plain);
     float value_at(const glm::dvec3& point, float plain);
     Owner owner_at(const glm::dvec3& point); // of one that is inside
+    [[nodiscard]] static bool within(const OwnedGuess& one, const glm::dvec3& point);
+    [[nodiscard]] bool near_contact(const OwnedGuess& one, const glm::dvec3& point);
     Bounds bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach);
 
     // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where

@@ -105,8 +105,9 @@ template <class Near> Agreement agreement(const TriangleMesh& mesh, const Triang
 }
 
 // A kernel reaches 1.7 radii. A vertex is told of the corners of its cell, the diagonal away at most, and a cell is
-// twice 2 pi / 16 of the radius where that of a neighbour made it larger.
-constexpr double kConcern = 1.7 + std::numbers::sqrt3 * 2.0 * 2.0 * std::numbers::pi / 16.0;
+// twice 2 pi / 16 of the radius where that of a neighbour made it larger. Such a cell has fans all around where one of
+// the finer cells that touch it is beside a contact: a finer one on its other side is one cell farther.
+constexpr double kConcern = 1.7 + std::numbers::sqrt3 * (2.0 + 1.0) * 2.0 * std::numbers::pi / 16.0;
 
 // A tree of which all pieces of the surface are told apart by themselves.
 bool has_shape_of(const TriangleMesh& mesh, const tree::PreparedTree& prepared) {

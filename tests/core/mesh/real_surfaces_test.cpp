@@ -1,7 +1,9 @@
 // The promises of the polygonizer on real trees, against the brute-force field: raw radii, spanning 1:100 in one tree.
 #include "core/io/trees/tree_file.h"
 #include "core/mesh/surface.h"
+#include "core/tree/contacts/contacts.h"
 #include "tests/support/brute_force_field.h"
+#include "tests/support/mesh_intersections.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/shared_data.h"
 
@@ -99,6 +101,17 @@ TEST_CASE("surfaces of real trees are closed manifolds on the isosurface") {
                                          << 100.0 * quantile(vertices, 0.999) << " % of r, centroids 99 % within "
                                          << 100.0 * quantile(centroids, 0.99) << " % (detail 16), "
                                          << 100.0 * quantile(fine_centroids, 0.99) << " % (detail 24)");
+    }
+}
+
+TEST_CASE("no triangles of the airways intersect, where branches touch and where cells change their size") {
+    for (const auto& path : test::shared_trees()) {
+        if (path.filename() != "airways_from_mask.swc") continue;
+        const auto tree = io::read_tree(path);
+        REQUIRE(tree.has_value());
+        const mesh::SurfaceOptions options;
+        REQUIRE(tree::find_contacts(mesh::prepare_tree(*tree, options), options.width).list.size() > 40);
+        CHECK(test::intersecting_triangles(surface_of(*tree, options)).empty());
     }
 }
 

@@ -45,6 +45,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     hanging_inside_.clear();
     owned_.clear();
     walled_.begin(cell_mm_);
+    contact_.begin(*field_, *neighbours_, cell_mm_);
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);
@@ -141,8 +142,7 @@ void BrickSampler::sort_cells(BrickCells& cells) {
             static_cast<unsigned>((at & 3U) | (at >> 3 & 0xCU) | (at >> 21 & 0x30U) | (at >> 24 & 0xC0U));
         const bool hangs = (hanging >> cell & 1) != 0;
         const bool general = hangs || !kPlainCells[corner_signs] || (walled >> cell & 1) != 0 ||
-                             (parts && coarser_faces(low_corner_of(static_cast<int>(cell))) != 0 &&
-                              is_beside_contact(static_cast<int>(cell)));
+                             (parts && contact_.is_fanned(low_corner_of(static_cast<int>(cell)), false));
         if (general) {
             trace(static_cast<int>(cell), corner_signs, hangs ? finer : 0);
         } else {
@@ -186,13 +186,15 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         }
     }
     traced.apart = -1;
-    traced.walled = traced.beside_contact = false;
+    traced.beside_contact = traced.fanned = false;
     if (field_->parts_vessels()) {
         traced.apart = static_cast<int>(apart_points_.size());
         apart_points_.push_back(owners_.apart_points(*field_, low_corner_of(cell)));
-        traced.walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
-        traced.beside_contact = traced.walled || is_beside_contact(cell);
-        if (traced.beside_contact) traced.shape.coarser_faces = coarser_faces(low_corner_of(cell));
+        const bool walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
+        const glm::ivec3 at = low_corner_of(cell);
+        traced.beside_contact = walled || contact_.is_beside_contact(at);
+        traced.fanned = walled || contact_.is_fanned(at, finer != 0);
+        traced.shape.coarser_faces = contact_.fanned_coarser_faces(at);
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
@@ -229,10 +231,12 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
     }
 }
 
-// Beside walls vertices stay in their cells, so that they do not reach into those with walls.
+// Beside walls vertices stay in their cells, so that they do not reach into those with walls; where cells of different
+// size meet there is nothing between those with fans and others that does so anyway.
 void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const {
     const Span room = within_cell(cell, cell_mm_);
     vertex.lower = room.lower, vertex.upper = room.upper;
+    if ((neighbours_->coarser | neighbours_->finer) != 0) vertex.place = field::OwnedGuess::Place::kCell;
 }
 
 void BrickSampler::add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose) {
@@ -277,8 +281,7 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
         record.walls = static_cast<std::uint32_t>(subtree.upper_loops.size());
         std::copy_n(loops.loop_of.begin() + kUpperEnd, kQuarterPoints, subtree.upper_loops.emplace_back().begin());
     }
-    record.walled =
-        traced.walled || (traced.beside_contact && (loops.loop_count > 1 || traced.shape.coarser_faces != 0));
+    record.walled = traced.fanned || (traced.beside_contact && loops.loop_count > 1);
     if (record.walled) {
         add_walled_vertices(traced, subtree, record);
         return;
@@ -306,26 +309,9 @@ void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells&
     record.arcs_count = static_cast<std::uint32_t>(subtree.arc_vertices.size()) - record.arcs_begin;
 }
 
-bool BrickSampler::is_beside_contact(int cell) {
-    return field_->is_beside_contact((glm::vec3(low_corner_of(cell)) + 0.5F) * cell_mm_);
-}
-
-// Faces that are parts of coarser cells', as in CellShape.
-std::uint8_t BrickSampler::coarser_faces(glm::ivec3 cell) const {
-    unsigned faces = 0;
-    for (int face = 0; face < 6 && neighbours_->coarser != 0; ++face) {
-        const int axis = face / 2;
-        if (cell[axis] != (face & 1) * (kBrickCells - 1)) continue;
-        glm::ivec3 d(0);
-        d[axis] = (face & 1) != 0 ? 1 : -1;
-        if (neighbours_->kind(direction_index(d.x, d.y, d.z)) == Neighbour::kCoarser) faces |= 1U << face;
-    }
-    return static_cast<std::uint8_t>(faces);
-}
-
 // Arcs that need a vertex belong to the finer of the two cells, or the one on the negative side.
 bool BrickSampler::owns(const FaceArc& arc, glm::ivec3 cell) const {
-    return (arc.face & 1) != 0 || (coarser_faces(cell) >> arc.face & 1) != 0;
+    return (arc.face & 1) != 0 || (contact_.coarser_faces(cell) >> arc.face & 1) != 0;
 }
 
 void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {

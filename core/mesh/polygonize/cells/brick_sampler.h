@@ -6,6 +6,7 @@
 #include "core/field/field.h"
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
+#include "core/mesh/polygonize/cells/contact_cells.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 #include "core/mesh/polygonize/cells/walled_cells.h"
 
@@ -37,8 +38,8 @@ private:
         FaceCentres centres;
         std::size_t first_centre; // in points_
         int apart;                // in apart_points_, or -1
-        bool walled;              // some of its points are apart
-        bool beside_contact;      // that, or something is near that is kept apart
+        bool beside_contact;      // some of its points are apart, or something is near that is kept apart
+        bool fanned;              // some of its points are apart, or it has fans for another reason (contact_cells.h)
     };
 
     void prepare_lattice();
@@ -55,8 +56,6 @@ private:
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
     void add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose);
     void add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
-    [[nodiscard]] bool is_beside_contact(int cell);
-    [[nodiscard]] std::uint8_t coarser_faces(glm::ivec3 cell) const;
     [[nodiscard]] bool owns(const FaceArc& arc, glm::ivec3 cell) const;
     void keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const;
     [[nodiscard]] const ApartPoints* apart_points(const TracedCell& traced) const {
@@ -94,6 +93,7 @@ private:
     std::vector<ApartPoints> apart_points_; // of traced cells
     std::vector<field::OwnedGuess> owned_;  // by guess
     WalledCells walled_;
+    ContactCells contact_;
 };
 
 } // namespace ramus::mesh::bricks

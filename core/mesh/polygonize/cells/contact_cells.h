@@ -1,0 +1,39 @@
+// ContactCells: in which cells of a brick surfaces are fans that stay in their cells (walled_cells.h), though no wall
+// runs through them: those around contacts. So no triangles intersect there, neither beside walls nor where cells of
+// different size meet.
+#pragma once
+
+#include "core/field/brick_field.h"
+#include "core/mesh/polygonize/octree/neighbours.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace ramus::mesh::bricks {
+
+class ContactCells {
+public:
+    // The field is in the brick; it and the neighbours outlive the stay there.
+    void begin(field::BrickField& field, const Neighbourhood& neighbours, float cell_mm);
+
+    // Whether something near a cell's middle is kept apart. Cells by their place in the brick, or one beyond it.
+    [[nodiscard]] bool is_beside_contact(const glm::ivec3& cell);
+    // `split`: finer cells touch it.
+    [[nodiscard]] bool is_fanned(const glm::ivec3& cell, bool split);
+    // Faces that are parts of coarser cells', a bit each; x-, x+, y-, ...
+    [[nodiscard]] std::uint8_t coarser_faces(const glm::ivec3& cell) const;
+    // Those of them whose coarser cell has fans.
+    [[nodiscard]] std::uint8_t fanned_coarser_faces(const glm::ivec3& cell);
+
+private:
+    [[nodiscard]] bool is_fanned_at_change(const glm::ivec3& low, int size);
+
+    static constexpr int kSide = 6; // cells of the brick, and one more all around
+    field::BrickField* field_ = nullptr;
+    const Neighbourhood* neighbours_ = nullptr;
+    float cell_mm_ = 0.0F;
+    std::array<std::int8_t, kSide * kSide * kSide> beside_{}; // -1: not known
+};
+
+} // namespace ramus::mesh::bricks
