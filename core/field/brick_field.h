@@ -140,8 +140,9 @@ struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
     Owner owner = kNoOwner;  // of that vessel
     // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
-    // there, else within its reach and the box; kCell, so too, and if it is outside of the box around it as well; kBox,
-    // in the box, which may be flat; the others, on a line, at whose lower or upper end the vessel is, where that ends.
+    // there, else within its reach and the box; kCell, the same, but where it was only if that is in the box or nothing
+    // is kept apart around the box; kBox, in the box, which may be flat; the others, on a line, at whose lower or upper
+    // end the vessel is, where that ends.
     enum class Place : std::uint8_t { kFree, kCell, kBox, kFromLower, kFromUpper };
     Place place = Place::kFree;
     glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};

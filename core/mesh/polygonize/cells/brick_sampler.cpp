@@ -193,8 +193,8 @@ void BrickSampler::trace(int cell, unsigned corner_signs, std::uint32_t finer) {
         const bool walled = std::ranges::any_of(apart_points_.back(), [](std::uint32_t others) { return others != 0; });
         const glm::ivec3 at = low_corner_of(cell);
         traced.beside_contact = walled || contact_.is_beside_contact(at);
-        traced.fanned = walled || contact_.is_fanned(at, finer != 0);
         traced.shape.coarser_faces = contact_.fanned_coarser_faces(at);
+        traced.fanned = walled || traced.shape.coarser_faces != 0 || contact_.is_fanned(at, finer != 0);
     }
     traced.loops = trace_loops(traced.shape, traced.centres, apart_points(traced));
     traced.first_centre = points_.size();
@@ -231,8 +231,9 @@ void BrickSampler::decide_face_centres(SubtreeCells& subtree) {
     }
 }
 
-// Beside walls vertices stay in their cells, so that they do not reach into those with walls; where cells of different
-// size meet there is nothing between those with fans and others that does so anyway.
+// Beside contacts vertices stay in their cells, so that they do not reach into cells with fans. Where cells of
+// different size meet, fans go as far as the region that a contact changes: cells just outside of it keep their
+// vertices too.
 void BrickSampler::keep_within(field::OwnedGuess& vertex, glm::ivec3 cell) const {
     const Span room = within_cell(cell, cell_mm_);
     vertex.lower = room.lower, vertex.upper = room.upper;
