@@ -89,7 +89,7 @@ constexpr double kSamePlace = 1e-3;
 // Cuts segments at the places of ends that are joined, and connects these to them.
 class Joiner {
 public:
-    explicit Joiner(Graph& graph) : graph_(graph), joined_(graph.points.size(), 0), edge_of_(graph.points.size(), 0) {
+    explicit Joiner(Graph& graph) : graph_(graph), joined_(graph.points.size(), 0), edges_at_(graph.points.size()) {
         stands_.resize(graph.points.size());
         std::iota(stands_.begin(), stands_.end(), 0U);
         for (std::uint32_t e = 0; e < graph.edges.size(); ++e) place_edge(e);
@@ -158,8 +158,14 @@ private:
     void place_edge(std::uint32_t e) {
         const Edge& edge = graph_.edges[e];
         place_of_[either_way(edge)] = e;
-        for (const std::uint32_t point : {edge.first, edge.second})
-            if (point < edge_of_.size()) edge_of_[point] = e;
+        for (const std::uint32_t point : {edge.first, edge.second}) edges_at_[point].push_back(e);
+    }
+    void change_edge(std::uint32_t e, const Edge& changed) {
+        Edge& edge = graph_.edges[e];
+        place_of_.erase(either_way(edge));
+        for (const std::uint32_t point : {edge.first, edge.second}) std::erase(edges_at_[point], e);
+        edge = changed;
+        place_edge(e);
     }
     void add_edge(const Edge& edge) {
         graph_.edges.push_back(edge);
@@ -169,11 +175,14 @@ private:
     [[nodiscard]] bool is_on_axis(const OpenEnd& end, std::optional<std::uint32_t> near) const {
         return end.depth < kSamePlace || (near && graph_.points[*near].position == graph_.points[end.point].position);
     }
-    // If what an end is connected to lies where a point lies already: then it keeps its own place between them.
+    // If something that an end is connected to lies where a point lies already: then it keeps its own place between
+    // them.
     [[nodiscard]] bool leads_to_place_of(std::uint32_t end, std::uint32_t point) const {
-        const Edge& edge = graph_.edges[edge_of_[end]];
-        const std::uint32_t neighbour = edge.first == end ? edge.second : edge.first;
-        return graph_.points[neighbour].position == graph_.points[point].position;
+        return std::ranges::any_of(edges_at_[end], [&](std::uint32_t e) {
+            const Edge& edge = graph_.edges[e];
+            const std::uint32_t neighbour = edge.first == end ? edge.second : edge.first;
+            return graph_.points[neighbour].position == graph_.points[point].position;
+        });
     }
 
     // A point of the segment, or where it was cut, that is about as near: no short segment is made beside it.
@@ -209,27 +218,25 @@ private:
         cuts.insert(next, {end.share, point});
         if (!same) {
             graph_.points.push_back(middle);
+            edges_at_.emplace_back();
             if (!graph_.labels.empty()) graph_.labels.push_back(graph_.labels[end.from]);
             if (!graph_.point_systems.empty()) graph_.point_systems.push_back(graph_.point_systems[end.from]);
             add_edge({end.point, point});
         } else {
             graph_.points[point].radius = std::max(graph_.points[point].radius, middle.radius);
         }
-        const auto placed = place_of_.extract(either_way({before, behind}));
-        graph_.edges[placed.mapped()] = {before, point};
-        place_edge(placed.mapped());
+        change_edge(place_of_.at(either_way({before, behind})), {before, point});
         add_edge({point, behind});
     }
 
-    // An end that is at another point goes, and what it is connected to begins there.
+    // An end that is at another point goes, and what it is connected to begins there: others that were joined to it,
+    // too.
     void replace(std::uint32_t end, std::uint32_t host) {
         stands_[end] = host;
-        const std::uint32_t e = edge_of_[end];
-        Edge& edge = graph_.edges[e];
-        place_of_.erase(either_way(edge));
-        if (edge.first == end) edge.first = host;
-        if (edge.second == end) edge.second = host;
-        place_edge(e);
+        const auto standing = [&](std::uint32_t point) { return point == end ? host : point; };
+        const std::vector<std::uint32_t> edges = edges_at_[end];
+        for (const std::uint32_t e : edges)
+            change_edge(e, {standing(graph_.edges[e].first), standing(graph_.edges[e].second)});
     }
 
     struct Cut {
@@ -237,9 +244,9 @@ private:
         std::uint32_t point;
     };
     Graph& graph_;
-    std::vector<std::uint8_t> joined_;   // by point, as it was before
-    std::vector<std::uint32_t> edge_of_; // that a point is at; of an end its only one
-    std::vector<std::uint32_t> stands_;  // the point that stands for it
+    std::vector<std::uint8_t> joined_; // by point, as it was before
+    std::vector<std::vector<std::uint32_t>> edges_at_;
+    std::vector<std::uint32_t> stands_; // the point that stands for it
     std::map<Edge, std::uint32_t> place_of_;
     std::map<Edge, std::vector<Cut>> cuts_; // of a segment as it was, in order along it
 };

@@ -1,6 +1,7 @@
 // Ends within vessels that the file does not connect them to.
 #include "core/tree/build_tree.h"
 
+#include <cmath>
 #include <doctest/doctest.h>
 #include <string>
 
@@ -102,6 +103,22 @@ TEST_CASE("an end is joined though its neighbour lies at a point of the axis") {
     const VesselTree tree = built(graph);
     CHECK(tree.roots.size() == 1);
     check_segments_have_length(tree);
+}
+
+TEST_CASE("an end that others were joined to is joined itself, with them") {
+    Graph graph;
+    // The first vessel ends at the second one's end, which lies on a hair of a third, at a point of it.
+    graph.points = {{{1e-5, 0, 0}, 0.5},     {{10, 0, 0}, 0.5},    {{0, 0, 0}, 1.0},     {{0, 10, 0}, 1.0},
+                    {{0, 0, 1.5e-11}, 1e-6}, {{-10, 0, 10}, 1e-6}, {{-10, 0, -10}, 1e-6}};
+    graph.edges = {{0, 1}, {2, 3}, {5, 4}, {4, 6}};
+    graph.roots = {1, 3, 5};
+    const VesselTree tree = built(graph);
+    CHECK(tree.roots.size() == 1);
+    CHECK(tree.branches.size() == 4);
+    check_segments_have_length(tree);
+    double length = 0.0;
+    for (const Branch& branch : tree.branches) length += length_mm(tree, branch);
+    CHECK(length == doctest::Approx(10.0 + 10.0 + 2.0 * std::sqrt(200.0)));
 }
 
 TEST_CASE("many ends on one segment, in any order, cut it into parts that follow each other") {
