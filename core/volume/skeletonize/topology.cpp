@@ -2,6 +2,7 @@
 
 #include "core/base/bounds.h"
 #include "core/base/disjoint_sets.h"
+#include "core/volume/skeletonize/voxel_set.h"
 
 #include <algorithm>
 #include <bit>
