@@ -141,9 +141,8 @@ struct OwnedGuess {
     Owner owner = kNoOwner;  // of that vessel
     // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
     // there, else within its reach and the box; kCell, the same, but where it was only if that is in the box or nothing
-    // is kept apart around the box; kBox, in the box, which may be flat; the others, on a line, at whose lower or upper
-    // end the vessel is, where that ends.
-    enum class Place : std::uint8_t { kFree, kCell, kBox, kFromLower, kFromUpper };
+    // is kept apart around the box; kBox, in the box, which may be flat.
+    enum class Place : std::uint8_t { kFree, kCell, kBox };
     Place place = Place::kFree;
     glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};
 };
@@ -185,6 +184,9 @@ public:
     [[nodiscard]] virtual bool is_beside_contact(const glm::vec3& point);
     // Where a guess of a vessel is moved to that does not stay kFree. Positions relative to the brick's corner, mm.
     [[nodiscard]] virtual OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess);
+    // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's
+    // corner, mm.
+    [[nodiscard]] virtual glm::vec3 way_out(Owner owner, const glm::vec3& from, const glm::vec3& to);
     // After project(): does it again for those points whose vessel is near another that it is kept apart from.
     virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                         const SurfacePoints& to);

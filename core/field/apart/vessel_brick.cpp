@@ -144,23 +144,11 @@ bool VesselBrick::apart(Owner a, Owner b) const {
     return contacts.apart(contacts.piece(place_of(a)), contacts.piece(place_of(b)));
 }
 
-Bounds VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) {
+Bounds VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const {
     const glm::dvec3 corner = axes_.corner();
     const glm::dvec3 lower = corner + glm::dvec3(one.lower), upper = corner + glm::dvec3(one.upper);
-    switch (one.place) {
-    case OwnedGuess::Place::kFree:
-    case OwnedGuess::Place::kCell:
-        return {glm::max(lower, middle - reach), glm::min(upper, middle + reach)};
-    case OwnedGuess::Place::kBox:
-        return {lower, upper};
-    case OwnedGuess::Place::kFromLower:
-    case OwnedGuess::Place::kFromUpper:
-        break;
-    }
-    const bool up = one.place == OwnedGuess::Place::kFromLower;
-    const glm::dvec3 &from = up ? lower : upper, &to = up ? upper : lower;
-    const glm::dvec3 end = way_out(views_, place_near(one.owner, from), from, to, kernels_);
-    return {end, end};
+    if (one.place == OwnedGuess::Place::kBox) return {lower, upper};
+    return {glm::max(lower, middle - reach), glm::min(upper, middle + reach)};
 }
 
 bool VesselBrick::is_beside_contact(const glm::vec3& point) {
@@ -188,6 +176,12 @@ OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
     const Bounds bounds = bounds_of(whose, from, 0.0);
     const WallPoint point = move_to_wall(views_, place_near(whose.owner, bounds.lower), from, bounds, kernels_);
     return {glm::vec3(point.position - corner), glm::vec3(point.normal), static_cast<float>(point.radius)};
+}
+
+glm::vec3 VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::vec3& to) {
+    const glm::dvec3 corner = axes_.corner(), begin = corner + glm::dvec3(from);
+    return glm::vec3(field::way_out(views_, place_near(owner, begin), begin, corner + glm::dvec3(to), kernels_) -
+                     corner);
 }
 
 std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,

@@ -75,6 +75,7 @@ SeenSegment VesselViews::seen_on(const Axes& axes, const AxisFeet& feet, const s
             axis,
             std::sqrt(feet.of(axis, kFootDistance2)),
             feet.of(axis, kFootRadius),
+            feet.of(axis, kFootRelative2),
             axes.at(axis, feet.of(axis, kFootAlong))};
 }
 
@@ -122,6 +123,7 @@ std::size_t VesselViews::nearest_place() {
 void VesselViews::see_all() {
     find_others();
     seen_.clear();
+    seen_kept_.clear();
     auto other = other_feet_.near.begin();
     const auto add_others = [&](std::uint32_t before) {
         for (; other != other_feet_.near.end() && others_[*other] < before; ++other)
@@ -129,6 +131,7 @@ void VesselViews::see_all() {
     };
     for (const std::uint32_t axis : kept_feet_.near) {
         add_others(kept_apart_[axis]);
+        seen_kept_.push_back(static_cast<std::uint32_t>(seen_.size()));
         seen_.push_back(seen_on(kept_axes_, kept_feet_, kept_apart_, axis));
     }
     add_others(static_cast<std::uint32_t>(list_.size()));
@@ -164,6 +167,8 @@ std::uint64_t VesselViews::add_terms() {
     terms_.clear(seen_.size());
     for (const SeenSegment& seen : seen_) terms_.add(segments_[list_[seen.place]], point_);
     kernel_.sum->find_terms(kernel_, terms_);
+    whole_ = {};
+    for (std::size_t n = 0; n < seen_.size(); ++n) add_term(n, 1.0, whole_);
     return terms_.count;
 }
 
@@ -177,18 +182,21 @@ double VesselViews::left_out(const SeenSegment& a, const SeenSegment& b) const {
     return x * x * (3.0 - 2.0 * x);
 }
 
+void VesselViews::add_term(std::size_t seen, double share, VesselView& view) const {
+    view.value += share * static_cast<double>(terms_.row(SegmentTerms::kValue)[seen]);
+    view.gradient +=
+        share * glm::dvec3(terms_.row(SegmentTerms::kGradientX)[seen], terms_.row(SegmentTerms::kGradientY)[seen],
+                           terms_.row(SegmentTerms::kGradientZ)[seen]);
+}
+
 VesselView VesselViews::view(std::size_t seen) const {
-    VesselView view;
+    VesselView view = whole_;
     view.seen = seen;
-    const float* value = terms_.row(SegmentTerms::kValue);
-    const float* x = terms_.row(SegmentTerms::kGradientX);
-    const float* y = terms_.row(SegmentTerms::kGradientY);
-    const float* z = terms_.row(SegmentTerms::kGradientZ);
-    for (std::size_t n = 0; n < seen_.size(); ++n) {
-        const double share = 1.0 - left_out(seen_[seen], seen_[n]);
-        view.value += share * static_cast<double>(value[n]);
-        view.gradient += share * glm::dvec3(x[n], y[n], z[n]);
-    }
+    const SeenSegment& own = seen_[seen];
+    if (own.piece < 0) return view;
+    for (const std::uint32_t other : seen_kept_)
+        if (contacts_.apart_from(own.piece, seen_[other].piece) > 0.0F)
+            add_term(other, -left_out(own, seen_[other]), view);
     return view;
 }
 
@@ -224,13 +232,17 @@ glm::dvec3 VesselViews::toward(const SeenSegment& own, const Shadow& shadow) con
 
 void VesselViews::list_vessels() {
     vessels_.clear();
+    if (seen_.empty()) return;
     constexpr std::size_t kMostVessels = 6;
-    left_.clear(); // of what is seen, whose vessel is not listed
-    for (std::size_t n = 0; n < seen_.size(); ++n) left_.emplace_back(seen_[n].relative(), n);
-    while (vessels_.size() < kMostVessels && !left_.empty()) {
-        const std::size_t nearest = std::ranges::min_element(left_)->second;
-        vessels_.push_back(nearest);
-        std::erase_if(left_, [&](const auto& other) { return !apart(seen_[nearest], seen_[other.second]); });
+    const auto relative2 = [&](std::uint32_t n) { return seen_[n].relative2; };
+    vessels_.push_back(
+        static_cast<std::size_t>(std::ranges::min_element(seen_, {}, &SeenSegment::relative2) - seen_.begin()));
+    left_ = seen_kept_; // of what is seen, whose vessel is not listed
+    while (true) {
+        const SeenSegment& listed = seen_[vessels_.back()];
+        std::erase_if(left_, [&](std::uint32_t n) { return !apart(listed, seen_[n]); });
+        if (left_.empty() || vessels_.size() == kMostVessels) return;
+        vessels_.push_back(*std::ranges::min_element(left_, {}, relative2));
     }
 }
 
@@ -239,7 +251,7 @@ VesselViews::Verdict VesselViews::judge() const {
     const auto isovalue = static_cast<float>(kernel_.isovalue);
     const auto below = static_cast<double>(std::nextafter(isovalue, 0.0F));
     for (const std::size_t vessel : vessels_) {
-        if (seen_[vessel].relative() > kClaimRadii) break;
+        if (seen_[vessel].relative2 > kClaimRadii * kClaimRadii) break;
         double value = view(vessel).value;
         if (shadow_on(seen_[vessel]).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;
@@ -257,7 +269,7 @@ std::size_t VesselViews::nearest_of_vessel(std::uint32_t place) const {
     std::size_t nearest = kNone;
     for (std::size_t n = 0; n < seen_.size(); ++n)
         if (!contacts_.apart(piece, seen_[n].piece) &&
-            (nearest == kNone || seen_[n].relative() < seen_[nearest].relative()))
+            (nearest == kNone || seen_[n].relative2 < seen_[nearest].relative2))
             nearest = n;
     return nearest;
 }

@@ -20,8 +20,8 @@ struct SeenSegment {
     std::uint32_t axis = 0;  // among the axes of what is kept apart, where piece >= 0
     double distance = 0.0;   // of the axis, mm
     double radius = 0.0;     // at the foot, mm
+    double relative2 = 0.0;  // the distance in radii, squared
     glm::dvec3 foot{0.0};    // mm
-    [[nodiscard]] double relative() const { return distance / radius; }
 };
 
 // The field as one vessel sees it.
@@ -95,6 +95,7 @@ public:
 private:
     [[nodiscard]] glm::dvec3 foot_as_it_counts(const SeenSegment& own) const;
     [[nodiscard]] WayOut way_out(const SeenSegment& own) const;
+    void add_term(std::size_t seen, double share, VesselView& view) const;
     void list_axes();
     void find_others(); // once for a point
     [[nodiscard]] SeenSegment seen_on(const Axes& axes, const AxisFeet& feet, const std::vector<std::uint32_t>& places,
@@ -123,10 +124,12 @@ private:
     mutable AxisFeet counted_feet_;
     mutable bool counted_known_ = false;
     std::vector<SeenSegment> seen_;
+    std::vector<std::uint32_t> seen_kept_;   // of these, the ones that are kept apart
+    VesselView whole_;                       // the terms of all
     std::vector<std::uint64_t> near_pieces_; // scratch: one bit each
     bool beside_contact_ = false;
     std::vector<std::size_t> vessels_;
-    std::vector<std::pair<double, std::size_t>> left_; // scratch
+    std::vector<std::uint32_t> left_; // scratch
     SegmentTerms terms_;
 };
 

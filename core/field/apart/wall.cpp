@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <utility>
 
 namespace ramus::field {
 
@@ -31,11 +32,11 @@ Depth depth_within(const VesselViews& views, const VesselView& view) {
 }
 
 // How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
-// where that claims it and is nearer. Half of the gap is left free.
-Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other) {
+// where that claims it and is nearer. Half of the gap, in radii of the thinner one, is left free.
+Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other, double gaps) {
     const SeenSegment& a = views.seen()[own];
     const SeenSegment& b = views.seen()[other];
-    const double gap = kWallRadii * std::min(a.radius, b.radius);
+    const double gap = gaps * std::min(a.radius, b.radius);
     const Depth within_other = depth_within(views, views.view(other));
     const glm::dvec3 way_own = views.way_from(own), way_other = views.way_from(other);
     const double from_own = std::max(glm::length(way_own), 1e-9 * a.radius);
@@ -79,24 +80,48 @@ void name(const VesselViews& views, std::size_t own, WallPoint& point) {
     }
 }
 
-bool owns(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
+// How deep the point that was looked at is within what is the vessel's of a segment seen: within its surface, on its
+// side of walls, half of `gaps` of them left free, and before what cuts it off.
+Depth depth_of(VesselViews& views, std::size_t own, double gaps) {
+    Depth depth = depth_within(views, views.view(own));
+    views.list_vessels();
+    for (const std::size_t other : views.vessels()) {
+        if (other == own || !views.apart(views.seen()[own], views.seen()[other])) continue;
+        const Depth beside = depth_beside(views, own, other, gaps);
+        if (beside.mm < depth.mm) depth = beside;
+    }
+    if (const Shadow shadow = views.shadow_on(views.seen()[own]); shadow.spare < depth.mm)
+        depth = {shadow.spare, views.toward(views.seen()[own], shadow)};
+    return depth;
+}
+
+// The vessel's segment that is nearest to a point, which is looked at.
+std::size_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
     if (views.look(point) == VesselViews::Sight::kPlain) views.see_all();
     kernels += views.add_terms();
-    views.list_vessels();
-    const VesselViews::Verdict verdict = views.judge();
-    if (verdict.owner == VesselViews::kNone) return false;
-    return !views.contacts().apart(views.contacts().piece(place), views.seen()[verdict.owner].piece);
+    return views.nearest_of_vessel(place);
 }
 
 } // namespace
 
 glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& from, const glm::dvec3& to,
                    std::uint64_t& kernels) {
-    constexpr int kHalvings = 9; // a thousandth of a radius, at 16 cells around a vessel
+    constexpr int kMostSteps = 12;
+    constexpr double kNear = 0.002; // of the way: a thousandth of a radius, at 16 cells around a vessel
+    const double length = glm::distance(from, to);
     double own = 0.0, beyond = 1.0;
-    for (int n = 0; n < kHalvings; ++n) {
-        const double middle = 0.5 * (own + beyond);
-        (owns(views, place, glm::mix(from, to, middle), kernels) ? own : beyond) = middle;
+    double at = 0.5, last = 0.0, last_mm = 0.0;
+    for (int step = 0; step < kMostSteps && beyond - own > kNear; ++step) {
+        const std::size_t seen = look_from(views, place, glm::mix(from, to, at), kernels);
+        const double mm = seen == VesselViews::kNone ? -length : depth_of(views, seen, 0.0).mm;
+        (mm > 0.0 ? own : beyond) = at;
+        if (std::abs(mm) < 0.5 * kNear * length) return glm::mix(from, to, at);
+        // Along the line through the last two places; at first as if the way led straight out. Every third step halves
+        // what is left, which holds where the depth jumps.
+        const double slope = step == 0 ? -length : (mm - last_mm) / (at - last);
+        double next = at - mm / slope;
+        if (step % 3 == 2 || !(next > own && next < beyond)) next = 0.5 * (own + beyond);
+        last = std::exchange(at, next), last_mm = mm;
     }
     return glm::mix(from, to, own);
 }
@@ -111,19 +136,9 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
     WallPoint point;
     point.position = glm::clamp(guess, bounds.lower, bounds.upper);
     for (int step = 0; step < kSteps; ++step) {
-        if (views.look(point.position) == VesselViews::Sight::kPlain) views.see_all();
-        kernels += views.add_terms();
-        const std::size_t own = views.nearest_of_vessel(place);
+        const std::size_t own = look_from(views, place, point.position, kernels);
         if (own == VesselViews::kNone) break;
-        Depth depth = depth_within(views, views.view(own));
-        views.list_vessels();
-        for (const std::size_t other : views.vessels()) {
-            if (other == own || !views.apart(views.seen()[own], views.seen()[other])) continue;
-            const Depth beside = depth_beside(views, own, other);
-            if (beside.mm < depth.mm) depth = beside;
-        }
-        if (const Shadow shadow = views.shadow_on(views.seen()[own]); shadow.spare < depth.mm)
-            depth = {shadow.spare, views.toward(views.seen()[own], shadow)};
+        const Depth depth = depth_of(views, own, kWallRadii);
         name(views, own, point);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;

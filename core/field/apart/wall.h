@@ -31,7 +31,7 @@ struct Bounds {
 [[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
                                      const Bounds& bounds, std::uint64_t& kernels);
 
-// The last place on a way that is the vessel's; it is at `from`, and not at `to`.
+// The last place on a way that is the vessel's, to a thousandth of the way; it is at `from`, and not at `to`.
 [[nodiscard]] glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& from, const glm::dvec3& to,
                                  std::uint64_t& kernels);
 

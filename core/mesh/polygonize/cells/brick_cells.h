@@ -4,6 +4,7 @@
 
 #include "core/field/field.h"
 #include "core/mesh/polygonize/cells/cell_loops.h"
+#include "core/mesh/polygonize/cells/wall_pairs.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 #include "core/mesh/triangle_mesh.h"
 
@@ -105,6 +106,7 @@ struct SubtreeCells {
     std::vector<ArcVertex> arc_vertices;
     std::vector<std::array<GridBits, 3>> walls; // by axis: first points of edges that a wall goes through
     std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
+    std::vector<KnownEnds> edge_ends;                                  // of cells placed as in walled_cells.h, by edge
     SampleCounts counts;
 
     void add_arc(const FaceArc& arc, std::size_t vertex) {
@@ -128,6 +130,8 @@ struct SurfaceCells {
     // Vertex (within the mesh once first_vertex is) of the loop through a crossing; kAbsent where a wall has none.
     static constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const;
+    // Where the surface goes through an edge of a brick beside a wall (by its middle in quarter cells), if it is known.
+    [[nodiscard]] const KnownEnds* ends(const Octree& octree, std::uint32_t index, const glm::ivec3& middle) const;
     // Edges of a brick that walls go through, by axis.
     [[nodiscard]] const std::array<GridBits, 3>& walls(const Brick& brick, std::uint32_t index) const {
         return subtrees[brick.subtree].walls[cells[index].walls];

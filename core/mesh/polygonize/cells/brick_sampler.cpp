@@ -71,6 +71,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
         cells.first[static_cast<std::size_t>(traced.cell)] = static_cast<std::uint16_t>(guesses_.size());
         add_recorded_vertices(traced, subtree, subtree.records.emplace_back());
     }
+    walled_.add_ends(index - octree_->subtrees[brick_->subtree].first_brick, subtree.edge_ends);
     subtree.counts.evaluations += append_projected(*field_, guesses_, *vertices_, owned_);
     subtree.counts.samples += guesses_.size();
 }

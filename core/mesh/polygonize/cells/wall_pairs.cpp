@@ -48,19 +48,17 @@ EdgeEnds ends_on_edge(field::BrickField& field, const Span& edge, EdgeKind kind,
                       field::Owner upper) {
     const glm::vec3 along = edge.size();
     const Span room{edge.lower + kOffEnds * along, edge.upper - kOffEnds * along};
-    const auto end = [&](field::Owner owner, bool from_lower) {
-        field::OwnedGuess line;
-        line.owner = owner;
-        line.place = from_lower ? field::OwnedGuess::Place::kFromLower : field::OwnedGuess::Place::kFromUpper;
-        line.lower = edge.lower, line.upper = edge.upper;
-        return field.move(line, edge.lower);
-    };
+    const auto end_of_lower = [&] { return field.way_out(lower, edge.lower, edge.upper); };
+    const auto end_of_upper = [&] { return field.way_out(upper, edge.upper, edge.lower); };
     if (kind != EdgeKind::kWall) {
-        const bool from_lower = kind == EdgeKind::kLowerInside;
-        const glm::vec3 at = glm::clamp(end(from_lower ? lower : upper, from_lower).at, room.lower, room.upper);
+        const glm::vec3 end = kind == EdgeKind::kLowerInside ? end_of_lower() : end_of_upper();
+        const glm::vec3 at = glm::clamp(end, room.lower, room.upper);
         return {at, at};
     }
-    field::OwnedPoint first = end(lower, true), second = end(upper, false);
+    const auto surface_at = [&](field::Owner owner, const glm::vec3& at) {
+        return field.move({0, owner, field::OwnedGuess::Place::kBox, at, at}, at);
+    };
+    field::OwnedPoint first = surface_at(lower, end_of_lower()), second = surface_at(upper, end_of_upper());
     part(first, second, along, room);
     return {first.at, second.at};
 }

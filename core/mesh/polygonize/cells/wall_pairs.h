@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/field/brick_field.h"
+#include "core/mesh/polygonize/octree/lattice.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -35,6 +37,18 @@ struct EdgeEnds {
     glm::vec3 lower{0.0F}, upper{0.0F};
 };
 enum class EdgeKind : std::uint8_t { kLowerInside, kUpperInside, kWall };
+// The same with the owners of the edge's two ends, as far as they are inside; which edge of its subtree it is.
+struct KnownEnds {
+    std::uint32_t edge = 0;
+    std::array<field::Owner, 2> owner{field::kNoOwner, field::kNoOwner};
+    EdgeEnds ends;
+};
+// By the number of the brick in its subtree, and the edge's middle in quarter cells from the brick's corner.
+constexpr std::uint32_t edge_number(std::uint32_t brick, const glm::ivec3& middle) {
+    constexpr int kSide = 4 * kBrickCells + 1;
+    return static_cast<std::uint32_t>(middle.x +
+                                      kSide * (middle.y + kSide * (middle.z + kSide * static_cast<int>(brick))));
+}
 // Owners of the two ends, as far as they are inside. Positions relative to the brick that the field is in, mm.
 [[nodiscard]] EdgeEnds ends_on_edge(field::BrickField& field, const Span& edge, EdgeKind kind, field::Owner lower,
                                     field::Owner upper);

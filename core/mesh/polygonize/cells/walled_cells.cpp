@@ -67,9 +67,8 @@ WalledCells::Cell WalledCells::place(field::BrickField& field, const BrickOwners
 
 glm::vec3 WalledCells::crossing(Work& work, int crossing) {
     const auto [a, b] = ends_of_edge(crossing);
-    const glm::ivec3 middle = 4 * work.cell + (a + b) / 2;
-    constexpr int kSide = 4 * kBrickCells + 1;
-    const auto [at, fresh] = ends_.try_emplace(middle.x + kSide * (middle.y + kSide * middle.z));
+    const std::uint32_t edge = edge_number(0, 4 * work.cell + (a + b) / 2);
+    const auto [at, fresh] = ends_.try_emplace(edge);
     if (fresh) {
         const auto owner = [&](const glm::ivec3& quarter) {
             const glm::ivec3 p = 2 * work.cell + quarter / 2;
@@ -85,9 +84,16 @@ glm::vec3 WalledCells::crossing(Work& work, int crossing) {
         const EdgeKind kind = !inside(b)   ? EdgeKind::kLowerInside
                               : !inside(a) ? EdgeKind::kUpperInside
                                            : EdgeKind::kWall;
-        at->second = ends_on_edge(work.field, {mm(a), mm(b)}, kind, owner(a), owner(b));
+        at->second = {edge, {owner(a), owner(b)}, ends_on_edge(work.field, {mm(a), mm(b)}, kind, owner(a), owner(b))};
     }
-    return crossing < kUpperEnd ? at->second.lower : at->second.upper;
+    return crossing < kUpperEnd ? at->second.ends.lower : at->second.ends.upper;
+}
+
+void WalledCells::add_ends(std::uint32_t brick, std::vector<KnownEnds>& to) const {
+    for (const auto& [edge, known] : ends_) {
+        to.push_back(known);
+        to.back().edge += edge_number(brick, glm::ivec3(0));
+    }
 }
 
 void WalledCells::place_arcs(Work& work) {

@@ -36,6 +36,8 @@ public:
     };
 
     void begin(float cell_mm) { cell_mm_ = cell_mm, ends_.clear(); }
+    // Adds what was found of the edges of a brick, which has this number in its subtree.
+    void add_ends(std::uint32_t brick, std::vector<KnownEnds>& to) const;
     [[nodiscard]] Cell place(field::BrickField& field, const BrickOwners& owners, glm::ivec3 cell,
                              const CellShape& shape, const CellLoops& loops);
 
@@ -49,7 +51,7 @@ private:
     void part_loops(Work& work, const std::vector<WallPair>& pairs);
 
     float cell_mm_ = 0.0F;
-    std::unordered_map<int, EdgeEnds> ends_; // by the edge's middle, in quarter cells
+    std::unordered_map<std::uint32_t, KnownEnds> ends_; // by the edge
 };
 
 } // namespace ramus::mesh::bricks

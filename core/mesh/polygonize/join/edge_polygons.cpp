@@ -279,23 +279,32 @@ void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool o
 }
 
 // Whose the vertices on edges are, and where those of edges beside walls go.
-void EdgePolygons::find_centres(field::BrickField& field, const field::LatticeAxes& lattice, JoinedSubtree& out) {
-    std::array<field::Owner, 2> owner{field::kNoOwner, field::kNoOwner};
-    EdgeEnds ends;
+void EdgePolygons::find_centres(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const {
+    const field::LatticeAxes lattice = lattice_axes(octree_.lattice, octree_.bricks[index]);
+    KnownEnds found;
     for (std::size_t n = 0; n < out.owned.size(); ++n) {
         field::OwnedGuess& whose = out.owned[n];
         const JoinedSubtree::GuessEdge& edge = out.edges[n];
         const bool wall = edge.kind == EdgeKind::kWall;
         if (!(wall && edge.upper)) { // else found with the lower side
-            const std::size_t begin = edge.upper ? 1 : 0, count = wall ? 2 : 1;
-            (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
-                                    std::span(owner).subspan(begin, count));
-            if (edge.exact) ends = ends_on_edge(field, {whose.lower, whose.upper}, edge.kind, owner[0], owner[1]);
+            const auto [low, high] = edge.ends;
+            const glm::ivec3 middle = (glm::ivec3(low.i, low.j, low.k) + glm::ivec3(high.i, high.j, high.k)) / 2;
+            const KnownEnds* const known = edge.exact ? surface_.ends(octree_, index, middle) : nullptr;
+            if (known != nullptr) {
+                found = *known;
+            } else {
+                const std::size_t begin = edge.upper ? 1 : 0, count = wall ? 2 : 1;
+                (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
+                                        std::span(found.owner).subspan(begin, count));
+                if (edge.exact)
+                    found.ends =
+                        ends_on_edge(field, {whose.lower, whose.upper}, edge.kind, found.owner[0], found.owner[1]);
+            }
         }
-        whose.owner = owner[edge.upper ? 1 : 0];
+        whose.owner = found.owner[edge.upper ? 1 : 0];
         if (!edge.exact) continue;
         whose.place = field::OwnedGuess::Place::kBox;
-        whose.lower = whose.upper = edge.upper ? ends.upper : ends.lower;
+        whose.lower = whose.upper = edge.upper ? found.ends.upper : found.ends.lower;
     }
 }
 
@@ -305,7 +314,7 @@ void EdgePolygons::finish(std::uint32_t index, JoinedSubtree& out) const {
     const auto field = field_.in_brick();
     field->enter(octree_.segments_of(brick), grid_axes(octree_.lattice, brick));
     const bool parts = field->parts_vessels();
-    if (parts) find_centres(*field, lattice_axes(octree_.lattice, brick), out);
+    if (parts) find_centres(*field, index, out);
     (void)append_projected(*field, out.guesses, out.added,
                            parts ? std::span(out.owned) : std::span(out.owned).first(0));
     out.guesses.clear();

@@ -107,7 +107,7 @@ private:
     [[nodiscard]] Polygon polygon_of(std::span<const Around> ring, bool open) const;
     void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
     std::uint32_t add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const;
-    static void find_centres(field::BrickField& field, const field::LatticeAxes& lattice, JoinedSubtree& out);
+    void find_centres(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const;
     static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
     field::Field field_;
