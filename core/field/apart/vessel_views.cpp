@@ -56,6 +56,10 @@ void VesselViews::list_axes() {
     for (std::size_t n = 0; n < kept_apart_.size(); ++n) {
         const FieldSegment& s = segments_[list_[kept_apart_[n]]];
         const PieceShape& shape = contacts_.shape(contacts_.piece(kept_apart_[n]));
+        if (shape.move == tree::AxisMove{}) { // the same bits as where no axis of a brick is moved
+            counted_axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), 1.0, 0.0);
+            continue;
+        }
         const auto counted = [&](double along) {
             const glm::dvec3 place = kept_axes_.at(n, along);
             const double share = tree::share_along(place - shape.start, shape.end - shape.start);
@@ -200,17 +204,18 @@ VesselView VesselViews::view(std::size_t seen) const {
     return view;
 }
 
-// Of moved axes the nearest one of the vessel, in mm.
+// The nearest one of the vessel, in mm, of the axes as they count.
 glm::dvec3 VesselViews::foot_as_it_counts(const SeenSegment& own) const {
-    if (own.piece < 0 || !any_moved_) return own.foot;
-    if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
+    if (own.piece < 0) return own.foot;
+    if (any_moved_ && !counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
     counted_known_ = true;
+    const AxisFeet& feet = any_moved_ ? counted_feet_ : kept_feet_;
     std::uint32_t nearest = own.axis;
     for (const std::uint32_t other : kept_feet_.near)
-        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) &&
+        if (feet.of(other, kFootDistance2) < feet.of(nearest, kFootDistance2) &&
             !contacts_.apart(own.piece, piece_of_axis_[other]))
             nearest = other;
-    return counted_axes_.at(nearest, counted_feet_.of(nearest, kFootAlong));
+    return (any_moved_ ? counted_axes_ : kept_axes_).at(nearest, feet.of(nearest, kFootAlong));
 }
 
 WayOut VesselViews::way_out(const SeenSegment& own) const {
