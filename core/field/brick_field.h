@@ -174,6 +174,8 @@ public:
     // surface crosses it.
     [[nodiscard]] virtual float crossing(float from, float to) const = 0;
 
+    // Whether vessels may be kept apart in some brick.
+    [[nodiscard]] virtual bool knows_contacts() const { return false; }
     // Whether vessels are kept apart somewhere in this brick. Where they are not, nothing of what follows is asked.
     [[nodiscard]] virtual bool parts_vessels() const { return false; }
     // Owners of points that are inside; the same ones whichever brick is asked.

@@ -49,6 +49,30 @@ void BrickGrid::sample(unsigned groups, field::BrickField& field, SampleCounts& 
     counts.samples += field::kGroupPoints * static_cast<std::uint64_t>(std::popcount(groups));
 }
 
+void BrickGrid::drop(GridBits points, float below) {
+    for (GridBits left = points; left != 0; left &= left - 1) {
+        const int n = lowest_bit(left);
+        const int x = n % 5, y = n / 5 % 5, z = n / 25;
+        const int upper = (x == 4 ? 1 : 0) + (y == 4 ? 1 : 0) + (z == 4 ? 1 : 0);
+        if (upper == 0) {
+            const int at = x + 4 * y + 16 * z;
+            own_[index_].value[static_cast<std::size_t>(at)] = below;
+            own_[index_].inside &= ~(std::uint64_t{1} << at);
+            continue;
+        }
+        std::size_t group = 7, at = 12;
+        if (upper == 1) {
+            group = x == 4 ? 4 : y == 4 ? 5 : 6;
+            at = static_cast<std::size_t>(x == 4 ? y + 4 * z : y == 4 ? x + 4 * z : x + 4 * y);
+        } else if (upper == 2) {
+            at = static_cast<std::size_t>(x != 4 ? x : y != 4 ? 4 + y : 8 + z);
+        }
+        samples_.value[group][at] = below;
+        samples_.inside[group] = static_cast<std::uint16_t>(samples_.inside[group] & ~(1U << at));
+    }
+    assemble_bits();
+}
+
 BrickGrid::UpperPart BrickGrid::upper_part(int x, int y, int z) const {
     const int direction = direction_index(x, y, z);
     UpperPart part;

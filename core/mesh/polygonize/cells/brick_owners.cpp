@@ -24,7 +24,19 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
     counts.evaluations += field.find_owners(lattice, points_, owners_);
     for (std::size_t n = 0; n < points_.size(); ++n)
         owner_[static_cast<std::size_t>(fine_index(points_[n].i / 2, points_[n].j / 2, points_[n].k / 2))] = owners_[n];
+    find_walls(field, inside, hanging);
+}
 
+void BrickOwners::change(const field::BrickField& field, GridBits inside, std::span<const field::LatticePoint> hanging,
+                         std::span<const Speck> specks) {
+    for (const Speck& speck : specks)
+        owner_[static_cast<std::size_t>(
+            fine_index(2 * (speck.point % 5), 2 * (speck.point / 5 % 5), 2 * (speck.point / 25)))] = speck.owner;
+    find_walls(field, inside, hanging);
+}
+
+void BrickOwners::find_walls(const field::BrickField& field, GridBits inside,
+                             std::span<const field::LatticePoint> hanging) {
     cells_ = hanging_ = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         walls_[axis] = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
 
@@ -49,6 +50,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);
+    if (field_->knows_contacts()) give_away_specks(index, subtree);
 
     constexpr GridBits kAll = (GridBits{1} << field::kGridPoints) - 1;
     const GridBits inside = grid_.inside();
@@ -112,6 +114,20 @@ void BrickSampler::find_owners(SubtreeCells& subtree) {
     prepare_lattice();
     owners_.find(*field_, lattice_axes_, grid_.inside(), hanging_inside_, subtree.counts);
     apart_points_.clear();
+}
+
+void BrickSampler::give_away_specks(std::uint32_t index, SubtreeCells& subtree) {
+    const bool parts = field_->parts_vessels();
+    static constexpr std::array<GridBits, 3> kNone{};
+    const std::vector<Speck>& specks = specks_.find(*octree_, *all_neighbours_, index, grid_.inside(),
+                                                    parts ? owners_.walls() : kNone, subtree.counts);
+    if (specks.empty()) return;
+    GridBits outside = 0;
+    for (const Speck& speck : specks)
+        if (speck.owner == field::kNoOwner) outside |= GridBits{1} << speck.point;
+    grid_.drop(outside, std::nextafter(isovalue_, 0.0F));
+    if (neighbours_->finer != 0) grid_.assemble_values();
+    if (parts) owners_.change(*field_, grid_.inside(), hanging_inside_, specks);
 }
 
 // Guesses the vertices of plain cells and traces the others, as far as that goes without their faces' centres.

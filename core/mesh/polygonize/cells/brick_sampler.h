@@ -7,6 +7,7 @@
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
 #include "core/mesh/polygonize/cells/contact_cells.h"
+#include "core/mesh/polygonize/cells/specks.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 #include "core/mesh/polygonize/cells/walled_cells.h"
 
@@ -17,7 +18,8 @@ namespace ramus::mesh::bricks {
 class BrickSampler {
 public:
     // The field must outlive it.
-    explicit BrickSampler(const field::Field& field) : field_(field.in_brick()), isovalue_(field.isovalue()) {}
+    explicit BrickSampler(const field::Field& field)
+        : field_(field.in_brick()), isovalue_(field.isovalue()), specks_(field) {}
 
     void begin(const Octree& octree, const Subtree& subtree, const ChunkedArray<Neighbourhood>& neighbours,
                SurfaceVertices& vertices);
@@ -45,6 +47,7 @@ private:
     void prepare_lattice();
     void sample_hanging(SubtreeCells& subtree);
     void find_owners(SubtreeCells& subtree);
+    void give_away_specks(std::uint32_t index, SubtreeCells& subtree);
     void sample_points(SubtreeCells& subtree);
     void sort_cells(BrickCells& cells);
     void trace(int cell, unsigned corner_signs, std::uint32_t finer);
@@ -88,6 +91,7 @@ private:
     field::Projection guesses_;
 
     // Where vessels are kept apart.
+    Specks specks_;
     BrickOwners owners_;
     std::vector<field::LatticePoint> hanging_inside_;
     std::vector<ApartPoints> apart_points_; // of traced cells
