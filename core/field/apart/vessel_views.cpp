@@ -35,6 +35,7 @@ void VesselViews::list_axes() {
     kept_apart_.clear();
     others_.clear();
     piece_of_axis_.clear();
+    axis_moved_.clear();
     kept_axes_.clear(list_.size());
     other_axes_.clear(list_.size());
     any_moved_ = false;
@@ -46,28 +47,34 @@ void VesselViews::list_axes() {
         (piece >= 0 ? kept_axes_ : other_axes_)
             .add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
                  static_cast<double>(s.slope));
-        any_moved_ = any_moved_ || (piece >= 0 && contacts_.shape(piece).move != tree::AxisMove{});
+        if (piece < 0) continue;
+        axis_moved_.push_back(contacts_.shape(piece).move != tree::AxisMove{} ? 1 : 0);
+        any_moved_ = any_moved_ || axis_moved_.back() != 0;
     }
     kept_feet_.rows.reserve(kept_axes_.count);
     other_feet_.rows.reserve(other_axes_.count);
-    if (!any_moved_) return;
+    if (any_moved_) list_counted_axes();
+}
+
+void VesselViews::list_counted_axes() {
     counted_feet_.rows.reserve(kept_axes_.count);
     counted_axes_.clear(kept_apart_.size());
     for (std::size_t n = 0; n < kept_apart_.size(); ++n) {
         const FieldSegment& s = segments_[list_[kept_apart_[n]]];
         const PieceShape& shape = contacts_.shape(contacts_.piece(kept_apart_[n]));
-        if (shape.move == tree::AxisMove{}) { // the same bits as where no axis of a brick is moved
-            counted_axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), 1.0, 0.0);
-            continue;
-        }
         const auto counted = [&](double along) {
             const glm::dvec3 place = kept_axes_.at(n, along);
             const double share = tree::share_along(place - shape.start, shape.end - shape.start);
             return place + shape.move.at(share);
         };
-        const glm::dvec3 start = counted(0.0), end = counted(static_cast<double>(s.length));
-        const double length = glm::distance(start, end);
-        counted_axes_.add(start, (end - start) / std::max(length, 1e-300), length, 1.0, 0.0);
+        const auto length = static_cast<double>(s.length), radius = static_cast<double>(s.radius);
+        const auto slope = static_cast<double>(s.slope);
+        const glm::dvec3 start = counted(0.0), end = counted(length);
+        const double counts = std::max(glm::distance(start, end), 1e-300);
+        if (axis_moved_[n] == 0)
+            counted_axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, length, radius, slope);
+        else
+            counted_axes_.add(start, (end - start) / counts, counts, radius, slope * length / counts);
     }
 }
 
@@ -204,18 +211,20 @@ VesselView VesselViews::view(std::size_t seen) const {
     return view;
 }
 
-// The nearest one of the vessel, in mm, of the axes as they count.
+// Where some axis of the vessel is moved that reaches the point, the nearest one in mm of the axes as they count.
+// What else a brick knows of changes nothing: bricks that a point belongs to agree.
 glm::dvec3 VesselViews::foot_as_it_counts(const SeenSegment& own) const {
-    if (own.piece < 0) return own.foot;
-    if (any_moved_ && !counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
+    if (own.piece < 0 || !any_moved_) return own.foot;
+    const auto of_vessel = [&](std::uint32_t n) { return !contacts_.apart(own.piece, piece_of_axis_[n]); };
+    if (std::ranges::none_of(kept_feet_.near, [&](std::uint32_t n) { return axis_moved_[n] != 0 && of_vessel(n); }))
+        return own.foot;
+    if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
     counted_known_ = true;
-    const AxisFeet& feet = any_moved_ ? counted_feet_ : kept_feet_;
     std::uint32_t nearest = own.axis;
     for (const std::uint32_t other : kept_feet_.near)
-        if (feet.of(other, kFootDistance2) < feet.of(nearest, kFootDistance2) &&
-            !contacts_.apart(own.piece, piece_of_axis_[other]))
+        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && of_vessel(other))
             nearest = other;
-    return (any_moved_ ? counted_axes_ : kept_axes_).at(nearest, feet.of(nearest, kFootAlong));
+    return counted_axes_.at(nearest, counted_feet_.of(nearest, kFootAlong));
 }
 
 WayOut VesselViews::way_out(const SeenSegment& own) const {

@@ -97,6 +97,7 @@ private:
     [[nodiscard]] WayOut way_out(const SeenSegment& own) const;
     void add_term(std::size_t seen, double share, VesselView& view) const;
     void list_axes();
+    void list_counted_axes();
     void find_others(); // once for a point
     [[nodiscard]] SeenSegment seen_on(const Axes& axes, const AxisFeet& feet, const std::vector<std::uint32_t>& places,
                                       std::uint32_t axis) const;
@@ -114,7 +115,8 @@ private:
     glm::dvec3 point_{0.0};
     // Places in the list: those whose pieces have partners, and the rest; with their axes, and the feet of the point.
     std::vector<std::uint32_t> kept_apart_, others_;
-    std::vector<int> piece_of_axis_; // of those kept apart
+    std::vector<int> piece_of_axis_;       // of those kept apart
+    std::vector<std::uint8_t> axis_moved_; // of those kept apart, where walls are drawn
     Axes kept_axes_, other_axes_;
     AxisFeet kept_feet_, other_feet_;
     bool others_known_ = false; // whether other_feet_ are the point's
