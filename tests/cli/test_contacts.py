@@ -75,6 +75,8 @@ class Info(CommandLineTest):
         for options, height in ((["--smooth", "0"], 1.0), (["--smooth", "1"], 0.5), ([], 0.5)):
             gap = 2.5 - height - 2.0 + 0.5 * height / math.hypot(10.0, height)
             self.assertAlmostEqual(self.contacts(tree, *options)[0]["gap_mm"], gap, 6)
+        lines = self.contacts(tree, "--smooth", "0", "--centerline", "lines")
+        self.assertAlmostEqual(lines[0]["gap_mm"], 2.5 - 1.0 - 2.0, 6)
         # Vessels of one radius merge below a closeness of sqrt(1 + 1 / width), which is 1.005 here; four below 1.01.
         near = CROSSING.replace(" 1.8 ", " 2.1 ")
         self.assertEqual(len(self.contacts(near)), 1)
@@ -100,7 +102,7 @@ class Info(CommandLineTest):
 
     def test_what_it_is_not_of(self):
         self.write("tree.swc", CROSSING)
-        for option in (("--smooth", "2"), ("--prune", "0.5"), ("--width", "1")):
+        for option in (("--smooth", "2"), ("--prune", "0.5"), ("--centerline", "lines"), ("--width", "1")):
             self.expect_failure("info", "tree.swc", *option, says=["--contacts"], status=2)
         self.write("mask.nii", nifti((3, 3, 3), [0] * 27))
         self.expect_failure("info", "mask.nii", "--contacts", says=["mask.nii", "--contacts"])
