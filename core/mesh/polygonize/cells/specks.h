@@ -9,7 +9,9 @@
 #include "core/mesh/polygonize/cells/brick_cells.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace ramus::mesh::bricks {
 
