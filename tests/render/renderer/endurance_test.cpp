@@ -91,7 +91,9 @@ template <class Cycle> void check_flat(const char* what, const Cycle& cycle) {
     std::ranges::sort(late);
     const auto grown = [&](std::size_t look) { return static_cast<long>(late[look]) - static_cast<long>(early[look]); };
     const long growth = std::min({grown(0), grown(early.size() / 2), grown(early.size() - 1)});
+#ifndef __SANITIZE_THREAD__ // that keeps its own notes on machine code that Mesa made and let go
     CHECK(growth < static_cast<long>(kGrowth));
+#endif
     MESSAGE(std::string(what), ": ", growth / 1024, " KiB more in the last ", kWindow, " of ", kCycles,
             " cycles than in those after ", kWarmUp);
 }
