@@ -9,6 +9,7 @@
 #include "core/field/brick_field.h"
 #include "core/field/skeleton.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -56,11 +57,14 @@ struct SegmentTerms {
     [[nodiscard]] const float* row(Numbers numbers) const { return numbers_.data() + numbers * stride_; }
     // Begins anew, with room for so many.
     void clear(std::size_t most);
-    void add(const FieldSegment& segment, const glm::dvec3& point);
+    void add(const FieldSegment& segment);
+    // Says from where all of them are seen, mm.
+    void see_from(const glm::dvec3& point);
 
 private:
     std::size_t stride_ = 0;
     std::vector<float> numbers_;
+    std::array<std::vector<double>, 3> starts_; // by axis, mm
 };
 
 // A sum of one kernel, for one instruction set. As in FieldModel (field.h).

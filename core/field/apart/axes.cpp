@@ -55,7 +55,10 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         const Real radius =
             hn::MulAdd(hn::LoadU(d, axes.rows.row(kAxisSlope) + n), t, hn::LoadU(d, axes.rows.row(kAxisRadius) + n));
         const Real relative2 = hn::Div(distance2, hn::Mul(radius, radius));
-        hn::StoreU(t, d, feet.rows.row(kFootAlong) + n);
+        const Vector foot = minus(p, off);
+        hn::StoreU(foot.x, d, feet.rows.row(kFootX) + n);
+        hn::StoreU(foot.y, d, feet.rows.row(kFootY) + n);
+        hn::StoreU(foot.z, d, feet.rows.row(kFootZ) + n);
         hn::StoreU(distance2, d, feet.rows.row(kFootDistance2) + n);
         hn::StoreU(radius, d, feet.rows.row(kFootRadius) + n);
         hn::StoreU(relative2, d, feet.rows.row(kFootRelative2) + n);
@@ -66,6 +69,21 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         const unsigned there = bits[0] & ((1U << std::min(hn::Lanes(d), axes.count - n)) - 1);
         for (unsigned left = there; left != 0; left &= left - 1)
             feet.near.push_back(static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(std::countr_zero(left)));
+    }
+}
+
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
+    const Doubles d;
+    const Real zero = hn::Zero(d), one = hn::Set(d, 1.0), two = hn::Set(d, 2.0), three = hn::Set(d, 3.0);
+    const Vector foot = set(feet.foot(own));
+    const Real radius = hn::Set(d, feet.of(own, kFootRadius));
+    for (std::size_t n = 0; n < count; n += hn::Lanes(d)) {
+        const Real from = hn::LoadU(d, apart.row(kApart) + n);
+        const Vector between = minus(load(feet.rows, kFootX, n), foot);
+        const Real radii = hn::Add(hn::LoadU(d, feet.rows.row(kFootRadius) + n), radius);
+        const Real closeness = hn::Div(hn::Sqrt(dot(between, between)), radii);
+        const Real x = limited(hn::Mul(hn::Sub(from, closeness), hn::LoadU(d, apart.row(kFade) + n)), zero, one);
+        hn::StoreU(hn::Mul(hn::Mul(x, x), hn::NegMulAdd(two, x, three)), d, left + n);
     }
 }
 
@@ -137,6 +155,7 @@ HWY_AFTER_NAMESPACE();
 namespace ramus::field {
 
 HWY_EXPORT(find_feet);
+HWY_EXPORT(find_left_out);
 HWY_EXPORT(nearest_shadow);
 
 void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope) {
@@ -147,14 +166,13 @@ void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, 
     ++count;
 }
 
-glm::dvec3 Axes::at(std::size_t n, double along) const {
-    return {rows.row(kStartX)[n] + along * rows.row(kAlongX)[n], rows.row(kStartY)[n] + along * rows.row(kAlongY)[n],
-            rows.row(kStartZ)[n] + along * rows.row(kAlongZ)[n]};
-}
-
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
     feet.near.clear();
     HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
+}
+
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
+    HWY_DYNAMIC_DISPATCH(find_left_out)(feet, own, apart, count, left);
 }
 
 Shadow nearest_shadow(const ObstacleRows& obstacles, const ObstacleRange& range, const WayOut& way) {

@@ -58,20 +58,29 @@ struct Axes {
 
     void clear(std::size_t most) { rows.resize(most), count = 0; }
     void add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope);
-    // The place so far along the n-th.
-    [[nodiscard]] glm::dvec3 at(std::size_t n, double along) const;
 };
 
-// Of a point, on each of some axes: how far along the nearest place is (mm), how far from the point (mm^2), the radius
-// there (mm), and the distance in radii, squared.
-enum FootRow : std::uint8_t { kFootAlong, kFootDistance2, kFootRadius, kFootRelative2, kFootRows };
+// Of a point, on each of some axes: the nearest place (mm), how far it is from the point (mm^2), the radius there (mm),
+// and the distance in radii, squared.
+enum FootRow : std::uint8_t { kFootX, kFootY, kFootZ, kFootDistance2, kFootRadius, kFootRelative2, kFootRows };
 struct AxisFeet {
     NumberRows<kFootRows> rows;
     std::vector<std::uint32_t> near; // those nearer than so many radii, ascending
     [[nodiscard]] double of(std::uint32_t axis, FootRow row) const { return rows.row(row)[axis]; }
+    [[nodiscard]] glm::dvec3 foot(std::uint32_t axis) const {
+        return {of(axis, kFootX), of(axis, kFootY), of(axis, kFootZ)};
+    }
 };
 // Overwrites `feet`, whose rows have room for all axes.
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
+
+// Of some axes, what an axis is kept apart from (vessel_field.h): the closeness from which on the two count as
+// together, and by how much less than that they have to be apart for the one to leave out the other wholly. The first
+// is 0 where it leaves out nothing.
+enum ApartRow : std::uint8_t { kApart, kFade, kApartRows };
+using ApartAxes = NumberRows<kApartRows>;
+// How much of each axis' term one of them leaves out, 0 to 1.
+void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left);
 
 // What others press on: after an axis, how far its ends count as moved (core/tree/contacts/spread_axes.h), and the
 // closeness from which on it and the vessel that it is an obstacle to count as together.

@@ -61,18 +61,18 @@ VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {
 VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
     const VesselViews::Sight sight = views_.look(point);
     Verdict verdict{plain, kNoOwner};
-    std::size_t place = VesselViews::kNone;
-    if (sight == VesselViews::Sight::kParted) {
+    std::uint32_t place = VesselViews::kNone;
+    if (sight == VesselViews::Sight::kParted && !views_.is_undisputed(plain)) {
         kernels_ += views_.add_terms();
         views_.list_vessels();
         const VesselViews::Verdict seen = views_.judge();
         verdict.value = static_cast<float>(seen.value);
-        if (seen.owner != VesselViews::kNone) place = views_.seen()[seen.owner].place;
+        place = seen.owner;
     } else {
         if (views_.alone()) return verdict;
         if (sight == VesselViews::Sight::kCut) verdict.value = std::min(plain, std::nextafter(views_.isovalue(), 0.0F));
     }
-    if (place == VesselViews::kNone) place = views_.nearest_place();
+    if (place == VesselViews::kNone) place = views_.nearest();
     if (place != VesselViews::kNone) verdict.owner = static_cast<Owner>(views_.list()[place]);
     return verdict;
 }
@@ -134,8 +134,8 @@ std::uint32_t VesselBrick::place_of(Owner owner) const {
 std::uint32_t VesselBrick::place_near(Owner owner, const glm::dvec3& point) {
     if (owner != kNoOwner) return place_of(owner);
     (void)views_.look(point);
-    const std::size_t nearest = views_.nearest_place();
-    return nearest == VesselViews::kNone ? 0 : static_cast<std::uint32_t>(nearest);
+    const std::uint32_t nearest = views_.nearest();
+    return nearest == VesselViews::kNone ? 0 : nearest;
 }
 
 bool VesselBrick::apart(Owner a, Owner b) const {

@@ -28,246 +28,253 @@ bool VesselViews::enter(SegmentIndices list) {
     list_ = list;
     if (!contacts_.enter(list)) return false;
     list_axes();
+    terms_ready_ = false;
+    apart_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
+    if (apart_.size() < apart_ready_.size()) apart_.resize(apart_ready_.size());
     return true;
 }
 
 void VesselViews::list_axes() {
-    kept_apart_.clear();
-    others_.clear();
-    piece_of_axis_.clear();
-    axis_moved_.clear();
-    kept_axes_.clear(list_.size());
-    other_axes_.clear(list_.size());
+    axes_.clear(list_.size());
+    moved_.assign(list_.size(), 0);
     any_moved_ = false;
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
-        const int piece = contacts_.piece(n);
-        (piece >= 0 ? kept_apart_ : others_).push_back(n);
-        if (piece >= 0) piece_of_axis_.push_back(piece);
-        (piece >= 0 ? kept_axes_ : other_axes_)
-            .add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
-                 static_cast<double>(s.slope));
-        if (piece < 0) continue;
-        axis_moved_.push_back(contacts_.shape(piece).move != tree::AxisMove{} ? 1 : 0);
-        any_moved_ = any_moved_ || axis_moved_.back() != 0;
+        axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
+                  static_cast<double>(s.slope));
+        if (piece(n) < 0) continue;
+        moved_[n] = contacts_.shape(piece(n)).move != tree::AxisMove{} ? 1 : 0;
+        any_moved_ = any_moved_ || moved_[n] != 0;
     }
-    kept_feet_.rows.reserve(kept_axes_.count);
-    other_feet_.rows.reserve(other_axes_.count);
+    feet_.rows.reserve(list_.size());
     if (any_moved_) list_counted_axes();
 }
 
+// Radii are not asked for.
 void VesselViews::list_counted_axes() {
-    counted_feet_.rows.reserve(kept_axes_.count);
-    counted_axes_.clear(kept_apart_.size());
-    for (std::size_t n = 0; n < kept_apart_.size(); ++n) {
-        const FieldSegment& s = segments_[list_[kept_apart_[n]]];
-        const PieceShape& shape = contacts_.shape(contacts_.piece(kept_apart_[n]));
-        const auto counted = [&](double along) {
-            const glm::dvec3 place = kept_axes_.at(n, along);
-            const double share = tree::share_along(place - shape.start, shape.end - shape.start);
-            return place + shape.move.at(share);
-        };
-        const auto length = static_cast<double>(s.length), radius = static_cast<double>(s.radius);
-        const auto slope = static_cast<double>(s.slope);
-        const glm::dvec3 start = counted(0.0), end = counted(length);
-        const double counts = std::max(glm::distance(start, end), 1e-300);
-        if (axis_moved_[n] == 0)
-            counted_axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, length, radius, slope);
-        else
-            counted_axes_.add(start, (end - start) / counts, counts, radius, slope * length / counts);
+    counted_feet_.rows.reserve(list_.size());
+    counted_axes_.clear(list_.size());
+    for (std::uint32_t n = 0; n < list_.size(); ++n) {
+        const FieldSegment& s = segments_[list_[n]];
+        glm::dvec3 start(s.ax, s.ay, s.az), end = start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz);
+        if (moved_[n] != 0) {
+            const PieceShape& shape = contacts_.shape(piece(n));
+            for (glm::dvec3* const place : {&start, &end})
+                *place += shape.move.at(tree::share_along(*place - shape.start, shape.end - shape.start));
+        }
+        const double length = glm::distance(start, end);
+        counted_axes_.add(start, (end - start) / std::max(length, 1e-300), length, 1.0, 0.0);
     }
 }
 
-SeenSegment VesselViews::seen_on(const Axes& axes, const AxisFeet& feet, const std::vector<std::uint32_t>& places,
-                                 std::uint32_t axis) const {
-    const std::uint32_t place = places[axis];
-    return {place,
-            contacts_.piece(place),
-            axis,
-            std::sqrt(feet.of(axis, kFootDistance2)),
-            feet.of(axis, kFootRadius),
-            feet.of(axis, kFootRelative2),
-            axes.at(axis, feet.of(axis, kFootAlong))};
+const ApartAxes& VesselViews::apart_from(int piece) {
+    const auto of = static_cast<std::size_t>(piece);
+    ApartAxes& apart = apart_[of];
+    if (apart_ready_[of] != 0) return apart;
+    apart_ready_[of] = 1;
+    apart.resize(list_.size());
+    for (std::uint32_t n = 0; n < list_.size(); ++n) {
+        const auto from = static_cast<double>(contacts_.apart_from(piece, this->piece(n)));
+        if (!(from > 0.0)) continue;
+        const double whole = 0.5 * (std::min(merged_, from) + from);
+        const double begin = std::min(whole, 1.12 * merged_); // a little above, for more than two vessels
+        apart.row(kApart)[n] = from;
+        apart.row(kFade)[n] = 1.0 / std::max(from - begin, 1e-9);
+    }
+    return apart;
 }
-
-namespace {
-
-std::uint32_t nearest_in_radii(const AxisFeet& feet) {
-    return *std::ranges::min_element(feet.near, {}, [&](std::uint32_t n) { return feet.of(n, kFootRelative2); });
-}
-
-} // namespace
 
 VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     point_ = point;
-    counted_known_ = others_known_ = beside_contact_ = false;
-    find_feet(kept_axes_, point_, reach_radii_, kept_feet_);
-    if (kept_feet_.near.empty()) return Sight::kPlain;
-    if (any_left_out()) {
-        see_all();
-        return Sight::kParted;
-    }
-    const std::uint32_t nearest = nearest_in_radii(kept_feet_);
-    if (kept_feet_.of(nearest, kFootRelative2) > kClaimRadii * kClaimRadii) return Sight::kPlain;
-    const SeenSegment own = seen_on(kept_axes_, kept_feet_, kept_apart_, nearest);
+    counted_known_ = grouped_ = beside_contact_ = false;
+    known_count_ = 0;
+    find_feet(axes_, point_, reach_radii_, feet_);
+    kept_apart_.clear();
+    for (const std::uint32_t n : feet_.near)
+        if (piece(n) >= 0) kept_apart_.push_back(n);
+    if (kept_apart_.empty()) return Sight::kPlain;
+    if (any_left_out()) return Sight::kParted;
+    const std::uint32_t own = nearest_in_radii(kept_apart_);
+    if (feet_.of(own, kFootRelative2) > kClaimRadii * kClaimRadii) return Sight::kPlain;
     const double spare = shadow_on(own).spare;
-    beside_contact_ = spare < kBesideRadii * own.radius;
-    if (!(spare < 0.0) || nearest_place() != own.place) return Sight::kPlain;
-    see_all();
-    return Sight::kCut;
+    beside_contact_ = spare < kBesideRadii * radius(own);
+    return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
 }
 
-void VesselViews::find_others() {
-    if (!others_known_) find_feet(other_axes_, point_, reach_radii_, other_feet_);
-    others_known_ = true;
+std::uint32_t VesselViews::nearest_in_radii(const std::vector<std::uint32_t>& places) const {
+    const double* const relative2 = feet_.rows.row(kFootRelative2);
+    return *std::ranges::min_element(places, {}, [&](std::uint32_t n) { return relative2[n]; });
 }
 
-std::size_t VesselViews::nearest_place() {
-    find_others();
-    const bool kept = !kept_feet_.near.empty(), other = !other_feet_.near.empty();
-    if (!kept && !other) return kNone;
-    const std::uint32_t k = kept ? nearest_in_radii(kept_feet_) : 0, o = other ? nearest_in_radii(other_feet_) : 0;
-    return !other || (kept && kept_feet_.of(k, kFootRelative2) <= other_feet_.of(o, kFootRelative2)) ? kept_apart_[k]
-                                                                                                     : others_[o];
-}
+std::uint32_t VesselViews::nearest() const { return feet_.near.empty() ? kNone : nearest_in_radii(feet_.near); }
 
-void VesselViews::see_all() {
-    find_others();
-    seen_.clear();
-    seen_kept_.clear();
-    auto other = other_feet_.near.begin();
-    const auto add_others = [&](std::uint32_t before) {
-        for (; other != other_feet_.near.end() && others_[*other] < before; ++other)
-            seen_.push_back(seen_on(other_axes_, other_feet_, others_, *other));
-    };
-    for (const std::uint32_t axis : kept_feet_.near) {
-        add_others(kept_apart_[axis]);
-        seen_kept_.push_back(static_cast<std::uint32_t>(seen_.size()));
-        seen_.push_back(seen_on(kept_axes_, kept_feet_, kept_apart_, axis));
-    }
-    add_others(static_cast<std::uint32_t>(list_.size()));
-}
+double VesselViews::distance(std::uint32_t place) const { return std::sqrt(feet_.of(place, kFootDistance2)); }
 
 bool VesselViews::any_left_out() {
-    near_pieces_.assign(contacts_.words(), 0);
-    for (const std::uint32_t axis : kept_feet_.near) {
-        const auto piece = static_cast<std::size_t>(piece_of_axis_[axis]);
-        near_pieces_[piece / 64] |= std::uint64_t{1} << piece % 64;
+    near_piece_bits_.assign(contacts_.words(), 0);
+    for (const std::uint32_t n : kept_apart_) {
+        const auto of = static_cast<std::size_t>(piece(n));
+        near_piece_bits_[of / 64] |= std::uint64_t{1} << of % 64;
     }
-    for (const std::uint32_t a : kept_feet_.near) {
-        const auto partners = contacts_.partners(piece_of_axis_[a]);
+    for (const std::uint32_t a : kept_apart_) {
+        const auto partners = contacts_.partners(piece(a));
         bool any = false;
-        for (std::size_t w = 0; w < partners.size(); ++w) any = any || (partners[w] & near_pieces_[w]) != 0;
+        for (std::size_t w = 0; w < partners.size(); ++w) any = any || (partners[w] & near_piece_bits_[w]) != 0;
         if (!any) continue;
-        for (const std::uint32_t b : kept_feet_.near)
+        for (const std::uint32_t b : kept_apart_)
             if (b > a && leaves_out(a, b)) return true; // symmetric
     }
     return false;
 }
 
 bool VesselViews::leaves_out(std::uint32_t a, std::uint32_t b) const {
-    const auto apart_from = static_cast<double>(contacts_.apart_from(piece_of_axis_[a], piece_of_axis_[b]));
-    if (!(apart_from > 0.0)) return false;
-    const double most = apart_from * (kept_feet_.of(a, kFootRadius) + kept_feet_.of(b, kFootRadius));
-    const glm::dvec3 between =
-        kept_axes_.at(a, kept_feet_.of(a, kFootAlong)) - kept_axes_.at(b, kept_feet_.of(b, kFootAlong));
+    const auto from = static_cast<double>(contacts_.apart_from(piece(a), piece(b)));
+    if (!(from > 0.0)) return false;
+    const double most = from * (radius(a) + radius(b));
+    const glm::dvec3 between = foot(a) - foot(b);
     return glm::dot(between, between) < most * most;
 }
 
+bool VesselViews::is_undisputed(float plain) {
+    // So many straight vessels at the distance of the nearest add more than all that are near.
+    constexpr double kVessels = 4.0;
+    const std::uint32_t own = nearest();
+    double other2 = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t n : kept_apart_)
+        if (feet_.of(n, kFootRelative2) < other2 && apart(own, n)) other2 = feet_.of(n, kFootRelative2);
+    if (other2 < kClaimRadii * kClaimRadii) return false;
+    const double most = kVessels * std::pow(kernel_.isovalue, other2); // Gaussian: isovalue to the power of radii squared
+    return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own).spare < 0.0);
+}
+
 std::uint64_t VesselViews::add_terms() {
-    terms_.clear(seen_.size());
-    for (const SeenSegment& seen : seen_) terms_.add(segments_[list_[seen.place]], point_);
+    if (!terms_ready_) {
+        terms_.clear(list_.size());
+        for (const std::uint32_t segment : list_) terms_.add(segments_[segment]);
+        terms_ready_ = true;
+    }
+    terms_.see_from(point_);
     kernel_.sum->find_terms(kernel_, terms_);
     whole_ = {};
-    for (std::size_t n = 0; n < seen_.size(); ++n) add_term(n, 1.0, whole_);
+    for (const std::uint32_t n : seen()) add_term(n, 1.0, whole_);
     return terms_.count;
 }
 
-double VesselViews::left_out(const SeenSegment& a, const SeenSegment& b) const {
-    const auto apart_from = static_cast<double>(contacts_.apart_from(a.piece, b.piece));
-    if (!(apart_from > 0.0)) return 0.0;
-    const double closeness = glm::distance(a.foot, b.foot) / (a.radius + b.radius);
-    const double whole = 0.5 * (std::min(merged_, apart_from) + apart_from);
-    const double begin = std::min(whole, 1.12 * merged_); // a little above, for more than two vessels
-    const double x = std::clamp((apart_from - closeness) / (apart_from - begin), 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
-}
-
-void VesselViews::add_term(std::size_t seen, double share, VesselView& view) const {
-    view.value += share * static_cast<double>(terms_.row(SegmentTerms::kValue)[seen]);
+void VesselViews::add_term(std::uint32_t place, double share, VesselView& view) const {
+    view.value += share * term(place);
     view.gradient +=
-        share * glm::dvec3(terms_.row(SegmentTerms::kGradientX)[seen], terms_.row(SegmentTerms::kGradientY)[seen],
-                           terms_.row(SegmentTerms::kGradientZ)[seen]);
+        share * glm::dvec3(terms_.row(SegmentTerms::kGradientX)[place], terms_.row(SegmentTerms::kGradientY)[place],
+                           terms_.row(SegmentTerms::kGradientZ)[place]);
 }
 
-VesselView VesselViews::view(std::size_t seen) const {
+VesselViews::Vessel& VesselViews::vessel(std::uint32_t place) {
+    for (std::size_t n = 0; n < known_count_; ++n)
+        if (known_vessels_[n].place == place) return known_vessels_[n];
+    if (known_count_ < known_vessels_.size()) ++known_count_;
+    Vessel& added = known_vessels_[known_count_ - 1];
+    added.place = place;
+    added.knows_way = added.knows_left_out = false;
+    return added;
+}
+
+std::span<const double> VesselViews::left_out(Vessel& own) {
+    if (own.knows_left_out) return own.left_out;
+    own.knows_left_out = true;
+    own.left_out.resize(ApartAxes::padded(list_.size()));
+    if (const int of = piece(own.place); of >= 0)
+        find_left_out(feet_, own.place, apart_from(of), list_.size(), own.left_out.data());
+    else
+        std::ranges::fill(own.left_out, 0.0);
+    return own.left_out;
+}
+
+VesselView VesselViews::view(std::uint32_t own) {
     VesselView view = whole_;
-    view.seen = seen;
-    const SeenSegment& own = seen_[seen];
-    if (own.piece < 0) return view;
-    for (const std::uint32_t other : seen_kept_)
-        if (contacts_.apart_from(own.piece, seen_[other].piece) > 0.0F)
-            add_term(other, -left_out(own, seen_[other]), view);
+    view.place = own;
+    if (piece(own) < 0) return view;
+    const std::span<const double> left = left_out(own);
+    for (const std::uint32_t other : kept_apart_)
+        if (left[other] > 0.0) add_term(other, -left[other], view);
     return view;
 }
 
 // Where some axis of the vessel is moved that reaches the point, the nearest one in mm of the axes as they count.
 // What else a brick knows of changes nothing: bricks that a point belongs to agree.
-glm::dvec3 VesselViews::foot_as_it_counts(const SeenSegment& own) const {
-    if (own.piece < 0 || !any_moved_) return own.foot;
-    const auto of_vessel = [&](std::uint32_t n) { return !contacts_.apart(own.piece, piece_of_axis_[n]); };
-    if (std::ranges::none_of(kept_feet_.near, [&](std::uint32_t n) { return axis_moved_[n] != 0 && of_vessel(n); }))
-        return own.foot;
+glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
+    if (piece(own) < 0 || !any_moved_) return foot(own);
+    if (std::ranges::none_of(kept_apart_, [&](std::uint32_t n) { return moved_[n] != 0 && !apart(own, n); }))
+        return foot(own);
     if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
     counted_known_ = true;
-    std::uint32_t nearest = own.axis;
-    for (const std::uint32_t other : kept_feet_.near)
-        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && of_vessel(other))
+    std::uint32_t nearest = own;
+    for (const std::uint32_t other : kept_apart_)
+        if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
             nearest = other;
-    return counted_axes_.at(nearest, counted_feet_.of(nearest, kFootAlong));
+    return counted_feet_.foot(nearest);
 }
 
-WayOut VesselViews::way_out(const SeenSegment& own) const {
-    WayOut way{foot_as_it_counts(own), glm::dvec3(0.0), 0.0, own.radius, own.foot};
+const WayOut& VesselViews::way_out(Vessel& own) {
+    if (own.knows_way) return own.way;
+    own.knows_way = true;
+    WayOut& way = own.way;
+    way = {foot_as_it_counts(own.place), glm::dvec3(0.0), 0.0, radius(own.place), foot(own.place)};
     way.direction = point_ - way.foot;
     way.length = glm::length(way.direction);
     way.direction /= std::max(way.length, 1e-300);
     return way;
 }
 
-Shadow VesselViews::shadow_on(const SeenSegment& own) const {
-    const ObstacleRange range = contacts_.obstacles(own.piece);
-    return range.count == 0 ? Shadow{} : nearest_shadow(contacts_.all().obstacles(), range, way_out(own));
+Shadow VesselViews::shadow_on(std::uint32_t own) {
+    const ObstacleRange range = contacts_.obstacles(piece(own));
+    return range.count == 0 ? Shadow{} : nearest_shadow(contacts_.all().obstacles(), range, way_out(vessel(own)));
 }
 
-glm::dvec3 VesselViews::toward(const SeenSegment& own, const Shadow& shadow) const {
-    return toward_shadow(contacts_.all().obstacles(), shadow.obstacle, way_out(own));
+glm::dvec3 VesselViews::toward(std::uint32_t own, const Shadow& shadow) {
+    return toward_shadow(contacts_.all().obstacles(), shadow.obstacle, way_out(vessel(own)));
 }
 
-void VesselViews::list_vessels() {
-    vessels_.clear();
-    if (seen_.empty()) return;
-    constexpr std::size_t kMostVessels = 6;
-    const auto relative2 = [&](std::uint32_t n) { return seen_[n].relative2; };
-    vessels_.push_back(
-        static_cast<std::size_t>(std::ranges::min_element(seen_, {}, &SeenSegment::relative2) - seen_.begin()));
-    left_ = seen_kept_; // of what is seen, whose vessel is not listed
-    while (true) {
-        const SeenSegment& listed = seen_[vessels_.back()];
-        std::erase_if(left_, [&](std::uint32_t n) { return !apart(listed, seen_[n]); });
-        if (left_.empty() || vessels_.size() == kMostVessels) return;
-        vessels_.push_back(*std::ranges::min_element(left_, {}, relative2));
+bool VesselViews::nearer(std::uint32_t a, std::uint32_t b) const {
+    if (a == kNone || b == kNone) return a != kNone;
+    const double there = feet_.of(a, kFootRelative2), here = feet_.of(b, kFootRelative2);
+    return there < here || (there == here && a < b);
+}
+
+void VesselViews::group_by_piece() {
+    if (grouped_) return;
+    grouped_ = true;
+    near_pieces_.clear();
+    nearest_of_piece_.assign(static_cast<std::size_t>(contacts_.piece_count()), kNone);
+    nearest_of_others_ = kNone;
+    for (const std::uint32_t n : seen()) {
+        std::uint32_t& nearest =
+            piece(n) < 0 ? nearest_of_others_ : nearest_of_piece_[static_cast<std::size_t>(piece(n))];
+        if (nearest == kNone && piece(n) >= 0) near_pieces_.push_back(piece(n));
+        if (nearer(n, nearest)) nearest = n;
     }
 }
 
-VesselViews::Verdict VesselViews::judge() const {
+void VesselViews::list_vessels() {
+    group_by_piece();
+    vessels_.clear();
+    for (std::uint32_t next = nearest(); next != kNone && vessels_.size() < kMostVessels;) {
+        vessels_.push_back(next);
+        next = kNone;
+        for (const int other : near_pieces_) {
+            const std::uint32_t there = nearest_of_piece_[static_cast<std::size_t>(other)];
+            if (nearer(there, next) && std::ranges::all_of(vessels_, [&](std::uint32_t n) { return apart(n, there); }))
+                next = there;
+        }
+    }
+}
+
+VesselViews::Verdict VesselViews::judge() {
     Verdict verdict;
     const auto isovalue = static_cast<float>(kernel_.isovalue);
     const auto below = static_cast<double>(std::nextafter(isovalue, 0.0F));
-    for (const std::size_t vessel : vessels_) {
-        if (seen_[vessel].relative2 > kClaimRadii * kClaimRadii) break;
+    for (const std::uint32_t vessel : vessels_) {
+        if (feet_.of(vessel, kFootRelative2) > kClaimRadii * kClaimRadii) break;
         double value = view(vessel).value;
-        if (shadow_on(seen_[vessel]).spare < 0.0) value = std::min(value, below);
+        if (shadow_on(vessel).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;
         bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;
         if (claims && !better) better = glm::length(way_from(vessel)) < glm::length(way_from(verdict.owner));
@@ -278,13 +285,14 @@ VesselViews::Verdict VesselViews::judge() const {
     return verdict;
 }
 
-std::size_t VesselViews::nearest_of_vessel(std::uint32_t place) const {
-    const int piece = contacts_.piece(place);
-    std::size_t nearest = kNone;
-    for (std::size_t n = 0; n < seen_.size(); ++n)
-        if (!contacts_.apart(piece, seen_[n].piece) &&
-            (nearest == kNone || seen_[n].relative2 < seen_[nearest].relative2))
-            nearest = n;
+std::uint32_t VesselViews::nearest_of_vessel(std::uint32_t place) {
+    group_by_piece();
+    std::uint32_t nearest = nearest_of_others_;
+    for (const int other : near_pieces_)
+        if (!contacts_.apart(piece(place), other)) {
+            const std::uint32_t there = nearest_of_piece_[static_cast<std::size_t>(other)];
+            if (nearer(there, nearest)) nearest = there;
+        }
     return nearest;
 }
 

@@ -6,34 +6,25 @@
 #include "core/field/kernel.h"
 #include "core/tree/contacts/contacts.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace ramus::field {
 
-// A segment that reaches the point.
-struct SeenSegment {
-    std::uint32_t place = 0; // in the brick's list
-    int piece = -1;          // as LocalContacts numbers it
-    std::uint32_t axis = 0;  // among the axes of what is kept apart, where piece >= 0
-    double distance = 0.0;   // of the axis, mm
-    double radius = 0.0;     // at the foot, mm
-    double relative2 = 0.0;  // the distance in radii, squared
-    glm::dvec3 foot{0.0};    // mm
-};
-
 // The field as one vessel sees it.
 struct VesselView {
-    std::size_t seen = 0; // the vessel's segment that is nearest, in radii
+    std::uint32_t place = 0; // of the vessel's segment that is nearest, in radii
     double value = 0.0;
     glm::dvec3 gradient{0.0};
 };
 
+// Segments are named by their places in the brick's list.
 class VesselViews {
 public:
-    static constexpr std::size_t kNone = ~std::size_t{0};
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
     // `segments`: of the whole field.
     VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces);
@@ -51,58 +42,77 @@ public:
     // Looks at a point, given in mm.
     Sight look(const glm::dvec3& point);
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
-    // After a plain sight: sees what the others see.
-    void see_all();
-    // After any sight, without seeing all: the nearest segment in radii by its place in the list; kNone.
-    [[nodiscard]] std::size_t nearest_place();
-    // After a plain sight: whether no vessel is near that is kept apart from another one.
-    [[nodiscard]] bool alone() const { return kept_feet_.near.empty(); }
+    // The segments that reach it, ascending; whether none of them is kept apart from another one; the nearest in radii,
+    // or kNone.
+    [[nodiscard]] const std::vector<std::uint32_t>& seen() const { return feet_.near; }
+    [[nodiscard]] bool alone() const { return kept_apart_.empty(); }
+    [[nodiscard]] std::uint32_t nearest() const;
     // After a plain sight: whether a vessel's way to the point may be cut nearby.
     [[nodiscard]] bool beside_contact() const { return beside_contact_; }
-    // What was seen from there, in the list's order, but after a plain sight. The next ones add the segments' terms.
-    [[nodiscard]] const std::vector<SeenSegment>& seen() const { return seen_; }
-    [[nodiscard]] std::uint64_t add_terms(); // returns the number of kernels evaluated
-    [[nodiscard]] const SegmentTerms& terms() const { return terms_; }
 
-    [[nodiscard]] std::int32_t branch(std::size_t seen) const { return segments_[list_[seen_[seen].place]].branch; }
+    // After a parted sight, of a point where the plain sum is known: whether the nearest vessel has it whatever is left
+    // out, since all that it is kept apart from is too far away to claim it, and too weak.
+    [[nodiscard]] bool is_undisputed(float plain);
 
-    [[nodiscard]] bool apart(const SeenSegment& a, const SeenSegment& b) const {
-        return contacts_.apart(a.piece, b.piece);
+    // Of a segment: the distance of its axis in mm, the radius at the foot, and the foot.
+    [[nodiscard]] double distance(std::uint32_t place) const;
+    [[nodiscard]] double radius(std::uint32_t place) const { return feet_.of(place, kFootRadius); }
+    [[nodiscard]] glm::dvec3 foot(std::uint32_t place) const { return feet_.foot(place); }
+    [[nodiscard]] std::int32_t branch(std::uint32_t place) const { return segments_[list_[place]].branch; }
+    [[nodiscard]] bool apart(std::uint32_t a, std::uint32_t b) const { return contacts_.apart(piece(a), piece(b)); }
+
+    // Evaluates the segments' terms; returns their number. What follows needs them.
+    [[nodiscard]] std::uint64_t add_terms();
+    [[nodiscard]] double term(std::uint32_t place) const {
+        return static_cast<double>(terms_.row(SegmentTerms::kValue)[place]);
     }
-    // How much of b's term is left out where the field is seen from a: 0 to 1.
-    [[nodiscard]] double left_out(const SeenSegment& a, const SeenSegment& b) const;
-    [[nodiscard]] VesselView view(std::size_t seen) const;
+    // How much of each segment's term is left out where the field is seen from one of them, 0 to 1, by place.
+    [[nodiscard]] std::span<const double> left_out(std::uint32_t own) { return left_out(vessel(own)); }
+    [[nodiscard]] VesselView view(std::uint32_t own);
 
     // How far a vessel's axis is from the point, as it counts where walls are drawn: the way from the nearest place.
-    [[nodiscard]] glm::dvec3 way_from(std::size_t seen) const { return point_ - foot_as_it_counts(seen_[seen]); }
+    [[nodiscard]] glm::dvec3 way_from(std::uint32_t own) { return point_ - way_out(vessel(own)).foot; }
     // How far the point is from what lies behind an obstacle, seen from a vessel's axis.
-    [[nodiscard]] Shadow shadow_on(const SeenSegment& own) const;
-    [[nodiscard]] glm::dvec3 toward(const SeenSegment& own, const Shadow& shadow) const;
+    [[nodiscard]] Shadow shadow_on(std::uint32_t own);
+    [[nodiscard]] glm::dvec3 toward(std::uint32_t own, const Shadow& shadow);
 
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first.
     void list_vessels();
-    [[nodiscard]] const std::vector<std::size_t>& vessels() const { return vessels_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& vessels() const { return vessels_; }
     // Of the vessels listed the one that the point belongs to, and its view; or, outside all of them, the strongest
     // view and kNone.
     struct Verdict {
-        std::size_t owner = kNone; // in seen()
+        std::uint32_t owner = kNone;
         double value = 0.0;
     };
-    [[nodiscard]] Verdict judge() const;
-    // The nearest segment in radii that is not apart from the one given (by its place in the list), or kNone.
-    [[nodiscard]] std::size_t nearest_of_vessel(std::uint32_t place) const;
+    [[nodiscard]] Verdict judge();
+    // The nearest segment in radii that is not apart from the one given, or kNone.
+    [[nodiscard]] std::uint32_t nearest_of_vessel(std::uint32_t place);
 
 private:
-    [[nodiscard]] glm::dvec3 foot_as_it_counts(const SeenSegment& own) const;
-    [[nodiscard]] WayOut way_out(const SeenSegment& own) const;
-    void add_term(std::size_t seen, double share, VesselView& view) const;
+    static constexpr std::size_t kMostVessels = 6;
+    // What is known of a vessel at the point, by the segment that it is seen from.
+    struct Vessel {
+        std::uint32_t place = kNone;
+        bool knows_way = false, knows_left_out = false;
+        WayOut way;
+        std::vector<double> left_out; // by place
+    };
+    [[nodiscard]] Vessel& vessel(std::uint32_t place);
+    [[nodiscard]] const WayOut& way_out(Vessel& own);
+    [[nodiscard]] std::span<const double> left_out(Vessel& own);
+
+    [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
+    [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
+    void add_term(std::uint32_t place, double share, VesselView& view) const;
     void list_axes();
     void list_counted_axes();
-    void find_others(); // once for a point
-    [[nodiscard]] SeenSegment seen_on(const Axes& axes, const AxisFeet& feet, const std::vector<std::uint32_t>& places,
-                                      std::uint32_t axis) const;
-    [[nodiscard]] bool any_left_out();                                     // of what is near
-    [[nodiscard]] bool leaves_out(std::uint32_t a, std::uint32_t b) const; // of axes kept apart
+    [[nodiscard]] const ApartAxes& apart_from(int piece); // of all axes, in one row
+    [[nodiscard]] std::uint32_t nearest_in_radii(const std::vector<std::uint32_t>& places) const;
+    [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
+    void group_by_piece();
+    [[nodiscard]] bool any_left_out(); // of what is near
+    [[nodiscard]] bool leaves_out(std::uint32_t a, std::uint32_t b) const;
 
     Kernel kernel_;
     double surface_phi_, merged_;
@@ -110,29 +120,32 @@ private:
     // it may reach beyond its ends, where radii go on growing, is next to nothing.
     double reach_radii_;
     const FieldSegment* segments_;
+
+    // Of the brick, by place.
     LocalContacts contacts_;
     SegmentIndices list_;
-    glm::dvec3 point_{0.0};
-    // Places in the list: those whose pieces have partners, and the rest; with their axes, and the feet of the point.
-    std::vector<std::uint32_t> kept_apart_, others_;
-    std::vector<int> piece_of_axis_;       // of those kept apart
-    std::vector<std::uint8_t> axis_moved_; // of those kept apart, where walls are drawn
-    Axes kept_axes_, other_axes_;
-    AxisFeet kept_feet_, other_feet_;
-    bool others_known_ = false; // whether other_feet_ are the point's
-    // Of those kept apart, as they count, where any is moved.
-    Axes counted_axes_;
+    Axes axes_;
+    std::vector<std::uint8_t> moved_; // whether the axis counts as moved, where walls are drawn
     bool any_moved_ = false;
-    mutable AxisFeet counted_feet_;
-    mutable bool counted_known_ = false;
-    std::vector<SeenSegment> seen_;
-    std::vector<std::uint32_t> seen_kept_;   // of these, the ones that are kept apart
-    VesselView whole_;                       // the terms of all
-    std::vector<std::uint64_t> near_pieces_; // scratch: one bit each
-    bool beside_contact_ = false;
-    std::vector<std::size_t> vessels_;
-    std::vector<std::uint32_t> left_; // scratch
+    Axes counted_axes_; // as they count, where any is moved
     SegmentTerms terms_;
+    bool terms_ready_ = false;
+    std::vector<ApartAxes> apart_; // by piece, as far as asked for
+    std::vector<std::uint8_t> apart_ready_;
+
+    // Of the point.
+    glm::dvec3 point_{0.0};
+    AxisFeet feet_, counted_feet_;
+    std::vector<std::uint32_t> kept_apart_; // of those near, what is of pieces with partners
+    bool counted_known_ = false, grouped_ = false, beside_contact_ = false;
+    std::vector<int> near_pieces_;                // of those kept apart
+    std::vector<std::uint32_t> nearest_of_piece_; // by piece, of those near
+    std::uint32_t nearest_of_others_ = kNone;     // of those that are not kept apart
+    std::vector<std::uint64_t> near_piece_bits_;  // scratch
+    VesselView whole_;                            // the terms of all
+    std::vector<std::uint32_t> vessels_;
+    std::array<Vessel, kMostVessels + 2> known_vessels_;
+    std::size_t known_count_ = 0;
 };
 
 } // namespace ramus::field

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace ramus::field {
@@ -23,24 +24,23 @@ struct Depth {
 Depth depth_within(const VesselViews& views, const VesselView& view) {
     const double f = std::clamp(view.value, 1e-12, 0.999);
     const double phi = std::sqrt(-std::log(f));
-    const double steepness = glm::length(view.gradient) / (2.0 * f * phi); // of phi, per mm
-    const SeenSegment& seen = views.seen()[view.seen];
-    const glm::dvec3 away = (views.point() - seen.foot) / std::max(seen.distance, 1e-9 * seen.radius);
-    if (!(steepness > 1e-6 / seen.radius)) return {seen.radius - seen.distance, away};
-    const double mm = (views.surface_phi() - phi) / steepness;
-    return {mm, -view.gradient / glm::length(view.gradient)};
+    const double slope = glm::length(view.gradient);
+    const double steepness = slope / (2.0 * f * phi); // of phi, per mm
+    const double radius = views.radius(view.place);
+    if (steepness > 1e-6 / radius) return {(views.surface_phi() - phi) / steepness, -view.gradient / slope};
+    const double distance = views.distance(view.place);
+    return {radius - distance, (views.point() - views.foot(view.place)) / std::max(distance, 1e-9 * radius)};
 }
 
 // How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
 // where that claims it and is nearer. Half of the gap, in radii of the thinner one, is left free.
-Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other, double gaps) {
-    const SeenSegment& a = views.seen()[own];
-    const SeenSegment& b = views.seen()[other];
-    const double gap = gaps * std::min(a.radius, b.radius);
+Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other, double gaps) {
+    const double radius_own = views.radius(own), radius_other = views.radius(other);
+    const double gap = gaps * std::min(radius_own, radius_other);
     const Depth within_other = depth_within(views, views.view(other));
     const glm::dvec3 way_own = views.way_from(own), way_other = views.way_from(other);
-    const double from_own = std::max(glm::length(way_own), 1e-9 * a.radius);
-    const double from_other = std::max(glm::length(way_other), 1e-9 * b.radius);
+    const double from_own = std::max(glm::length(way_own), 1e-9 * radius_own);
+    const double from_other = std::max(glm::length(way_other), 1e-9 * radius_other);
     const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
     const double steepness = std::max(glm::length(slope), 0.1);
     const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
@@ -50,13 +50,12 @@ Depth depth_beside(const VesselViews& views, std::size_t own, std::size_t other,
 }
 
 // Names the strongest branches, as they are seen from the vessel.
-void name(const VesselViews& views, std::size_t own, WallPoint& point) {
+void name(VesselViews& views, std::uint32_t own, WallPoint& point) {
     struct Share {
         std::int32_t branch = 0;
         double share = 0.0;
     };
     std::array<Share, 3> most{};
-    const float* value = views.terms().row(SegmentTerms::kValue);
     const auto rank = [&](Share share) {
         for (Share& there : most)
             if (share.share > there.share) std::swap(share, there);
@@ -64,11 +63,12 @@ void name(const VesselViews& views, std::size_t own, WallPoint& point) {
     Share branch{views.branch(own), 0.0};
     most.fill({branch.branch, 0.0});
     double strongest = -1.0;
-    for (std::size_t n = 0; n < views.seen().size(); ++n) {
-        const double share = (1.0 - views.left_out(views.seen()[own], views.seen()[n])) * static_cast<double>(value[n]);
+    const std::span<const double> left_out = views.left_out(own);
+    for (const std::uint32_t n : views.seen()) {
+        const double share = (1.0 - left_out[n]) * views.term(n);
         if (views.branch(n) != branch.branch) rank(branch), branch = {views.branch(n), 0.0};
         branch.share += share;
-        if (share > strongest) strongest = share, point.radius = views.seen()[n].radius;
+        if (share > strongest) strongest = share, point.radius = views.radius(n);
     }
     rank(branch);
     point.branch = most[0].branch;
@@ -82,24 +82,25 @@ void name(const VesselViews& views, std::size_t own, WallPoint& point) {
 
 // How deep the point that was looked at is within what is the vessel's of a segment seen: within its surface, on its
 // side of walls, half of `gaps` of them left free, and before what cuts it off.
-Depth depth_of(VesselViews& views, std::size_t own, double gaps) {
+Depth depth_of(VesselViews& views, std::uint32_t own, double gaps) {
     Depth depth = depth_within(views, views.view(own));
     views.list_vessels();
-    for (const std::size_t other : views.vessels()) {
-        if (other == own || !views.apart(views.seen()[own], views.seen()[other])) continue;
+    for (const std::uint32_t other : views.vessels()) {
+        if (other == own || !views.apart(own, other)) continue;
         const Depth beside = depth_beside(views, own, other, gaps);
         if (beside.mm < depth.mm) depth = beside;
     }
-    if (const Shadow shadow = views.shadow_on(views.seen()[own]); shadow.spare < depth.mm)
-        depth = {shadow.spare, views.toward(views.seen()[own], shadow)};
+    if (const Shadow shadow = views.shadow_on(own); shadow.spare < depth.mm)
+        depth = {shadow.spare, views.toward(own, shadow)};
     return depth;
 }
 
 // The vessel's segment that is nearest to a point, which is looked at.
-std::size_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
-    if (views.look(point) == VesselViews::Sight::kPlain) views.see_all();
-    kernels += views.add_terms();
-    return views.nearest_of_vessel(place);
+std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec3& point, std::uint64_t& kernels) {
+    (void)views.look(point);
+    const std::uint32_t own = views.nearest_of_vessel(place);
+    if (own != VesselViews::kNone) kernels += views.add_terms();
+    return own;
 }
 
 } // namespace
@@ -112,8 +113,8 @@ glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& fr
     double own = 0.0, beyond = 1.0;
     double at = 0.5, last = 0.0, last_mm = 0.0;
     for (int step = 0; step < kMostSteps && beyond - own > kNear; ++step) {
-        const std::size_t seen = look_from(views, place, glm::mix(from, to, at), kernels);
-        const double mm = seen == VesselViews::kNone ? -length : depth_of(views, seen, 0.0).mm;
+        const std::uint32_t own_segment = look_from(views, place, glm::mix(from, to, at), kernels);
+        const double mm = own_segment == VesselViews::kNone ? -length : depth_of(views, own_segment, 0.0).mm;
         (mm > 0.0 ? own : beyond) = at;
         if (std::abs(mm) < 0.5 * kNear * length) return glm::mix(from, to, at);
         // Along the line through the last two places; at first as if the way led straight out. Every third step halves
@@ -129,17 +130,23 @@ glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& fr
 WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess, const Bounds& bounds,
                        std::uint64_t& kernels) {
     constexpr int kSteps = 6;
-    constexpr double kShortStep = 0.002; // of the radius
+    // Of the radius: the depth is linear to first order, so that a step so short leads to the surface but for its
+    // square, and where another wall begins meanwhile, not through its gap.
+    constexpr double kShortStep = 0.006;
     const glm::dvec3 size = bounds.upper - bounds.lower;
     const double reach = 0.5 * std::max({size.x, size.y, size.z});
     const glm::dvec3 free = glm::vec3(glm::greaterThan(size, glm::dvec3(0.0))); // 0 along axes that are fixed
     WallPoint point;
     point.position = glm::clamp(guess, bounds.lower, bounds.upper);
+    glm::dvec3 from = point.position; // of the last step
     for (int step = 0; step < kSteps; ++step) {
-        const std::size_t own = look_from(views, place, point.position, kernels);
-        if (own == VesselViews::kNone) break;
+        const std::uint32_t own = look_from(views, place, point.position, kernels);
+        if (own == VesselViews::kNone) {
+            if (const std::uint32_t before = look_from(views, place, from, kernels); before != VesselViews::kNone)
+                name(views, before, point);
+            break;
+        }
         const Depth depth = depth_of(views, own, kWallRadii);
-        name(views, own, point);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;
         // Along the axes that are free, and that do not lead out of the bounds, the surface is farther by as much as it
@@ -153,10 +160,11 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         }
         const double inclined = std::max(glm::dot(way, way), 0.1);
         const glm::dvec3 aim = point.position + way * std::clamp(depth.mm / inclined, -reach, reach);
-        const glm::dvec3 next = glm::clamp(aim, bounds.lower, bounds.upper);
-        const double moved = glm::distance(next, point.position);
-        point.position = next;
-        if (moved < kShortStep * views.seen()[own].radius) break;
+        from = std::exchange(point.position, glm::clamp(aim, bounds.lower, bounds.upper));
+        if (step + 1 == kSteps || glm::distance(from, point.position) < kShortStep * views.radius(own)) {
+            name(views, own, point);
+            break;
+        }
     }
     return point;
 }
