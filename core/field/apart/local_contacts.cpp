@@ -34,7 +34,7 @@ bool any_partner(std::span<const tree::Contacts::Partner> partners, const std::v
 bool any_apart(const Pieces& pieces, SegmentIndices list, std::vector<std::uint32_t>& scratch) {
     list_pieces(pieces.contacts(), list, scratch);
     return std::ranges::any_of(scratch, [&](std::uint32_t piece) {
-        return pieces.in_contact(piece) || any_partner(pieces.contacts().partners_of(piece), scratch);
+        return pieces.piercing(piece).count > 0 || any_partner(pieces.contacts().partners_of(piece), scratch);
     });
 }
 
@@ -43,7 +43,8 @@ bool LocalContacts::enter(SegmentIndices list) {
     list_pieces(contacts, list, listed_);
     pieces_.clear();
     for (const std::uint32_t piece : listed_)
-        if (all_.in_contact(piece) || any_partner(contacts.partners_of(piece), listed_)) pieces_.push_back(piece);
+        if (all_.piercing(piece).count > 0 || any_partner(contacts.partners_of(piece), listed_))
+            pieces_.push_back(piece);
     if (pieces_.empty()) return false;
     const auto number_of = [&](std::uint32_t piece) {
         const auto found = std::ranges::lower_bound(pieces_, piece);

@@ -25,9 +25,12 @@ public:
     [[nodiscard]] const PieceShape& shape(int piece) const {
         return *all_.shape(pieces_[static_cast<std::size_t>(piece)]);
     }
-    // What presses on it, in the brick or beyond.
+    // What presses on it, in the brick or beyond; what pierces its vessel.
     [[nodiscard]] ObstacleRange obstacles(int piece) const {
         return piece < 0 ? ObstacleRange{} : all_.obstacles_of(pieces_[static_cast<std::size_t>(piece)]);
+    }
+    [[nodiscard]] ObstacleRange piercing(int piece) const {
+        return piece < 0 ? ObstacleRange{} : all_.piercing(pieces_[static_cast<std::size_t>(piece)]);
     }
     // Of two pieces: the closeness from which on they count as together, 0 for a near miss; -1: not apart.
     [[nodiscard]] float apart_from(int a, int b) const {
@@ -42,7 +45,7 @@ public:
 
 private:
     const Pieces& all_;
-    std::vector<std::uint32_t> pieces_; // of the list that have partners in it or obstacles, ascending
+    std::vector<std::uint32_t> pieces_; // of the list that have partners in it or are pierced, ascending
     std::vector<std::uint32_t> listed_; // scratch: all of the list that have partners anywhere
     std::vector<int> piece_of_;
     std::vector<float> matrix_;

@@ -1,11 +1,46 @@
 #include "core/field/apart/pieces.h"
 
+#include "core/tree/contacts/links.h"
+
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace ramus::field {
 
-Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton) : contacts_(contacts) {
+namespace {
+
+double distance_between(const PieceShape& a, const PieceShape& b) {
+    const auto link = [](const glm::dvec3& start, const glm::dvec3& end) {
+        return tree::Link{0, 0, {start, 0.5}, {end, 0.5}, 0}; // closeness is distance
+    };
+    return tree::closest_approach(link(a.start, a.end), link(b.start, b.end)).closeness;
+}
+
+// How an obstacle lies to a vessel.
+enum class Shade : std::uint8_t { kNone, kCasts, kPierces };
+
+// A point that is a vessel's is within kClaimRadii of its axis. One that is behind an obstacle is less than the
+// obstacle's radius R beside the way through its axis. Where it is in the obstacle's tube it is the obstacle's anyway,
+// which is nearer; so the vessel has to go on as far as where it is not. If the obstacle does not even reach it, it is
+// farther from there by the root of support_radii^2 - 1 of R along the way.
+Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, double support_radii) {
+    constexpr double kSlack = 0.1; // radii, for what vessel and obstacle are bent
+    const double r = std::max(vessel.start_radius, vessel.end_radius);
+    const double thin = std::min(obstacle.start_radius, obstacle.end_radius);
+    const double thick = std::max(obstacle.start_radius, obstacle.end_radius);
+    const double moved = std::max(glm::length(vessel.move.start), glm::length(vessel.move.end));
+    const double reach = (kClaimRadii + kSlack) * r + moved, distance = distance_between(obstacle, vessel) - moved;
+    if (distance >= std::hypot(reach, thick)) return Shade::kNone;
+    const double beyond = reach - std::sqrt(support_radii * support_radii - 1.0) * thin;
+    return beyond > 0.0 && distance < std::hypot(beyond, thick) ? Shade::kPierces : Shade::kCasts;
+}
+
+} // namespace
+
+Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, double support_radii) : contacts_(contacts) {
     if (contacts_.empty()) return;
     shape_of_piece_.assign(contacts_.first_partner.size() - 1, kNone);
     for (const std::uint32_t segment : skeleton.present()) { // those of a piece follow each other
@@ -22,38 +57,46 @@ Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton) : conta
         shape.end = start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz);
         shape.end_radius = static_cast<double>(s.end_radius());
     }
-    list_obstacles();
+    list_obstacles(support_radii);
 }
 
-void Pieces::list_obstacles() {
-    const auto presses = [&](const tree::Contacts::Partner& partner) {
-        return partner.apart_from > 0.0F && shape(partner.piece) != nullptr;
+void Pieces::put_obstacle(std::size_t at, const PieceShape& shape, double apart_from) {
+    const auto put = [&](std::size_t row, const glm::dvec3& v) {
+        for (int axis = 0; axis < 3; ++axis) obstacles_.row(row + static_cast<std::size_t>(axis))[at] = v[axis];
     };
+    const double length = glm::distance(shape.start, shape.end);
+    put(kStartX, shape.start);
+    if (length > 0.0) put(kAlongX, (shape.end - shape.start) / length);
+    put(kMoveStartX, shape.move.start);
+    put(kMoveEndX, shape.move.end);
+    obstacles_.row(kAxisLength)[at] = length;
+    obstacles_.row(kAxisRadius)[at] = shape.start_radius;
+    obstacles_.row(kAxisSlope)[at] = length > 0.0 ? (shape.end_radius - shape.start_radius) / length : 0.0;
+    obstacles_.row(kApartFrom)[at] = apart_from;
+}
+
+void Pieces::list_obstacles(double support_radii) {
+    using Partner = tree::Contacts::Partner;
+    std::vector<std::vector<const Partner*>> pierce(shapes_.size()), cast(shapes_.size());
     std::size_t total = 0;
-    for (const std::uint32_t piece : piece_of_shape_) {
-        const auto count = static_cast<std::size_t>(std::ranges::count_if(contacts_.partners_of(piece), presses));
-        ranges_.push_back({total, count});
-        total += ObstacleRows::padded(count);
+    for (std::size_t n = 0; n < shapes_.size(); ++n) {
+        for (const Partner& partner : contacts_.partners_of(piece_of_shape_[n])) {
+            const PieceShape* const other = shape(partner.piece);
+            if (!(partner.apart_from > 0.0F) || other == nullptr) continue;
+            const Shade shade = shade_of(*other, shapes_[n], support_radii);
+            if (shade != Shade::kNone) (shade == Shade::kPierces ? pierce : cast)[n].push_back(&partner);
+        }
+        const std::size_t first = ObstacleRows::padded(pierce[n].size());
+        ranges_.push_back({{total, first + cast[n].size()}, {total, pierce[n].size()}});
+        total += first + ObstacleRows::padded(cast[n].size());
     }
     obstacles_.resize(total);
-    for (std::size_t n = 0; n < ranges_.size(); ++n) {
-        std::size_t at = ranges_[n].first;
-        for (const tree::Contacts::Partner& partner : contacts_.partners_of(piece_of_shape_[n])) {
-            if (!presses(partner)) continue;
-            const auto put = [&](std::size_t row, const glm::dvec3& v) {
-                for (int axis = 0; axis < 3; ++axis) obstacles_.row(row + static_cast<std::size_t>(axis))[at] = v[axis];
-            };
-            const PieceShape& s = *shape(partner.piece);
-            const double length = glm::distance(s.start, s.end);
-            put(kStartX, s.start);
-            if (length > 0.0) put(kAlongX, (s.end - s.start) / length);
-            put(kMoveStartX, s.move.start);
-            put(kMoveEndX, s.move.end);
-            obstacles_.row(kAxisLength)[at] = length;
-            obstacles_.row(kAxisRadius)[at] = s.start_radius;
-            obstacles_.row(kAxisSlope)[at] = length > 0.0 ? (s.end_radius - s.start_radius) / length : 0.0;
-            obstacles_.row(kApartFrom)[at++] = static_cast<double>(partner.apart_from);
-        }
+    for (std::size_t n = 0; n < shapes_.size(); ++n) {
+        const std::size_t first = ranges_[n].all.first;
+        for (const auto& [list, begin] :
+             {std::pair(&pierce[n], first), std::pair(&cast[n], first + ObstacleRows::padded(pierce[n].size()))})
+            for (std::size_t k = 0; k < list->size(); ++k)
+                put_obstacle(begin + k, *shape((*list)[k]->piece), static_cast<double>((*list)[k]->apart_from));
     }
 }
 

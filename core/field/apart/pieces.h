@@ -20,10 +20,13 @@ struct PieceShape {
     bool operator==(const PieceShape&) const = default;
 };
 
+// Beyond this many radii from its axis no point is inside a vessel, four of whose kind meet there.
+inline constexpr double kClaimRadii = 1.25;
+
 class Pieces {
 public:
-    // Refers to the contacts, which must outlive it.
-    Pieces(const tree::Contacts& contacts, const Skeleton& skeleton);
+    // Refers to the contacts, which must outlive it. `support_radii`: how far a segment reaches, in its radii.
+    Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, double support_radii);
 
     [[nodiscard]] const tree::Contacts& contacts() const { return contacts_; }
     [[nodiscard]] std::uint32_t of_segment(std::uint32_t segment) const { return contacts_.piece_of_segment[segment]; }
@@ -32,26 +35,31 @@ public:
         const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
         return at == kNone ? nullptr : &shapes_[at];
     }
-    // What presses on a piece that is there.
+    // What may cut off places of a piece that is there; and of this what pierces its vessel: so thin and so near to the
+    // axis that there may be places of the vessel behind it which it does not reach itself.
     [[nodiscard]] const ObstacleRows& obstacles() const { return obstacles_; }
-    [[nodiscard]] ObstacleRange obstacles_of(std::uint32_t piece) const {
-        const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
-        return at == kNone ? ObstacleRange{} : ranges_[at];
-    }
+    [[nodiscard]] ObstacleRange obstacles_of(std::uint32_t piece) const { return ranges_of(piece).all; }
+    [[nodiscard]] ObstacleRange piercing(std::uint32_t piece) const { return ranges_of(piece).piercing; }
     // Whether the piece has the same partners in another state, in the same places.
     [[nodiscard]] bool same_around(std::uint32_t piece, const Pieces& before) const;
-    // Whether a vessel that is there presses on the piece.
-    [[nodiscard]] bool in_contact(std::uint32_t piece) const { return obstacles_of(piece).count > 0; }
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-    void list_obstacles();
+    struct Ranges {
+        ObstacleRange all, piercing; // the piercing ones come first
+    };
+    [[nodiscard]] Ranges ranges_of(std::uint32_t piece) const {
+        const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
+        return at == kNone ? Ranges{} : ranges_[at];
+    }
+    void list_obstacles(double support_radii);
+    void put_obstacle(std::size_t at, const PieceShape& shape, double apart_from);
 
     const tree::Contacts& contacts_;
     std::vector<std::uint32_t> shape_of_piece_;
     std::vector<PieceShape> shapes_;
     std::vector<std::uint32_t> piece_of_shape_;
-    std::vector<ObstacleRange> ranges_; // by shape
+    std::vector<Ranges> ranges_; // by shape
     ObstacleRows obstacles_;
 };
 

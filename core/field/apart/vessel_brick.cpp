@@ -48,7 +48,7 @@ VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces)
 void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
     axes_ = axes;
-    parts_ = views_.enter(list);
+    parts_ = views_.enter(list, axes);
 }
 
 VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {
@@ -79,7 +79,7 @@ VesselBrick::Verdict VesselBrick::judge(const glm::dvec3& point, float plain) {
 
 float VesselBrick::value_at(const glm::dvec3& point, float plain) {
     // Leaving out makes sums smaller: what is outside of all stays there.
-    if (plain < views_.isovalue()) return plain;
+    if (plain < views_.isovalue() || !views_.in_zone(point)) return plain;
     const Verdict verdict = judge(point, plain);
     // Whether anything is kept apart there may be known in one brick only; whose it is then is the same in all.
     if (verdict.owner != kNoOwner) known(point) = {point, verdict.owner, true};
@@ -123,7 +123,8 @@ std::uint64_t VesselBrick::find_owners(const LatticeAxes& lattice, std::span<con
 
 Owner VesselBrick::owner_at(const glm::dvec3& point) {
     const Known& there = known(point);
-    return there.is_known && there.point == point ? there.owner : judge(point, views_.isovalue()).owner;
+    if (there.is_known && there.point == point) return there.owner;
+    return views_.in_zone(point) ? judge(point, views_.isovalue()).owner : kNoOwner;
 }
 
 std::uint32_t VesselBrick::place_of(Owner owner) const {
@@ -152,7 +153,8 @@ Bounds VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, d
 }
 
 bool VesselBrick::is_beside_contact(const glm::vec3& point) {
-    return views_.look(axes_.corner() + glm::dvec3(point)) != VesselViews::Sight::kPlain || views_.beside_contact();
+    const glm::dvec3 at = axes_.corner() + glm::dvec3(point);
+    return views_.in_zone(at) && (views_.look(at) != VesselViews::Sight::kPlain || views_.beside_contact());
 }
 
 // Whether a point, relative to the brick's corner, is in the box of a vertex.
@@ -192,7 +194,7 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
         if (one.owner == kNoOwner && (free || of_cell)) continue;
         const std::size_t n = one.guess;
         const glm::dvec3 guess = corner + glm::dvec3(guesses.x[n], guesses.y[n], guesses.z[n]);
-        const bool plain = views_.look(guess) == VesselViews::Sight::kPlain && !views_.beside_contact();
+        const bool plain = !is_beside_contact(glm::vec3(guess - corner));
         if (plain && free) continue;
         if (plain && of_cell &&
             (within(one, glm::dvec3(to.positions[n]) - corner) || !near_contact(one, guess - corner)))

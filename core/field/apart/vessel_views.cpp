@@ -7,15 +7,25 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 namespace ramus::field {
 
 namespace {
 
-// Beyond this many radii from its axis no point is inside a vessel, four of whose kind meet there.
-constexpr double kClaimRadii = 1.25;
 // So near to what is cut off, in radii, a point may have to be moved away.
 constexpr double kBesideRadii = 0.5;
+
+// Around an obstacle's axis, as it counts.
+Box box_around(const ObstacleRows& obstacles, std::size_t n, double reach) {
+    const auto vector = [&](std::size_t row) {
+        return glm::dvec3(obstacles.row(row)[n], obstacles.row(row + 1)[n], obstacles.row(row + 2)[n]);
+    };
+    const glm::dvec3 start = vector(kStartX), end = start + obstacles.row(kAxisLength)[n] * vector(kAlongX);
+    Box box = Box::around(start + vector(kMoveStartX), reach);
+    box.include(Box::around(end + vector(kMoveEndX), reach));
+    return box;
+}
 
 } // namespace
 
@@ -24,14 +34,55 @@ VesselViews::VesselViews(const Kernel& kernel, const FieldSegment* segments, con
       merged_(tree::ContactLimits(kernel.width).merged), reach_radii_(kernel.support_radii), segments_(segments),
       contacts_(pieces) {}
 
-bool VesselViews::enter(SegmentIndices list) {
+bool VesselViews::enter(SegmentIndices list, const GridAxes& axes) {
     list_ = list;
     if (!contacts_.enter(list)) return false;
+    find_zone(axes);
+    if (zone_.empty()) return false;
     list_axes();
     terms_ready_ = false;
     apart_ready_.assign(static_cast<std::size_t>(contacts_.piece_count()), 0);
     if (apart_.size() < apart_ready_.size()) apart_.resize(apart_ready_.size());
     return true;
+}
+
+// Two vessels concern each other where a point is near both, and where it is one's and a point next to it the other's.
+// An obstacle concerns a point of the vessel that is nearer to its axis than to the vessel's by so little that the way
+// to the point may have passed the middle between them (nearest_shadow()): at most a radius more.
+void VesselViews::find_zone(const GridAxes& axes) {
+    zone_.begin(axes);
+    const double cell = axes.x[1] - axes.x[0];
+    reach_.assign(static_cast<std::size_t>(contacts_.piece_count()), {Box::nothing(), Box::nothing(), 0.0});
+    for (std::uint32_t n = 0; n < list_.size(); ++n) {
+        if (piece(n) < 0) continue;
+        PieceReach& reach = reach_[static_cast<std::size_t>(piece(n))];
+        const FieldSegment& s = segments_[list_[n]];
+        const glm::dvec3 start(s.ax, s.ay, s.az), along(s.ux, s.uy, s.uz);
+        for (const auto& [end, r] :
+             {std::pair(start, s.radius), std::pair(start + static_cast<double>(s.length) * along, s.end_radius())}) {
+            const auto radius = static_cast<double>(r);
+            const double claims = kClaimRadii * radius + cell;
+            reach.claims.include(Box::around(end, claims));
+            reach.near.include(Box::around(end, std::max(claims, reach_radii_ * radius)));
+            reach.radius = std::max(reach.radius, radius);
+        }
+    }
+    for (int a = 0; a < contacts_.piece_count(); ++a) {
+        const PieceReach& own = reach_[static_cast<std::size_t>(a)];
+        for (int b = 0; b < a; ++b) {
+            const PieceReach& other = reach_[static_cast<std::size_t>(b)];
+            if (const float from = contacts_.apart_from(a, b); from > 0.0F)
+                zone_.add(own.near.common(other.near));
+            else if (from == 0.0F)
+                zone_.add(own.claims.common(other.claims));
+        }
+        const tree::AxisMove& move = contacts_.shape(a).move;
+        const double moved = std::max(glm::length(glm::dvec3(move.start)), glm::length(glm::dvec3(move.end)));
+        const double most = (kClaimRadii + 1.0) * own.radius + moved;
+        const ObstacleRange range = contacts_.piercing(a);
+        for (std::size_t n = range.first; n < range.first + range.count; ++n)
+            zone_.add(own.claims.common(box_around(contacts_.all().obstacles(), n, most)));
+    }
 }
 
 void VesselViews::list_axes() {
@@ -96,7 +147,7 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     if (any_left_out()) return Sight::kParted;
     const std::uint32_t own = nearest_in_radii(kept_apart_);
     if (feet_.of(own, kFootRelative2) > kClaimRadii * kClaimRadii) return Sight::kPlain;
-    const double spare = shadow_on(own).spare;
+    const double spare = shadow_on(own, contacts_.piercing(piece(own))).spare;
     beside_contact_ = spare < kBesideRadii * radius(own);
     return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
 }
@@ -143,7 +194,8 @@ bool VesselViews::is_undisputed(float plain) {
     for (const std::uint32_t n : kept_apart_)
         if (feet_.of(n, kFootRelative2) < other2 && apart(own, n)) other2 = feet_.of(n, kFootRelative2);
     if (other2 < kClaimRadii * kClaimRadii) return false;
-    const double most = kVessels * std::pow(kernel_.isovalue, other2); // Gaussian: isovalue to the power of radii squared
+    const double most =
+        kVessels * std::pow(kernel_.isovalue, other2); // Gaussian: isovalue to the power of radii squared
     return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own).spare < 0.0);
 }
 
@@ -224,8 +276,9 @@ const WayOut& VesselViews::way_out(Vessel& own) {
     return way;
 }
 
-Shadow VesselViews::shadow_on(std::uint32_t own) {
-    const ObstacleRange range = contacts_.obstacles(piece(own));
+Shadow VesselViews::shadow_on(std::uint32_t own) { return shadow_on(own, contacts_.obstacles(piece(own))); }
+
+Shadow VesselViews::shadow_on(std::uint32_t own, const ObstacleRange& range) {
     return range.count == 0 ? Shadow{} : nearest_shadow(contacts_.all().obstacles(), range, way_out(vessel(own)));
 }
 

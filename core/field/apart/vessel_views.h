@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/field/apart/axes.h"
+#include "core/field/apart/contact_zone.h"
 #include "core/field/apart/local_contacts.h"
 #include "core/field/kernel.h"
 #include "core/tree/contacts/contacts.h"
@@ -29,8 +30,11 @@ public:
     // `segments`: of the whole field.
     VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces);
 
-    // Begins a brick. Whether vessels are kept apart there; only then the rest may be asked.
-    bool enter(SegmentIndices list);
+    // Begins a brick. Whether vessels are kept apart there or nearby; only then the rest may be asked.
+    bool enter(SegmentIndices list, const GridAxes& axes);
+    // Whether it makes a difference to look at a point: elsewhere the sight is plain, and no edge of the grid leads
+    // from one vessel to another that is kept apart from it.
+    [[nodiscard]] bool in_zone(const glm::dvec3& point) const { return zone_.has(point); }
     [[nodiscard]] const LocalContacts& contacts() const { return contacts_; }
     [[nodiscard]] SegmentIndices list() const { return list_; }
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
@@ -100,11 +104,13 @@ private:
     };
     [[nodiscard]] Vessel& vessel(std::uint32_t place);
     [[nodiscard]] const WayOut& way_out(Vessel& own);
+    [[nodiscard]] Shadow shadow_on(std::uint32_t own, const ObstacleRange& range);
     [[nodiscard]] std::span<const double> left_out(Vessel& own);
 
     [[nodiscard]] int piece(std::uint32_t place) const { return contacts_.piece(place); }
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
     void add_term(std::uint32_t place, double share, VesselView& view) const;
+    void find_zone(const GridAxes& axes);
     void list_axes();
     void list_counted_axes();
     [[nodiscard]] const ApartAxes& apart_from(int piece); // of all axes, in one row
@@ -124,6 +130,12 @@ private:
     // Of the brick, by place.
     LocalContacts contacts_;
     SegmentIndices list_;
+    struct PieceReach {
+        Box near, claims; // where a point is near, and where it may be the piece's or next to such a one
+        double radius = 0.0;
+    };
+    std::vector<PieceReach> reach_; // by piece
+    ContactZone zone_;
     Axes axes_;
     std::vector<std::uint8_t> moved_; // whether the axis counts as moved, where walls are drawn
     bool any_moved_ = false;

@@ -1,0 +1,43 @@
+// ContactZone: where vessels may be kept apart in and around a brick, as boxes tell it before any point is looked at.
+// Elsewhere the plain sum holds and no wall runs.
+#pragma once
+
+#include "core/field/brick_field.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace ramus::field {
+
+struct Box {
+    glm::dvec3 lower{0.0}, upper{0.0}; // mm
+    void include(const Box& other);
+    [[nodiscard]] Box common(const Box& other) const; // empty where they do not meet
+    // Around a ball.
+    [[nodiscard]] static Box around(const glm::dvec3& middle, double radius) {
+        return {middle - radius, middle + radius};
+    }
+    // That any other one includes.
+    [[nodiscard]] static Box nothing();
+};
+
+class ContactZone {
+public:
+    // Begins a brick, with nothing in the zone.
+    void begin(const GridAxes& axes);
+    void add(const Box& box);
+    [[nodiscard]] bool empty() const { return empty_; }
+    // Whether the zone has a point, or may have: it is known in whole cells, and not far beyond the brick.
+    [[nodiscard]] bool has(const glm::dvec3& point) const;
+
+private:
+    static constexpr int kMargin = 3; // cells around the brick
+    static constexpr int kSide = kGridSide - 1 + 2 * kMargin;
+    glm::dvec3 origin_{0.0};
+    double cells_per_mm_ = 1.0;
+    bool empty_ = true;
+    std::array<std::uint16_t, static_cast<std::size_t>(kSide* kSide)> rows_{}; // along x, by y + kSide z
+};
+
+} // namespace ramus::field
