@@ -27,7 +27,9 @@ bool BrickField::is_beside_contact(const glm::vec3& /*point*/) { return false; }
 
 OwnedPoint BrickField::move(const OwnedGuess& /*whose*/, const glm::vec3& guess) { return {guess, {}, 0.0F}; }
 
-glm::vec3 BrickField::way_out(Owner /*owner*/, const glm::vec3& from, const glm::vec3& /*to*/) { return from; }
+OwnedPoint BrickField::way_out(Owner /*owner*/, const glm::vec3& from, const glm::vec3& /*to*/, float /*guess*/) {
+    return {from};
+}
 
 std::uint64_t BrickField::project_apart(const Projection& /*guesses*/, std::span<const OwnedGuess> /*owned*/,
                                         const SurfacePoints& /*to*/) {

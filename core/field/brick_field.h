@@ -135,23 +135,26 @@ using SegmentIndices = std::span<const std::uint32_t>; // ascending
 using Owner = std::int32_t;
 inline constexpr Owner kNoOwner = -1;
 
+// A point on the surface of one vessel.
+struct OwnedPoint {
+    glm::vec3 at{0.0F};     // mm
+    glm::vec3 normal{0.0F}; // outward
+    float radius = 0.0F;    // local radius, mm
+    std::int32_t branch = 0;
+    Dominance dominance{};
+};
+
 // A point to be moved onto the surface of one vessel.
 struct OwnedGuess {
     std::uint32_t guess = 0; // in a Projection
     Owner owner = kNoOwner;  // of that vessel
     // Where it stays, in a box relative to the brick's corner, in mm: kFree, where it was, if nothing is kept apart
     // there, else within its reach and the box; kCell, the same, but where it was only if that is in the box or nothing
-    // is kept apart around the box; kBox, in the box, which may be flat.
-    enum class Place : std::uint8_t { kFree, kCell, kBox };
+    // is kept apart around the box; kBox, in the box, which may be flat; kPlaced: it is known already.
+    enum class Place : std::uint8_t { kFree, kCell, kBox, kPlaced };
     Place place = Place::kFree;
     glm::vec3 lower{std::numeric_limits<float>::lowest()}, upper{std::numeric_limits<float>::max()};
-};
-
-// A point on the surface of one vessel.
-struct OwnedPoint {
-    glm::vec3 at{0.0F};     // mm
-    glm::vec3 normal{0.0F}; // outward
-    float radius = 0.0F;    // local radius, mm
+    OwnedPoint placed{}; // relative to the brick's corner
 };
 
 // Counts returned: kernels evaluated, one for each segment and point.
@@ -187,8 +190,8 @@ public:
     // Where a guess of a vessel is moved to that does not stay kFree. Positions relative to the brick's corner, mm.
     [[nodiscard]] virtual OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess);
     // The last place on a straight way that is a vessel's; it is at `from`, and not at `to`. Relative to the brick's
-    // corner, mm.
-    [[nodiscard]] virtual glm::vec3 way_out(Owner owner, const glm::vec3& from, const glm::vec3& to);
+    // corner, mm. `guess`: the share of the way where it may be.
+    [[nodiscard]] virtual OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess);
     // After project(): does it again for those points whose vessel is near another that it is kept apart from.
     virtual std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                         const SurfacePoints& to);

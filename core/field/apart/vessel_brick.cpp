@@ -172,24 +172,36 @@ bool VesselBrick::near_contact(const OwnedGuess& one, const glm::dvec3& point) {
     return false;
 }
 
-OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
-    const glm::dvec3 corner = axes_.corner();
-    const glm::dvec3 from = corner + glm::dvec3(guess);
-    const Bounds bounds = bounds_of(whose, from, 0.0);
-    const WallPoint point = move_to_wall(views_, place_near(whose.owner, bounds.lower), from, bounds, kernels_);
-    return {glm::vec3(point.position - corner), glm::vec3(point.normal), static_cast<float>(point.radius)};
+OwnedPoint VesselBrick::from_corner(const WallPoint& point) const {
+    return {glm::vec3(point.position - axes_.corner()), glm::vec3(point.normal), static_cast<float>(point.radius),
+            point.branch, point.dominance};
 }
 
-glm::vec3 VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::vec3& to) {
-    const glm::dvec3 corner = axes_.corner(), begin = corner + glm::dvec3(from);
-    return glm::vec3(field::way_out(views_, place_near(owner, begin), begin, corner + glm::dvec3(to), kernels_) -
-                     corner);
+OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
+    const glm::dvec3 from = axes_.corner() + glm::dvec3(guess);
+    const Bounds bounds = bounds_of(whose, from, 0.0);
+    return from_corner(move_to_wall(views_, place_near(whose.owner, bounds.lower), from, bounds, kernels_));
+}
+
+OwnedPoint VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) {
+    const glm::dvec3 begin = axes_.corner() + glm::dvec3(from), end = axes_.corner() + glm::dvec3(to);
+    return from_corner(
+        field::way_out(views_, place_near(owner, begin), {begin, end}, static_cast<double>(guess), kernels_));
 }
 
 std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                          const SurfacePoints& to) {
     const glm::dvec3 corner = axes_.corner();
     for (const OwnedGuess& one : owned) {
+        if (one.place == OwnedGuess::Place::kPlaced) {
+            const OwnedPoint& placed = one.placed;
+            to.positions[one.guess] = glm::vec3(corner + glm::dvec3(placed.at));
+            to.normals[one.guess] = placed.normal;
+            to.radii[one.guess] = placed.radius;
+            to.branches[one.guess] = placed.branch;
+            to.dominance[one.guess] = placed.dominance;
+            continue;
+        }
         const bool free = one.place == OwnedGuess::Place::kFree, of_cell = one.place == OwnedGuess::Place::kCell;
         if (one.owner == kNoOwner && (free || of_cell)) continue;
         const std::size_t n = one.guess;

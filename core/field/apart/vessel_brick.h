@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool apart(Owner a, Owner b) const override;
     [[nodiscard]] bool is_beside_contact(const glm::vec3& point) override;
     [[nodiscard]] OwnedPoint move(const OwnedGuess& whose, const glm::vec3& guess) override;
-    [[nodiscard]] glm::vec3 way_out(Owner owner, const glm::vec3& from, const glm::vec3& to) override;
+    [[nodiscard]] OwnedPoint way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) override;
     std::uint64_t project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                 const SurfacePoints& to) override;
 
@@ -48,6 +48,7 @@ private:
     Owner owner_at(const glm::dvec3& point); // of one that is inside
     [[nodiscard]] static bool within(const OwnedGuess& one, const glm::dvec3& point);
     [[nodiscard]] bool near_contact(const OwnedGuess& one, const glm::dvec3& point);
+    [[nodiscard]] OwnedPoint from_corner(const WallPoint& point) const;
     [[nodiscard]] Bounds bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
 
     // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where

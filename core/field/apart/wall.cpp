@@ -105,18 +105,26 @@ std::uint32_t look_from(VesselViews& views, std::uint32_t place, const glm::dvec
 
 } // namespace
 
-glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& from, const glm::dvec3& to,
-                   std::uint64_t& kernels) {
+WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess, std::uint64_t& kernels) {
     constexpr int kMostSteps = 12;
     constexpr double kNear = 0.002; // of the way: a thousandth of a radius, at 16 cells around a vessel
-    const double length = glm::distance(from, to);
+    const double length = glm::distance(way.from, way.to);
     double own = 0.0, beyond = 1.0;
-    double at = 0.5, last = 0.0, last_mm = 0.0;
+    double at = guess, last = 0.0, last_mm = 0.0;
+    std::uint32_t seen = VesselViews::kNone;
+    Depth depth;
+    const auto look_at = [&](double share) {
+        seen = look_from(views, place, glm::mix(way.from, way.to, share), kernels);
+        depth = seen == VesselViews::kNone ? Depth{-length} : depth_of(views, seen, 0.0);
+        return depth.mm;
+    };
     for (int step = 0; step < kMostSteps && beyond - own > kNear; ++step) {
-        const std::uint32_t own_segment = look_from(views, place, glm::mix(from, to, at), kernels);
-        const double mm = own_segment == VesselViews::kNone ? -length : depth_of(views, own_segment, 0.0).mm;
+        const double mm = look_at(at);
         (mm > 0.0 ? own : beyond) = at;
-        if (std::abs(mm) < 0.5 * kNear * length) return glm::mix(from, to, at);
+        if (std::abs(mm) < 0.5 * kNear * length) {
+            own = at;
+            break;
+        }
         // Along the line through the last two places; at first as if the way led straight out. Every third step halves
         // what is left, which holds where the depth jumps.
         const double slope = step == 0 ? -length : (mm - last_mm) / (at - last);
@@ -124,7 +132,13 @@ glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& fr
         if (step % 3 == 2 || !(next > own && next < beyond)) next = 0.5 * (own + beyond);
         last = std::exchange(at, next), last_mm = mm;
     }
-    return glm::mix(from, to, own);
+    WallPoint point;
+    point.position = glm::mix(way.from, way.to, own);
+    if (seen == VesselViews::kNone) (void)look_at(own);
+    if (seen == VesselViews::kNone) return point;
+    if (const double outward = glm::length(depth.outward); outward > 0.0) point.normal = depth.outward / outward;
+    name(views, seen, point);
+    return point;
 }
 
 WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess, const Bounds& bounds,

@@ -31,8 +31,13 @@ struct Bounds {
 [[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
                                      const Bounds& bounds, std::uint64_t& kernels);
 
-// The last place on a way that is the vessel's, to a thousandth of the way; it is at `from`, and not at `to`.
-[[nodiscard]] glm::dvec3 way_out(VesselViews& views, std::uint32_t place, const glm::dvec3& from, const glm::dvec3& to,
-                                 std::uint64_t& kernels);
+// A straight way, mm.
+struct Way {
+    glm::dvec3 from{0.0}, to{0.0};
+};
+// The last place on a way that is the vessel's, to a thousandth of the way; it is at its start, and not at its end.
+// `guess`: the share of the way where it may be.
+[[nodiscard]] WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, double guess,
+                                std::uint64_t& kernels);
 
 } // namespace ramus::field

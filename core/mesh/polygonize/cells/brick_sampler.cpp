@@ -279,15 +279,20 @@ float BrickSampler::value_at(glm::ivec3 fine) const {
                      : fine_values_[static_cast<std::size_t>(fine_index(fine.x, fine.y, fine.z))];
 }
 
-// Where the surface goes through a crossing, in cells within the brick.
-glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int crossing) {
+// How far along its edge a crossing is.
+float BrickSampler::crossing_share(glm::ivec3 cell, int crossing) {
     const auto [a, b] = ends_of_edge(crossing);
     const float from = value_at(2 * cell + a / 2);
     const float to = value_at(2 * cell + b / 2);
     // A wall may be anywhere on its edge.
     const bool walled = (from >= isovalue_) == (to >= isovalue_);
-    const float along = walled ? 0.5F : std::clamp(field_->crossing(from, to), kCrossingMargin, 1.0F - kCrossingMargin);
-    return glm::vec3(cell) + 0.25F * (glm::vec3(a) + along * glm::vec3(b - a));
+    return walled ? 0.5F : std::clamp(field_->crossing(from, to), kCrossingMargin, 1.0F - kCrossingMargin);
+}
+
+// Where the surface goes through a crossing, in cells within the brick.
+glm::vec3 BrickSampler::crossing(glm::ivec3 cell, int crossing) {
+    const auto [a, b] = ends_of_edge(crossing);
+    return glm::vec3(cell) + 0.25F * (glm::vec3(a) + crossing_share(cell, crossing) * glm::vec3(b - a));
 }
 
 void BrickSampler::add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
@@ -334,12 +339,15 @@ bool BrickSampler::owns(const FaceArc& arc, glm::ivec3 cell) const {
 
 void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
     const glm::ivec3 cell = low_corner_of(traced.cell);
-    const WalledCells::Cell placed = walled_.place(*field_, owners_, cell, traced.shape, traced.loops);
-    const auto add = [&](const WalledCells::Vertex& vertex) {
-        const field::OwnedGuess whose{0, vertex.owner, field::OwnedGuess::Place::kBox, vertex.at, vertex.at};
-        add_vertex(vertex.at, cell, false, whose);
-    };
-    for (const WalledCells::Vertex& vertex : placed.loops) add(vertex);
+    WalledCells::Guesses guesses;
+    for (int m = 0; m < kQuarterPoints; ++m)
+        if (traced.loops.loop_of[static_cast<std::size_t>(m)] != kNoLoop)
+            guesses[static_cast<std::size_t>(m)] = crossing_share(cell, m);
+        else if (traced.loops.loop_of[static_cast<std::size_t>(m + kUpperEnd)] != kNoLoop)
+            guesses[static_cast<std::size_t>(m)] = 0.5F;
+    const WalledCells::Cell placed = walled_.place(*field_, owners_, cell, traced.shape, traced.loops, guesses);
+    const auto add = [&](const field::OwnedGuess& vertex) { add_vertex(vertex.lower, cell, false, vertex); };
+    for (const field::OwnedGuess& vertex : placed.loops) add(vertex);
     record.arcs_begin = static_cast<std::uint32_t>(subtree.arc_vertices.size());
     for (std::size_t n = 0; n < placed.arcs.size(); ++n) {
         if (!owns(traced.loops.own_arcs[n], cell)) continue;

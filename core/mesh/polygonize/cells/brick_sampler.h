@@ -55,6 +55,7 @@ private:
     void decide_face_centres(SubtreeCells& subtree);
 
     void add_recorded_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record);
+    [[nodiscard]] float crossing_share(glm::ivec3 cell, int edge_midpoint);
     [[nodiscard]] glm::vec3 crossing(glm::ivec3 cell, int edge_midpoint);
     [[nodiscard]] float value_at(glm::ivec3 fine) const;
     void add_vertex(glm::vec3 guess, glm::ivec3 cell, bool alone, const field::OwnedGuess& whose);

@@ -44,23 +44,20 @@ void part(field::OwnedPoint& first, field::OwnedPoint& second, const glm::vec3& 
     second.at = glm::clamp(second.at + inward, room.lower, room.upper);
 }
 
-EdgeEnds ends_on_edge(field::BrickField& field, const Span& edge, EdgeKind kind, field::Owner lower,
-                      field::Owner upper) {
-    const glm::vec3 along = edge.size();
-    const Span room{edge.lower + kOffEnds * along, edge.upper - kOffEnds * along};
-    const auto end_of_lower = [&] { return field.way_out(lower, edge.lower, edge.upper); };
-    const auto end_of_upper = [&] { return field.way_out(upper, edge.upper, edge.lower); };
-    if (kind != EdgeKind::kWall) {
-        const glm::vec3 end = kind == EdgeKind::kLowerInside ? end_of_lower() : end_of_upper();
-        const glm::vec3 at = glm::clamp(end, room.lower, room.upper);
-        return {at, at};
+EdgeEnds ends_on_edge(field::BrickField& field, const OwnedEdge& edge) {
+    const auto& [lower, upper] = edge.span;
+    const glm::vec3 along = edge.span.size();
+    const Span room{lower + kOffEnds * along, upper - kOffEnds * along};
+    const auto end_of_lower = [&] { return field.way_out(edge.lower, lower, upper, edge.guess); };
+    const auto end_of_upper = [&] { return field.way_out(edge.upper, upper, lower, 1.0F - edge.guess); };
+    if (edge.kind != EdgeKind::kWall) {
+        field::OwnedPoint end = edge.kind == EdgeKind::kLowerInside ? end_of_lower() : end_of_upper();
+        end.at = glm::clamp(end.at, room.lower, room.upper);
+        return {end, end};
     }
-    const auto surface_at = [&](field::Owner owner, const glm::vec3& at) {
-        return field.move({0, owner, field::OwnedGuess::Place::kBox, at, at}, at);
-    };
-    field::OwnedPoint first = surface_at(lower, end_of_lower()), second = surface_at(upper, end_of_upper());
-    part(first, second, along, room);
-    return {first.at, second.at};
+    EdgeEnds ends{end_of_lower(), end_of_upper()};
+    part(ends.lower, ends.upper, along, room);
+    return ends;
 }
 
 } // namespace ramus::mesh::bricks

@@ -31,15 +31,16 @@ struct WallPair {
 // `room`.
 void part(field::OwnedPoint& first, field::OwnedPoint& second, const glm::vec3& toward, const Span& room);
 
+// How vessels have an edge of a cell: at its lower end, at its upper end, or each at one, with a wall between.
+enum class EdgeKind : std::uint8_t { kLowerInside, kUpperInside, kWall };
 // Where the surface goes through an edge beside a wall: of the vessel at its lower end, and of that at its upper end;
 // of one that the surface crosses once, both are the same.
 struct EdgeEnds {
-    glm::vec3 lower{0.0F}, upper{0.0F};
+    field::OwnedPoint lower, upper;
 };
-enum class EdgeKind : std::uint8_t { kLowerInside, kUpperInside, kWall };
-// The same with the owners of the edge's two ends, as far as they are inside; which edge of its subtree it is.
+// The same of an edge of a subtree, with the owners of its two ends, as far as they are inside.
 struct KnownEnds {
-    std::uint32_t edge = 0;
+    std::uint32_t edge = 0; // as edge_number() says
     std::array<field::Owner, 2> owner{field::kNoOwner, field::kNoOwner};
     EdgeEnds ends;
 };
@@ -49,8 +50,14 @@ constexpr std::uint32_t edge_number(std::uint32_t brick, const glm::ivec3& middl
     return static_cast<std::uint32_t>(middle.x +
                                       kSide * (middle.y + kSide * (middle.z + kSide * static_cast<int>(brick))));
 }
-// Owners of the two ends, as far as they are inside. Positions relative to the brick that the field is in, mm.
-[[nodiscard]] EdgeEnds ends_on_edge(field::BrickField& field, const Span& edge, EdgeKind kind, field::Owner lower,
-                                    field::Owner upper);
+// An edge, and the owners of its ends, as far as they are inside. Positions relative to the brick that the field is in,
+// mm.
+struct OwnedEdge {
+    Span span;
+    EdgeKind kind = EdgeKind::kLowerInside;
+    field::Owner lower = field::kNoOwner, upper = field::kNoOwner;
+    float guess = 0.5F; // the share of the way from the lower end at which the surface may cross it
+};
+[[nodiscard]] EdgeEnds ends_on_edge(field::BrickField& field, const OwnedEdge& edge);
 
 } // namespace ramus::mesh::bricks

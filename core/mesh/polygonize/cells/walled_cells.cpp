@@ -34,7 +34,26 @@ field::OwnedPoint move(field::BrickField& field, field::Owner owner, const Span&
     return field.move(whose, guess);
 }
 
+// A vertex that was found at one place, and may have been moved a little since.
+field::OwnedGuess vertex_at(const field::OwnedPoint& point, const glm::vec3& found_at, field::Owner owner) {
+    constexpr float kMoved = 0.03F; // of the radius: so far what was found holds
+    field::OwnedGuess vertex;
+    vertex.owner = owner;
+    vertex.lower = vertex.upper = point.at;
+    vertex.placed = point;
+    vertex.place = glm::distance(point.at, found_at) < kMoved * point.radius ? field::OwnedGuess::Place::kPlaced
+                                                                             : field::OwnedGuess::Place::kBox;
+    return vertex;
+}
+
 } // namespace
+
+// A vertex of a cell.
+struct WalledCells::Found {
+    field::OwnedPoint point;
+    glm::vec3 found_at{0.0F}; // before it was moved to part it from others
+    field::Owner owner = field::kNoOwner;
+};
 
 struct WalledCells::Loop {
     std::size_t first = 0; // of those on both sides of its walls
@@ -49,20 +68,21 @@ struct WalledCells::Work {
     glm::ivec3 cell;
     const CellShape& shape;
     const CellLoops& loops;
-    Cell made;
-    std::vector<field::OwnedPoint> of_loops, of_arcs;
+    const Guesses& guesses;
+    std::vector<Found> of_loops, of_arcs;
 
     [[nodiscard]] std::size_t loop_of(int crossing) const { return loops.loop_of[static_cast<std::size_t>(crossing)]; }
 };
 
 WalledCells::Cell WalledCells::place(field::BrickField& field, const BrickOwners& owners, glm::ivec3 cell,
-                                     const CellShape& shape, const CellLoops& loops) {
-    Work work{field, owners, cell, shape, loops, {}, {}, {}};
+                                     const CellShape& shape, const CellLoops& loops, const Guesses& guesses) {
+    Work work{field, owners, cell, shape, loops, guesses, {}, {}};
     place_arcs(work);
     place_loops(work);
-    for (std::size_t n = 0; n < work.of_arcs.size(); ++n) work.made.arcs[n].at = work.of_arcs[n].at;
-    for (std::size_t n = 0; n < work.of_loops.size(); ++n) work.made.loops[n].at = work.of_loops[n].at;
-    return std::move(work.made);
+    Cell made;
+    for (const Found& found : work.of_loops) made.loops.push_back(vertex_at(found.point, found.found_at, found.owner));
+    for (const Found& found : work.of_arcs) made.arcs.push_back(vertex_at(found.point, found.found_at, found.owner));
+    return made;
 }
 
 glm::vec3 WalledCells::crossing(Work& work, int crossing) {
@@ -84,9 +104,11 @@ glm::vec3 WalledCells::crossing(Work& work, int crossing) {
         const EdgeKind kind = !inside(b)   ? EdgeKind::kLowerInside
                               : !inside(a) ? EdgeKind::kUpperInside
                                            : EdgeKind::kWall;
-        at->second = {edge, {owner(a), owner(b)}, ends_on_edge(work.field, {mm(a), mm(b)}, kind, owner(a), owner(b))};
+        const float guess = work.guesses[static_cast<std::size_t>(crossing % kUpperEnd)];
+        at->second = {
+            edge, {owner(a), owner(b)}, ends_on_edge(work.field, {{mm(a), mm(b)}, kind, owner(a), owner(b), guess})};
     }
-    return crossing < kUpperEnd ? at->second.ends.lower : at->second.ends.upper;
+    return crossing < kUpperEnd ? at->second.ends.lower.at : at->second.ends.upper.at;
 }
 
 void WalledCells::add_ends(std::uint32_t brick, std::vector<KnownEnds>& to) const {
@@ -129,21 +151,21 @@ void WalledCells::place_arcs(Work& work) {
                 break;
             }
         const field::Owner owner = work.owners.of_crossing(work.cell, arcs[a].first);
-        work.of_arcs.push_back(move(work.field, owner, around(span, room_of(arcs[a])), guess));
-        work.made.arcs.push_back({{}, owner});
+        const field::OwnedPoint point = move(work.field, owner, around(span, room_of(arcs[a])), guess);
+        work.of_arcs.push_back({point, point.at, owner});
     }
     const auto meet = [&](std::size_t a, std::size_t b) {
-        return lines_meet({crossing(work, arcs[a].first), work.of_arcs[a].at, crossing(work, arcs[a].second)},
-                          {crossing(work, arcs[b].first), work.of_arcs[b].at, crossing(work, arcs[b].second)},
+        return lines_meet({crossing(work, arcs[a].first), work.of_arcs[a].point.at, crossing(work, arcs[a].second)},
+                          {crossing(work, arcs[b].first), work.of_arcs[b].point.at, crossing(work, arcs[b].second)},
                           arcs[a].face / 2);
     };
     for (const WallPair& pair : pairs)
-        part(work.of_arcs[pair.first], work.of_arcs[pair.second], pair.toward, room_of(arcs[pair.first]));
+        part(work.of_arcs[pair.first].point, work.of_arcs[pair.second].point, pair.toward, room_of(arcs[pair.first]));
     // Straight lines between crossings of a face that follow each other around it do not meet.
     for (std::size_t a = 0; a < arcs.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
             if (arcs[a].face == arcs[b].face && meet(a, b))
-                work.of_arcs[a].at = straight(a), work.of_arcs[b].at = straight(b);
+                work.of_arcs[a].point.at = straight(a), work.of_arcs[b].point.at = straight(b);
 }
 
 // The loops that walls lie between; those on both sides of one, or of several in a row, get the number of the first.
@@ -153,7 +175,7 @@ std::vector<WallPair> WalledCells::join_loops(Work& work, std::vector<Loop>& loo
         const std::size_t n = work.loop_of(m), other = work.loop_of(other_side(m));
         if (n == kNoLoop) continue;
         if (const field::Owner owner = work.owners.of_crossing(work.cell, m); owner != field::kNoOwner)
-            work.made.loops[n].owner = owner;
+            work.of_loops[n].owner = owner;
         if (other == kNoLoop || other == n) continue;
         const auto [first, second] = std::minmax(loop[n].first, loop[other].first);
         for (Loop& one : loop)
@@ -172,7 +194,7 @@ std::vector<WallPair> WalledCells::join_loops(Work& work, std::vector<Loop>& loo
 void WalledCells::place_loops(Work& work) {
     const auto count = static_cast<std::size_t>(work.loops.loop_count);
     const Span room = within_cell(work.cell, cell_mm_);
-    work.made.loops.resize(count);
+    work.of_loops.resize(count);
     std::vector<Loop> loop(count);
     for (std::size_t n = 0; n < count; ++n) loop[n].first = n;
     const std::vector<WallPair> pairs = join_loops(work, loop);
@@ -185,18 +207,20 @@ void WalledCells::place_loops(Work& work) {
     }
     for (std::size_t n = 0; n < count; ++n) {
         const Loop& first = loop[loop[n].first];
-        work.of_loops.push_back(
-            move(work.field, work.made.loops[n].owner, around(loop[n].span, room), first.sum / first.count));
+        Found& found = work.of_loops[n];
+        found.point = move(work.field, found.owner, around(loop[n].span, room), first.sum / first.count);
+        found.found_at = found.point.at;
     }
     for (const WallPair& pair : pairs)
         if (glm::dot(pair.toward, pair.toward) > 0.0F)
-            part(work.of_loops[pair.first], work.of_loops[pair.second], pair.toward, room);
+            part(work.of_loops[pair.first].point, work.of_loops[pair.second].point, pair.toward, room);
     part_loops(work, pairs);
 }
 
 // Parts the fans of loops that meet.
 void WalledCells::part_loops(Work& work, const std::vector<WallPair>& pairs) {
     const std::size_t count = work.of_loops.size();
+    if (count < 2) return;
     const Span room = within_cell(work.cell, cell_mm_);
     std::vector<Fan> fans(count);
     for (const FaceArc& arc : work.loops.arcs) {
@@ -208,18 +232,18 @@ void WalledCells::part_loops(Work& work, const std::vector<WallPair>& pairs) {
                                             with_vertex[own].second != arc.second))
             ++own;
         if (own < with_vertex.size()) {
-            fan.edges.push_back({from, work.of_arcs[own].at});
-            fan.edges.push_back({work.of_arcs[own].at, to});
+            fan.edges.push_back({from, work.of_arcs[own].point.at});
+            fan.edges.push_back({work.of_arcs[own].point.at, to});
         } else {
             fan.edges.push_back({from, to});
         }
     }
     std::vector<glm::vec3> at(count);
-    for (std::size_t n = 0; n < count; ++n) at[n] = work.of_loops[n].at;
+    for (std::size_t n = 0; n < count; ++n) at[n] = work.of_loops[n].point.at;
     std::vector<glm::vec3> toward(count, glm::vec3(0.0F));
     for (const WallPair& pair : pairs) toward[pair.first] -= pair.toward, toward[pair.second] += pair.toward;
     part_fans(fans, toward, room.lower, room.upper, at);
-    for (std::size_t n = 0; n < count; ++n) work.of_loops[n].at = at[n];
+    for (std::size_t n = 0; n < count; ++n) work.of_loops[n].point.at = at[n];
 }
 
 } // namespace ramus::mesh::bricks

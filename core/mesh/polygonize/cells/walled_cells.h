@@ -26,24 +26,23 @@ namespace ramus::mesh::bricks {
 
 class WalledCells {
 public:
-    struct Vertex {
-        glm::vec3 at{0.0F}; // mm, from the brick's corner
-        field::Owner owner = field::kNoOwner;
+    struct Cell {                             // where its vertices are, relative to the brick's corner
+        std::vector<field::OwnedGuess> loops; // by loop
+        std::vector<field::OwnedGuess> arcs;  // of CellLoops::own_arcs
     };
-    struct Cell {
-        std::vector<Vertex> loops; // by loop
-        std::vector<Vertex> arcs;  // of CellLoops::own_arcs
-    };
+    // The share of the way from the lower end of each of a cell's edges at which the surface may cross it.
+    using Guesses = std::array<float, kQuarterPoints>;
 
     void begin(float cell_mm) { cell_mm_ = cell_mm, ends_.clear(); }
     // Adds what was found of the edges of a brick, which has this number in its subtree.
     void add_ends(std::uint32_t brick, std::vector<KnownEnds>& to) const;
     [[nodiscard]] Cell place(field::BrickField& field, const BrickOwners& owners, glm::ivec3 cell,
-                             const CellShape& shape, const CellLoops& loops);
+                             const CellShape& shape, const CellLoops& loops, const Guesses& guesses);
 
 private:
     struct Work;
     struct Loop;
+    struct Found;
     [[nodiscard]] glm::vec3 crossing(Work& work, int crossing);
     void place_arcs(Work& work);
     static std::vector<WallPair> join_loops(Work& work, std::vector<Loop>& loop);

@@ -298,13 +298,13 @@ void EdgePolygons::find_centres(field::BrickField& field, std::uint32_t index, J
                                         std::span(found.owner).subspan(begin, count));
                 if (edge.exact)
                     found.ends =
-                        ends_on_edge(field, {whose.lower, whose.upper}, edge.kind, found.owner[0], found.owner[1]);
+                        ends_on_edge(field, {{whose.lower, whose.upper}, edge.kind, found.owner[0], found.owner[1]});
             }
         }
         whose.owner = found.owner[edge.upper ? 1 : 0];
         if (!edge.exact) continue;
-        whose.place = field::OwnedGuess::Place::kBox;
-        whose.lower = whose.upper = edge.upper ? found.ends.upper : found.ends.lower;
+        whose.place = field::OwnedGuess::Place::kPlaced;
+        whose.placed = edge.upper ? found.ends.upper : found.ends.lower;
     }
 }
 
