@@ -160,9 +160,9 @@ Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOption
     return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden); });
 }
 
-bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& options,
-                        std::span<const std::uint8_t> hidden) {
+bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options, std::span<const std::uint8_t> hidden) {
     if (options.method == Method::kTruncatedCones) return false;
+    options.blend = Blend::kPaper; // contacts change no size
     const field::VesselField field = make_field(source, options, hidden);
     return !is_feasible(field, polygonize_options(options), PolygonizeMode::kWhole);
 }

@@ -60,7 +60,7 @@ using tree::PreparedTree;
                                            std::span<const std::uint8_t> hidden = {});
 
 // Whether make_surface() would refuse for want of memory what stream_surface() may be able to make.
-[[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, const SurfaceOptions& options,
+[[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options,
                                       std::span<const std::uint8_t> hidden = {});
 
 // The same surface in parts, which `sink` takes as they are made. Not of truncated cones.
