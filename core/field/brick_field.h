@@ -36,6 +36,27 @@ inline constexpr std::size_t kGroups = 8;
 inline constexpr std::size_t kGroupPoints = 16;
 inline constexpr std::size_t kEdgePoints = 13; // of the last group that count
 inline constexpr unsigned kOwnGroups = 0x0F;
+struct GridPlace {
+    std::uint8_t x, y, z;
+};
+inline constexpr std::array<std::array<GridPlace, kGroupPoints>, kGroups> kGridPlaces = [] {
+    std::array<std::array<GridPlace, kGroupPoints>, kGroups> places{};
+    for (std::uint8_t b = 0; b < 4; ++b)
+        for (std::uint8_t a = 0; a < 4; ++a) {
+            const auto n = static_cast<std::size_t>(a + 4 * b);
+            for (std::uint8_t z = 0; z < 4; ++z) places[z][n] = {a, b, z};
+            places[4][n] = {4, a, b};
+            places[5][n] = {a, 4, b};
+            places[6][n] = {a, b, 4};
+        }
+    for (std::uint8_t a = 0; a < 4; ++a) {
+        places[7][a] = {a, 4, 4};
+        places[7][4U + a] = {4, a, 4};
+        places[7][8U + a] = {4, 4, a};
+    }
+    for (std::size_t n = kEdgePoints - 1; n < kGroupPoints; ++n) places[7][n] = {4, 4, 4};
+    return places;
+}();
 struct GridGroups {
     alignas(64) std::array<std::array<float, kGroupPoints>, kGroups> value;
     std::array<std::uint16_t, kGroups> inside; // one bit per point: is the value at or above the isovalue?

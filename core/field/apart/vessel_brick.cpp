@@ -14,29 +14,6 @@ namespace ramus::field {
 
 namespace {
 
-// Where the points of a group lie on the grid, as GridGroups orders them.
-struct GridPlace {
-    std::uint8_t x, y, z;
-};
-constexpr std::array<std::array<GridPlace, kGroupPoints>, kGroups> kPlaces = [] {
-    std::array<std::array<GridPlace, kGroupPoints>, kGroups> places{};
-    for (std::uint8_t b = 0; b < 4; ++b)
-        for (std::uint8_t a = 0; a < 4; ++a) {
-            const auto n = static_cast<std::size_t>(a + 4 * b);
-            for (std::uint8_t z = 0; z < 4; ++z) places[z][n] = {a, b, z};
-            places[4][n] = {4, a, b};
-            places[5][n] = {a, 4, b};
-            places[6][n] = {a, b, 4};
-        }
-    for (std::uint8_t a = 0; a < 4; ++a) {
-        places[7][a] = {a, 4, 4};
-        places[7][4U + a] = {4, a, 4};
-        places[7][8U + a] = {4, 4, a};
-    }
-    for (std::size_t n = 12; n < kGroupPoints; ++n) places[7][n] = {4, 4, 4};
-    return places;
-}();
-
 constexpr unsigned kKnownBits = 12;
 
 } // namespace
@@ -94,7 +71,7 @@ std::uint64_t VesselBrick::sample_groups(unsigned groups, GridGroups& samples) {
         if ((groups >> group & 1U) == 0) continue;
         const std::size_t count = group + 1 < kGroups ? kGroupPoints : kEdgePoints;
         for (std::size_t n = 0; n < count; ++n) {
-            const GridPlace at = kPlaces[group][n];
+            const GridPlace at = kGridPlaces[group][n];
             float& value = samples.value[group][n];
             value = value_at({axes_.x[at.x], axes_.y[at.y], axes_.z[at.z]}, value);
             const auto bit = static_cast<std::uint16_t>(1U << n);

@@ -48,6 +48,10 @@ constexpr int lowest_bit(GridBits bits) {
     return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(bits >> 64));
 }
 
+// From a grid point to the next one along each axis.
+inline constexpr std::array<int, 3> kGridStep{1, 5, 25};
+constexpr glm::ivec3 grid_point(int n) { return {n % 5, n / 5 % 5, n / 25}; }
+
 // Grid points whose coordinates stay below the given limits.
 constexpr GridBits grid_points_below(int x_end, int y_end, int z_end) {
     GridBits bits = 0;

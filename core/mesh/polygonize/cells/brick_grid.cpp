@@ -50,25 +50,20 @@ void BrickGrid::sample(unsigned groups, field::BrickField& field, SampleCounts& 
 }
 
 void BrickGrid::drop(GridBits points, float below) {
-    for (GridBits left = points; left != 0; left &= left - 1) {
-        const int n = lowest_bit(left);
-        const int x = n % 5, y = n / 5 % 5, z = n / 25;
-        const int upper = (x == 4 ? 1 : 0) + (y == 4 ? 1 : 0) + (z == 4 ? 1 : 0);
-        if (upper == 0) {
-            const int at = x + 4 * y + 16 * z;
-            own_[index_].value[static_cast<std::size_t>(at)] = below;
-            own_[index_].inside &= ~(std::uint64_t{1} << at);
-            continue;
+    for (std::size_t group = 0; group < field::kGroups; ++group) {
+        const bool own = (field::kOwnGroups >> group & 1U) != 0;
+        for (std::size_t n = 0; n < (group + 1 < field::kGroups ? field::kGroupPoints : field::kEdgePoints); ++n) {
+            const auto [x, y, z] = field::kGridPlaces[group][n];
+            if ((points >> (x + 5 * y + 25 * z) & 1U) == 0) continue;
+            if (own) {
+                const std::size_t at = field::kGroupPoints * group + n;
+                own_[index_].value[at] = below;
+                own_[index_].inside &= ~(std::uint64_t{1} << at);
+            } else {
+                samples_.value[group][n] = below;
+                samples_.inside[group] = static_cast<std::uint16_t>(samples_.inside[group] & ~(1U << n));
+            }
         }
-        std::size_t group = 7, at = 12;
-        if (upper == 1) {
-            group = x == 4 ? 4 : y == 4 ? 5 : 6;
-            at = static_cast<std::size_t>(x == 4 ? y + 4 * z : y == 4 ? x + 4 * z : x + 4 * y);
-        } else if (upper == 2) {
-            at = static_cast<std::size_t>(x != 4 ? x : y != 4 ? 4 + y : 8 + z);
-        }
-        samples_.value[group][at] = below;
-        samples_.inside[group] = static_cast<std::uint16_t>(samples_.inside[group] & ~(1U << at));
     }
     assemble_bits();
 }

@@ -4,20 +4,14 @@
 
 namespace ramus::mesh::bricks {
 
-namespace {
-
-constexpr std::array<int, 3> kStride{1, 5, 25};
-
-} // namespace
-
 void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
                        std::span<const field::LatticePoint> hanging, SampleCounts& counts) {
     owner_.fill(field::kNoOwner);
     points_.clear();
     for (GridBits left = inside; left != 0; left &= left - 1) {
-        const int n = lowest_bit(left);
-        points_.push_back({static_cast<std::uint8_t>(4 * (n % 5)), static_cast<std::uint8_t>(4 * (n / 5 % 5)),
-                           static_cast<std::uint8_t>(4 * (n / 25))});
+        const glm::ivec3 p = 4 * grid_point(lowest_bit(left));
+        points_.push_back(
+            {static_cast<std::uint8_t>(p.x), static_cast<std::uint8_t>(p.y), static_cast<std::uint8_t>(p.z)});
     }
     points_.insert(points_.end(), hanging.begin(), hanging.end());
     owners_.resize(points_.size());
@@ -29,9 +23,10 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
 
 void BrickOwners::change(const field::BrickField& field, GridBits inside, std::span<const field::LatticePoint> hanging,
                          std::span<const Speck> specks) {
-    for (const Speck& speck : specks)
-        owner_[static_cast<std::size_t>(
-            fine_index(2 * (speck.point % 5), 2 * (speck.point / 5 % 5), 2 * (speck.point / 25)))] = speck.owner;
+    for (const Speck& speck : specks) {
+        const glm::ivec3 p = 2 * grid_point(speck.point);
+        owner_[static_cast<std::size_t>(fine_index(p.x, p.y, p.z))] = speck.owner;
+    }
     find_walls(field, inside, hanging);
 }
 
@@ -40,9 +35,9 @@ void BrickOwners::find_walls(const field::BrickField& field, GridBits inside,
     cells_ = hanging_ = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         walls_[axis] = 0;
-        for (GridBits left = inside & inside >> kStride[axis] & kEdgeStarts[axis]; left != 0; left &= left - 1) {
+        for (GridBits left = inside & inside >> kGridStep[axis] & kEdgeStarts[axis]; left != 0; left &= left - 1) {
             const int n = lowest_bit(left);
-            glm::ivec3 p(2 * (n % 5), 2 * (n / 5 % 5), 2 * (n / 25));
+            const glm::ivec3 p = 2 * grid_point(n);
             const field::Owner first = at(p.x, p.y, p.z);
             glm::ivec3 q = p;
             q[static_cast<int>(axis)] += 2;

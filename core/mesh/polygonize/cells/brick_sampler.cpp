@@ -177,8 +177,9 @@ void BrickSampler::sort_cells(BrickCells& cells) {
         for (const int offset : kCornerOffset) {
             const int at = low + offset;
             if ((inside >> at & 1) == 0) continue;
-            owned_.push_back({n, owners_.at(2 * (at % 5), 2 * (at / 5 % 5), 2 * (at / 25))});
-            keep_within(owned_.back(), {low % 5, low / 5 % 5, low / 25});
+            const glm::ivec3 p = 2 * grid_point(at);
+            owned_.push_back({n, owners_.at(p.x, p.y, p.z)});
+            keep_within(owned_.back(), grid_point(low));
             break;
         }
     }

@@ -4,14 +4,12 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr std::array<int, 3> kStride{1, 5, 25};
-
 // Points with another one beside them that is inside too and has no wall before it.
 GridBits connected_points(GridBits inside, const std::array<GridBits, 3>& walls) {
     GridBits connected = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const GridBits pairs = inside & inside >> kStride[axis] & kEdgeStarts[axis] & ~walls[axis];
-        connected |= pairs | pairs << kStride[axis];
+        const GridBits pairs = inside & inside >> kGridStep[axis] & kEdgeStarts[axis] & ~walls[axis];
+        connected |= pairs | pairs << kGridStep[axis];
     }
     return connected;
 }
@@ -24,7 +22,7 @@ const std::vector<Speck>& Specks::find(const Octree& octree, const ChunkedArray<
     specks_.clear();
     for (GridBits left = inside & ~connected_points(inside, walls); left != 0; left &= left - 1) {
         const int n = lowest_bit(left);
-        if (!list_bricks(octree, neighbours[index], index, {n % 5, n / 5 % 5, n / 25})) continue;
+        if (!list_bricks(octree, neighbours[index], index, grid_point(n))) continue;
         Beside beside;
         for (const Holder& in : bricks_) look_beside(octree, in, beside, counts);
         if (beside.parted && !beside.connected) specks_.push_back({n, beside.outside ? field::kNoOwner : beside.owner});

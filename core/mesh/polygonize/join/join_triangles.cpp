@@ -17,7 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace ramus::mesh::bricks::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::array<int, 3> kStride{1, 5, 25};
 constexpr int kEdgesPerAxis = 64; // that a brick may have to join
 
 // Of the cells that a brick sees its own have coordinates 0 .. 3 along every axis and those just beyond its upper
@@ -68,8 +67,8 @@ template <std::size_t Axis> HWY_INLINE std::uint64_t own_edges(GridBits bits) {
 // is outside the surface, and inside.
 template <int Axis>
 constexpr std::array<std::array<std::int8_t, 4>, 2> kAround = [] {
-    constexpr auto kU = static_cast<std::int8_t>(-kStride[(Axis + 1) % 3]);
-    constexpr auto kV = static_cast<std::int8_t>(-kStride[(Axis + 2) % 3]);
+    constexpr auto kU = static_cast<std::int8_t>(-kGridStep[(Axis + 1) % 3]);
+    constexpr auto kV = static_cast<std::int8_t>(-kGridStep[(Axis + 2) % 3]);
     return std::array<std::array<std::int8_t, 4>, 2>{{{kU, 0, kV, kU + kV}, {kU + kV, kV, 0, kU}}};
 }();
 
@@ -94,7 +93,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) {
             for (GridBits left = special[static_cast<std::size_t>(axis)]; left != 0; left &= left - 1) {
                 const int n = lowest_bit(left);
-                general_.add(index, axis, {n % 5, n / 5 % 5, n / 25}, (inside >> n & 1) != 0, out);
+                general_.add(index, axis, grid_point(n), (inside >> n & 1) != 0, out);
             }
         }
         if (HWY_UNLIKELY(cells.walls != kNoWalls)) add_walls(index, around, out);
@@ -109,7 +108,7 @@ private:
             const GridBits own = around.coarser == 0 ? kOwnEdges[axis] : kEdgeStarts[axis];
             for (GridBits left = walls[axis] & own; left != 0; left &= left - 1) {
                 const int n = lowest_bit(left);
-                general_.add_wall(index, static_cast<int>(axis), {n % 5, n / 5 % 5, n / 25}, out);
+                general_.add_wall(index, static_cast<int>(axis), grid_point(n), out);
             }
         }
     }
@@ -160,9 +159,9 @@ private:
                                      GridBits& special) const {
         constexpr int kU = (Axis + 1) % 3;
         constexpr int kV = (Axis + 2) % 3;
-        const GridBits crossed = (inside ^ (inside >> kStride[Axis])) & kEdgeStarts[Axis];
-        const GridBits touched =
-            special_ | special_ << kStride[kU] | special_ << kStride[kV] | special_ << (kStride[kU] + kStride[kV]);
+        const GridBits crossed = (inside ^ (inside >> kGridStep[Axis])) & kEdgeStarts[Axis];
+        const GridBits touched = special_ | special_ << kGridStep[kU] | special_ << kGridStep[kV] |
+                                 special_ << (kGridStep[kU] + kGridStep[kV]);
         const std::uint64_t from_inside = own_edges<Axis>(inside);
         for (std::uint64_t left = own_edges<Axis>(crossed & ~touched); left != 0; left &= left - 1) {
             const int n = std::countr_zero(left);
