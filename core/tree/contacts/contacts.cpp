@@ -82,7 +82,7 @@ ContactLimits::ContactLimits(double width)
 Contacts find_contacts(const PreparedTree& prepared, double width) {
     const ContactLimits limits(width);
     const Links links(prepared);
-    const TouchingLinks touching(links, limits.reach);
+    const TouchingLinks touching(links, limits.reach, limits.merged);
     const Islands islands = find_islands(links, touching, limits);
     Contacts contacts;
     contacts.moves = spread_axes(links, islands.all);

@@ -5,105 +5,131 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <oneapi/tbb/parallel_for.h>
+#include <span>
 
 namespace ramus::tree {
 
 namespace {
 
 using PairId = std::uint32_t;
-constexpr PairId kNone = TouchingLinks::kNone;
+// Of a step: onto one place, or onto links that are together along the tree (touching_links.h).
+constexpr PairId kJoint = TouchingLinks::kNone;
 
 // A step from one pair to the next: one of the walkers goes on through a point of the tree, while the other waits.
 struct Step {
-    PairId to = kNone;
+    PairId to = kJoint;
     bool moves_first = false; // the walker on the link of the lower number of the pair that is left
-    std::uint32_t link = 0;   // onto this one
     double closeness = 0.0;   // on the way
 };
 
+// All pairs, and the steps from each on which the two stay closer than `limit`.
 class Walks {
 public:
-    Walks(const Links& links, const TouchingLinks& touching) : links_(links), touching_(touching) {
-        low_.resize(touching.size());
-        for (std::uint32_t a = 0; a < links.all().size(); ++a)
-            for (PairId pair = touching.first(a); pair < touching.first(a + 1); ++pair) low_[pair] = a;
+    Walks(const Links& links, const TouchingLinks& touching, double limit)
+        : links_(links), touching_(touching), low_(touching.size()), steps_of_(touching.size()),
+          steps_((touching.size() + kAtOnce - 1) / kAtOnce) {
+        tbb::parallel_for(std::size_t{0}, links.all().size(), [&](std::size_t a) {
+            for (PairId pair = touching.first(a); pair < touching.first(a + 1); ++pair)
+                low_[pair] = static_cast<std::uint32_t>(a);
+        });
+        tbb::parallel_for(std::size_t{0}, steps_.size(), [&](std::size_t n) {
+            const std::size_t end = std::min((n + 1) * kAtOnce, size());
+            for (std::size_t pair = n * kAtOnce; pair < end; ++pair) {
+                const std::size_t first = steps_[n].size();
+                find_steps(low_[pair], high(static_cast<PairId>(pair)), true, limit, steps_[n]);
+                find_steps(high(static_cast<PairId>(pair)), low_[pair], false, limit, steps_[n]);
+                steps_of_[pair] = {static_cast<std::uint32_t>(first),
+                                   static_cast<std::uint32_t>(steps_[n].size() - first)};
+            }
+        });
     }
 
     [[nodiscard]] std::size_t size() const { return low_.size(); }
     [[nodiscard]] std::uint32_t low(PairId pair) const { return low_[pair]; }
     [[nodiscard]] std::uint32_t high(PairId pair) const { return touching_.other(pair).link; }
     [[nodiscard]] double closeness(PairId pair) const { return static_cast<double>(touching_.other(pair).closeness); }
-
-    // All steps on which the two stay closer than `limit`.
-    template <class Call> void for_each_step(PairId pair, double limit, const Call& call) const {
-        steps(pair, low(pair), high(pair), true, limit, call);
-        steps(pair, high(pair), low(pair), false, limit, call);
+    [[nodiscard]] std::span<const Step> steps(PairId pair) const {
+        return std::span(steps_[pair / kAtOnce]).subspan(steps_of_[pair].first, steps_of_[pair].count);
     }
 
 private:
-    template <class Call>
-    void steps(PairId pair, std::uint32_t moving, std::uint32_t waiting, bool first, double limit,
-               const Call& call) const {
+    static constexpr std::size_t kAtOnce = 1024;
+    struct Steps {
+        std::uint32_t first = 0, count = 0;
+    };
+
+    void find_steps(std::uint32_t moving, std::uint32_t waiting, bool first, double limit,
+                    std::vector<Step>& steps) const {
         const Link& link = links_[moving];
         for (const bool at_end : {false, true}) {
             const double on_the_way = tree::closeness(at_end ? link.b : link.a, links_[waiting]);
             if (on_the_way >= limit) continue;
-            for (const std::uint32_t next : links_.at(at_end ? link.to : link.from)) {
-                if (next == moving || next == waiting) continue;
-                if (const PairId to = touching_.find(next, waiting); to != kNone && to != pair)
-                    call(Step{to, first, next, on_the_way});
-            }
+            for (const std::uint32_t next : links_.at(at_end ? link.to : link.from))
+                if (next != moving) steps.push_back({touching_.find(next, waiting), first, on_the_way});
         }
     }
 
     const Links& links_;
     const TouchingLinks& touching_;
     std::vector<std::uint32_t> low_; // the link of the lower number, by pair
+    std::vector<Steps> steps_of_;    // by pair, among those of kAtOnce pairs
+    std::vector<std::vector<Step>> steps_;
 };
 
 constexpr std::int32_t kUnknown = -2, kTogether = -1; // else the number of an island
 
 // Marks the pairs from which a joint can be reached while the two stay closer than `limit`.
-std::vector<std::int32_t> mark_together(const Links& links, const Walks& walks, double limit) {
+std::vector<std::int32_t> mark_together(const Walks& walks, double limit) {
     std::vector<std::int32_t> mark(walks.size(), kUnknown);
     std::vector<PairId> open;
+    const auto reach = [&](PairId pair) {
+        if (mark[pair] == kUnknown) mark[pair] = kTogether, open.push_back(pair);
+    };
     for (PairId pair = 0; pair < walks.size(); ++pair)
-        if (links.joined(walks.low(pair), walks.high(pair))) mark[pair] = kTogether, open.push_back(pair);
+        for (const Step& step : walks.steps(pair))
+            if (step.to == kJoint && step.closeness < limit) reach(pair);
     while (!open.empty()) {
         const PairId pair = open.back();
         open.pop_back();
-        walks.for_each_step(pair, limit, [&](const Step& step) {
-            if (mark[step.to] == kUnknown) mark[step.to] = kTogether, open.push_back(step.to);
-        });
+        for (const Step& step : walks.steps(pair))
+            if (step.to != kJoint && step.closeness < limit) reach(step.to);
     }
     return mark;
-}
-
-struct Region {
-    std::vector<PairId> pairs;
-    double closest = std::numeric_limits<double>::max();
-    bool reaches_joint = false;
-};
-
-// All that can be reached from a pair, closer than `limit`, among the pairs that are not marked yet.
-Region region_of(const Walks& walks, PairId start, double limit, std::vector<std::int32_t>& mark, std::int32_t number) {
-    Region region;
-    region.pairs.push_back(start);
-    mark[start] = number;
-    for (std::size_t n = 0; n < region.pairs.size(); ++n) {
-        const PairId pair = region.pairs[n];
-        region.closest = std::min(region.closest, walks.closeness(pair));
-        walks.for_each_step(pair, limit, [&](const Step& step) {
-            if (mark[step.to] == kTogether) region.reaches_joint = true;
-            if (mark[step.to] == kUnknown) mark[step.to] = number, region.pairs.push_back(step.to);
-        });
-    }
-    return region;
 }
 
 // Vessels that are bent, or not equally thick, merge from a little farther than straight ones; that far a basin is a
 // contact if the way from it to the joints is farther by kPass.
 constexpr double kMayMerge = 1.03, kPass = 0.01;
+
+struct Region {
+    std::vector<PairId> pairs;
+    double closest = std::numeric_limits<double>::max();
+    bool reaches_joint = false;
+    bool may_hold_basins = false; // else the way from each of its pairs to the joints is no farther than itself
+};
+
+// All that can be reached from a pair among the pairs that are not marked yet.
+Region region_of(const Walks& walks, PairId start, double merged, std::vector<std::int32_t>& mark,
+                 std::int32_t number) {
+    Region region;
+    region.pairs.push_back(start);
+    mark[start] = number;
+    for (std::size_t n = 0; n < region.pairs.size(); ++n) {
+        const double closeness = walks.closeness(region.pairs[n]);
+        double to_joint = std::numeric_limits<double>::max();
+        for (const Step& step : walks.steps(region.pairs[n])) {
+            if (step.to == kJoint || mark[step.to] == kTogether)
+                to_joint = std::min(to_joint, step.closeness);
+            else if (mark[step.to] == kUnknown)
+                mark[step.to] = number, region.pairs.push_back(step.to);
+        }
+        region.closest = std::min(region.closest, closeness);
+        region.reaches_joint |= to_joint < std::numeric_limits<double>::max();
+        region.may_hold_basins |= closeness < kMayMerge * merged && to_joint >= std::max(merged, closeness + kPass);
+    }
+    return region;
+}
 
 struct Edge {
     double closeness;
@@ -118,19 +144,18 @@ struct Basins {
     std::vector<std::uint32_t> of_pair;
     std::map<std::uint32_t, double> met;
 };
-Basins flood(const Walks& walks, const Region& region, const std::vector<std::int32_t>& mark, double merged,
-             double limit) {
+Basins flood(const Walks& walks, const Region& region, const std::vector<std::int32_t>& mark, double merged) {
     const auto count = static_cast<std::uint32_t>(region.pairs.size());
     std::map<PairId, std::uint32_t> number;
     for (std::uint32_t n = 0; n < count; ++n) number[region.pairs[n]] = n;
     std::vector<Edge> edges;
     for (std::uint32_t n = 0; n < count; ++n)
-        walks.for_each_step(region.pairs[n], limit, [&](const Step& step) {
-            if (mark[step.to] == kTogether)
+        for (const Step& step : walks.steps(region.pairs[n])) {
+            if (step.to == kJoint || mark[step.to] == kTogether)
                 edges.push_back({step.closeness, n, count});
             else if (const auto other = number.find(step.to); other != number.end() && other->second > n)
                 edges.push_back({step.closeness, n, other->second});
-        });
+        }
     std::ranges::stable_sort(edges, {}, &Edge::closeness);
     // A set's lowest number stands for it, so that of the joints' is not known beforehand.
     DisjointSets sets(count + 1);
@@ -172,7 +197,7 @@ Basins flood(const Walks& walks, const Region& region, const std::vector<std::in
 }
 
 // Says of each pair of an island which link is whose: steps leave one walker where it is.
-std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& pairs, double limit) {
+std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& pairs) {
     std::map<PairId, int> swapped; // -1: not known yet
     for (const PairId pair : pairs) swapped[pair] = -1;
     std::vector<PairId> open;
@@ -184,15 +209,15 @@ std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& 
             const PairId pair = open.back();
             open.pop_back();
             const int here = swapped[pair];
-            walks.for_each_step(pair, limit, [&](const Step& step) {
+            for (const Step& step : walks.steps(pair)) {
                 const auto next = swapped.find(step.to);
-                if (next == swapped.end() || next->second >= 0) return;
+                if (next == swapped.end() || next->second >= 0) continue;
                 // The one that waits keeps its side.
                 const std::uint32_t waits = step.moves_first ? walks.high(pair) : walks.low(pair);
                 const int side_of_waiting = step.moves_first ? 1 - here : here;
                 next->second = walks.low(step.to) == waits ? side_of_waiting : 1 - side_of_waiting;
                 open.push_back(step.to);
-            });
+            }
         }
     }
     std::vector<OrientedPair> oriented;
@@ -210,22 +235,22 @@ std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& 
 } // namespace
 
 Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
-    const Walks walks(links, touching);
-    std::vector<std::int32_t> mark = mark_together(links, walks, limits.merged);
+    const Walks walks(links, touching, limits.reach);
+    std::vector<std::int32_t> mark = mark_together(walks, limits.merged);
     Islands islands;
     const auto add = [&](const std::vector<PairId>& pairs, bool contact, double apart_from) {
-        islands.all.push_back({orient(walks, pairs, limits.reach), contact, apart_from});
+        islands.all.push_back({orient(walks, pairs), contact, apart_from});
     };
     std::int32_t number = 0;
     for (PairId start = 0; start < walks.size(); ++start) {
         if (mark[start] != kUnknown) continue;
-        const Region region = region_of(walks, start, limits.reach, mark, number++);
+        const Region region = region_of(walks, start, limits.merged, mark, number++);
         if (!region.reaches_joint) {
             add(region.pairs, region.closest < limits.bundled, limits.reach);
             continue;
         }
-        if (region.closest >= kMayMerge * limits.merged) continue;
-        const Basins basins = flood(walks, region, mark, limits.merged, limits.reach);
+        if (!region.may_hold_basins) continue;
+        const Basins basins = flood(walks, region, mark, limits.merged);
         std::map<std::uint32_t, std::vector<PairId>> members;
         for (std::size_t n = 0; n < region.pairs.size(); ++n)
             if (basins.of_pair[n] != region.pairs.size()) members[basins.of_pair[n]].push_back(region.pairs[n]);

@@ -11,11 +11,6 @@ namespace {
 // The least length of a link in local radii: what a chord cuts off from an arc as short as this does not matter.
 constexpr double kLinkRadii = 0.3;
 
-// The share of the way along `link` that is nearest to `position`.
-double nearest_share(const glm::dvec3& position, const Link& link) {
-    return share_along(position - link.a.position, link.b.position - link.a.position);
-}
-
 double closeness_at(const Link& a, double share_a, const Link& b, double share_b) {
     const Point p = point_on(a, share_a);
     const Point q = point_on(b, share_b);
@@ -23,15 +18,6 @@ double closeness_at(const Link& a, double share_a, const Link& b, double share_b
 }
 
 } // namespace
-
-Point point_on(const Link& link, double share) {
-    return {glm::mix(link.a.position, link.b.position, share), link.a.radius + share * (link.b.radius - link.a.radius)};
-}
-
-double closeness(const Point& point, const Link& link) {
-    const Point foot = point_on(link, nearest_share(point.position, link));
-    return glm::distance(point.position, foot.position) / (point.radius + foot.radius);
-}
 
 // The axes' nearest points, then the ends of each: with tapering links an end may be closer in radii.
 Approach closest_approach(const Link& a, const Link& b) {
@@ -60,6 +46,7 @@ Approach closest_approach(const Link& a, const Link& b) {
 Links::Links(const PreparedTree& prepared) {
     const VesselTree& tree = prepared.tree;
     of_segment_.reserve(tree.segment_count());
+    links_.reserve(tree.segment_count());
     for (const Branch& branch : tree.branches) {
         std::size_t first = 0;
         double length = 0.0;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -25,7 +26,13 @@ struct Link {
 using ramus::share_along;
 
 // A place on a link, 0 at its start and 1 at its end.
-[[nodiscard]] Point point_on(const Link& link, double share);
+[[nodiscard]] inline Point point_on(const Link& link, double share) {
+    return {glm::mix(link.a.position, link.b.position, share), link.a.radius + share * (link.b.radius - link.a.radius)};
+}
+// The one that is nearest to `position`.
+[[nodiscard]] inline double nearest_share(const glm::dvec3& position, const Link& link) {
+    return share_along(position - link.a.position, link.b.position - link.a.position);
+}
 
 // Where two links come closest, and how close: axis distance over the sum of the radii there.
 struct Approach {
@@ -34,7 +41,17 @@ struct Approach {
 };
 [[nodiscard]] Approach closest_approach(const Link& a, const Link& b);
 // Of a point of the tree and a link.
-[[nodiscard]] double closeness(const Point& point, const Link& link);
+[[nodiscard]] inline double closeness(const Point& point, const Link& link) {
+    const Point foot = point_on(link, nearest_share(point.position, link));
+    return glm::distance(point.position, foot.position) / (point.radius + foot.radius);
+}
+// Whether that is below `limit`, but for rounding: without a root and a division.
+[[nodiscard]] inline bool closer(const Point& point, const Link& link, double limit) {
+    const Point foot = point_on(link, nearest_share(point.position, link));
+    const glm::dvec3 between = point.position - foot.position;
+    const double most = limit * (point.radius + foot.radius);
+    return glm::dot(between, between) < most * most;
+}
 
 class Links {
 public:

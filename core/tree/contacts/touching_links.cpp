@@ -1,114 +1,123 @@
 #include "core/tree/contacts/touching_links.h"
 
+#include "core/tree/contacts/link_boxes.h"
+
 #include <algorithm>
-#include <array>
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
+#include <bit>
 #include <numeric>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 namespace ramus::tree {
 
 namespace {
 
-struct Box {
-    glm::dvec3 least{0.0}, most{0.0};
-
-    void add(const Box& other) {
-        least = glm::min(least, other.least);
-        most = glm::max(most, other.most);
-    }
-    [[nodiscard]] bool meets(const Box& other) const {
-        return glm::all(glm::lessThanEqual(least, other.most)) && glm::all(glm::lessThanEqual(other.least, most));
-    }
+struct Found {
+    std::uint32_t low = 0;
+    TouchingLinks::Other other;
 };
 
-// 10 bits of a number with two bits between each.
-std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 16U) & 0x030000FFU;
-    x = (x | x << 8U) & 0x0300F00FU;
-    x = (x | x << 4U) & 0x030C30C3U;
-    return (x | x << 2U) & 0x09249249U;
-}
-
-// Boxes around links as far as they may touch others, eight to a box of the next level, in Morton order.
-class BoxTree {
+// What can be reached along the tree from one link after the other.
+class AlongTree {
 public:
-    BoxTree(const Links& links, double limit) : boxes_(links.all().size()), order_(links.all().size()) {
-        Box all{glm::dvec3(1e300), glm::dvec3(-1e300)};
-        for (std::size_t n = 0; n < boxes_.size(); ++n) {
-            const Link& link = links[n];
-            const glm::dvec3 ra(limit * link.a.radius);
-            const glm::dvec3 rb(limit * link.b.radius);
-            boxes_[n] = {glm::min(link.a.position - ra, link.b.position - rb),
-                         glm::max(link.a.position + ra, link.b.position + rb)};
-            all.add(boxes_[n]);
-        }
-        std::vector<std::uint32_t> place(boxes_.size());
-        const glm::dvec3 scale = 1023.0 / glm::max(all.most - all.least, glm::dvec3(1e-300));
-        for (std::size_t n = 0; n < boxes_.size(); ++n) {
-            const glm::uvec3 cell((0.5 * (boxes_[n].least + boxes_[n].most) - all.least) * scale);
-            place[n] = spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
-        }
-        std::iota(order_.begin(), order_.end(), 0U);
-        tbb::parallel_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair(place[a], a) < std::pair(place[b], b);
-        });
-        std::vector<Box> leaves(boxes_.size());
-        for (std::size_t n = 0; n < boxes_.size(); ++n) leaves[n] = boxes_[order_[n]];
-        levels_.push_back(std::move(leaves));
-        while (levels_.back().size() > 1) {
-            const std::vector<Box>& below = levels_.back();
-            std::vector<Box> level;
-            for (std::size_t n = 0; n < below.size(); n += kFan) {
-                level.push_back(below[n]);
-                for (std::size_t m = n + 1; m < std::min(n + kFan, below.size()); ++m) level.back().add(below[m]);
-            }
-            levels_.push_back(std::move(level));
-        }
-    }
+    AlongTree(const Links& links, double limit)
+        : links_(links), limit_(limit), reached_from_(links.all().size(), TouchingLinks::kNone) {}
 
-    template <class Call> void for_each_meeting(std::uint32_t link, const Call& call) const {
-        if (!levels_.front().empty()) descend(levels_.size() - 1, 0, boxes_[link], call);
+    // From now on `reached` tells of this one.
+    void start(std::uint32_t link) {
+        start_ = link;
+        reached_from_[link] = link;
+        go_on_through(links_[link].from);
+        go_on_through(links_[link].to);
+        while (!open_.empty()) {
+            const auto [at, came_through] = open_.back();
+            open_.pop_back();
+            const Link& here = links_[at];
+            const bool goes_to_end = here.from == came_through;
+            if (closer(goes_to_end ? here.b : here.a, links_[link], limit_))
+                go_on_through(goes_to_end ? here.to : here.from);
+        }
     }
+    [[nodiscard]] bool reached(std::uint32_t link) const { return reached_from_[link] == start_; }
 
 private:
-    static constexpr std::size_t kFan = 8;
+    struct Arrival {
+        std::uint32_t link, through; // a point of the tree
+    };
 
-    template <class Call> void descend(std::size_t level, std::size_t n, const Box& box, const Call& call) const {
-        if (!levels_[level][n].meets(box)) return;
-        if (level == 0) {
-            call(order_[n]);
-            return;
-        }
-        const std::size_t end = std::min((n + 1) * kFan, levels_[level - 1].size());
-        for (std::size_t m = n * kFan; m < end; ++m) descend(level - 1, m, box, call);
+    void go_on_through(std::uint32_t point) {
+        for (const std::uint32_t next : links_.at(point))
+            if (reached_from_[next] != start_) reached_from_[next] = start_, open_.push_back({next, point});
     }
 
-    std::vector<Box> boxes_;           // by link
-    std::vector<std::uint32_t> order_; // links in Morton order
-    std::vector<std::vector<Box>> levels_;
+    const Links& links_;
+    double limit_;
+    std::uint32_t start_ = TouchingLinks::kNone;
+    std::vector<std::uint32_t> reached_from_; // by link, the last that it was reached from
+    std::vector<Arrival> open_;
 };
+
+// Cheaper than how close they come: whether the balls around their middles that hold their tubes, `limit` times as
+// thick, meet.
+bool may_touch(const Link& a, const Link& b, double limit) {
+    const double lengths = glm::distance(a.a.position, a.b.position) + glm::distance(b.a.position, b.b.position);
+    const double radii = std::max(a.a.radius, a.b.radius) + std::max(b.a.radius, b.b.radius);
+    const glm::dvec3 between = 0.5 * (a.a.position + a.b.position) - 0.5 * (b.a.position + b.b.position);
+    const double most = 1.000001 * (0.5 * lengths + limit * radii);
+    return glm::dot(between, between) <= most * most;
+}
+
+// What each thread has for itself.
+struct Search {
+    AlongTree along;
+    std::vector<std::uint32_t> beside; // leaves
+};
+
+// All pairs of a leaf's links and those of the same and later leaves.
+void find_pairs(const Links& links, const LinkBoxes& boxes, std::size_t leaf, double limit, Search& search,
+                std::vector<Found>& found) {
+    constexpr std::size_t kFan = LinkBoxes::kFan;
+    boxes.find_beside(leaf, search.beside);
+    for (std::size_t place = leaf * kFan; place < std::min((leaf + 1) * kFan, boxes.size()); ++place) {
+        const std::uint32_t link = boxes.link(place);
+        search.along.start(link);
+        for (const std::uint32_t other_leaf : search.beside)
+            for (unsigned bits = boxes.meeting(other_leaf, place); bits != 0; bits &= bits - 1) {
+                const std::size_t other_place = other_leaf * kFan + static_cast<std::size_t>(std::countr_zero(bits));
+                const std::uint32_t other = boxes.link(other_place);
+                if (other_place <= place || search.along.reached(other)) continue;
+                if (!may_touch(links[link], links[other], limit)) continue;
+                const auto [low, high] = std::minmax(link, other);
+                const double close = closest_approach(links[low], links[high]).closeness;
+                if (close < limit) found.push_back({low, {high, static_cast<float>(close)}});
+            }
+    }
+}
 
 } // namespace
 
-TouchingLinks::TouchingLinks(const Links& links, double limit) : first_(links.all().size() + 1, 0) {
-    const BoxTree boxes(links, limit);
-    std::vector<std::vector<Other>> rows(links.all().size());
-    tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t a) {
-        const auto link = static_cast<std::uint32_t>(a);
-        boxes.for_each_meeting(link, [&](std::uint32_t b) {
-            if (b <= link) return;
-            const double close = links.joined(a, b) ? 0.0 : closest_approach(links[a], links[b]).closeness;
-            if (close < limit) rows[a].push_back({b, static_cast<float>(close)});
-        });
-        std::ranges::sort(rows[a], {}, &Other::link);
+TouchingLinks::TouchingLinks(const Links& links, double limit, double together) {
+    constexpr std::size_t kLeavesAtOnce = 128;
+    const LinkBoxes boxes(links, limit);
+    std::vector<std::vector<Found>> found((boxes.leaves() + kLeavesAtOnce - 1) / kLeavesAtOnce);
+    tbb::enumerable_thread_specific<Search> searches([&] { return Search{AlongTree(links, together), {}}; });
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t n) {
+        Search& search = searches.local();
+        for (std::size_t leaf = n * kLeavesAtOnce; leaf < std::min((n + 1) * kLeavesAtOnce, boxes.leaves()); ++leaf)
+            find_pairs(links, boxes, leaf, limit, search, found[n]);
     });
-    for (std::size_t a = 0; a < rows.size(); ++a)
-        first_[a + 1] = first_[a] + static_cast<std::uint32_t>(rows[a].size());
-    others_.reserve(first_.back());
-    for (const auto& row : rows) others_.insert(others_.end(), row.begin(), row.end());
+    first_.assign(links.all().size() + 1, 0);
+    for (const auto& some : found)
+        for (const Found& pair : some) ++first_[pair.low + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    others_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const auto& some : found)
+        for (const Found& pair : some) others_[next[pair.low]++] = pair.other;
+    tbb::parallel_for(std::size_t{0}, links.all().size(), [&](std::size_t n) {
+        std::sort(others_.begin() + first_[n], others_.begin() + first_[n + 1],
+                  [](const Other& a, const Other& b) { return a.link < b.link; });
+    });
 }
 
 std::uint32_t TouchingLinks::find(std::uint32_t a, std::uint32_t b) const {

@@ -1,10 +1,11 @@
-// Pairs of links that come close: all of a tree's, found with a tree of boxes.
+// Pairs of links that come close, but for those that are together along the tree: all of a tree's, found with a tree of
+// boxes.
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/tree/contacts/links.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace ramus::tree {
@@ -17,8 +18,10 @@ public:
     };
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-    // All pairs whose closeness (closest_approach()) is below `limit`.
-    TouchingLinks(const Links& links, double limit);
+    // All pairs whose closeness (closest_approach()) is below `limit`. Left out are those that share a point, and most
+    // of those where one can walk from the one link to the other, along the tree, and stays closer than `together` to
+    // the one all the way: nearly all pairs of a tree are neighbours along a vessel.
+    TouchingLinks(const Links& links, double limit, double together);
 
     // Pairs are numbered from 0 to size(), those of a link side by side.
     [[nodiscard]] std::size_t size() const { return others_.size(); }

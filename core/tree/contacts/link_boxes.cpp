@@ -1,0 +1,129 @@
+#include "core/tree/contacts/link_boxes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
+
+namespace ramus::tree {
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::max();
+
+// A box that surely holds the link's tube, `limit` times as thick.
+Bounds<glm::vec3> box_around(const Link& link, double limit) {
+    Bounds<glm::dvec3> exact;
+    exact.hold(link.a.position, limit * link.a.radius);
+    exact.hold(link.b.position, limit * link.b.radius);
+    Bounds<glm::vec3> box{glm::vec3(exact.least), glm::vec3(exact.most)};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.least[axis] = std::nextafter(box.least[axis], -kFar);
+        box.most[axis] = std::nextafter(box.most[axis], kFar);
+    }
+    return box;
+}
+
+// 10 bits of a number with two bits between each.
+std::uint32_t spread(std::uint32_t x) {
+    x = (x | x << 16U) & 0x030000FFU;
+    x = (x | x << 8U) & 0x0300F00FU;
+    x = (x | x << 4U) & 0x030C30C3U;
+    return (x | x << 2U) & 0x09249249U;
+}
+
+} // namespace
+
+LinkBoxes::Eight::Eight() {
+    for (auto& row : least) row.fill(kFar);
+    for (auto& row : most) row.fill(-kFar);
+}
+
+void LinkBoxes::Eight::set(std::size_t n, const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        least[static_cast<std::size_t>(axis)][n] = box.least[axis];
+        most[static_cast<std::size_t>(axis)][n] = box.most[axis];
+    }
+}
+
+LinkBoxes::Box LinkBoxes::Eight::box(std::size_t n) const {
+    return {{least[0][n], least[1][n], least[2][n]}, {most[0][n], most[1][n], most[2][n]}};
+}
+
+LinkBoxes::Box LinkBoxes::Eight::around() const {
+    Box all;
+    for (std::size_t n = 0; n < kFan; ++n) {
+        all.least = glm::min(all.least, box(n).least);
+        all.most = glm::max(all.most, box(n).most);
+    }
+    return all;
+}
+
+unsigned LinkBoxes::Eight::meeting(const Box& box) const {
+    unsigned bits = 0;
+    for (std::size_t n = 0; n < kFan; ++n) {
+        bool meets = true; // no test depends on another: nothing to guess for a processor
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            meets &= least[axis][n] <= box.most[static_cast<int>(axis)];
+            meets &= most[axis][n] >= box.least[static_cast<int>(axis)];
+        }
+        bits |= static_cast<unsigned>(meets) << n;
+    }
+    return bits;
+}
+
+LinkBoxes::LinkBoxes(const Links& links, double limit) {
+    std::vector<Box> boxes(links.all().size());
+    tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t n) { boxes[n] = box_around(links[n], limit); });
+    sort_by_place(boxes);
+    std::vector<Eight> level((boxes.size() + kFan - 1) / kFan);
+    for (std::size_t n = 0; n < boxes.size(); ++n) level[n / kFan].set(n % kFan, boxes[order_[n]]);
+    levels_.push_back(std::move(level));
+    while (levels_.back().size() > 1) {
+        const std::vector<Eight>& below = levels_.back();
+        std::vector<Eight> above((below.size() + kFan - 1) / kFan);
+        for (std::size_t n = 0; n < below.size(); ++n) above[n / kFan].set(n % kFan, below[n].around());
+        levels_.push_back(std::move(above));
+    }
+}
+
+void LinkBoxes::sort_by_place(const std::vector<Box>& boxes) {
+    Box all;
+    for (const Box& box : boxes) all.least = glm::min(all.least, box.least), all.most = glm::max(all.most, box.most);
+    const glm::vec3 scale = 1023.0F / glm::max(all.size(), glm::vec3(1e-30F));
+    std::vector<std::uint64_t> places(boxes.size()); // and below each the link's number
+    for (std::size_t n = 0; n < boxes.size(); ++n) {
+        const glm::uvec3 cell((0.5F * (boxes[n].least + boxes[n].most) - all.least) * scale);
+        const std::uint32_t place = spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
+        places[n] = std::uint64_t{place} << 32U | n;
+    }
+    tbb::parallel_sort(places.begin(), places.end());
+    order_.resize(boxes.size());
+    for (std::size_t n = 0; n < boxes.size(); ++n) order_[n] = static_cast<std::uint32_t>(places[n]);
+}
+
+void LinkBoxes::find_beside(std::size_t leaf, std::vector<std::uint32_t>& beside) const {
+    beside.clear();
+    if (levels_.size() == 1)
+        beside.push_back(0);
+    else
+        descend(levels_.size() - 1, 0, leaf, levels_.front()[leaf].around(), beside);
+}
+
+void LinkBoxes::descend(std::size_t level, std::size_t n, std::size_t leaf, const Box& box,
+                        std::vector<std::uint32_t>& beside) const {
+    const auto below_bits = static_cast<unsigned>(3 * (level - 1)); // of the number of a leaf, within that of a box
+    for (unsigned bits = levels_[level][n].meeting(box); bits != 0; bits &= bits - 1) {
+        const std::size_t below = n * kFan + static_cast<std::size_t>(std::countr_zero(bits));
+        if (below < leaf >> below_bits) continue;
+        if (level == 1)
+            beside.push_back(static_cast<std::uint32_t>(below));
+        else
+            descend(level - 1, below, leaf, box, beside);
+    }
+}
+
+} // namespace ramus::tree
