@@ -46,6 +46,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     const Doubles d;
     const Vector p = set(point);
     const Real reach2 = hn::Set(d, radii * radii), zero = hn::Zero(d);
+    std::uint32_t* next = feet.places.data();
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
         const Vector u = load(axes.rows, kAlongX, n);
         const Vector from = minus(p, load(axes.rows, kStartX, n));
@@ -68,8 +69,9 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         hn::StoreMaskBits(d, near, bits);
         const unsigned there = bits[0] & ((1U << std::min(hn::Lanes(d), axes.count - n)) - 1);
         for (unsigned left = there; left != 0; left &= left - 1)
-            feet.near.push_back(static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(std::countr_zero(left)));
+            *next++ = static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(std::countr_zero(left));
     }
+    feet.near_count = static_cast<std::size_t>(next - feet.places.data());
 }
 
 void find_left_out(const AxisFeet& feet, std::uint32_t own, const ApartAxes& apart, std::size_t count, double* left) {
@@ -166,8 +168,12 @@ void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, 
     ++count;
 }
 
+void AxisFeet::reserve(std::size_t most) {
+    rows.reserve(most);
+    if (places.size() < most) places.resize(most);
+}
+
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet) {
-    feet.near.clear();
     HWY_DYNAMIC_DISPATCH(find_feet)(axes, point, radii, feet);
 }
 

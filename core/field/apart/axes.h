@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace ramus::field {
@@ -65,13 +66,19 @@ struct Axes {
 enum FootRow : std::uint8_t { kFootX, kFootY, kFootZ, kFootDistance2, kFootRadius, kFootRelative2, kFootRows };
 struct AxisFeet {
     NumberRows<kFootRows> rows;
-    std::vector<std::uint32_t> near; // those nearer than so many radii, ascending
+    std::vector<std::uint32_t> places; // scratch: those that are near come first
+    std::size_t near_count = 0;
+
+    // With room for so many axes.
+    void reserve(std::size_t most);
+    // Those nearer than so many radii, ascending.
+    [[nodiscard]] std::span<const std::uint32_t> near() const { return std::span(places).first(near_count); }
     [[nodiscard]] double of(std::uint32_t axis, FootRow row) const { return rows.row(row)[axis]; }
     [[nodiscard]] glm::dvec3 foot(std::uint32_t axis) const {
         return {of(axis, kFootX), of(axis, kFootY), of(axis, kFootZ)};
     }
 };
-// Overwrites `feet`, whose rows have room for all axes.
+// Overwrites `feet`, which have room for all axes.
 void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet& feet);
 
 // Of some axes, what an axis is kept apart from (vessel_field.h): the closeness from which on the two count as

@@ -97,13 +97,13 @@ void VesselViews::list_axes() {
         moved_[n] = contacts_.shape(piece(n)).move != tree::AxisMove{} ? 1 : 0;
         any_moved_ = any_moved_ || moved_[n] != 0;
     }
-    feet_.rows.reserve(list_.size());
+    feet_.reserve(list_.size());
     if (any_moved_) list_counted_axes();
 }
 
 // Radii are not asked for.
 void VesselViews::list_counted_axes() {
-    counted_feet_.rows.reserve(list_.size());
+    counted_feet_.reserve(list_.size());
     counted_axes_.clear(list_.size());
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
@@ -141,7 +141,7 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     known_count_ = 0;
     find_feet(axes_, point_, reach_radii_, feet_);
     kept_apart_.clear();
-    for (const std::uint32_t n : feet_.near)
+    for (const std::uint32_t n : seen())
         if (piece(n) >= 0) kept_apart_.push_back(n);
     if (kept_apart_.empty()) return Sight::kPlain;
     if (any_left_out()) return Sight::kParted;
@@ -152,12 +152,16 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
 }
 
-std::uint32_t VesselViews::nearest_in_radii(const std::vector<std::uint32_t>& places) const {
+std::uint32_t VesselViews::nearest_in_radii(std::span<const std::uint32_t> places) const {
     const double* const relative2 = feet_.rows.row(kFootRelative2);
-    return *std::ranges::min_element(places, {}, [&](std::uint32_t n) { return relative2[n]; });
+    std::uint32_t nearest = places.front();
+    double least = relative2[nearest];
+    for (const std::uint32_t n : places)
+        if (relative2[n] < least) least = relative2[n], nearest = n;
+    return nearest;
 }
 
-std::uint32_t VesselViews::nearest() const { return feet_.near.empty() ? kNone : nearest_in_radii(feet_.near); }
+std::uint32_t VesselViews::nearest() const { return seen().empty() ? kNone : nearest_in_radii(seen()); }
 
 double VesselViews::distance(std::uint32_t place) const { return std::sqrt(feet_.of(place, kFootDistance2)); }
 

@@ -48,7 +48,7 @@ public:
     [[nodiscard]] const glm::dvec3& point() const { return point_; }
     // The segments that reach it, ascending; whether none of them is kept apart from another one; the nearest in radii,
     // or kNone.
-    [[nodiscard]] const std::vector<std::uint32_t>& seen() const { return feet_.near; }
+    [[nodiscard]] std::span<const std::uint32_t> seen() const { return feet_.near(); }
     [[nodiscard]] bool alone() const { return kept_apart_.empty(); }
     [[nodiscard]] std::uint32_t nearest() const;
     // After a plain sight: whether a vessel's way to the point may be cut nearby.
@@ -114,7 +114,7 @@ private:
     void list_axes();
     void list_counted_axes();
     [[nodiscard]] const ApartAxes& apart_from(int piece); // of all axes, in one row
-    [[nodiscard]] std::uint32_t nearest_in_radii(const std::vector<std::uint32_t>& places) const;
+    [[nodiscard]] std::uint32_t nearest_in_radii(std::span<const std::uint32_t> places) const;
     [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const; // in radii; any is nearer than kNone
     void group_by_piece();
     [[nodiscard]] bool any_left_out(); // of what is near
