@@ -14,7 +14,7 @@ namespace ramus::validate {
 namespace {
 
 // Of the closeness from which on two vessels count as together again: from here on, in the crotch of a fork, passing
-// and being joined cannot be told apart.
+// and being joined cannot be told apart. Nor can they where two part.
 constexpr double kNearlyTogether = 0.97;
 constexpr double kThird = 1.25; // radii of a third vessel, of which a place is part: joints bulge
 
@@ -45,7 +45,7 @@ std::vector<PassingPair> passing_pairs(const Reference& reference, double width)
     std::vector<PassingPair> pairs;
     for (std::uint32_t a = 0; a < links.all().size(); ++a)
         for (const tree::Contacts::Partner& partner : contacts.partners_of(a)) {
-            if (partner.piece <= a) continue;
+            if (partner.piece <= a || partner.parting) continue;
             const std::uint32_t b = partner.piece;
             const tree::Approach approach = tree::closest_approach(links[a], links[b]);
             if (partner.apart_from > 0.0F && approach.closeness > kNearlyTogether * double(partner.apart_from))

@@ -104,7 +104,8 @@ Contacts find_contacts(const PreparedTree& prepared, double width) {
         if (island.contact) contact = describe(links, island, contacts, limits.bundled);
         for (const OrientedPair& pair : island.pairs)
             for (std::size_t side = 0; side < 2; ++side)
-                rows.push_back({pair.link[side], {pair.link[1 - side], static_cast<float>(contact.apart_from)}});
+                rows.push_back(
+                    {pair.link[side], {pair.link[1 - side], static_cast<float>(contact.apart_from), island.parting}});
         if (!island.contact) continue;
         if (contact.sides[1].branch < contact.sides[0].branch) std::swap(contact.sides[0], contact.sides[1]);
         contacts.list.push_back(std::move(contact));

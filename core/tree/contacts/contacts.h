@@ -9,8 +9,10 @@
 // be reached below the limit at which a plain sum of kernels merges are left alone. What remains falls into islands. An
 // island that goes below that limit itself is a contact (or below that of four vessels, where no joint can be reached
 // at all: others may be near); how far apart the walkers have to be to get from it to a joint says from which closeness
-// on the vessels count as together again. An island that stays above the limit, and from
-// which no joint can be reached, is a near miss: nothing merges there, but cells of a mesh may be larger than the gap.
+// on the vessels count as together again. An island that stays above the limit, and from which no joint can be reached,
+// is a near miss: nothing merges there, but cells of a mesh may be larger than the gap. So is, where a joint can be
+// reached, what stays above the limit and lies side by side with an open gap between (gaps.h): daughters of a fork part
+// without ever coming close again, but so slowly that a mesh would bridge the gap here and there.
 #pragma once
 
 #include "core/tree/prepare.h"
@@ -57,6 +59,7 @@ struct Contacts {
     struct Partner {
         std::uint32_t piece = 0;
         float apart_from = 0.0F; // of the contact; 0: a near miss
+        bool parting = false;    // a near miss of two that part at a joint nearby: toward it their surfaces meet
         bool operator==(const Partner&) const = default;
     };
 

@@ -1,6 +1,7 @@
 #include "core/tree/contacts/islands.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/tree/contacts/gaps.h"
 
 #include <algorithm>
 #include <limits>
@@ -237,9 +238,17 @@ std::vector<OrientedPair> orient(const Walks& walks, const std::vector<PairId>& 
 Islands find_islands(const Links& links, const TouchingLinks& touching, const ContactLimits& limits) {
     const Walks walks(links, touching, limits.reach);
     std::vector<std::int32_t> mark = mark_together(walks, limits.merged);
+    Gaps gaps(links, limits.reach);
     Islands islands;
     const auto add = [&](const std::vector<PairId>& pairs, bool contact, double apart_from) {
-        islands.all.push_back({orient(walks, pairs), contact, apart_from});
+        islands.all.push_back({orient(walks, pairs), contact, false, apart_from});
+    };
+    // Of what belongs to the joints.
+    const auto add_gaps = [&](std::vector<PairId> pairs) {
+        std::erase_if(pairs, [&](PairId pair) {
+            return walks.closeness(pair) < limits.merged || !gaps.between(walks.low(pair), walks.high(pair));
+        });
+        if (!pairs.empty()) islands.all.push_back({orient(walks, pairs), false, true, 0.0});
     };
     std::int32_t number = 0;
     for (PairId start = 0; start < walks.size(); ++start) {
@@ -249,14 +258,19 @@ Islands find_islands(const Links& links, const TouchingLinks& touching, const Co
             add(region.pairs, region.closest < limits.bundled, limits.reach);
             continue;
         }
-        if (!region.may_hold_basins) continue;
+        if (!region.may_hold_basins) {
+            add_gaps(region.pairs);
+            continue;
+        }
         const Basins basins = flood(walks, region, mark, limits.merged);
         std::map<std::uint32_t, std::vector<PairId>> members;
-        for (std::size_t n = 0; n < region.pairs.size(); ++n)
-            if (basins.of_pair[n] != region.pairs.size()) members[basins.of_pair[n]].push_back(region.pairs[n]);
+        for (std::size_t n = 0; n < region.pairs.size(); ++n) members[basins.of_pair[n]].push_back(region.pairs[n]);
         for (const auto& [basin, pairs] : members) {
             const auto met = basins.met.find(basin);
-            add(pairs, true, met == basins.met.end() ? limits.reach : met->second);
+            if (basin == region.pairs.size())
+                add_gaps(pairs);
+            else
+                add(pairs, true, met == basins.met.end() ? limits.reach : met->second);
         }
     }
     return islands;

@@ -1,4 +1,5 @@
-// Islands: pairs of links that touch and from which no joint can be reached without coming apart (contacts.h).
+// Islands: pairs of links that touch and from which no joint can be reached without coming apart, and those with an
+// open gap between them (contacts.h).
 #pragma once
 
 #include "core/tree/contacts/contacts.h"
@@ -19,6 +20,7 @@ struct OrientedPair {
 struct Island {
     std::vector<OrientedPair> pairs;
     bool contact = false; // else a near miss
+    bool parting = false; // a near miss from which a joint can be reached
     double apart_from =
         0.0; // of a contact: the closeness from which on a joint can be reached, the limit of reach at most
 };

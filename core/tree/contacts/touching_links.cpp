@@ -1,5 +1,6 @@
 #include "core/tree/contacts/touching_links.h"
 
+#include "core/tree/contacts/along_tree.h"
 #include "core/tree/contacts/link_boxes.h"
 
 #include <algorithm>
@@ -15,46 +16,6 @@ namespace {
 struct Found {
     std::uint32_t low = 0;
     TouchingLinks::Other other;
-};
-
-// What can be reached along the tree from one link after the other.
-class AlongTree {
-public:
-    AlongTree(const Links& links, double limit)
-        : links_(links), limit_(limit), reached_from_(links.all().size(), TouchingLinks::kNone) {}
-
-    // From now on `reached` tells of this one.
-    void start(std::uint32_t link) {
-        start_ = link;
-        reached_from_[link] = link;
-        go_on_through(links_[link].from);
-        go_on_through(links_[link].to);
-        while (!open_.empty()) {
-            const auto [at, came_through] = open_.back();
-            open_.pop_back();
-            const Link& here = links_[at];
-            const bool goes_to_end = here.from == came_through;
-            if (closer(goes_to_end ? here.b : here.a, links_[link], limit_))
-                go_on_through(goes_to_end ? here.to : here.from);
-        }
-    }
-    [[nodiscard]] bool reached(std::uint32_t link) const { return reached_from_[link] == start_; }
-
-private:
-    struct Arrival {
-        std::uint32_t link, through; // a point of the tree
-    };
-
-    void go_on_through(std::uint32_t point) {
-        for (const std::uint32_t next : links_.at(point))
-            if (reached_from_[next] != start_) reached_from_[next] = start_, open_.push_back({next, point});
-    }
-
-    const Links& links_;
-    double limit_;
-    std::uint32_t start_ = TouchingLinks::kNone;
-    std::vector<std::uint32_t> reached_from_; // by link, the last that it was reached from
-    std::vector<Arrival> open_;
 };
 
 // Cheaper than how close they come: whether the balls around their middles that hold their tubes, `limit` times as

@@ -62,36 +62,97 @@ TEST_CASE("two vessels that cross are a contact as long as their surfaces would 
     CHECK(crossing(3.1).partners.empty());
 }
 
+// Two daughters of a fork at the origin, each `aside(x)` from the axis of the stem, along x.
+template <class Aside> PreparedTree fork(const Aside& aside) {
+    std::vector<Point> points = straight({-10, 0, 0}, {0, 0, 0}, 1.0, 20);
+    std::vector<Edge> edges;
+    for (std::uint32_t n = 1; n < points.size(); ++n) edges.emplace_back(n - 1, n);
+    const auto joint = static_cast<std::uint32_t>(points.size() - 1);
+    for (const double side : {-1.0, 1.0}) {
+        std::uint32_t before = joint;
+        for (int n = 1; n <= 60; ++n) {
+            const double x = 0.5 * n;
+            points.push_back({{x, side * aside(x), 0.0}, 0.8});
+            const auto here = static_cast<std::uint32_t>(points.size() - 1);
+            edges.emplace_back(before, here);
+            before = here;
+        }
+    }
+    PreparedTree prepared;
+    prepared.tree = test::built_tree(points, edges);
+    for (std::size_t b = 0; b < prepared.tree.branches.size(); ++b)
+        prepared.segment_source.insert(prepared.segment_source.end(), prepared.tree.branches[b].points.size() - 1,
+                                       static_cast<int>(b));
+    return prepared;
+}
+
+// The middles along x of all segments that are part of a near miss.
+std::vector<double> near_misses(const PreparedTree& prepared, const Contacts& contacts) {
+    std::vector<double> places;
+    std::size_t segment = 0;
+    for (const Branch& branch : prepared.tree.branches)
+        for (std::size_t n = 1; n < branch.points.size(); ++n) {
+            const auto partners = contacts.partners_of(contacts.piece_of_segment[segment++]);
+            if (std::ranges::none_of(partners, [](const auto& partner) { return partner.apart_from == 0.0F; }))
+                continue;
+            const auto x = [&](std::size_t at) { return prepared.tree.points[branch.points[at]].position.x; };
+            places.push_back(0.5 * (x(n - 1) + x(n)));
+        }
+    return places;
+}
+
 TEST_CASE("daughters of a fork that stay together for a while are no contact, but are one where they meet again") {
     // Two daughters that part slowly, and then for good; or come back to each other.
-    const auto fork = [](bool back) {
-        std::vector<Point> points = straight({-10, 0, 0}, {0, 0, 0}, 1.0, 20);
-        std::vector<Edge> edges;
-        for (std::uint32_t n = 1; n < points.size(); ++n) edges.emplace_back(n - 1, n);
-        const auto joint = static_cast<std::uint32_t>(points.size() - 1);
-        for (const double side : {-1.0, 1.0}) {
-            std::uint32_t before = joint;
-            for (int n = 1; n <= 60; ++n) {
-                const double x = 0.5 * n;
-                const double apart = back ? 3.0 * std::sin(x / 30.0 * 1.8 * std::numbers::pi) : 0.25 * x;
-                const double off = x < 1.0 ? 0.25 * x : std::max(0.25, std::abs(apart));
-                points.push_back({{x, side * (back && x > 12.0 ? std::max(0.8, std::abs(apart)) : off), 0.0}, 0.8});
-                const auto here = static_cast<std::uint32_t>(points.size() - 1);
-                edges.emplace_back(before, here);
-                before = here;
-            }
-        }
-        PreparedTree prepared;
-        prepared.tree = test::built_tree(points, edges);
-        for (std::size_t b = 0; b < prepared.tree.branches.size(); ++b)
-            prepared.segment_source.insert(prepared.segment_source.end(), prepared.tree.branches[b].points.size() - 1,
-                                           static_cast<int>(b));
-        return find_contacts(prepared, kWidth);
+    const auto contacts_of_fork = [](bool back) {
+        return find_contacts(fork([&](double x) {
+                                 const double apart =
+                                     back ? 3.0 * std::sin(x / 30.0 * 1.8 * std::numbers::pi) : 0.25 * x;
+                                 const double off = x < 1.0 ? 0.25 * x : std::max(0.25, std::abs(apart));
+                                 return back && x > 12.0 ? std::max(0.8, std::abs(apart)) : off;
+                             }),
+                             kWidth);
     };
-    CHECK(fork(false).list.empty());
-    const Contacts again = fork(true);
+    CHECK(contacts_of_fork(false).list.empty());
+    const Contacts again = contacts_of_fork(true);
     REQUIRE(again.list.size() == 1);
     CHECK(again.list[0].sides[0].at.x > 10.0);
+}
+
+TEST_CASE("daughters of a fork with a thin open gap between them are a near miss, from where they part") {
+    const ContactLimits limits(kWidth);
+    // They part, come close again without touching, and part for good; never farther than one reaches on the way.
+    const auto back = [](double least) {
+        return fork([=](double x) {
+            const double most = 1.3, ebb = 0.5 * (1.0 - std::cos((x - 6.0) / 12.0 * 2.0 * std::numbers::pi));
+            const double closeness = x < 6.0    ? most * x / 6.0
+                                     : x < 18.0 ? most - (most - least) * ebb
+                                                : most + 0.5 * (x - 18.0);
+            return 0.8 * closeness;
+        });
+    };
+    for (const double least : {1.13, 1.2, 1.28}) {
+        CAPTURE(least);
+        const PreparedTree prepared = back(least);
+        const Contacts contacts = find_contacts(prepared, kWidth);
+        CHECK(contacts.list.empty());
+        const std::vector<double> places = near_misses(prepared, contacts);
+        CHECK(std::ranges::count_if(places, [](double x) { return x > 11.0 && x < 13.0; }) == 2 * 4);
+        // From where they part to where they are out of reach, give or take a link.
+        REQUIRE_FALSE(places.empty());
+        CHECK(std::ranges::min(places) > 6.0 * limits.merged / 1.3 - 0.5);
+        CHECK(std::ranges::min(places) < 6.0 * limits.merged / 1.3 + 1.0);
+        CHECK(std::ranges::max(places) < 18.0 + (limits.reach - 1.3) / 0.5 + 0.5);
+    }
+    // The steeper they part the sooner they are out of reach, and there is no thin gap at wide angles.
+    const auto straight_daughters = [](double slope) {
+        const PreparedTree prepared = fork([=](double x) { return slope * x; });
+        const Contacts contacts = find_contacts(prepared, kWidth);
+        CHECK(contacts.list.empty());
+        return near_misses(prepared, contacts).size();
+    };
+    CHECK(straight_daughters(0.1) > 2 * straight_daughters(0.25));
+    CHECK(straight_daughters(0.25) > 0);
+    CHECK(straight_daughters(0.5) == 0);
 }
 
 TEST_CASE("a vessel that turns back on itself is a contact, and a bend is none") {
