@@ -19,13 +19,13 @@ constexpr unsigned kKnownBits = 12;
 } // namespace
 
 VesselBrick::VesselBrick(const ConvolutionField& sum, const Pieces& pieces)
-    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces),
-      known_(std::size_t{1} << kKnownBits) {}
+    : sum_(sum.in_brick()), segments_(sum.segments().data()), views_(sum.kernel(), segments_, pieces) {}
 
 void VesselBrick::enter(SegmentIndices list, const GridAxes& axes) {
     sum_->enter(list, axes);
     axes_ = axes;
     parts_ = views_.enter(list, axes);
+    if (parts_ && known_.empty()) known_.resize(std::size_t{1} << kKnownBits);
 }
 
 VesselBrick::Known& VesselBrick::known(const glm::dvec3& point) {

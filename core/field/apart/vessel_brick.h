@@ -65,7 +65,7 @@ private:
     VesselViews views_;
     GridAxes axes_;
     bool parts_ = false;
-    std::vector<Known> known_;  // by a number made of the point
+    std::vector<Known> known_;  // by a number made of the point; empty until it is needed
     std::uint64_t kernels_ = 0; // evaluated since this was last asked for
 };
 
