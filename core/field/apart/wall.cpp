@@ -14,12 +14,6 @@ namespace ramus::field {
 
 namespace {
 
-// How deep a point is within something, and the way out of it.
-struct Depth {
-    double mm = 0.0; // negative: outside
-    glm::dvec3 outward{0.0};
-};
-
 // To first order, from the field: phi = sqrt(-ln F) is linear in the distance from a straight vessel's axis.
 Depth depth_within(const VesselViews& views, const VesselView& view) {
     const double f = std::clamp(view.value, 1e-12, 0.999);
@@ -33,19 +27,11 @@ Depth depth_within(const VesselViews& views, const VesselView& view) {
 }
 
 // How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
-// where that claims it and is nearer. Half of the gap, in radii of the thinner one, is left free.
-Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other, double gaps) {
-    const double radius_own = views.radius(own), radius_other = views.radius(other);
-    const double gap = gaps * std::min(radius_own, radius_other);
-    const Depth within_other = depth_within(views, views.view(other));
-    const glm::dvec3 way_own = views.way_from(own), way_other = views.way_from(other);
-    const double from_own = std::max(glm::length(way_own), 1e-9 * radius_own);
-    const double from_other = std::max(glm::length(way_other), 1e-9 * radius_other);
-    const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
-    const double steepness = std::max(glm::length(slope), 0.1);
-    const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
+// where that claims it and is nearer. Half of the gap is left free.
+Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other) {
+    const Depth within_other = depth_within(views, views.view(other)), nearer = views.before_middle(own, other);
     Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
-    depth.mm -= 0.5 * gap;
+    depth.mm -= 0.5 * views.gap(own, other);
     return depth;
 }
 
@@ -81,13 +67,13 @@ void name(VesselViews& views, std::uint32_t own, WallPoint& point) {
 }
 
 // How deep the point that was looked at is within what is the vessel's of a segment seen: within its surface, on its
-// side of walls, half of `gaps` of them left free, and before what cuts it off.
-Depth depth_of(VesselViews& views, std::uint32_t own, double gaps) {
+// side of walls, and before what cuts it off.
+Depth depth_of(VesselViews& views, std::uint32_t own) {
     Depth depth = depth_within(views, views.view(own));
     views.list_vessels();
     for (const std::uint32_t other : views.vessels()) {
         if (other == own || !views.apart(own, other)) continue;
-        const Depth beside = depth_beside(views, own, other, gaps);
+        const Depth beside = depth_beside(views, own, other);
         if (beside.mm < depth.mm) depth = beside;
     }
     if (const Shadow shadow = views.shadow_on(own); shadow.spare < depth.mm)
@@ -115,7 +101,7 @@ WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, doubl
     Depth depth;
     const auto look_at = [&](double share) {
         seen = look_from(views, place, glm::mix(way.from, way.to, share), kernels);
-        depth = seen == VesselViews::kNone ? Depth{-length} : depth_of(views, seen, 0.0);
+        depth = seen == VesselViews::kNone ? Depth{-length} : depth_of(views, seen);
         return depth.mm;
     };
     for (int step = 0; step < kMostSteps && beyond - own > kNear; ++step) {
@@ -160,7 +146,7 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
                 name(views, before, point);
             break;
         }
-        const Depth depth = depth_of(views, own, kWallRadii);
+        const Depth depth = depth_of(views, own);
         const double outward = glm::length(depth.outward);
         if (outward > 0.0) point.normal = depth.outward / outward;
         // Along the axes that are free, and that do not lead out of the bounds, the surface is farther by as much as it

@@ -10,9 +10,6 @@
 
 namespace ramus::field {
 
-// How far apart the two sides of a wall are, in radii of the thinner vessel.
-inline constexpr double kWallRadii = 0.02;
-
 struct WallPoint {
     glm::dvec3 position{0.0}; // mm
     glm::dvec3 normal{0.0};   // unit, outward
