@@ -45,7 +45,8 @@ void part(field::OwnedPoint& first, field::OwnedPoint& second, const glm::vec3& 
 }
 
 EdgeEnds ends_on_edge(field::BrickField& field, const OwnedEdge& edge) {
-    const auto& [lower, upper] = edge.span;
+    const glm::vec3& lower = edge.span.lower;
+    const glm::vec3& upper = edge.span.upper;
     const glm::vec3 along = edge.span.size();
     const Span room{lower + kOffEnds * along, upper - kOffEnds * along};
     const auto end_of_lower = [&] { return field.way_out(edge.lower, lower, upper, edge.guess); };
