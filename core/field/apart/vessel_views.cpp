@@ -324,19 +324,8 @@ void VesselViews::list_vessels() {
     }
 }
 
-Depth VesselViews::before_middle(std::uint32_t own, std::uint32_t other) {
-    const glm::dvec3 way_own = way_from(own), way_other = way_from(other);
-    const double from_own = std::max(glm::length(way_own), 1e-9 * radius(own));
-    const double from_other = std::max(glm::length(way_other), 1e-9 * radius(other));
-    const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
-    const double steepness = std::max(glm::length(slope), 0.1);
-    return {0.5 * (from_other - from_own) / steepness, -slope / steepness};
-}
-
 VesselViews::Verdict VesselViews::judge() {
     Verdict verdict;
-    double nearest = 0.0, second = std::numeric_limits<double>::infinity(); // of those that claim it: the axes, mm
-    std::uint32_t rival = kNone;
     const auto isovalue = static_cast<float>(kernel_.isovalue);
     const auto below = static_cast<double>(std::nextafter(isovalue, 0.0F));
     for (const std::uint32_t vessel : vessels_) {
@@ -344,21 +333,12 @@ VesselViews::Verdict VesselViews::judge() {
         double value = view(vessel).value;
         if (shadow_on(vessel).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;
-        if (!claims) {
-            if (verdict.owner == kNone && value > verdict.value) verdict.value = value;
-            continue;
-        }
-        const double away = glm::length(way_from(vessel));
-        if (verdict.owner == kNone || away < nearest) {
-            rival = verdict.owner;
-            second = std::exchange(nearest, away);
-            verdict = {vessel, value};
-        } else if (away < second) {
-            rival = vessel, second = away;
-        }
+        bool better = claims ? verdict.owner == kNone : verdict.owner == kNone && value > verdict.value;
+        if (claims && !better) better = glm::length(way_from(vessel)) < glm::length(way_from(verdict.owner));
+        if (!better) continue;
+        verdict.value = value;
+        if (claims) verdict.owner = vessel;
     }
-    if (rival != kNone && before_middle(verdict.owner, rival).mm < 0.5 * gap(verdict.owner, rival))
-        verdict = {kNone, below};
     return verdict;
 }
 

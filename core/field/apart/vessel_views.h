@@ -7,7 +7,6 @@
 #include "core/field/kernel.h"
 #include "core/tree/contacts/contacts.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -18,12 +17,6 @@ namespace ramus::field {
 
 // How far apart the two sides of a wall are, in radii of the thinner vessel.
 inline constexpr double kWallRadii = 0.02;
-
-// How deep a point is within something, and the way out of it.
-struct Depth {
-    double mm = 0.0; // negative: outside
-    glm::dvec3 outward{0.0};
-};
 
 // The field as one vessel sees it.
 struct VesselView {
@@ -84,14 +77,8 @@ public:
     [[nodiscard]] std::span<const double> left_out(std::uint32_t own) { return left_out(vessel(own)); }
     [[nodiscard]] VesselView view(std::uint32_t own);
 
-    // Of the wall between the vessels of two segments: how far apart its sides are, mm.
-    [[nodiscard]] double gap(std::uint32_t a, std::uint32_t b) const {
-        return kWallRadii * std::min(radius(a), radius(b));
-    }
     // How far a vessel's axis is from the point, as it counts where walls are drawn: the way from the nearest place.
     [[nodiscard]] glm::dvec3 way_from(std::uint32_t own) { return point_ - way_out(vessel(own)).foot; }
-    // How deep the point is on a vessel's side of the middle between its axis and another's.
-    [[nodiscard]] Depth before_middle(std::uint32_t own, std::uint32_t other);
     // How far the point is from what lies behind an obstacle, seen from a vessel's axis.
     [[nodiscard]] Shadow shadow_on(std::uint32_t own);
     [[nodiscard]] glm::dvec3 toward(std::uint32_t own, const Shadow& shadow);
@@ -99,8 +86,8 @@ public:
     // One segment of each vessel that is seen, apart from each other: the nearest in radii first.
     void list_vessels();
     [[nodiscard]] const std::vector<std::uint32_t>& vessels() const { return vessels_; }
-    // Of the vessels listed the one that the point belongs to, and its view; or, outside all of them or within a wall,
-    // the strongest view and kNone.
+    // Of the vessels listed the one that the point belongs to, and its view; or, outside all of them, the strongest
+    // view and kNone.
     struct Verdict {
         std::uint32_t owner = kNone;
         double value = 0.0;

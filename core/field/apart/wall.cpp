@@ -14,6 +14,12 @@ namespace ramus::field {
 
 namespace {
 
+// How deep a point is within something, and the way out of it.
+struct Depth {
+    double mm = 0.0; // negative: outside
+    glm::dvec3 outward{0.0};
+};
+
 // To first order, from the field: phi = sqrt(-ln F) is linear in the distance from a straight vessel's axis.
 Depth depth_within(const VesselViews& views, const VesselView& view) {
     const double f = std::clamp(view.value, 1e-12, 0.999);
@@ -29,9 +35,16 @@ Depth depth_within(const VesselViews& views, const VesselView& view) {
 // How far the vessel's side of the wall toward another one is, which claims the place or does not: it is the other's
 // where that claims it and is nearer. Half of the gap is left free.
 Depth depth_beside(VesselViews& views, std::uint32_t own, std::uint32_t other) {
-    const Depth within_other = depth_within(views, views.view(other)), nearer = views.before_middle(own, other);
+    const double radius_own = views.radius(own), radius_other = views.radius(other);
+    const Depth within_other = depth_within(views, views.view(other));
+    const glm::dvec3 way_own = views.way_from(own), way_other = views.way_from(other);
+    const double from_own = std::max(glm::length(way_own), 1e-9 * radius_own);
+    const double from_other = std::max(glm::length(way_other), 1e-9 * radius_other);
+    const glm::dvec3 slope = 0.5 * (way_other / from_other - way_own / from_own);
+    const double steepness = std::max(glm::length(slope), 0.1);
+    const Depth nearer{0.5 * (from_other - from_own) / steepness, -slope / steepness};
     Depth depth = -within_other.mm > nearer.mm ? Depth{-within_other.mm, -within_other.outward} : nearer;
-    depth.mm -= 0.5 * views.gap(own, other);
+    depth.mm -= 0.5 * kWallRadii * std::min(radius_own, radius_other);
     return depth;
 }
 
