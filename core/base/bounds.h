@@ -14,6 +14,14 @@ template <class Vector> struct Bounds {
         least = glm::min(least, point - reach);
         most = glm::max(most, point + reach);
     }
+    void hold(const Bounds& other) {
+        least = glm::min(least, other.least);
+        most = glm::max(most, other.most);
+    }
+    // What two boxes share; where they do not meet, its least corner is above its greatest along some axis.
+    [[nodiscard]] Bounds common(const Bounds& other) const {
+        return {glm::max(least, other.least), glm::min(most, other.most)};
+    }
     [[nodiscard]] Vector size() const { return most - least; }
 };
 

@@ -36,6 +36,7 @@ inline constexpr std::size_t kGroups = 8;
 inline constexpr std::size_t kGroupPoints = 16;
 inline constexpr std::size_t kEdgePoints = 13; // of the last group that count
 inline constexpr unsigned kOwnGroups = 0x0F;
+constexpr std::size_t points_in_group(std::size_t group) { return group + 1 < kGroups ? kGroupPoints : kEdgePoints; }
 struct GridPlace {
     std::uint8_t x, y, z;
 };
@@ -155,6 +156,9 @@ using SegmentIndices = std::span<const std::uint32_t>; // ascending
 // parts of vessels that are kept apart, with a wall between them however their tubes overlap.
 using Owner = std::int32_t;
 inline constexpr Owner kNoOwner = -1;
+
+// How far apart the two sides of a wall are, in radii of the thinner vessel.
+inline constexpr double kWallRadii = 0.02;
 
 // A point on the surface of one vessel.
 struct OwnedPoint {

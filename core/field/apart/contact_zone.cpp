@@ -1,24 +1,10 @@
 #include "core/field/apart/contact_zone.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <limits>
 
 namespace ramus::field {
-
-void Box::include(const Box& other) {
-    lower = glm::min(lower, other.lower);
-    upper = glm::max(upper, other.upper);
-}
-
-Box Box::common(const Box& other) const { return {glm::max(lower, other.lower), glm::min(upper, other.upper)}; }
-
-Box Box::nothing() {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    return {glm::dvec3(kFar), glm::dvec3(-kFar)};
-}
 
 void ContactZone::begin(const GridAxes& axes) {
     const double cell = axes.x[1] - axes.x[0];
@@ -28,11 +14,11 @@ void ContactZone::begin(const GridAxes& axes) {
     rows_.fill(0);
 }
 
-void ContactZone::add(const Box& box) {
-    if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
+void ContactZone::add(const Bounds<glm::dvec3>& box) {
+    if (glm::any(glm::greaterThan(box.least, box.most))) return;
     // Rounded as in has(), so that a box has the cell of every point in it.
-    const glm::dvec3 low = glm::floor((box.lower - origin_) * cells_per_mm_);
-    const glm::dvec3 high = glm::floor((box.upper - origin_) * cells_per_mm_);
+    const glm::dvec3 low = glm::floor((box.least - origin_) * cells_per_mm_);
+    const glm::dvec3 high = glm::floor((box.most - origin_) * cells_per_mm_);
     if (glm::any(glm::greaterThanEqual(low, glm::dvec3(kSide))) || glm::any(glm::lessThan(high, glm::dvec3(0.0))))
         return;
     const glm::ivec3 first(glm::max(low, 0.0)), last(glm::min(high, glm::dvec3(kSide - 1)));

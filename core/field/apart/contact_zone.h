@@ -2,6 +2,7 @@
 // Elsewhere the plain sum holds and no wall runs.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/field/brick_field.h"
 
 #include <array>
@@ -10,23 +11,11 @@
 
 namespace ramus::field {
 
-struct Box {
-    glm::dvec3 lower{0.0}, upper{0.0}; // mm
-    void include(const Box& other);
-    [[nodiscard]] Box common(const Box& other) const; // empty where they do not meet
-    // Around a ball.
-    [[nodiscard]] static Box around(const glm::dvec3& middle, double radius) {
-        return {middle - radius, middle + radius};
-    }
-    // That any other one includes.
-    [[nodiscard]] static Box nothing();
-};
-
 class ContactZone {
 public:
     // Begins a brick, with nothing in the zone.
     void begin(const GridAxes& axes);
-    void add(const Box& box);
+    void add(const Bounds<glm::dvec3>& box);
     [[nodiscard]] bool empty() const { return empty_; }
     // Whether the zone has a point, or may have: it is known in whole cells, and not far beyond the brick.
     [[nodiscard]] bool has(const glm::dvec3& point) const;

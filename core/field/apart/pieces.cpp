@@ -31,7 +31,7 @@ Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, double supp
     const double r = std::max(vessel.start_radius, vessel.end_radius);
     const double thin = std::min(obstacle.start_radius, obstacle.end_radius);
     const double thick = std::max(obstacle.start_radius, obstacle.end_radius);
-    const double moved = std::max(glm::length(vessel.move.start), glm::length(vessel.move.end));
+    const double moved = vessel.move.most();
     const double reach = (kClaimRadii + kSlack) * r + moved, distance = distance_between(obstacle, vessel) - moved;
     if (distance >= std::hypot(reach, thick)) return Shade::kNone;
     const double beyond = reach - std::sqrt(support_radii * support_radii - 1.0) * thin;

@@ -69,8 +69,7 @@ std::uint64_t VesselBrick::sample_groups(unsigned groups, GridGroups& samples) {
     const float isovalue = views_.isovalue();
     for (std::size_t group = 0; group < kGroups; ++group) {
         if ((groups >> group & 1U) == 0) continue;
-        const std::size_t count = group + 1 < kGroups ? kGroupPoints : kEdgePoints;
-        for (std::size_t n = 0; n < count; ++n) {
+        for (std::size_t n = 0; n < points_in_group(group); ++n) {
             const GridPlace at = kGridPlaces[group][n];
             float& value = samples.value[group][n];
             value = value_at({axes_.x[at.x], axes_.y[at.y], axes_.z[at.z]}, value);
@@ -122,7 +121,7 @@ bool VesselBrick::apart(Owner a, Owner b) const {
     return contacts.apart(contacts.piece(place_of(a)), contacts.piece(place_of(b)));
 }
 
-Bounds VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const {
+Bounds<glm::dvec3> VesselBrick::bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const {
     const glm::dvec3 corner = axes_.corner();
     const glm::dvec3 lower = corner + glm::dvec3(one.lower), upper = corner + glm::dvec3(one.upper);
     if (one.place == OwnedGuess::Place::kBox) return {lower, upper};
@@ -156,8 +155,8 @@ OwnedPoint VesselBrick::from_corner(const WallPoint& point) const {
 
 OwnedPoint VesselBrick::move(const OwnedGuess& whose, const glm::vec3& guess) {
     const glm::dvec3 from = axes_.corner() + glm::dvec3(guess);
-    const Bounds bounds = bounds_of(whose, from, 0.0);
-    return from_corner(move_to_wall(views_, place_near(whose.owner, bounds.lower), from, bounds, kernels_));
+    const Bounds<glm::dvec3> bounds = bounds_of(whose, from, 0.0);
+    return from_corner(move_to_wall(views_, place_near(whose.owner, bounds.least), from, bounds, kernels_));
 }
 
 OwnedPoint VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::vec3& to, float guess) {
@@ -169,14 +168,17 @@ OwnedPoint VesselBrick::way_out(Owner owner, const glm::vec3& from, const glm::v
 std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<const OwnedGuess> owned,
                                          const SurfacePoints& to) {
     const glm::dvec3 corner = axes_.corner();
+    const auto put = [&](std::size_t n, const WallPoint& point) {
+        to.positions[n] = glm::vec3(point.position);
+        to.normals[n] = glm::vec3(point.normal);
+        to.radii[n] = static_cast<float>(point.radius);
+        to.branches[n] = point.branch;
+        to.dominance[n] = point.dominance;
+    };
     for (const OwnedGuess& one : owned) {
         if (one.place == OwnedGuess::Place::kPlaced) {
-            const OwnedPoint& placed = one.placed;
-            to.positions[one.guess] = glm::vec3(corner + glm::dvec3(placed.at));
-            to.normals[one.guess] = placed.normal;
-            to.radii[one.guess] = placed.radius;
-            to.branches[one.guess] = placed.branch;
-            to.dominance[one.guess] = placed.dominance;
+            const OwnedPoint& p = one.placed;
+            put(one.guess, {corner + glm::dvec3(p.at), p.normal, static_cast<double>(p.radius), p.branch, p.dominance});
             continue;
         }
         const bool free = one.place == OwnedGuess::Place::kFree, of_cell = one.place == OwnedGuess::Place::kCell;
@@ -189,13 +191,8 @@ std::uint64_t VesselBrick::project_apart(const Projection& guesses, std::span<co
             (within(one, glm::dvec3(to.positions[n]) - corner) || !near_contact(one, guess - corner)))
             continue;
         const glm::dvec3 middle = corner + glm::dvec3(guesses.cx[n], guesses.cy[n], guesses.cz[n]);
-        const Bounds bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
-        const WallPoint point = move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_);
-        to.positions[n] = glm::vec3(point.position);
-        to.normals[n] = glm::vec3(point.normal);
-        to.radii[n] = static_cast<float>(point.radius);
-        to.branches[n] = point.branch;
-        to.dominance[n] = point.dominance;
+        const Bounds<glm::dvec3> bounds = bounds_of(one, middle, static_cast<double>(guesses.reach[n]));
+        put(n, move_to_wall(views_, place_near(one.owner, guess), guess, bounds, kernels_));
     }
     return std::exchange(kernels_, 0);
 }

@@ -49,7 +49,7 @@ private:
     [[nodiscard]] static bool within(const OwnedGuess& one, const glm::dvec3& point);
     [[nodiscard]] bool near_contact(const OwnedGuess& one, const glm::dvec3& point);
     [[nodiscard]] OwnedPoint from_corner(const WallPoint& point) const;
-    [[nodiscard]] Bounds bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
+    [[nodiscard]] Bounds<glm::dvec3> bounds_of(const OwnedGuess& one, const glm::dvec3& middle, double reach) const;
 
     // Owners of points that were sampled lately, in this brick or another one: they are asked for soon after, and where
     // bricks touch by both.

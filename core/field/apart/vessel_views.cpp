@@ -17,13 +17,14 @@ namespace {
 constexpr double kBesideRadii = 0.5;
 
 // Around an obstacle's axis, as it counts.
-Box box_around(const ObstacleRows& obstacles, std::size_t n, double reach) {
+Bounds<glm::dvec3> box_around(const ObstacleRows& obstacles, std::size_t n, double reach) {
     const auto vector = [&](std::size_t row) {
         return glm::dvec3(obstacles.row(row)[n], obstacles.row(row + 1)[n], obstacles.row(row + 2)[n]);
     };
     const glm::dvec3 start = vector(kStartX), end = start + obstacles.row(kAxisLength)[n] * vector(kAlongX);
-    Box box = Box::around(start + vector(kMoveStartX), reach);
-    box.include(Box::around(end + vector(kMoveEndX), reach));
+    Bounds<glm::dvec3> box;
+    box.hold(start + vector(kMoveStartX), reach);
+    box.hold(end + vector(kMoveEndX), reach);
     return box;
 }
 
@@ -52,7 +53,7 @@ bool VesselViews::enter(SegmentIndices list, const GridAxes& axes) {
 void VesselViews::find_zone(const GridAxes& axes) {
     zone_.begin(axes);
     const double cell = axes.x[1] - axes.x[0];
-    reach_.assign(static_cast<std::size_t>(contacts_.piece_count()), {Box::nothing(), Box::nothing(), 0.0});
+    reach_.assign(static_cast<std::size_t>(contacts_.piece_count()), {});
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         if (piece(n) < 0) continue;
         PieceReach& reach = reach_[static_cast<std::size_t>(piece(n))];
@@ -62,8 +63,8 @@ void VesselViews::find_zone(const GridAxes& axes) {
              {std::pair(start, s.radius), std::pair(start + static_cast<double>(s.length) * along, s.end_radius())}) {
             const auto radius = static_cast<double>(r);
             const double claims = kClaimRadii * radius + cell;
-            reach.claims.include(Box::around(end, claims));
-            reach.near.include(Box::around(end, std::max(claims, reach_radii_ * radius)));
+            reach.claims.hold(end, claims);
+            reach.near.hold(end, std::max(claims, reach_radii_ * radius));
             reach.radius = std::max(reach.radius, radius);
         }
     }
@@ -76,9 +77,7 @@ void VesselViews::find_zone(const GridAxes& axes) {
             else if (from == 0.0F)
                 zone_.add(own.claims.common(other.claims));
         }
-        const tree::AxisMove& move = contacts_.shape(a).move;
-        const double moved = std::max(glm::length(glm::dvec3(move.start)), glm::length(glm::dvec3(move.end)));
-        const double most = (kClaimRadii + 1.0) * own.radius + moved;
+        const double most = (kClaimRadii + 1.0) * own.radius + contacts_.shape(a).move.most();
         const ObstacleRange range = contacts_.piercing(a);
         for (std::size_t n = range.first; n < range.first + range.count; ++n)
             zone_.add(own.claims.common(box_around(contacts_.all().obstacles(), n, most)));

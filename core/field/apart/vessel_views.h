@@ -15,9 +15,6 @@
 
 namespace ramus::field {
 
-// How far apart the two sides of a wall are, in radii of the thinner vessel.
-inline constexpr double kWallRadii = 0.02;
-
 // The field as one vessel sees it.
 struct VesselView {
     std::uint32_t place = 0; // of the vessel's segment that is nearest, in radii
@@ -134,7 +131,7 @@ private:
     LocalContacts contacts_;
     SegmentIndices list_;
     struct PieceReach {
-        Box near, claims; // where a point is near, and where it may be the piece's or next to such a one
+        Bounds<glm::dvec3> near, claims; // where a point is near, and where it may be the piece's or next to such a one
         double radius = 0.0;
     };
     std::vector<PieceReach> reach_; // by piece

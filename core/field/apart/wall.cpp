@@ -140,17 +140,17 @@ WallPoint way_out(VesselViews& views, std::uint32_t place, const Way& way, doubl
     return point;
 }
 
-WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess, const Bounds& bounds,
-                       std::uint64_t& kernels) {
+WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
+                       const Bounds<glm::dvec3>& bounds, std::uint64_t& kernels) {
     constexpr int kSteps = 6;
     // Of the radius: the depth is linear to first order, so that a step so short leads to the surface but for its
     // square, and where another wall begins meanwhile, not through its gap.
     constexpr double kShortStep = 0.006;
-    const glm::dvec3 size = bounds.upper - bounds.lower;
+    const glm::dvec3 size = bounds.size();
     const double reach = 0.5 * std::max({size.x, size.y, size.z});
     const glm::dvec3 free = glm::vec3(glm::greaterThan(size, glm::dvec3(0.0))); // 0 along axes that are fixed
     WallPoint point;
-    point.position = glm::clamp(guess, bounds.lower, bounds.upper);
+    point.position = glm::clamp(guess, bounds.least, bounds.most);
     glm::dvec3 from = point.position; // of the last step
     for (int step = 0; step < kSteps; ++step) {
         const std::uint32_t own = look_from(views, place, point.position, kernels);
@@ -167,13 +167,13 @@ WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3
         glm::dvec3 way = free * depth.outward;
         for (int axis = 0; axis < 3; ++axis) {
             const double moving = way[axis] * depth.mm;
-            if ((moving < 0.0 && point.position[axis] <= bounds.lower[axis]) ||
-                (moving > 0.0 && point.position[axis] >= bounds.upper[axis]))
+            if ((moving < 0.0 && point.position[axis] <= bounds.least[axis]) ||
+                (moving > 0.0 && point.position[axis] >= bounds.most[axis]))
                 way[axis] = 0.0;
         }
         const double inclined = std::max(glm::dot(way, way), 0.1);
         const glm::dvec3 aim = point.position + way * std::clamp(depth.mm / inclined, -reach, reach);
-        from = std::exchange(point.position, glm::clamp(aim, bounds.lower, bounds.upper));
+        from = std::exchange(point.position, glm::clamp(aim, bounds.least, bounds.most));
         if (step + 1 == kSteps || glm::distance(from, point.position) < kShortStep * views.radius(own)) {
             name(views, own, point);
             break;

@@ -2,6 +2,7 @@
 // claims, a wall.
 #pragma once
 
+#include "core/base/bounds.h"
 #include "core/field/apart/vessel_views.h"
 #include "core/field/dominance.h"
 
@@ -18,15 +19,10 @@ struct WallPoint {
     Dominance dominance{};
 };
 
-// Where a point may be moved, mm: a box, which may be flat or a line.
-struct Bounds {
-    glm::dvec3 lower{0.0}, upper{0.0};
-};
-
-// Moves a point onto the surface of the vessel of a segment (by its place in the brick's list), within bounds. Adds up
-// the kernels evaluated.
+// Moves a point onto the surface of the vessel of a segment (by its place in the brick's list), within bounds in mm,
+// which may be flat or a line. Adds up the kernels evaluated.
 [[nodiscard]] WallPoint move_to_wall(VesselViews& views, std::uint32_t place, const glm::dvec3& guess,
-                                     const Bounds& bounds, std::uint64_t& kernels);
+                                     const Bounds<glm::dvec3>& bounds, std::uint64_t& kernels);
 
 // A straight way, mm.
 struct Way {

@@ -17,9 +17,11 @@
 
 #include "core/tree/prepare.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -49,6 +51,8 @@ struct Contact {
 // How far the ends of a straight piece of axis count as moved, where walls are drawn, mm.
 struct AxisMove {
     glm::vec3 start{0.0F}, end{0.0F};
+    // The longest anywhere on the piece.
+    [[nodiscard]] double most() const { return std::max(glm::length(glm::dvec3(start)), glm::length(glm::dvec3(end))); }
     // So far along the piece, 0 at its start and 1 at its end.
     [[nodiscard]] glm::dvec3 at(double share) const { return glm::mix(glm::dvec3(start), glm::dvec3(end), share); }
     bool operator==(const AxisMove&) const = default;

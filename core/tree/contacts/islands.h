@@ -21,8 +21,8 @@ struct Island {
     std::vector<OrientedPair> pairs;
     bool contact = false; // else a near miss
     bool parting = false; // a near miss from which a joint can be reached
-    double apart_from =
-        0.0; // of a contact: the closeness from which on a joint can be reached, the limit of reach at most
+    // Of a contact: the closeness from which on a joint can be reached, the limit of reach at most.
+    double apart_from = 0.0;
 };
 
 struct Islands {

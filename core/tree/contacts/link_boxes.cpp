@@ -1,5 +1,7 @@
 #include "core/tree/contacts/link_boxes.h"
 
+#include "core/base/morton.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -27,14 +29,6 @@ Bounds<glm::vec3> box_around(const Link& link, double limit) {
     return box;
 }
 
-// 10 bits of a number with two bits between each.
-std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 16U) & 0x030000FFU;
-    x = (x | x << 8U) & 0x0300F00FU;
-    x = (x | x << 4U) & 0x030C30C3U;
-    return (x | x << 2U) & 0x09249249U;
-}
-
 } // namespace
 
 LinkBoxes::Eight::Eight() {
@@ -55,10 +49,7 @@ LinkBoxes::Box LinkBoxes::Eight::box(std::size_t n) const {
 
 LinkBoxes::Box LinkBoxes::Eight::around() const {
     Box all;
-    for (std::size_t n = 0; n < kFan; ++n) {
-        all.least = glm::min(all.least, box(n).least);
-        all.most = glm::max(all.most, box(n).most);
-    }
+    for (std::size_t n = 0; n < kFan; ++n) all.hold(box(n));
     return all;
 }
 
@@ -92,13 +83,12 @@ LinkBoxes::LinkBoxes(const Links& links, double limit) {
 
 void LinkBoxes::sort_by_place(const std::vector<Box>& boxes) {
     Box all;
-    for (const Box& box : boxes) all.least = glm::min(all.least, box.least), all.most = glm::max(all.most, box.most);
+    for (const Box& box : boxes) all.hold(box);
     const glm::vec3 scale = 1023.0F / glm::max(all.size(), glm::vec3(1e-30F));
     std::vector<std::uint64_t> places(boxes.size()); // and below each the link's number
     for (std::size_t n = 0; n < boxes.size(); ++n) {
         const glm::uvec3 cell((0.5F * (boxes[n].least + boxes[n].most) - all.least) * scale);
-        const std::uint32_t place = spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
-        places[n] = std::uint64_t{place} << 32U | n;
+        places[n] = std::uint64_t{morton(cell)} << 32U | n;
     }
     tbb::parallel_sort(places.begin(), places.end());
     order_.resize(boxes.size());

@@ -51,6 +51,10 @@ constexpr int lowest_bit(GridBits bits) {
 // From a grid point to the next one along each axis.
 inline constexpr std::array<int, 3> kGridStep{1, 5, 25};
 constexpr glm::ivec3 grid_point(int n) { return {n % 5, n / 5 % 5, n / 25}; }
+// The same point of the lattice at quarter-cell spacing (lattice_axes()).
+constexpr field::LatticePoint lattice_point(const glm::ivec3& p) {
+    return {static_cast<std::uint8_t>(4 * p.x), static_cast<std::uint8_t>(4 * p.y), static_cast<std::uint8_t>(4 * p.z)};
+}
 
 // Grid points whose coordinates stay below the given limits.
 constexpr GridBits grid_points_below(int x_end, int y_end, int z_end) {

@@ -52,7 +52,7 @@ void BrickGrid::sample(unsigned groups, field::BrickField& field, SampleCounts& 
 void BrickGrid::drop(GridBits points, float below) {
     for (std::size_t group = 0; group < field::kGroups; ++group) {
         const bool own = (field::kOwnGroups >> group & 1U) != 0;
-        for (std::size_t n = 0; n < (group + 1 < field::kGroups ? field::kGroupPoints : field::kEdgePoints); ++n) {
+        for (std::size_t n = 0; n < field::points_in_group(group); ++n) {
             const auto [x, y, z] = field::kGridPlaces[group][n];
             if ((points >> (x + 5 * y + 25 * z) & 1U) == 0) continue;
             if (own) {

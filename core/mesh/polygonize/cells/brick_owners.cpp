@@ -8,11 +8,8 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
                        std::span<const field::LatticePoint> hanging, SampleCounts& counts) {
     owner_.fill(field::kNoOwner);
     points_.clear();
-    for (GridBits left = inside; left != 0; left &= left - 1) {
-        const glm::ivec3 p = 4 * grid_point(lowest_bit(left));
-        points_.push_back(
-            {static_cast<std::uint8_t>(p.x), static_cast<std::uint8_t>(p.y), static_cast<std::uint8_t>(p.z)});
-    }
+    for (GridBits left = inside; left != 0; left &= left - 1)
+        points_.push_back(lattice_point(grid_point(lowest_bit(left))));
     points_.insert(points_.end(), hanging.begin(), hanging.end());
     owners_.resize(points_.size());
     counts.evaluations += field.find_owners(lattice, points_, owners_);

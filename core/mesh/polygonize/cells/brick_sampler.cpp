@@ -341,11 +341,9 @@ bool BrickSampler::owns(const FaceArc& arc, glm::ivec3 cell) const {
 void BrickSampler::add_walled_vertices(const TracedCell& traced, SubtreeCells& subtree, CellRecord& record) {
     const glm::ivec3 cell = low_corner_of(traced.cell);
     WalledCells::Guesses guesses;
-    for (int m = 0; m < kQuarterPoints; ++m)
-        if (traced.loops.loop_of[static_cast<std::size_t>(m)] != kNoLoop)
-            guesses[static_cast<std::size_t>(m)] = crossing_share(cell, m);
-        else if (traced.loops.loop_of[static_cast<std::size_t>(m + kUpperEnd)] != kNoLoop)
-            guesses[static_cast<std::size_t>(m)] = 0.5F;
+    guesses.fill(0.5F);
+    for (std::size_t m = 0; m < kQuarterPoints; ++m)
+        if (traced.loops.loop_of[m] != kNoLoop) guesses[m] = crossing_share(cell, static_cast<int>(m));
     const WalledCells::Cell placed = walled_.place(*field_, owners_, cell, traced.shape, traced.loops, guesses);
     const auto add = [&](const field::OwnedGuess& vertex) { add_vertex(vertex.lower, cell, false, vertex); };
     for (const field::OwnedGuess& vertex : placed.loops) add(vertex);

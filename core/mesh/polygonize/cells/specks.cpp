@@ -61,16 +61,12 @@ void Specks::look_beside(const Octree& octree, const Holder& in, Beside& beside,
     const bool parts_here = in_brick_->parts_vessels();
     beside.parted = beside.parted || parts_here;
     points_.clear();
-    const auto add = [&](const glm::ivec3& p) {
-        points_.push_back({static_cast<std::uint8_t>(4 * p.x), static_cast<std::uint8_t>(4 * p.y),
-                           static_cast<std::uint8_t>(4 * p.z)});
-    };
-    add(in.point);
+    points_.push_back(lattice_point(in.point));
     for (int axis = 0; axis < 3; ++axis)
         for (const int step : {-1, 1}) {
             glm::ivec3 p = in.point;
             p[axis] += step;
-            if (p[axis] >= 0 && p[axis] <= kBrickCells) add(p);
+            if (p[axis] >= 0 && p[axis] <= kBrickCells) points_.push_back(lattice_point(p));
         }
     const field::LatticeAxes lattice = lattice_axes(octree.lattice, brick);
     values_.resize(points_.size());

@@ -1,7 +1,5 @@
 #include "core/mesh/polygonize/cells/wall_pairs.h"
 
-#include "core/field/apart/wall.h"
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 

@@ -264,10 +264,6 @@ std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge,
     out.owned.push_back(whose);
     glm::ivec3 upper = edge.point;
     ++upper[edge.axis];
-    const auto lattice_point = [](const glm::ivec3& p) {
-        return field::LatticePoint{static_cast<std::uint8_t>(4 * p.x), static_cast<std::uint8_t>(4 * p.y),
-                                   static_cast<std::uint8_t>(4 * p.z)};
-    };
     const EdgeKind kind = edge.walled ? EdgeKind::kWall : edge.upper ? EdgeKind::kUpperInside : EdgeKind::kLowerInside;
     out.edges.push_back({{lattice_point(edge.point), lattice_point(upper)}, kind, edge.upper, polygon.walled});
     return kAddedBit | static_cast<std::uint32_t>(out.added.count + whose.guess);

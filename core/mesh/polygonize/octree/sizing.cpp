@@ -1,5 +1,7 @@
 #include "core/mesh/polygonize/octree/sizing.h"
 
+#include "core/base/morton.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -56,17 +58,6 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
     run.last = next, run.thinnest = thinnest, run.thickest = thickest, run.off = std::sqrt(off2);
     run.widest = std::max(run.widest, double(s[next].thickest()));
     return true;
-}
-
-// Interleaves the lowest ten bits of three numbers.
-std::uint32_t morton(glm::uvec3 n) {
-    const auto spread = [](std::uint32_t b) {
-        b = (b | b << 16) & 0x030000FFU;
-        b = (b | b << 8) & 0x0300F00FU;
-        b = (b | b << 4) & 0x030C30C3U;
-        return (b | b << 2) & 0x09249249U;
-    };
-    return spread(n.x) | spread(n.y) << 1 | spread(n.z) << 2;
 }
 
 glm::vec3 end_of(const SizingPiece& piece) { return piece.start + piece.length * piece.direction; }
