@@ -2,6 +2,7 @@
 # to know: menu entry, icon, file types, manual page. The program finds its files from where it is, so the whole
 # installation can be moved.
 include(GNUInstallDirs)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # what is installed can be built alone: scripts/build ramus
 set(RAMUS_DESKTOP ${PROJECT_SOURCE_DIR}/assets/desktop)
 
 install(TARGETS ramus RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
