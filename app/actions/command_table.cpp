@@ -29,6 +29,7 @@ std::vector<Command> make_table() {
              reading_commands,   //
              contact_commands,   //
              camera_commands,    //
+             turning_commands,   //
              travel_commands,    //
              depth_commands,     //
              compare_commands,   //

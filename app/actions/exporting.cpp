@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kUsage = "export surface|tree|table|picture FILE [--of visible|selected|all] "
-                               "[--parts branch|system|none] [--for-printing]";
+constexpr const char* kExportUsage = "export surface|tree|table|picture FILE [--of visible|selected|all] "
+                                     "[--parts branch|system|none] [--for-printing]";
 
 struct Export {
     ExportWhat what{};
@@ -38,7 +38,7 @@ struct Export {
 Result<Export> export_in(ActionContext& context, Arguments arguments) {
     Export wanted;
     const auto kind = export_kind_named(arguments[0]);
-    if (!kind) return fail("there is no export of \"" + arguments[0] + "\"", {}, kUsage);
+    if (!kind) return fail("there is no export of \"" + arguments[0] + "\"", {}, kExportUsage);
     wanted.what = *kind;
     std::string file;
     for (std::size_t i = 1; i < arguments.size(); ++i) {
@@ -49,20 +49,20 @@ Result<Export> export_in(ActionContext& context, Arguments arguments) {
             const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
             const auto* const scope = std::ranges::find(kExportScopes, value, &ExportScope::key);
             if (word == "--of" && scope == kExportScopes.end())
-                return fail("--of takes visible, selected or all", {}, kUsage);
+                return fail("--of takes visible, selected or all", {}, kExportUsage);
             if (word == "--of")
                 wanted.of = scope->of;
             else if (!(wanted.parts = parts_named(value)))
-                return fail("--parts takes branch, system or none", {}, kUsage);
+                return fail("--parts takes branch, system or none", {}, kExportUsage);
         } else if (word.starts_with("--") || word.empty() || !file.empty()) {
-            return fail("export takes what, and one file", {}, kUsage);
+            return fail("export takes what, and one file", {}, kExportUsage);
         } else {
             file = word;
         }
     }
-    if (file.empty()) return fail("export takes a file", {}, kUsage);
+    if (file.empty()) return fail("export takes a file", {}, kExportUsage);
     if (wanted.what != ExportWhat::kSurface && (wanted.parts || wanted.for_printing))
-        return fail("only a surface has parts, or is printed", {}, kUsage);
+        return fail("only a surface has parts, or is printed", {}, kExportUsage);
     RAMUS_TRY(path, file_argument(context, Arguments(&file, 1), "export", ""));
     wanted.file = fs::absolute(path).lexically_normal();
     return wanted;
@@ -194,7 +194,8 @@ Result<Outcome> export_picture(ActionContext& context, const Export& wanted) {
 Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to export");
     if (arguments.empty())
-        return outcome_of(ask_for_file(context, FilePurpose::kExport, fail("export needs a file here", {}, kUsage)));
+        return outcome_of(
+            ask_for_file(context, FilePurpose::kExport, fail("export needs a file here", {}, kExportUsage)));
     RAMUS_TRY(wanted, export_in(context, arguments));
     if (auto possible = io::check_output(wanted.file); !possible) return tl::unexpected(possible.error());
     if (std::ranges::count(exported_branches(context.document, wanted.of), 0) == context.document.branch_count() &&

@@ -89,6 +89,8 @@ Result<void> panel(ActionContext& context, Arguments arguments) {
 }
 
 Result<void> help(ActionContext& context, Arguments) { return toggle_part(context, "help"); }
+Result<void> menu(ActionContext& context, Arguments) { return toggle_part(context, "menu"); }
+Result<void> palette(ActionContext& context, Arguments) { return toggle_part(context, "palette"); }
 
 } // namespace
 
@@ -136,6 +138,9 @@ std::vector<Command> window_commands() {
             .giving({"smaller"}),
         Command("help", "", "Shows what the mouse and the keys do.", help)
             .in_menu("Help", "Mouse and keys", {"F1", "?"}),
+        Command("menu", "", "Opens the menus; arrows, Enter and Escape lead through them.", menu).on_keys({"F10"}),
+        Command("palette", "", "Finds commands by words: type what you want to do.", palette)
+            .in_menu("Help", "Find a command...", {"Ctrl+K", "Ctrl+P"}),
     };
 }
 

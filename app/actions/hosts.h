@@ -60,7 +60,8 @@ public:
 class WindowHost {
 public:
     virtual ~WindowHost() = default;
-    // "help", "overview", "doctor", "contacts", "panel"; "explore", "plan" and "other" open a half of the panel.
+    // "help", "palette", "menu", "overview", "doctor", "contacts", "panel"; "explore", "plan" and "other" open a half
+    // of the panel.
     virtual void toggle(std::string_view part) = 0;
     [[nodiscard]] virtual bool shows(std::string_view part) const = 0; // those, and "fly-along"
     virtual void set_overview(std::string_view setting) = 0;           // "on", "off", "generation", "distance"

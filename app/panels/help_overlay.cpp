@@ -13,14 +13,15 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 10> kMouse{{
+constexpr std::array<std::pair<const char*, const char*>, 11> kMouse{{
     {"Left-drag", "Turns the tree."},
     {"Middle-drag, Shift+left-drag", "Moves the picture."},
     {"Right-drag, wheel", "Zooms; the wheel zooms to the pointer."},
     {"Click", "Selects the branch; on the background, nothing."},
-    {"Alt+click", "Selects the branch with all that depends on it."},
+    {"Alt+click, Ctrl+Shift+click", "Selects the branch with all that depends on it."},
     {"Shift+click", "Adds the branch to the selection."},
     {"Ctrl+click", "Adds the branch to the selection, or takes it away."},
+    {"Right-click", "Opens a menu for the branch, or for the view."},
     {"Double-click", "Centres the picture on the point."},
     {"Drop a file",
      "Opens a tree, a session or a mask; a mesh is shown beside the tree, while planning it is a lesion. "

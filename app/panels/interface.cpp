@@ -64,6 +64,8 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
 bool Interface::dismiss() {
     if (menu_open) {
         close_menu = true;
+    } else if (context_menu.open) {
+        context_menu.close = true;
     } else if (!errors.empty()) {
         errors.pop_front();
     } else if (unsaved.open()) {
@@ -71,8 +73,8 @@ bool Interface::dismiss() {
     } else if (drop.open()) {
         drop.file.clear();
     } else {
-        const std::array below{&recovery.open, &open_dialog.open, &help_open,   &rename.open,
-                               &radius.open,   &fly.open,         &doctor.open, &contacts.open};
+        const std::array below{&palette.open, &recovery.open, &open_dialog.open, &help_open,    &rename.open,
+                               &radius.open,  &fly.open,      &doctor.open,      &contacts.open};
         const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
         if (top == below.end()) return false;
         **top = false;
@@ -107,7 +109,16 @@ void draw_title(InterfaceContext& context, const char* title, std::initializer_l
 }
 
 void draw_interface(InterfaceContext& context) {
-    context.interface.listed = tree::kNoBranch;
+    Interface& interface = context.interface;
+    interface.listed = tree::kNoBranch;
+    // Arrows and Enter work in menus alone: elsewhere they turn the view, or are the list's.
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    // From one menu to the next none is open for a frame.
+    constexpr int kFramesBetweenMenus = 3;
+    const bool in_menu = interface.want_menu || interface.menu_open || interface.context_menu.open;
+    interface.menu_keys = in_menu ? kFramesBetweenMenus : std::max(0, interface.menu_keys - 1);
+    flags = interface.menu_keys > 0 ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                                    : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
     draw_empty_view(context);
     draw_tool_drawing(context);
     draw_menu_bar(context);
@@ -122,6 +133,8 @@ void draw_interface(InterfaceContext& context) {
     draw_rename(context);
     draw_radius(context);
     draw_help(context);
+    draw_command_palette(context);
+    draw_context_menu(context);
     draw_open_dialog(context);
     draw_recovery_dialog(context);
     draw_unsaved_dialog(context);

@@ -114,6 +114,23 @@ struct Doctor {
     widgets::Slider<float> bulge_size, islands;
 };
 
+// The field that finds commands by words.
+struct CommandPalette {
+    bool open = false;
+    bool fresh = false;                // the keyboard is not in it yet
+    int chosen = 0;                    // of those found
+    const Command* asks_for = nullptr; // whose arguments the field is for; null: it is for words
+    std::string trouble;               // with the arguments
+    std::array<char, 256> typed{};
+    void toggle(); // opens it empty, or closes it
+};
+
+// The menu of the right button.
+struct ContextMenu {
+    bool wanted = false, open = false, close = false; // it shall come; it is there; it shall go
+    int branch = tree::kNoBranch;                     // that it is about; kNoBranch: the view
+};
+
 // What the list of contacts remembers.
 struct ContactList {
     bool open = false;
@@ -123,13 +140,17 @@ struct ContactList {
 
 struct Interface {
     bool panel_open = true;
-    bool menu_open = false, close_menu = false; // a menu of the bar: it is there; it shall go
-    bool planning = false;                      // the side panel shows its planning half
-    float panel_points = 296.0F;                // how wide it wants to be
+    // A menu of the bar: it shall come; it is there; it shall go.
+    bool want_menu = false, menu_open = false, close_menu = false;
+    int menu_keys = 0;           // frames for which menus have the arrow keys
+    bool planning = false;       // the side panel shows its planning half
+    float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;
     std::array<char, 64> help_search{};
     Settings settings;
     std::vector<std::filesystem::path> recent_files; // newest first
+    CommandPalette palette;
+    ContextMenu context_menu;
     OpenDialog open_dialog;
     RecoveryDialog recovery;
     UnsavedDialog unsaved;
@@ -159,9 +180,10 @@ struct Interface {
     CommandLine last_command; // that the tool or a panel gave
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
+    [[nodiscard]] bool menus_have_keys() const { return want_menu || menu_keys > 0; }
     [[nodiscard]] bool dialog_open() const {
-        return help_open || rename.open || radius.open || open_dialog.open || recovery.open || unsaved.open() ||
-               drop.open() || !errors.empty();
+        return help_open || palette.open || rename.open || radius.open || open_dialog.open || recovery.open ||
+               unsaved.open() || drop.open() || !errors.empty();
     }
     bool dismiss();     // closes what lies on top; false: nothing does
     void forget_tree(); // another one was opened
@@ -210,6 +232,8 @@ void draw_status_bar(InterfaceContext& context);
 void draw_tooltip(InterfaceContext& context);
 void draw_branch_tooltip(const InterfaceContext& context, int id); // at the pointer, wherever that is
 void draw_help(InterfaceContext& context);
+void draw_command_palette(InterfaceContext& context);
+void draw_context_menu(InterfaceContext& context);
 void draw_open_dialog(InterfaceContext& context);
 void draw_error_dialog(InterfaceContext& context);
 void draw_recovery_dialog(InterfaceContext& context);

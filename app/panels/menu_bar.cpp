@@ -74,6 +74,8 @@ void draw_menus(InterfaceContext& context) {
             menus.push_back(command.menu);
     const bool close = std::exchange(context.interface.close_menu, false);
     context.interface.menu_open = false;
+    // As if it had been clicked; from there on arrows lead on.
+    if (std::exchange(context.interface.want_menu, false)) ImGui::OpenPopup(menus.front().c_str());
     for (const std::string& menu : menus) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});

@@ -61,7 +61,8 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
 }
 
 void draw_tooltip(InterfaceContext& context) {
-    if (context.interface.tooltip) draw_branch_tooltip(context, context.interface.hovered);
+    const Interface& interface = context.interface;
+    if (interface.tooltip && !interface.menus_have_keys()) draw_branch_tooltip(context, interface.hovered);
 }
 
 } // namespace ramus::app

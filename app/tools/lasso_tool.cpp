@@ -106,7 +106,11 @@ void PolygonLassoTool::press(const Pointing& pointing) {
 // Its first press was a corner already.
 void PolygonLassoTool::double_click(const Pointing& pointing) { close(pointing); }
 
-void PolygonLassoTool::right_click(const Pointing& pointing) { close(pointing); }
+bool PolygonLassoTool::right_click(const Pointing& pointing) {
+    if (!busy()) return false;
+    close(pointing);
+    return true;
+}
 
 ToolDrawing PolygonLassoTool::drawing(const Pointing& pointing) const {
     ToolDrawing drawing = LassoBase::drawing(pointing);

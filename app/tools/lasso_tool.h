@@ -34,7 +34,7 @@ class PolygonLassoTool final : public LassoBase {
 public:
     void press(const Pointing& pointing) override;
     void double_click(const Pointing& pointing) override;
-    void right_click(const Pointing& pointing) override;
+    bool right_click(const Pointing& pointing) override;
     [[nodiscard]] ToolDrawing drawing(const Pointing& pointing) const override;
     [[nodiscard]] Cursor cursor() const override { return Cursor::kLassoPolygon; }
     [[nodiscard]] std::string hint() const override;

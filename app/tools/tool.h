@@ -88,8 +88,8 @@ public:
     virtual void move(const Pointing&) {}
     virtual void release(const Pointing&) {}
     virtual void double_click(const Pointing& pointing) { press(pointing); }
-    // A click with the right button that was no drag (which zooms).
-    virtual void right_click(const Pointing&) {}
+    // A click with the right button that was no drag (which zooms). False: it means nothing here, a menu comes.
+    virtual bool right_click(const Pointing&) { return false; }
     // Escape. True: something that had begun was given up. False: there was nothing; the tool is left.
     virtual bool escape() { return false; }
 

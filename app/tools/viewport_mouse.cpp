@@ -25,7 +25,7 @@ std::optional<Click> ViewportMouse::release(MouseButton button, glm::dvec2 at, d
     last_click_seconds_ = plain && !second ? seconds : -1e9; // a third click begins anew
     last_click_at_ = at;
     if (second) return Click{Click::Kind::kCentre, at};
-    if (modifiers_.alt) return Click{Click::Kind::kSelectWithDependents, at};
+    if (modifiers_.alt || (modifiers_.ctrl && modifiers_.shift)) return Click{Click::Kind::kSelectWithDependents, at};
     if (modifiers_.ctrl) return Click{Click::Kind::kToggle, at};
     if (modifiers_.shift) return Click{Click::Kind::kAdd, at};
     return Click{Click::Kind::kSelect, at};

@@ -18,7 +18,7 @@ struct Modifiers {
 struct Click {
     enum class Kind {
         kSelect,               // the branch, or nothing on the background
-        kSelectWithDependents, // Alt
+        kSelectWithDependents, // Alt; Ctrl+Shift, since many window managers take Alt for themselves
         kToggle,               // Ctrl
         kAdd,                  // Shift; a drag with it pans
         kCentre,               // the second click of a double-click

@@ -37,6 +37,14 @@ std::string name_of_key(int number, int scancode) {
         return "Tab";
     case GLFW_KEY_DELETE:
         return "Delete";
+    case GLFW_KEY_LEFT:
+        return "Left";
+    case GLFW_KEY_RIGHT:
+        return "Right";
+    case GLFW_KEY_UP:
+        return "Up";
+    case GLFW_KEY_DOWN:
+        return "Down";
     case GLFW_KEY_LEFT_BRACKET: // by their places: on many layouts the characters need a third key
         return "[";
     case GLFW_KEY_RIGHT_BRACKET:
@@ -160,7 +168,9 @@ void GlfwWindow::key(int number, int scancode, int action, int modifiers) {
     if (viewer_ == nullptr) return;
     const Modifiers held = modifiers_of(modifiers);
     std::optional<KeyPress> press;
-    const std::string name = action == GLFW_PRESS ? name_of_key(number, scancode) : "";
+    const bool is_arrow = number >= GLFW_KEY_RIGHT && number <= GLFW_KEY_UP; // held, it goes on turning
+    const bool pressed = action == GLFW_PRESS || (action == GLFW_REPEAT && is_arrow);
+    const std::string name = pressed ? name_of_key(number, scancode) : "";
     if (!name.empty()) press = KeyPress{name, held.ctrl, held.shift, held.alt};
     viewer_->input().key(number, action != GLFW_RELEASE, press, held, glfwGetTime());
 }

@@ -6,6 +6,10 @@
 
 namespace ramus::app {
 
+namespace {
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+} // namespace
+
 void ImguiInput::move(float x, float y) {
     if (!events_.empty() && events_.back().kind == Event::Kind::kMove) events_.pop_back();
     events_.push_back({.kind = Event::Kind::kMove, .x = x, .y = y});
@@ -49,7 +53,7 @@ bool interface_takes_mouse(float x, float y) {
 bool ImguiInput::apply(ImGuiIO& io) {
     bool keys_changed[512] = {};
     bool buttons_changed[3] = {};
-    bool any_button = false;
+    bool any_button = false, any_key = false;
     bool wheeled = false;
     while (!events_.empty()) {
         const Event& event = events_.front();
@@ -71,9 +75,14 @@ bool ImguiInput::apply(ImGuiIO& io) {
         case Event::Kind::kKey:
             if (keys_changed[event.index]) return false;
             keys_changed[event.index] = true;
+            any_key = any_key || !is_modifier(event.index);
             io.KeysDown[event.index] = event.down;
             break;
         case Event::Kind::kModifiers:
+            // A key that was pressed with them is one that comes with them, whichever is let go first.
+            if ((any_key || any_button) && (event.ctrl != io.KeyCtrl || event.shift != io.KeyShift ||
+                                            event.alt != io.KeyAlt || event.super != io.KeySuper))
+                return false;
             io.KeyCtrl = event.ctrl;
             io.KeyShift = event.shift;
             io.KeyAlt = event.alt;

@@ -54,6 +54,8 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
 // Which dialogs are open.
 void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["help"] = interface.help_open;
+    status["palette"] = {{"open", interface.palette.open}, {"trouble", interface.palette.trouble}};
+    status["menu"] = interface.menu_open || interface.context_menu.open;
     status["open_dialog"] = interface.open_dialog.open;
     status["rename"] = interface.rename.open && !interface.rename.fresh;
     status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;

@@ -181,8 +181,9 @@ Cursor ViewerInput::cursor() const {
 void ViewerInput::clicked(const Click& click) {
     if (!state_.workspace.document.tree()) return;
     if (click.kind == Click::Kind::kSecondary) {
-        if (state_.interface.tool) state_.interface.tool->right_click(pointing({}));
+        const bool taken = state_.interface.tool && state_.interface.tool->right_click(pointing({}));
         perform_tool();
+        if (!taken) open_context_menu(click.at);
         return;
     }
     const render::Pick pick = picture_.pick(from_viewport(click.at));
@@ -203,6 +204,16 @@ void ViewerInput::clicked(const Click& click) {
                    {std::to_string(pick.branch)});
 }
 
+// About the branch there, which is selected first unless it is so already.
+void ViewerInput::open_context_menu(glm::dvec2 at) {
+    const int branch = picture_.pick(from_viewport(at)).branch;
+    const bool hit = branch >= 0 && branch < state_.workspace.document.branch_count();
+    if (hit && !is_selected(state_.workspace.document.marks(), branch))
+        state_.perform("select", {std::to_string(branch)});
+    state_.interface.context_menu = {.wanted = true, .branch = hit ? branch : tree::kNoBranch};
+    state_.redraw();
+}
+
 void ViewerInput::run(const Command& command) {
     state_.context().perform(command);
     state_.redraw();
@@ -221,10 +232,14 @@ void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& pres
     if (typing && (plain || press->key == "Tab" || press->key == "Delete" || press->key == "Z" || press->key == "Y" ||
                    (press->ctrl && (press->key == "C" || press->key == "V"))))
         return;
+    // Arrows are the field's, the list's or the menu's that has the keyboard.
+    const bool arrow = press->key == "Left" || press->key == "Right" || press->key == "Up" || press->key == "Down";
+    if (arrow && (typing || state_.interface.list.focused || state_.interface.menus_have_keys())) return;
     if (typing && press->key == "Escape" && !state_.interface.dialog_open()) return; // leaves the field, no more
     // Under a dialog only what closes it works.
     if (state_.interface.dialog_open() && command->name != "dismiss" &&
-        !(command->name == "help" && state_.interface.help_open))
+        !(command->name == "help" && state_.interface.help_open) &&
+        !(command->name == "palette" && state_.interface.palette.open))
         return;
     run(*command);
 }

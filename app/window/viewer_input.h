@@ -60,6 +60,7 @@ private:
     [[nodiscard]] Pointing pointing(Modifiers modifiers);
     void perform_tool();
     void clicked(const Click& click);
+    void open_context_menu(glm::dvec2 at);
     void run(const Command& command);
 
     ViewerState& state_;

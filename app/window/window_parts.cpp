@@ -8,6 +8,10 @@ void WindowParts::toggle(std::string_view part) {
     Interface& interface = state_.interface;
     if (part == "help")
         interface.help_open = !interface.help_open;
+    else if (part == "palette")
+        interface.palette.toggle();
+    else if (part == "menu")
+        interface.want_menu = !interface.menu_open, interface.close_menu = interface.menu_open;
     else if (part == "overview")
         interface.overview.open = !interface.overview.open;
     else if (part == "doctor")
@@ -26,6 +30,7 @@ bool WindowParts::shows(std::string_view part) const {
     return part == "fly-along"  ? interface.fly.open
            : part == "overview" ? interface.overview.open
            : part == "help"     ? interface.help_open
+           : part == "palette"  ? interface.palette.open
            : part == "doctor"   ? interface.doctor.open
            : part == "contacts" ? interface.contacts.open
                                 : interface.panel_open;

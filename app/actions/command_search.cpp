@@ -1,0 +1,206 @@
+#include "app/actions/command_search.h"
+
+#include "core/base/closest_word.h"
+#include "core/io/text_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+struct Synonyms {
+    std::string_view entry; // the name of a command, or with the first word that its entry gives
+    std::string_view words; // first what it is called most
+};
+
+// Words that are in no name, label or help of these commands, and that people look for.
+constexpr std::array kSynonyms{
+    Synonyms{"lesion", "tumour tumor metastasis mass nodule sphere"},
+    Synonyms{"lesion-mesh", "tumour tumor metastasis stl mesh load import"},
+    Synonyms{"lesion-clear", "delete tumour tumor"},
+    Synonyms{"bands", "margin resection safety distance band tumour tumor"},
+    Synonyms{"cut", "clamp clip resect resection ligate transect"},
+    Synonyms{"cut-clear", "undo resection unclip"},
+    Synonyms{"export", "print save printing stl glb ply csv image screenshot data share convert"},
+    Synonyms{"shot", "screenshot image photo capture export png snapshot"},
+    Synonyms{"report", "protocol print document html summary"},
+    Synonyms{"save", "store keep project"},
+    Synonyms{"save-as", "store keep project copy"},
+    Synonyms{"open", "load import file dicom nifti mask tree session"},
+    Synonyms{"context", "organ liver skin bone load import background mesh"},
+    Synonyms{"defocus", "fade grey gray glass transparent ghost"},
+    Synonyms{"defocus-others", "fade grey gray glass transparent ghost isolate solo"},
+    Synonyms{"highlight", "emphasize emphasise mark focus colour color"},
+    Synonyms{"hide", "remove invisible delete off"},
+    Synonyms{"show", "restore visible reset on"},
+    Synonyms{"show-all", "restore visible reset unhide everything"},
+    Synonyms{"select-dependents", "downstream distal children descendants territory supply subtree"},
+    Synonyms{"select-upstream", "proximal parents ancestors feeding inflow"},
+    Synonyms{"select-none", "deselect clear unselect"},
+    Synonyms{"fit", "home reset centre center zoom all whole recentre"},
+    Synonyms{"orthographic", "parallel perspective projection"},
+    Synonyms{"view", "side orientation look anatomical"},
+    Synonyms{"filter-diameter", "thin small twigs threshold"},
+    Synonyms{"surface", "smooth prune width detail cell quality triangles"},
+    Synonyms{"reconstruct", "rebuild graft"},
+    Synonyms{"tool lesion", "tumour tumor metastasis mass nodule sphere"},
+    Synonyms{"tool cut", "clamp clip resect resection ligate transect"},
+    Synonyms{"tool measure-distance", "ruler length caliper calliper measure"},
+    Synonyms{"tool measure-path", "route way ruler length measure"},
+    Synonyms{"tool measure-diameter", "calibre caliber thickness width measure"},
+    Synonyms{"tool measure-angle", "protractor degrees measure"},
+    Synonyms{"tool lasso", "freehand region select"},
+    Synonyms{"measure", "ruler length caliper calliper distance path"},
+    Synonyms{"fly-along", "endoscopy virtual tour travel animation"},
+    Synonyms{"overview", "diagram dendrogram map scheme tree"},
+    Synonyms{"doctor", "import problems warnings repairs units orientation notes"},
+    Synonyms{"contacts", "touching crossing kissing overlap false connections"},
+    Synonyms{"colour-by", "color map legend thickness calibre caliber"},
+    Synonyms{"colour-map", "color palette scale"},
+    Synonyms{"depth-cue", "shadow fog halo depth"},
+    Synonyms{"compare", "versus difference method isosurface cones"},
+    Synonyms{"ui-scale", "font text size zoom bigger dpi"},
+    Synonyms{"help", "keys shortcuts mouse manual hotkeys"},
+    Synonyms{"name", "rename label annotate annotation call"},
+    Synonyms{"quit", "exit close leave end"},
+    Synonyms{"undo", "back revert"},
+    Synonyms{"redo", "forward again repeat"},
+    Synonyms{"turn", "rotate spin orbit"},
+    Synonyms{"zoom", "closer nearer farther magnify"},
+};
+
+std::string synonyms_of(const Command& command) {
+    const std::string of_entry = command.name + (command.preset.empty() ? "" : " " + command.preset.front());
+    std::string words;
+    for (const Synonyms& synonyms : kSynonyms)
+        if (synonyms.entry == command.name || synonyms.entry == of_entry) words.append(synonyms.words).append(" ");
+    return words;
+}
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 128;
+}
+
+std::vector<std::string> words_in(std::string_view text) {
+    std::vector<std::string> words(1);
+    for (const char c : io::lower_case(text)) {
+        if (is_letter(c))
+            words.back().push_back(c);
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+// What a command is found by, from what says most of it to what says least.
+struct Entry {
+    const Command* command;
+    std::array<std::vector<std::string>, 4> words; // label, name and menu, synonyms, help
+};
+constexpr std::size_t kSynonymKind = 2;
+
+std::vector<Entry> make_entries() {
+    std::vector<Entry> entries;
+    for (const Command& command : command_table()) {
+        if (command.name == "dismiss" || command.name == "palette") continue; // what closes this and opens it
+        // In the menu an entry stands for its command, where there is one that gives nothing.
+        const bool shown_with_arguments =
+            command.menu.empty() && command.keys.empty() && std::ranges::any_of(command_table(), [&](const Command& o) {
+                return &o != &command && o.name == command.name && !o.menu.empty() && o.preset.empty();
+            });
+        if (shown_with_arguments) continue;
+        Entry entry{&command, {}};
+        entry.words[0] = words_in(command.label);
+        entry.words[1] = words_in(command.name + " " + command.menu);
+        entry.words[kSynonymKind] = words_in(synonyms_of(command));
+        entry.words[3] = words_in(command.help);
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+const std::vector<Entry>& all_entries() {
+    static const std::vector<Entry> entries = make_entries();
+    return entries;
+}
+
+// How well a word fits: 0 best; none where it is not found.
+std::optional<int> fit_of(const Entry& entry, const std::string& word) {
+    for (std::size_t kind = 0; kind < entry.words.size(); ++kind) {
+        bool begins = false, within = false;
+        for (const std::string& candidate : entry.words[kind]) {
+            const auto after = kind == kSynonymKind ? &candidate - entry.words[kind].data() : 0;
+            if (candidate == word)
+                return static_cast<int>(3 * kind) + static_cast<int>(std::min<std::ptrdiff_t>(after, 2));
+            begins = begins || candidate.starts_with(word);
+            within = within || (word.size() > 2 && candidate.find(word) != std::string::npos);
+        }
+        if (begins) return static_cast<int>(3 * kind + 1);
+        if (within && kind < 3) return static_cast<int>(3 * kind + 2);
+    }
+    return std::nullopt;
+}
+
+std::string nearest_known(const std::string& word) {
+    static const std::vector<std::string> known = [] {
+        std::set<std::string> words;
+        for (const Entry& entry : all_entries())
+            for (std::size_t kind = 0; kind < 3; ++kind)
+                words.insert(entry.words[kind].begin(), entry.words[kind].end());
+        return std::vector<std::string>(words.begin(), words.end());
+    }();
+    return closest_word(word, known);
+}
+
+} // namespace
+
+std::vector<const Command*> search_commands(std::string_view words) {
+    std::vector<std::string> wanted = words_in(words);
+    for (std::string& word : wanted) {
+        const auto is_found = [&](const Entry& entry) { return fit_of(entry, word).has_value(); };
+        if (std::ranges::any_of(all_entries(), is_found)) continue;
+        if (std::string meant = nearest_known(word); !meant.empty()) word = std::move(meant);
+    }
+    struct Found {
+        const Command* command;
+        int fit;
+    };
+    std::vector<Found> found;
+    for (const Entry& entry : all_entries()) {
+        std::optional<int> sum = 0;
+        for (const std::string& word : wanted) {
+            const auto fit = fit_of(entry, word);
+            sum = sum && fit ? std::optional(*sum + *fit) : std::nullopt;
+        }
+        if (sum) found.push_back({entry.command, *sum});
+    }
+    // Those of menus first: the others take arguments.
+    std::ranges::stable_sort(found, {}, [](const Found& one) {
+        return std::pair(one.fit, one.command->menu.empty() && one.command->keys.empty());
+    });
+    std::vector<const Command*> commands;
+    commands.reserve(found.size());
+    for (const Found& one : found) commands.push_back(one.command);
+    return commands;
+}
+
+std::string title_of(const Command& command, const Document& document) {
+    if (!command.menu.empty()) return command.menu + " \xE2\x80\xBA " + label_of(command, document);
+    std::string title = command.name;
+    std::ranges::replace(title, '-', ' ');
+    return title;
+}
+
+bool needs_arguments(const Command& command) {
+    return command.preset.empty() && !command.arguments.empty() && command.arguments.front() != '[' &&
+           command.menu.empty();
+}
+
+} // namespace ramus::app

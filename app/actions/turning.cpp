@@ -1,0 +1,66 @@
+// Turns the view and zooms by steps: for keys, and for who describes a camera in words.
+#include "app/actions/arguments.h"
+#include "app/actions/groups.h"
+
+#include <optional>
+
+namespace ramus::app::actions {
+
+namespace {
+
+constexpr double kTurnDegrees = 15.0; // of a step without a number: six are a quarter
+constexpr double kZoomFactor = 1.25;
+
+Result<void> turn(ActionContext& context, Arguments arguments) {
+    const auto refused = fail("turn takes left, right, up or down, and degrees from 0 to 360");
+    if (arguments.empty() || arguments.size() > 2) return refused;
+    const auto degrees =
+        arguments.size() == 2 ? number_in(arguments[1], 0.0, 360.0) : std::optional<double>(kTurnDegrees);
+    if (!degrees) return refused;
+    const std::string& way = arguments[0];
+    // The tree turns; the viewer goes the other way about.
+    const render::Camera& now = context.document.session().camera;
+    if (way == "left") return move_camera(context, render::turned(now, *degrees, 0.0));
+    if (way == "right") return move_camera(context, render::turned(now, -*degrees, 0.0));
+    if (way == "up") return move_camera(context, render::turned(now, 0.0, -*degrees));
+    if (way == "down") return move_camera(context, render::turned(now, 0.0, *degrees));
+    return refused;
+}
+
+Result<void> zoom(ActionContext& context, Arguments arguments) {
+    const auto refused = fail("zoom takes in or out, and a factor from 1 to 1000");
+    if (arguments.empty() || arguments.size() > 2) return refused;
+    const auto factor =
+        arguments.size() == 2 ? number_in(arguments[1], 1.0, 1000.0) : std::optional<double>(kZoomFactor);
+    if (!factor || (arguments[0] != "in" && arguments[0] != "out")) return refused;
+    return move_camera(
+        context, render::zoomed(context.document.session().camera, arguments[0] == "in" ? *factor : 1.0 / *factor));
+}
+
+Command turn_entry(const char* way, const char* key, const char* help) {
+    return Command("turn", "left|right|up|down [DEGREES]", help, turn).on_keys({key}).giving({way}).when(has_tree);
+}
+
+} // namespace
+
+std::vector<Command> turning_commands() {
+    return {
+        Command("turn", "left|right|up|down [DEGREES]", "Turns the tree about the middle of the view, by 15 degrees.",
+                turn),
+        turn_entry("left", "Left", "Turns the tree to the left."),
+        turn_entry("right", "Right", "Turns the tree to the right."),
+        turn_entry("up", "Up", "Turns the tree upward."),
+        turn_entry("down", "Down", "Turns the tree downward."),
+        Command("zoom", "in|out [FACTOR]", "Magnifies the picture, or makes it smaller, by a quarter.", zoom),
+        Command("zoom", "in|out [FACTOR]", "Magnifies the picture.", zoom)
+            .in_menu("View", "Zoom in", {"+", "="})
+            .giving({"in"})
+            .when(has_tree),
+        Command("zoom", "in|out [FACTOR]", "Makes the picture smaller.", zoom)
+            .in_menu("View", "Zoom out", {"-"})
+            .giving({"out"})
+            .when(has_tree),
+    };
+}
+
+} // namespace ramus::app::actions

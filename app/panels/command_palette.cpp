@@ -1,0 +1,130 @@
+// The command palette: every command of the table by what people call it, with its key, run by Enter or a click. For a
+// command that takes arguments the field asks for them.
+#include "app/actions/command_search.h"
+#include "app/actions/script.h"
+#include "app/panels/interface.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+
+#include <algorithm>
+#include <imgui.h>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+bool can_run(const InterfaceContext& context, const Command& command) {
+    return command.enabled == nullptr || command.enabled(context.workspace.document);
+}
+
+bool pressed_key(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+// Runs the command, or asks for its arguments.
+void choose_command(InterfaceContext& context, const Command& command) {
+    CommandPalette& palette = context.interface.palette;
+    if (needs_arguments(command)) {
+        palette.asks_for = &command;
+        palette.typed.fill('\0');
+        palette.fresh = true;
+        return;
+    }
+    palette.open = false;
+    context.perform(command);
+}
+
+void draw_command_row(InterfaceContext& context, const Command& command, bool chosen, bool& pressed) {
+    const float scale = theme::scale();
+    const bool enabled = can_run(context, command);
+    const std::string title = title_of(command, context.workspace.document);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = 2.0F * ImGui::GetTextLineHeight() + 10.0F * scale;
+    pressed = ImGui::Selectable("##row", chosen, enabled ? 0 : ImGuiSelectableFlags_Disabled, {0.0F, height});
+    widgets::note_item(title.c_str());
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float left = from.x + 8.0F * scale, top = from.y + 3.0F * scale;
+    const ImVec4 words = enabled ? theme::kText : theme::kQuiet;
+    list->AddText({left, top}, ImGui::GetColorU32(words), title.c_str());
+    const std::string key = command.keys.empty() ? "" : command.keys.front();
+    const float key_at = from.x + width - ImGui::CalcTextSize(key.c_str()).x - 8.0F * scale;
+    list->AddText({key_at, top}, ImGui::GetColorU32(theme::kAccent), key.c_str());
+    const std::string help =
+        widgets::fitted(enabled ? command.help : command.help + " Not now.", width - 16.0F * scale);
+    list->AddText({left, top + ImGui::GetTextLineHeight() + 3.0F * scale}, ImGui::GetColorU32(theme::kQuiet),
+                  help.c_str());
+}
+
+void draw_found(InterfaceContext& context, bool entered) {
+    CommandPalette& palette = context.interface.palette;
+    const std::vector<const Command*> found = search_commands(palette.typed.data());
+    const int last = static_cast<int>(found.size()) - 1;
+    const int before = palette.chosen;
+    palette.chosen += pressed_key(ImGuiKey_DownArrow) ? 1 : pressed_key(ImGuiKey_UpArrow) ? -1 : 0;
+    palette.chosen = std::clamp(palette.chosen, 0, std::max(0, last));
+    ImGui::BeginChild("found", {0.0F, 0.0F});
+    const Command* picked = nullptr;
+    for (int n = 0; n <= last; ++n) {
+        const Command& command = *found[static_cast<std::size_t>(n)];
+        ImGui::PushID(n);
+        bool pressed = false;
+        draw_command_row(context, command, n == palette.chosen, pressed);
+        if (n == palette.chosen && palette.chosen != before) ImGui::SetScrollHereY();
+        if (pressed || (entered && n == palette.chosen && can_run(context, command))) picked = &command;
+        ImGui::PopID();
+    }
+    if (found.empty()) widgets::quiet("No command has these words.");
+    ImGui::EndChild();
+    if (picked != nullptr) choose_command(context, *picked);
+}
+
+// The field holds arguments, in words as in a commands file.
+void draw_arguments(InterfaceContext& context, bool entered) {
+    CommandPalette& palette = context.interface.palette;
+    const Command& command = *palette.asks_for;
+    widgets::quiet_wrapped(command.help.c_str());
+    ImGui::Dummy({0.0F, 4.0F * theme::scale()});
+    widgets::quiet_wrapped(("It takes: " + command.arguments).c_str());
+    if (!palette.trouble.empty()) widgets::trouble(palette.trouble.c_str());
+    if (!entered) return;
+    auto words = parse_script(command.name + " " + palette.typed.data(), "arguments");
+    auto done = words ? context.commands.run(context.actions, words->front().words)
+                      : Result<void>(tl::unexpected(words.error()));
+    if (done)
+        palette.open = false;
+    else
+        palette.trouble = done.error().message();
+    palette.fresh = true; // Enter has taken the keyboard from the field
+}
+
+} // namespace
+
+void CommandPalette::toggle() {
+    const bool opens = !open;
+    *this = {};
+    open = fresh = opens;
+}
+
+void draw_command_palette(InterfaceContext& context) {
+    CommandPalette& palette = context.interface.palette;
+    if (!palette.open || !widgets::begin_dialog("##palette", 620.0F, 460.0F)) return;
+    if (std::exchange(palette.fresh, false)) ImGui::SetKeyboardFocusHere();
+    const std::string title =
+        palette.asks_for == nullptr ? "What to do" : title_of(*palette.asks_for, context.workspace.document);
+    widgets::heading(title.c_str());
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::array before = palette.typed;
+    const bool entered = ImGui::InputTextWithHint(
+        "##words", palette.asks_for == nullptr ? "hide, tumour, print, left..." : palette.asks_for->arguments.c_str(),
+        palette.typed.data(), palette.typed.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    widgets::note_item("command");
+    if (palette.typed != before) palette.chosen = 0, palette.trouble.clear();
+    ImGui::Dummy({0.0F, 2.0F * theme::scale()});
+    if (palette.asks_for == nullptr)
+        draw_found(context, entered);
+    else
+        draw_arguments(context, entered);
+    if (!palette.open) ImGui::CloseCurrentPopup();
+    widgets::end_dialog();
+}
+
+} // namespace ramus::app

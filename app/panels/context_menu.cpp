@@ -1,0 +1,100 @@
+// The menu of the right button: what can be done with the branch under the pointer, or with the view.
+#include "app/panels/interface.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+#include "app/session/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <imgui.h>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+// Names of commands of the table, in groups with a line between them.
+using Group = std::array<const char*, 5>;
+constexpr std::array kForBranch{
+    Group{"select-dependents", "select-upstream"},
+    Group{"highlight", "defocus", "defocus-others", "hide", "show"},
+    Group{"cut", "rename", "fly-along"},
+    Group{"show-all", "fit"},
+};
+constexpr std::array kForBackground{
+    Group{"fit", "orthographic"},
+    Group{"show-all", "select-none"},
+    Group{"palette", "help"},
+};
+
+// The entry that menus have of a command; null: none.
+const Command* menu_entry(std::string_view name) {
+    const auto& table = command_table();
+    const auto at = std::ranges::find_if(
+        table, [&](const Command& c) { return c.name == name && !c.menu.empty() && c.preset.empty(); });
+    return at == table.end() ? nullptr : &*at;
+}
+
+template <std::size_t Count>
+const Command* draw_groups(InterfaceContext& context, const std::array<Group, Count>& groups) {
+    const Command* chosen = nullptr;
+    const Document& document = context.workspace.document;
+    for (const Group& group : groups) {
+        ImGui::Separator();
+        for (const char* name : group) {
+            const Command* command = name != nullptr ? menu_entry(name) : nullptr;
+            if (command == nullptr) continue;
+            const bool enabled = command->enabled == nullptr || command->enabled(document);
+            const bool checked = command->checked != nullptr && command->checked(document);
+            const std::string label = label_of(*command, document);
+            if (ImGui::MenuItem(label.c_str(), command->keys.empty() ? nullptr : command->keys.front().c_str(), checked,
+                                enabled))
+                chosen = command;
+            widgets::note_item(("menu: " + label).c_str());
+        }
+    }
+    return chosen;
+}
+
+std::string branch_title(const Document& document, int branch) {
+    const std::size_t selected = document.marks().selection.size();
+    if (selected > 1) return grouped(selected) + " branches selected";
+    const std::string label = label_of(document.dependency(), document.marks().names, branch);
+    return label.empty() ? "Branch " + std::to_string(branch) : label;
+}
+
+} // namespace
+
+void draw_context_menu(InterfaceContext& context) {
+    ContextMenu& menu = context.interface.context_menu;
+    constexpr const char* kPopup = "##context-menu";
+    const Document& document = context.workspace.document;
+    if (std::exchange(menu.wanted, false)) {
+        ImGui::OpenPopup(kPopup);
+        menu.open = true;
+    }
+    if (!menu.open) return;
+    const float scale = theme::scale();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F * scale, 8.0F * scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * scale, 7.0F * scale});
+    if (menu.branch >= document.branch_count()) menu.close = true;
+    if (ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+        const Command* chosen = nullptr;
+        if (menu.branch == tree::kNoBranch) {
+            widgets::quiet("View");
+            chosen = draw_groups(context, kForBackground);
+        } else if (!menu.close) {
+            ImGui::TextColored(theme::kAccent, "%s",
+                               widgets::fitted(branch_title(document, menu.branch), 220.0F * scale).c_str());
+            chosen = draw_groups(context, kForBranch);
+        }
+        if (chosen != nullptr || std::exchange(menu.close, false)) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        if (chosen != nullptr) context.perform(*chosen);
+    } else {
+        menu.open = menu.close = false; // a click beside it has closed it
+    }
+    ImGui::PopStyleVar(2);
+}
+
+} // namespace ramus::app

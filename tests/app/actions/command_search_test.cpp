@@ -1,0 +1,62 @@
+#include "app/actions/command_search.h"
+
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <set>
+
+using namespace ramus;
+using namespace ramus::app;
+
+namespace {
+
+std::string first_for(std::string_view words) {
+    const auto found = search_commands(words);
+    if (found.empty()) return "";
+    const Command& best = *found.front();
+    return best.name + (best.preset.empty() ? "" : " " + best.preset.front());
+}
+
+} // namespace
+
+TEST_CASE("commands are found by what people call them") {
+    CHECK(first_for("tumour") == "tool lesion");
+    CHECK(first_for("print") == "export");
+    CHECK(first_for("export") == "export");
+    CHECK(first_for("screenshot") == "shot");
+    CHECK(first_for("hide") == "hide");
+    CHECK(first_for("downstream") == "select-dependents");
+    CHECK(first_for("perspective") == "orthographic");
+    CHECK(first_for("ruler") == "tool measure-distance");
+    CHECK(first_for("rename") == "rename");
+    CHECK(first_for("undo") == "undo");
+    CHECK(first_for("Left") == "view left");
+    CHECK(first_for("fly") == "fly-along");
+}
+
+TEST_CASE("every word has to be found, in any order, and a mistyped one counts as the word that it is near to") {
+    CHECK(first_for("all show") == "show-all");
+    CHECK(first_for("clear lesion") == "lesion-clear");
+    CHECK(first_for("tumuor") == "tool lesion");
+    CHECK(first_for("meassure angle") == "tool measure-angle");
+    CHECK(search_commands("hide xyzzyq").empty());
+}
+
+TEST_CASE("without words all commands are there, each entry once, but those that nobody gives by hand") {
+    const auto all = search_commands("");
+    const std::set<const Command*> once(all.begin(), all.end());
+    CHECK(once.size() == all.size());
+    std::set<std::string> names;
+    for (const Command* command : all) names.insert(command->name);
+    for (const Command& command : command_table())
+        CHECK_MESSAGE(names.contains(command.name) == (command.name != "dismiss" && command.name != "palette"),
+                      command.name);
+    CHECK(std::ranges::equal(search_commands("  ,;"), all));
+}
+
+TEST_CASE("a command that cannot run by itself says that it takes arguments") {
+    CHECK(needs_arguments(*find_command("select-diameter")));
+    CHECK_FALSE(needs_arguments(*find_command("fit")));
+    CHECK_FALSE(needs_arguments(*find_command("orthographic"))); // [on|off]
+    for (const Command* command : search_commands(""))
+        if (!command->preset.empty()) CHECK_FALSE(needs_arguments(*command));
+}
