@@ -1,5 +1,6 @@
 // Values of a session file, read with what is asked of them. One place throws and one place catches: nesting Results
-// through every member would hide the format. Internal to the files that read and write sessions and settings.
+// through every member would hide the format. Internal to the files that read and write ramus' own JSON: sessions,
+// settings, studies.
 #pragma once
 
 #include "app/session/session.h"

@@ -1,5 +1,6 @@
 #include "app/session/session_file.h"
 
+#include "app/session/checksum.h"
 #include "app/session/edits_json.h"
 #include "app/session/json_text.h"
 #include "app/session/json_values.h"
@@ -136,18 +137,14 @@ Result<std::string> checksum_of(const fs::path& path) {
     else
         bytes = std::make_unique<std::ifstream>(path, std::ios::binary);
     std::istream& stream = *bytes;
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    Checksum checksum;
     std::array<char, 1 << 16> block{};
     while (stream) {
         stream.read(block.data(), block.size());
-        for (std::streamsize i = 0; i < stream.gcount(); ++i)
-            hash = (hash ^ static_cast<unsigned char>(block[static_cast<std::size_t>(i)])) * 0x100000001b3ULL;
+        checksum.add({block.data(), static_cast<std::size_t>(stream.gcount())});
     }
     if (!stream.eof()) return fail("the file cannot be read", path.string(), "check the name and its permissions");
-    constexpr const char* kDigits = "0123456789abcdef";
-    std::string digits(16, '0');
-    for (std::size_t i = 0; i < 16; ++i) digits[15 - i] = kDigits[(hash >> (4 * i)) & 15];
-    return digits;
+    return checksum.text();
 }
 
 Result<void> check_checksum(const Session& session, const std::string& checksum, const std::string& where) {

@@ -32,7 +32,7 @@ struct SavedSession {
 // Atomic: the file is whole or not there.
 [[nodiscard]] Result<void> write_session(const Session& session, const std::filesystem::path& path);
 
-// 64-bit FNV-1a of the file's bytes, in hexadecimal.
+// Of the file's bytes, or of the names and sizes in a folder (app/session/checksum.h).
 [[nodiscard]] Result<std::string> checksum_of(const std::filesystem::path& path);
 
 // Whether the session's tree is still the file that it was saved with.
