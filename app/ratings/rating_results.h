@@ -1,0 +1,26 @@
+// Table II as text, JSON and a table of CSV.
+#pragma once
+
+#include "app/ratings/rating_answers.h"
+#include "app/reports/report_tables.h"
+#include "core/measure/ratings/rating_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace ramus::app {
+
+struct RatingResults {
+    const RatingsRead& ratings;
+    measure::RatingTable table;
+    measure::PairedBy paired_by = measure::PairedBy::kRater;
+};
+
+[[nodiscard]] RatingResults results_of(const RatingsRead& ratings, measure::PairedBy paired_by);
+
+[[nodiscard]] std::string results_text(const RatingResults& results);
+[[nodiscard]] nlohmann::ordered_json results_json(const RatingResults& results);
+// A row for each criterion and method; the columns of the test are empty where nothing was tested.
+[[nodiscard]] Table results_table(const RatingResults& results);
+
+} // namespace ramus::app

@@ -1,0 +1,86 @@
+#include "app/ratings/rating_sheet.h"
+
+#include "app/ratings/sheet_texts.h"
+#include "app/session/json_text.h"
+#include "core/io/output_file.h"
+#include "core/io/trees/binary_numbers.h"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+namespace ramus::app {
+
+namespace {
+
+// JSON that may stand in a script element: "</script>" and "<!--" would end or change it.
+std::string script_json(const nlohmann::ordered_json& value) {
+    std::string text;
+    for (const char c : value.dump()) c == '<' ? text += "\\u003c" : text += c;
+    return text;
+}
+
+nlohmann::ordered_json sheet_json(const RatingStudy& study, int rater, const StudyPngs& pngs) {
+    nlohmann::ordered_json sheet{{"format", kAnswersFormat},
+                                 {"version", kRatingsVersion},
+                                 {"study", id_of(study)},
+                                 {"rater", rater},
+                                 {"scale", {kLowestScore, kHighestScore}},
+                                 {"most_years", kMostYears}};
+    for (const Criterion& criterion : kCriteria)
+        sheet["criteria"].push_back({{"key", criterion.key},
+                                     {"name", criterion.name},
+                                     {"question", criterion.question},
+                                     {"low", criterion.low},
+                                     {"high", criterion.high}});
+    for (const RaterRole& role : kRaterRoles) sheet["roles"].push_back({{"key", role.key}, {"name", role.name}});
+    for (const ShownScene& shown : study.orders[static_cast<std::size_t>(rater - 1)]) {
+        const StudyScene& scene = study.scenes[shown.scene];
+        nlohmann::ordered_json pictures;
+        for (const std::size_t picture : shown.pictures) {
+            const std::string& code = scene.pictures[picture].code;
+            pictures.push_back(
+                {{"code", code}, {"source", "data:image/png;base64," + io::base64_encoded(pngs.at(code))}});
+        }
+        sheet["scenes"].push_back({{"title", scene.title}, {"pictures", pictures}});
+    }
+    return sheet;
+}
+
+} // namespace
+
+std::string rating_sheet(const RatingStudy& study, int rater, const StudyPngs& pngs) {
+    const std::map<std::string, std::string, std::less<>> parts{{"style", std::string(kSheetTexts.at("sheet.css"))},
+                                                                {"script", std::string(kSheetTexts.at("sheet.js"))},
+                                                                {"rater", std::to_string(rater)},
+                                                                {"sheet", script_json(sheet_json(study, rater, pngs))}};
+    // In one pass, so that what is put in is not looked at again.
+    std::string_view left = kSheetTexts.at("sheet.html");
+    std::string page;
+    for (std::size_t open = left.find("{{"); open != std::string_view::npos; open = left.find("{{")) {
+        const std::size_t close = left.find("}}", open);
+        page.append(left.substr(0, open)).append(parts.find(left.substr(open + 2, close - open - 2))->second);
+        left.remove_prefix(close + 2);
+    }
+    return page.append(left);
+}
+
+Result<std::vector<std::filesystem::path>> write_study(const RatingStudy& study, const StudyPngs& pngs,
+                                                       const std::filesystem::path& folder) {
+    const std::filesystem::path sheets = folder / "sheets";
+    std::error_code error;
+    std::filesystem::create_directories(sheets, error);
+    if (error) return fail("the folder cannot be made", sheets.string(), "give another folder");
+    std::vector<std::filesystem::path> files;
+    for (std::size_t rater = 1; rater <= study.orders.size(); ++rater) {
+        const std::string number = std::to_string(rater);
+        const std::string name = "rater_" + std::string(3 - std::min<std::size_t>(3, number.size()), '0') + number;
+        files.push_back(sheets / (name + ".html"));
+        if (auto done = io::write_file(files.back(), rating_sheet(study, static_cast<int>(rater), pngs)); !done)
+            return tl::unexpected(done.error());
+    }
+    RAMUS_TRY(key, json_text(key_json(study), (folder / "key.json").string()));
+    if (auto done = io::write_file(folder / "key.json", key); !done) return tl::unexpected(done.error());
+    return files;
+}
+
+} // namespace ramus::app
