@@ -1,11 +1,14 @@
-// `ramus study FILE -o FOLDER`: the pictures of the paper's user study (section V), for any tree: the whole tree, and
-// three places close by as isosurface of the mask, as truncated cones and as convolution surface, each from the same
-// eye in the same light.
+// `ramus study FILE -o FOLDER`: the pictures of the paper's user study (sections V and VIII), for any tree: the whole
+// tree, and three places close by as isosurface of the mask, as truncated cones and as convolution surface, each from
+// the same eye in the same light; and sheets on which raters say what they think of such pictures without captions.
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
+#include "app/ratings/rating_order.h"
+#include "app/ratings/rating_sheet.h"
+#include "app/session/checksum.h"
 #include "app/session/numbers.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
@@ -42,6 +45,8 @@ struct StudyFlags {
     glm::ivec2 size{1200, 900};
     render::View view = render::View::kAnterior;
     double voxel_mm = 0.0; // 0: a sensible one
+    int raters = 1;
+    std::uint64_t seed = 1; // of the orders that raters see
     bool json = false;
 };
 
@@ -149,11 +154,15 @@ public:
         frame.overlays.caption = std::move(caption);
         return frame;
     }
-    Result<void> write(const render::Frame& frame, const std::string& name) {
+    Result<render::Image> draw(const render::Frame& frame) {
         if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
         (void)renderer_.refine();
+        return renderer_.read_image();
+    }
+    Result<void> write(const render::Frame& frame, const std::string& name) {
+        RAMUS_TRY(image, draw(frame));
         const auto path = flags_.folder / (name + ".png");
-        if (auto written = render::write_png(renderer_.read_image(), path); !written) return written;
+        if (auto written = render::write_png(image, path); !written) return written;
         files_.push_back(path.string());
         say(flags_.common, "wrote " + path.string());
         return {};
@@ -165,6 +174,42 @@ private:
     const StudyFlags& flags_;
     std::vector<std::string> files_;
 };
+
+// The pictures of sheets, which have no captions.
+struct Sheets {
+    RatingStudy study;
+    StudyPngs pngs;
+};
+
+// A scene for raters: the same view of all surfaces.
+Result<void> add_scene(Sheets& sheets, Painter& painter, const Surfaces& surfaces, const render::Camera& camera,
+                       const std::string& title) {
+    StudyScene scene{title, {}};
+    for (std::size_t method = 0; method < surfaces.all.size(); ++method) {
+        render::Frame frame = painter.frame(surfaces.all[method].mesh, camera, {});
+        frame.overlays.orientation_cube = false;
+        RAMUS_TRY(image, painter.draw(frame));
+        RAMUS_TRY(png, render::encode_png(image));
+        // With the scene, and again where two methods look exactly alike: a code is of one picture.
+        Checksum checksum;
+        do checksum.add(title).add(png);
+        while (sheets.pngs.contains(checksum.text()));
+        scene.pictures.push_back({checksum.text(), method});
+        sheets.pngs[checksum.text()] = std::move(png);
+    }
+    std::ranges::sort(scene.pictures, {}, &StudyPicture::code);
+    sheets.study.scenes.push_back(std::move(scene));
+    return {};
+}
+
+Result<std::vector<std::filesystem::path>> write_sheets(Sheets& sheets, const Surfaces& surfaces,
+                                                        const StudyFlags& flags) {
+    for (const Surfaces::One& one : surfaces.all) sheets.study.methods.push_back({one.name, one.title});
+    sheets.study.method = surfaces.all.size() - 1;
+    sheets.study.seed = flags.seed;
+    sheets.study.orders = rater_orders(sheets.study, flags.raters);
+    return write_study(sheets.study, sheets.pngs, flags.folder);
+}
 
 Result<int> run_study(const StudyFlags& flags) {
     std::error_code error;
@@ -187,6 +232,9 @@ Result<int> run_study(const StudyFlags& flags) {
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
     if (auto done = painter.write(whole, "context"); !done) return tl::unexpected(done.error());
     const std::vector<CloseUp> close_ups = choose(*renderer, whole, close_ups_of(tree));
+    Sheets sheets;
+    if (auto done = add_scene(sheets, painter, surfaces, whole.camera, "The whole tree"); !done)
+        return tl::unexpected(done.error());
     nlohmann::ordered_json report;
     report["mask"] = flags.mask.empty() ? "made of the tree" : flags.mask;
     if (surfaces.voxel_mm > 0.0) report["voxel_mm"] = surfaces.voxel_mm;
@@ -199,13 +247,23 @@ Result<int> run_study(const StudyFlags& flags) {
             if (auto done = painter.write(frame, "place_" + std::to_string(i + 1) + "_" + name); !done)
                 return tl::unexpected(done.error());
         }
-        report["places"].push_back({{"diameter_mm", 2.0 * close_ups[i].radius}, {"camera", render::to_json(camera)}});
+        const double diameter_mm = 2.0 * close_ups[i].radius;
+        if (auto done =
+                add_scene(sheets, painter, surfaces, camera, "Close-up, vessel " + length_text(diameter_mm) + " wide");
+            !done)
+            return tl::unexpected(done.error());
+        report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});
     }
+    RAMUS_TRY(sheet_files, write_sheets(sheets, surfaces, flags));
     report["pictures"] = painter.files();
+    report["study"] = id_of(sheets.study);
+    report["key"] = (flags.folder / "key.json").string();
+    for (const auto& file : sheet_files) report["sheets"].push_back(file.string());
     if (flags.json)
         std::cout << report.dump(2) << '\n';
     else
-        std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << '\n';
+        std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << ", "
+                  << counted(sheet_files.size(), "rating sheet", "rating sheets") << '\n';
     return kDone;
 }
 
@@ -213,9 +271,9 @@ Result<int> run_study(const StudyFlags& flags) {
 
 void register_study(CLI::App& app, Action& chosen) {
     const auto flags = std::make_shared<StudyFlags>();
-    CLI::App* command = add_command(
-        app, "study",
-        "Ten pictures to compare surfaces by: the tree, and three places as isosurface, cones, convolution");
+    CLI::App* command =
+        add_command(app, "study",
+                    "Pictures to compare surfaces by (isosurface, cones, convolution surface), and sheets for raters");
     add_option(*command, "FILE", "", flags->file, "Vessel tree")->required();
     add_option(*command, "-o,--output", "FOLDER", flags->folder, "Folder for the pictures; it is made if need be")
         ->required();
@@ -229,6 +287,9 @@ void register_study(CLI::App& app, Action& chosen) {
         ->excludes(mask);
     add_size_flag(*command, flags->size);
     add_view_flag(*command, flags->view);
+    add_option(*command, "--raters", "N", flags->raters, "Sheets in FOLDER/sheets, one for each rater (default: 1)")
+        ->check(CLI::Range(1, kMostRaters).description(""));
+    add_option(*command, "--seed", "S", flags->seed, "Of the orders in which raters see the pictures (default: 1)");
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
     add_system_flag(*command, flags->common);

@@ -19,7 +19,7 @@ class Study(CommandLineTest):
     def test_ten_pictures_of_one_size_and_no_two_alike(self):
         report = self.json("study", "tree.swc", "-o", "made/pictures", "--size", "160x120", "--json")
         folder = self.folder / "made" / "pictures"
-        self.assertEqual(sorted(path.name for path in folder.iterdir()), NAMES)
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), sorted(NAMES + ["key.json", "sheets"]))
         self.assertEqual(len(report["pictures"]), 10)
         self.assertEqual(len(report["places"]), 3)
         self.assertEqual(report["mask"], "made of the tree")
@@ -49,6 +49,45 @@ class Study(CommandLineTest):
         self.assertEqual((len(both["places"]), len(one["places"])), (2, 1))
         self.expect_failure("study", "two.json", "--system", "nerve", "-o", "x", says=("nerve", "artery"))
 
+    def study(self, folder, *options):
+        self.expect_done("study", "tree.swc", "-o", folder, "--size", "64x48", *options)
+        sheets = {path.name: path.read_text() for path in (self.folder / folder / "sheets").iterdir()}
+        return json.loads((self.folder / folder / "key.json").read_text()), sheets
+
+    def test_a_sheet_for_each_rater_that_does_not_change_when_there_are_more(self):
+        key, sheets = self.study("one")
+        self.assertEqual(sorted(sheets), ["rater_001.html"])
+        more, more_sheets = self.study("more", "--raters", "7")
+        self.assertEqual(len(more_sheets), 7)
+        self.assertEqual(more_sheets["rater_001.html"], sheets["rater_001.html"])
+        self.assertEqual(more["study"], key["study"])
+        self.assertEqual(more["orders"][0], key["orders"][0])
+        # Six raters see the six orders of a scene's pictures once each: every method is twice at each place.
+        self.assertEqual(len(more["scenes"]), 4)
+        for scene in more["scenes"]:
+            self.assertEqual(sorted(scene["pictures"].values()), ["cones", "convolution", "isosurface"])
+            orders = [tuple(shown) for rater in more["orders"][:6] for shown in rater if shown[0] in scene["pictures"]]
+            self.assertEqual(len(set(orders)), 6)
+        other, _ = self.study("other", "--raters", "7", "--seed", "2")
+        self.assertEqual(other["study"], key["study"])
+        self.assertNotEqual(other["orders"], more["orders"])
+
+    def test_a_sheet_says_no_method_and_has_the_pictures_of_its_rater_in_their_order(self):
+        key, sheets = self.study("out", "--raters", "2")
+        for number, sheet in ((1, sheets["rater_001.html"]), (2, sheets["rater_002.html"])):
+            data = json.loads(sheet.split('<script id="sheet" type="application/json">')[1].split("</script>")[0])
+            self.assertEqual(data["rater"], number)
+            self.assertEqual(data["study"], key["study"])
+            self.assertEqual([[picture["code"] for picture in scene["pictures"]] for scene in data["scenes"]],
+                             key["orders"][number - 1])
+            for scene in data["scenes"]:
+                self.assertEqual(len({picture["source"] for picture in scene["pictures"]}), 3)
+                for picture in scene["pictures"]:
+                    picture["source"] = ""
+            for words in (json.dumps(data).lower(), sheet.split("<script")[0].lower()):
+                for word in ("isosurface", "cone", "convolution"):
+                    self.assertNotIn(word, words)
+
     def test_what_cannot_be_is_told_before_anything_is_drawn(self):
         self.write("file", "not a folder")
         self.expect_failure("study", "tree.swc", "-o", "file", says=("file", "folder"))
@@ -56,6 +95,8 @@ class Study(CommandLineTest):
         self.expect_failure("study", "tree.swc", "-o", "out", "--voxel", "1e-7", says=("too fine",))
         self.assertEqual(self.run_ramus("study", "tree.swc", "-o", "out", "--voxel", "0").returncode, 2)
         self.assertEqual(self.run_ramus("study", "tree.swc").returncode, 2)
+        for raters in ("0", "501", "many"):
+            self.assertEqual(self.run_ramus("study", "tree.swc", "-o", "out", "--raters", raters).returncode, 2)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
-// What ramus reads of its own: sessions with their edits, settings, commands, conditions of the list of branches.
+// What ramus reads of its own: sessions with their edits, settings, commands, conditions of the list of branches, keys
+// of studies with answers of raters.
 #include "app/actions/script.h"
+#include "app/ratings/rating_answers.h"
 #include "app/session/branch_filter.h"
 #include "app/session/session_file.h"
 #include "app/session/tree_edits.h"
@@ -66,13 +68,29 @@ void read_condition_bytes(std::string_view bytes) {
     if (!filter) must(!filter.error().what.empty(), "an error says nothing");
 }
 
+// The key of a study, and answers of one of its raters.
+void read_ratings_bytes(std::string_view bytes) {
+    const auto [first, second] = two_files(bytes);
+    const auto key = nlohmann::json::parse(first, nullptr, false);
+    const auto study = app::study_from_key(key, "key.json");
+    if (!study) return check_error(study.error(), "key.json");
+    const auto again = app::study_from_key(nlohmann::json::parse(app::key_json(*study).dump()), "again.json");
+    must(again.has_value(), "ramus does not read the key that it wrote: " + (again ? "" : again.error().message()));
+    must(*again == *study, "a study is another one after its own format");
+    const auto answers = app::answers_from_json(nlohmann::json::parse(second, nullptr, false), *study, "answers.json");
+    if (!answers) return check_error(answers.error(), "answers.json");
+    for (const int score : answers->scores)
+        must(score >= app::kLowestScore && score <= app::kHighestScore, "a score is not of the scale");
+}
+
 } // namespace
 
 std::vector<Target> session_targets() {
     return {{"session", read_session_bytes},
             {"settings", read_settings_bytes},
             {"commands", read_commands_bytes},
-            {"condition", read_condition_bytes}};
+            {"condition", read_condition_bytes},
+            {"ratings", read_ratings_bytes}};
 }
 
 } // namespace ramus::fuzz

@@ -1,0 +1,53 @@
+// `ramus ratings FILE...`: what raters answered on the sheets of `ramus study`, as the paper's Table II.
+#include "app/commands/subcommands.h"
+#include "app/ratings/rating_results.h"
+#include "core/io/output_file.h"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace ramus::app {
+
+namespace {
+
+struct RatingsFlags {
+    std::vector<std::string> files;
+    std::string csv;
+    std::string paired_by = "rater";
+    bool json = false;
+};
+
+Result<int> run_ratings(const RatingsFlags& flags) {
+    if (!flags.csv.empty())
+        if (auto can = io::check_output(flags.csv); !can) return tl::unexpected(can.error());
+    RAMUS_TRY(ratings, read_ratings(flags.files));
+    const RatingResults results =
+        results_of(ratings, flags.paired_by == "rater" ? measure::PairedBy::kRater : measure::PairedBy::kAnswer);
+    if (!flags.csv.empty())
+        if (auto done = io::write_file(flags.csv, csv_of(results_table(results))); !done)
+            return tl::unexpected(done.error());
+    if (flags.json)
+        std::cout << results_json(results).dump(2) << '\n';
+    else
+        std::cout << results_text(results);
+    return kDone;
+}
+
+} // namespace
+
+void register_ratings(CLI::App& app, Action& chosen) {
+    const auto flags = std::make_shared<RatingsFlags>();
+    CLI::App* command = add_command(
+        app, "ratings", "What raters think of the pictures of a study: mean, sigma, significance of differences");
+    add_option(*command, "FILE", "", flags->files, "key.json of the study, and the answers that its raters saved")
+        ->required();
+    add_option(*command, "--csv", "FILE", flags->csv, "Write the table as CSV, too");
+    add_option(*command, "--pair-by", "rater|answer", flags->paired_by,
+               "What a pair of a test is: a rater, with the means over scenes, or each answer (default: rater)")
+        ->check(CLI::IsMember({"rater", "answer"}).description(""));
+    command->add_flag("--json", flags->json, "Print the figures as one JSON object");
+    command->callback([flags, &chosen] { chosen = [flags] { return run_ratings(*flags); }; });
+}
+
+} // namespace ramus::app
