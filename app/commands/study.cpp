@@ -211,12 +211,21 @@ Result<std::vector<std::filesystem::path>> write_sheets(Sheets& sheets, const Su
     return write_study(sheets.study, sheets.pngs, flags.folder);
 }
 
+// Said before anything is drawn.
+Result<void> make_folders(const std::filesystem::path& folder) {
+    for (const auto& needed : {folder, folder / "sheets"}) {
+        std::error_code error;
+        std::filesystem::create_directories(needed, error);
+        if (error || !std::filesystem::is_directory(needed))
+            return fail("the folder cannot be made", needed.string(), "give the name of a folder");
+    }
+    for (const char* name : {"context.png", "key.json", "sheets/rater_001.html"})
+        if (auto can = io::check_output(folder / name); !can) return can;
+    return {};
+}
+
 Result<int> run_study(const StudyFlags& flags) {
-    std::error_code error;
-    std::filesystem::create_directories(flags.folder, error);
-    if (error || !std::filesystem::is_directory(flags.folder))
-        return fail("the folder cannot be made", flags.folder.string(), "give the name of a folder");
-    if (auto can = io::check_output(flags.folder / "context.png"); !can) return tl::unexpected(can.error());
+    if (auto can = make_folders(flags.folder); !can) return tl::unexpected(can.error());
     RAMUS_TRY(whole_tree, load_tree(flags.file, flags.common));
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
     const bool all = std::ranges::find(chosen, 0) == chosen.end();

@@ -91,6 +91,10 @@ class Study(CommandLineTest):
     def test_what_cannot_be_is_told_before_anything_is_drawn(self):
         self.write("file", "not a folder")
         self.expect_failure("study", "tree.swc", "-o", "file", says=("file", "folder"))
+        (self.folder / "full").mkdir()
+        self.write("full/sheets", "not a folder")
+        self.expect_failure("study", "tree.swc", "-o", "full", says=("full/sheets", "folder"))
+        self.assertEqual([path.name for path in (self.folder / "full").iterdir()], ["sheets"])
         self.expect_failure("study", "tree.swc", "-o", "out", "--mask", "tree.swc", says=("tree.swc",))
         self.expect_failure("study", "tree.swc", "-o", "out", "--voxel", "1e-7", says=("too fine",))
         self.assertEqual(self.run_ramus("study", "tree.swc", "-o", "out", "--voxel", "0").returncode, 2)
