@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <assimp/BaseImporter.h>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
@@ -16,6 +18,16 @@
 namespace ramus::io {
 
 namespace {
+
+// The library's way to files: there are none. What it reads it has in memory, and nothing that stands in there leads to
+// another file: no materials, no pictures.
+class NoFiles final : public Assimp::IOSystem {
+public:
+    [[nodiscard]] bool Exists(const char* /*file*/) const override { return false; }
+    [[nodiscard]] char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
+    void Close(Assimp::IOStream* /*stream*/) override {}
+};
 
 // Only the reader of that one format: others would take a file that is not what its name says.
 bool keep_only(Assimp::Importer& importer, const std::string& extension) {
@@ -66,6 +78,7 @@ std::string soup_bytes(const aiScene& scene) {
 std::string read_with_assimp(std::string_view text, const std::string& extension) {
     try {
         Assimp::Importer importer;
+        importer.SetIOHandler(new NoFiles); // which owns it
         if (!keep_only(importer, extension)) return {};
         const aiScene* scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, extension.c_str());
         return scene == nullptr ? std::string() : soup_bytes(*scene);

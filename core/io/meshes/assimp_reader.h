@@ -1,4 +1,5 @@
 // Meshes read by the assimp library, which is told the format, in a process of its own: damaged files make it crash.
+// It sees these bytes and no file.
 #pragma once
 
 #include "core/io/meshes/mesh_file.h"

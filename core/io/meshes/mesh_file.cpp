@@ -64,7 +64,7 @@ const std::vector<MeshFormat>& mesh_formats() {
          stl_header,
          write_stl_facets},
         {{.name = "OBJ", .extensions = {".obj"}, .help = "Text; vertices with normals, and triangles."},
-         [](auto text, const auto& name) { return parse_with_assimp(text, "obj", name); },
+         parse_obj,
          obj_header,
          write_obj_faces,
          {write_obj_positions, write_obj_normals},

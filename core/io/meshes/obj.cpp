@@ -1,5 +1,10 @@
 #include "core/io/meshes/obj.h"
 
+#include "core/io/meshes/assimp_reader.h"
+
+#include <algorithm>
+#include <array>
+
 namespace ramus::io {
 
 namespace {
@@ -15,7 +20,47 @@ void write_vectors(std::string_view name, std::span<const glm::vec3> vectors, Bu
     }
 }
 
+// What the library takes for the end of a line.
+constexpr std::string_view kLineEnds("\n\r\f\0", 4);
+
+bool says_shape(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t\v";
+    constexpr std::array<std::string_view, 4> kShape{"v", "vt", "vn", "f"};
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    return std::ranges::find(kShape, line.substr(0, line.find_first_of(kBlanks))) != kShape.end();
+}
+
+// A line that ends with a backslash goes on in the next one.
+void join_continued_lines(std::string& text) {
+    for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
+        text[at] = ' ';
+        for (std::size_t end = at + 1; end < text.size() && kLineEnds.find(text[end]) != kLineEnds.npos; ++end) {
+            const bool both = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
+            text[end] = ' ';
+            if (!both) break;
+        }
+    }
+}
+
 } // namespace
+
+std::string obj_shape(std::string_view text) {
+    std::string joined(text);
+    join_continued_lines(joined);
+    const std::string_view all = joined;
+    std::string kept;
+    kept.reserve(all.size() + 1);
+    for (std::size_t at = 0; at < all.size();) {
+        const std::size_t end = std::min(all.find_first_of(kLineEnds, at), all.size());
+        if (const std::string_view line = all.substr(at, end - at); says_shape(line)) (kept += line) += '\n';
+        at = end + 1;
+    }
+    return kept;
+}
+
+Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name) {
+    return parse_with_assimp(obj_shape(text), "obj", name);
+}
 
 std::string obj_header(const MeshCounts& /*counts*/) { return "# ramus " RAMUS_VERSION ", mm, RAS\n"; }
 

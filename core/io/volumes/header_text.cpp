@@ -72,7 +72,8 @@ Result<ByteSource> open_values(const ByteSource& source, const std::string& name
         return fail("its values are in several files", source.name(), "write it as one file");
     if (source.path().empty())
         return fail("its values are in another file, " + name, source.name(), "write header and values as one file");
-    const std::filesystem::path path = source.path().parent_path() / name; // an absolute name stays as it is
+    const std::filesystem::path folder = std::filesystem::absolute(source.path()).parent_path().lexically_normal();
+    const std::filesystem::path path = (folder / name).lexically_normal(); // an absolute name stays as it is
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         return fail("its values are in " + path.string() + ", and there is no such file", source.name(),
@@ -81,6 +82,10 @@ Result<ByteSource> open_values(const ByteSource& source, const std::string& name
     if (!std::filesystem::is_regular_file(path, error))
         return fail("its values are in " + path.string() + ", which is no regular file", source.name(),
                     "correct the header");
+    // A header that comes from somewhere shall not make a volume of any file of this machine.
+    if (*path.lexically_relative(folder).begin() == "..")
+        return fail("its values are said to be in " + path.string() + ", outside of the header's folder", source.name(),
+                    "put that file beside the header, and its name alone into it");
     return ByteSource::open(path, Unpack::kNothing);
 }
 

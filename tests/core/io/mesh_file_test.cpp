@@ -1,4 +1,5 @@
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/meshes/obj.h"
 #include "core/mesh/close_mesh.h"
 #include "tests/support/icosphere.h"
 #include "tests/support/mesh_topology.h"
@@ -11,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <random>
+#include <sys/stat.h>
 
 using namespace ramus;
 
@@ -195,6 +197,28 @@ TEST_CASE("a real mesh that is cut short gives a clear error") {
         CHECK(mesh.error().where.find("cut.stl") != std::string::npos);
         CHECK_FALSE(mesh.error().hint.empty());
     }
+}
+
+TEST_CASE("a mesh file leads to no other file") {
+    const Files files;
+    // Whoever opens a pipe that nobody writes to waits for ever.
+    REQUIRE(::mkfifo((files.folder.path() / "pipe").c_str(), 0600) == 0);
+    const std::string lines = "mtllib pipe\nmtllib $$$___magic___$$$.obj\nusemtl a\nmap_Kd pipe\n# \\\nmtllib pipe\n";
+    const auto plain = io::read_mesh(files.put("plain.obj", kCubeOfQuads));
+    const auto with_lines = io::read_mesh(files.put("lines.obj", lines + kCubeOfQuads + "\x0cmtllib pipe\n" + lines));
+    REQUIRE(plain);
+    REQUIRE(with_lines);
+    CHECK(with_lines->positions == plain->positions);
+    CHECK(with_lines->triangles == plain->triangles);
+    std::string ply = text_ply(*plain);
+    ply.insert(ply.find("element"), "comment TextureFile pipe\n");
+    CHECK(io::read_mesh(files.put("texture.ply", ply)));
+}
+
+TEST_CASE("of an OBJ file only the lines of its shape are looked at") {
+    CHECK(io::obj_shape("mtllib a\n v 1 2 3\rusemtl b\r\nf 1 2 3\nvn 0 0 1\nvt 0 0\nvp 1\no v\n") ==
+          " v 1 2 3\nf 1 2 3\nvn 0 0 1\nvt 0 0\n");
+    CHECK(io::obj_shape("f 1 2 \\\r\n3 4\nv 1 2 3 \\\nmtllib a") == "f 1 2    3 4\nv 1 2 3   mtllib a\n");
 }
 
 TEST_CASE("damaged files end in an answer") {

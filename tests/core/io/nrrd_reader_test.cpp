@@ -197,6 +197,13 @@ TEST_CASE("NRRD values in another file, behind lines and bytes that are not thei
     CHECK(holds(files.refusal(file.bytes()), "there is no such file"));
     file.set("datafile", "/dev/zero");
     CHECK(holds(files.refusal(file.bytes()), "no regular file"));
+    // A file of another folder is nobody's to make a volume of.
+    const TemporaryFolder elsewhere;
+    for (const std::string& name :
+         {elsewhere.write("b.raw", values).string(), "../" + elsewhere.path().filename().string() + "/b.raw"}) {
+        file.set("datafile", name);
+        CHECK(holds(files.refusal(file.bytes()), "outside of the header's folder"));
+    }
     file.set("datafile", "LIST");
     CHECK(holds(files.refusal(file.bytes()), "several files"));
     file.set("datafile", "b%03d.raw 1 4 1");
