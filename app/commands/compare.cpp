@@ -7,6 +7,7 @@
 #include "app/commands/surface_input.h"
 #include "app/session/numbers.h"
 #include "core/base/stopwatch.h"
+#include "core/io/json_text.h"
 #include "core/measure/deviation/deviation.h"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ Result<int> run_compare(const CompareFlags& flags) {
         json["a"] = input_json(flags.files[0], inputs[0], sizes[0]);
         json["b"] = input_json(flags.files[1], inputs[1], sizes[1]);
         json["seconds"] = found.seconds;
-        std::cout << json.dump(2) << '\n';
+        std::cout << io::printed_json(json) << '\n';
         return kDone;
     }
     for (std::size_t i = 0; i < 2; ++i)

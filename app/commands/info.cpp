@@ -9,6 +9,7 @@
 #include "app/session/quantity.h"
 #include "app/session/systems.h"
 #include "core/base/error.h"
+#include "core/io/json_text.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/measure/tree_measure.h"
 #include "core/volume/label_counts.h"
@@ -54,10 +55,7 @@ void line(const std::string& name, const std::string& value) {
     std::cout << std::left << std::setw(14) << name << std::right << value << '\n';
 }
 
-// Names in files may hold bytes that are not UTF-8.
-void print(const ordered_json& report) {
-    std::cout << report.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
-}
+void print(const ordered_json& report) { std::cout << io::printed_json(report) << '\n'; }
 
 ordered_json list_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 

@@ -12,6 +12,7 @@
 #include "app/session/of_file.h"
 #include "app/session/surface_options.h"
 #include "core/base/stopwatch.h"
+#include "core/io/json_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -111,7 +112,7 @@ void report(const MeshFlags& flags, const WrittenSurface& written, double load_s
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
         if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses);
-        std::cout << figures.dump(2) << '\n';
+        std::cout << io::printed_json(figures) << '\n';
     } else {
         std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
                   << counted(written.vertices, "vertex", "vertices") << ", "

@@ -18,6 +18,7 @@
 #include "core/io/file_format.h"
 #include "core/io/input_file.h"
 #include "core/io/meshes/mesh_file.h"
+#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
@@ -178,7 +179,7 @@ Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheet
     say(flags.common, "wrote " + counted(files.size(), "picture", "pictures") + " from " + files.front().string());
     nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
     for (const auto& file : files) report["pictures"].push_back(file.string());
-    if (flags.json) std::cout << report.dump(2) << '\n';
+    if (flags.json) std::cout << io::printed_json(report) << '\n';
     return kDone;
 }
 
@@ -270,7 +271,7 @@ Result<int> run_render(const RenderFlags& flags) {
             return tl::unexpected(ran.error());
         if (!flags.json) std::cout << benchmark_sentence(report) << '\n';
     }
-    if (flags.json) std::cout << report.dump(2) << '\n';
+    if (flags.json) std::cout << io::printed_json(report) << '\n';
     return *status;
 }
 

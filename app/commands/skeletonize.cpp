@@ -9,6 +9,8 @@
 #include "app/session/of_file.h"
 #include "app/storage/tree_source.h"
 #include "core/base/stopwatch.h"
+#include "core/io/json_text.h"
+#include "core/io/run_inputs.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/measure/tree_measure.h"
@@ -72,7 +74,7 @@ void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures&
         {"load_s", seconds.load},
         {"skeleton_s", seconds.skeleton},
         {"write_s", seconds.write}};
-    std::cout << report.dump(2) << '\n';
+    std::cout << io::printed_json(report) << '\n';
 }
 
 void report_text(const SkeletonizeFlags& flags, const tree::VesselTree& tree, const Seconds& seconds) {

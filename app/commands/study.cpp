@@ -12,6 +12,7 @@
 #include "app/session/numbers.h"
 #include "app/workspace/compared_surfaces.h"
 #include "core/io/output_file.h"
+#include "core/io/json_text.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/tree/part_of_tree.h"
 #include "render/gl/headless_context.h"
@@ -269,7 +270,7 @@ Result<int> run_study(const StudyFlags& flags) {
     report["key"] = (flags.folder / "key.json").string();
     for (const auto& file : sheet_files) report["sheets"].push_back(file.string());
     if (flags.json)
-        std::cout << report.dump(2) << '\n';
+        std::cout << io::printed_json(report) << '\n';
     else
         std::cout << flags.folder.string() << ": " << counted(painter.files().size(), "picture", "pictures") << ", "
                   << counted(sheet_files.size(), "rating sheet", "rating sheets") << '\n';

@@ -9,6 +9,7 @@
 #include "app/commands/surface_input.h"
 #include "app/session/numbers.h"
 #include "app/session/of_file.h"
+#include "core/io/json_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -117,7 +118,7 @@ std::string radii_csv(const std::vector<validate::RadiusPlace>& radii) {
 }
 
 Result<void> write_report(const std::filesystem::path& folder, const ordered_json& json, const Findings& found) {
-    if (auto written = write_text(folder / "validation.json", json.dump(2) + "\n"); !written) return written;
+    if (auto written = write_text(folder / "validation.json", io::printed_json(json) + "\n"); !written) return written;
     return write_text(folder / "radii.csv", radii_csv(found.validation.radii));
 }
 
@@ -201,7 +202,7 @@ Result<int> run_validate(const ValidateFlags& flags) {
     if (!flags.report.empty())
         if (auto written = write_report(flags.report, json, found); !written) return tl::unexpected(written.error());
     if (flags.json)
-        std::cout << json.dump(2) << '\n';
+        std::cout << io::printed_json(json) << '\n';
     else
         print(found);
     return kDone;

@@ -2,6 +2,8 @@
 
 #include "app/session/document.h"
 #include "app/session/json_text.h"
+#include "app/storage/user_folders.h"
+#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
@@ -48,10 +50,17 @@ std::int64_t seconds_of(std::chrono::system_clock::time_point time) {
     return std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
 }
 
+// Null: there is none.
+json json_in(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    auto parsed = io::parsed_json(text, file.string());
+    return parsed ? std::move(*parsed) : json();
+}
+
 // 0: it does not say.
 pid_t process_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const json value = json::parse(stream, nullptr, false);
+    const json value = json_in(file);
     return value.is_object() && value.contains("process") && value["process"].is_number_integer()
                ? value["process"].get<pid_t>()
                : 0;
@@ -117,8 +126,7 @@ Result<void> Slot::write(const Snapshot& snapshot) const {
 
 Result<Snapshot> Slot::read() const {
     const auto broken = fail("this recovery file is damaged", file_.string(), "discard it");
-    std::ifstream stream(file_, std::ios::binary);
-    const json value = json::parse(stream, nullptr, false);
+    const json value = json_in(file_);
     const auto number = [&](const char* name) {
         return value.contains(name) && value[name].is_number_integer() && value[name].get<std::int64_t>() >= 0;
     };

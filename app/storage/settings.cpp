@@ -2,6 +2,7 @@
 
 #include "app/session/json_text.h"
 #include "app/session/json_values.h"
+#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 
 #include <fstream>
@@ -59,9 +60,9 @@ StoredSettings read_settings(const fs::path& folder) {
     const fs::path file = folder / kFile;
     if (folder.empty() || !fs::exists(file, error)) return {};
     std::ifstream stream(file, std::ios::binary);
-    const json value = json::parse(stream, nullptr, false);
-    auto settings = value.is_discarded() ? Result<Settings>(fail("this is not JSON", file.string()))
-                                         : settings_from_json(value, file.string());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto value = io::parsed_json(text, file.string());
+    auto settings = value ? settings_from_json(*value, file.string()) : tl::unexpected(value.error());
     if (settings) return {*settings, {}};
     const fs::path aside = file.string() + ".bad";
     fs::rename(file, aside, error);

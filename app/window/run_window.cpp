@@ -11,6 +11,8 @@
 #include "app/window/imgui_renderer.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
+#include "core/base/printable.h"
+#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 
 #include <GLFW/glfw3.h>
@@ -109,7 +111,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
     if (viewer.controls()) status["controls"] = *viewer.controls();
-    std::string text = status.dump() + "\n";
+    std::string text = io::printed_json(status, -1) + "\n";
     if (text == written_) return;
     written_ = std::move(text);
     (void)io::write_file(path_, written_); // a script that misses its file will say so

@@ -1,3 +1,4 @@
+#include "core/io/json_text.h"
 #include "render/scene/camera.h"
 
 #include <cmath>
@@ -81,9 +82,9 @@ Result<Camera> camera_from_json(const nlohmann::json& json, const std::string& w
 }
 
 Result<Camera> parse_camera(std::string_view text, const std::string& where) {
-    const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (json.is_discarded()) return refuse("not JSON", where);
-    return camera_from_json(json, where);
+    const auto json = io::parsed_json(text, where);
+    if (!json) return refuse("not JSON", where);
+    return camera_from_json(*json, where);
 }
 
 } // namespace ramus::render

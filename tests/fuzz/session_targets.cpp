@@ -6,6 +6,7 @@
 #include "app/session/session_file.h"
 #include "app/session/tree_edits.h"
 #include "app/storage/settings.h"
+#include "core/io/json_text.h"
 #include "core/tree/build_tree.h"
 #include "tests/fuzz/target.h"
 
@@ -50,9 +51,9 @@ void read_session_bytes(std::string_view bytes) {
 }
 
 void read_settings_bytes(std::string_view bytes) {
-    const auto json = nlohmann::json::parse(bytes, nullptr, false);
-    if (json.is_discarded()) return;
-    const auto settings = app::settings_from_json(json, "settings.json");
+    const auto json = io::parsed_json(bytes, "settings.json");
+    if (!json) return check_error(json.error(), "settings.json");
+    const auto settings = app::settings_from_json(*json, "settings.json");
     if (!settings) return must(!settings.error().what.empty(), "an error says nothing");
     must(app::settings_from_json(app::to_json(*settings), "again.json").has_value(), "settings cannot be read again");
 }

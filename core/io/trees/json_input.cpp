@@ -1,48 +1,10 @@
 #include "core/io/trees/json_input.h"
 
-#include "core/io/text_numbers.h"
-
 #include <nlohmann/json.hpp>
 
 namespace ramus::io {
 
-namespace {
-
 using nlohmann::json;
-
-constexpr std::size_t kLargestJson = std::size_t{2} << 30;
-
-json parsed(std::string_view text, std::string_view left_out) {
-    if (left_out.empty()) return json::parse(text);
-    return json::parse(text, [&](int, json::parse_event_t event, const json& value) {
-        return event != json::parse_event_t::key || value != left_out;
-    });
-}
-
-} // namespace
-
-Result<json> parsed_json(std::string_view text, const std::string& name, std::string_view left_out) {
-    if (text.size() > kLargestJson)
-        return fail("the file is larger than " + std::to_string(kLargestJson >> 20) + " MiB", name,
-                    "choose a smaller file");
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        return fail("the file is empty", name, "choose another file");
-    const auto place = [&](std::size_t at) { return name + ":" + std::to_string(line_at(text, at)); };
-    try {
-        return parsed(text, left_out);
-    } catch (const json::parse_error& error) {
-        return fail("this is not valid JSON", place(error.byte == 0 ? 0 : error.byte - 1),
-                    "edit the file there, or write it anew with `ramus convert`");
-    } catch (const json::out_of_range& error) {
-        // "... number overflow parsing '1e999'": the number itself leads to its line.
-        const std::string message = error.what();
-        const std::size_t open = message.find('\'');
-        const std::string number =
-            open == std::string::npos ? "" : message.substr(open + 1, message.rfind('\'') - open - 1);
-        return fail("the number " + number.substr(0, 40) + " is too large", place(text.find(number)),
-                    "correct the number");
-    }
-}
 
 bool begins_json_object(std::string_view head) {
     if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);

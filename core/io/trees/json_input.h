@@ -1,7 +1,7 @@
 // JSON files of trees: read as a whole, with the line of what is wrong, and their numbers without trust.
 #pragma once
 
-#include "core/base/error.h"
+#include "core/io/json_text.h"
 
 #include <glm/vec3.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -10,11 +10,6 @@
 #include <string_view>
 
 namespace ramus::io {
-
-// Fails on what is no JSON, and on numbers that no double can hold. Members called `left_out` are not kept: what
-// nothing needs takes no memory.
-[[nodiscard]] Result<nlohmann::json> parsed_json(std::string_view text, const std::string& name,
-                                                 std::string_view left_out = {});
 
 // Whether what begins so may be a JSON object.
 [[nodiscard]] bool begins_json_object(std::string_view head);
