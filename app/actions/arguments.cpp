@@ -58,13 +58,6 @@ Result<std::filesystem::path> file_argument(ActionContext& context, Arguments ar
     if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
     const std::filesystem::path path =
         arguments.empty() ? suggested_file(context.document, extension) : std::filesystem::path(arguments[0]);
-    // What the session is about must not be lost to what is made of it.
-    std::error_code ignored;
-    if (std::filesystem::equivalent(path, context.document.session().tree.path, ignored))
-        return fail("this is the tree itself", path.string(), "give another name");
-    for (const std::string& mesh : context.document.marks().lesion_meshes)
-        if (std::filesystem::equivalent(path, mesh, ignored))
-            return fail("this is a lesion of the session", path.string(), "give another name");
     return path;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/actions/command_table.h"
+#include "app/session/most_marks.h"
 
 #include <optional>
 #include <string>
@@ -36,10 +37,11 @@ Result<void> move_camera(ActionContext& context, const render::Camera& camera);
 [[nodiscard]] std::function<bool(const ActionContext&, const Command&)> shows_part(std::string part);
 [[nodiscard]] tl::unexpected<Error> no_window(const std::string& part); // "there is no help without a window"
 
-// A step of the document: its marks, changed by change(marks). Succeeds.
+// A step of the document: its marks, changed by change(marks). Fails only where they become too many (most_marks.h).
 template <class Change> Result<void> edit(ActionContext& context, const Change& change) {
     Marks next = context.document.marks();
     change(next);
+    if (auto few = check_counts(next); !few) return few;
     context.document.change(std::move(next));
     return {};
 }

@@ -53,6 +53,7 @@ Result<void> measure_this(ActionContext& context, Arguments arguments) {
     RAMUS_TRY(found, measured(*context.document.tree(), wanted));
     Marks next = context.document.marks();
     if (std::ranges::find(next.measurements, wanted) == next.measurements.end()) next.measurements.push_back(wanted);
+    if (auto few = check_counts(next); !few) return few;
     context.document.change(std::move(next));
     context.say(found.sentence());
     return {};

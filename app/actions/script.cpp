@@ -1,5 +1,7 @@
 #include "app/actions/script.h"
 
+#include "core/io/run_inputs.h"
+
 #include <fstream>
 #include <sstream>
 
@@ -78,6 +80,7 @@ Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     if (std::filesystem::is_directory(path) || !stream)
         return fail("the commands cannot be read", path.string(), "check the name and its permissions");
+    io::note_input(path);
     std::ostringstream text;
     text << stream.rdbuf();
     return parse_script(text.str(), path.string());

@@ -119,6 +119,7 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     }
     const std::size_t added = next.cuts.size() - before;
     if (added == 0) return fail("there is a cut already");
+    if (auto few = check_counts(next); !few) return few;
     document.change(std::move(next));
     if (added == 1)
         context.say("Cut " + std::to_string(before + 1) + ": " +

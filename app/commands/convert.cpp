@@ -3,6 +3,7 @@
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/session/systems.h"
+#include "core/io/run_inputs.h"
 #include "core/io/trees/tree_file.h"
 #include "core/tree/part_of_tree.h"
 
@@ -20,6 +21,8 @@ struct ConvertFlags {
 };
 
 Result<int> run_convert(const ConvertFlags& flags) {
+    io::note_input(flags.file);
+    io::note_input(flags.session);
     if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
     if (flags.file.empty() && flags.session.empty())
         return fail("there is no tree to convert", {}, "give a FILE, or --session SESSION");

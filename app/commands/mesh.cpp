@@ -155,6 +155,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
     }
 
     const Stopwatch watch;
+    io::note_input(flags.file);
+    io::note_input(flags.session);
     RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
     if (flags.printing.wanted && opened.session.marks.options.method != mesh::Method::kConvolutionSurface)
         return fail("truncated cones overlap, and are not fit for printing", flags.output, "use --method cs");

@@ -158,6 +158,10 @@ struct Inputs {
 Result<Inputs> read_inputs(const RenderFlags& flags) {
     Inputs inputs;
     if (!flags.camera.empty()) {
+    for (const auto& file : {flags.file, flags.reference}) io::note_input(file);
+    io::note_input(flags.session, io::InputKind::kSession);
+    io::note_input(flags.comparison.mask);
+    for (const auto& file : flags.context) io::note_input(file);
         RAMUS_TRY(read, read_camera(flags.camera));
         inputs.camera = read;
     }

@@ -88,6 +88,7 @@ void report_text(const SkeletonizeFlags& flags, const tree::VesselTree& tree, co
 }
 
 Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
+    io::note_input(flags.file);
     if (auto possible = io::check_tree_output(flags.output); !possible) return tl::unexpected(possible.error());
     if (!io::is_volume(flags.file))
         return fail("this is no mask", flags.file, "a mask is " + io::readable_volume_extensions());

@@ -226,6 +226,8 @@ Result<void> make_folders(const std::filesystem::path& folder) {
 }
 
 Result<int> run_study(const StudyFlags& flags) {
+    io::note_input(flags.file);
+    io::note_input(flags.mask);
     if (auto can = make_folders(flags.folder); !can) return tl::unexpected(can.error());
     RAMUS_TRY(whole_tree, load_tree(flags.file, flags.common));
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));

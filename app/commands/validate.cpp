@@ -195,7 +195,9 @@ Result<int> run_validate(const ValidateFlags& flags) {
         std::filesystem::create_directories(flags.report, error);
         if (error || !std::filesystem::is_directory(flags.report))
             return fail("the folder cannot be made", flags.report.string(), "give the name of a folder");
-        if (auto can = io::check_output(flags.report / "validation.json"); !can) return tl::unexpected(can.error());
+        for (const auto& input : {flags.tree, flags.mesh, flags.mask}) io::note_input(input);
+        for (const char* name : {"validation.json", "radii.csv"})
+            if (auto can = io::check_output(flags.report / name); !can) return tl::unexpected(can.error());
     }
     RAMUS_TRY(found, look(flags));
     const ordered_json json = json_of(flags, found);

@@ -21,13 +21,6 @@ struct Refusal {
     std::string what;
 };
 
-// Whether lists and objects stand in each other deeper than so many levels. Copies of values call themselves for each.
-inline bool nests_deeper(const json& value, int levels) {
-    if (!value.is_structured()) return false;
-    return levels == 0 ||
-           std::ranges::any_of(value, [&](const json& inner) { return nests_deeper(inner, levels - 1); });
-}
-
 inline void expect_only(const json& object, const std::string& name, const std::vector<std::string_view>& known) {
     if (!object.is_object()) throw Refusal{name + " is not an object"};
     for (const auto& [key, value] : object.items())

@@ -5,7 +5,10 @@
 #include "app/session/json_text.h"
 #include "app/session/json_values.h"
 #include "app/session/marks_json.h"
+#include "app/session/most_marks.h"
 #include "app/session/reading_json.h"
+#include "core/io/input_file.h"
+#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
@@ -60,8 +63,6 @@ json to_json(const Session& session, const fs::path& folder) {
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
-        constexpr int kDeepest = 32; // a session has six levels
-        if (nests_deeper(value, kDeepest)) throw Refusal{"lists stand in lists, deeper than in any session"};
         expect_only(value, "the session",
                     {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
                      "measurements", "names", "systems", "edits", "comparison", "camera", "options", "reading"});
@@ -87,6 +88,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("reading")) session.marks.reading = reading_in(value["reading"]);
+        if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
         if (value.contains("camera")) {
             RAMUS_TRY(camera, render::camera_from_json(value["camera"], where));
             session.camera = camera;
@@ -98,18 +100,34 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
     }
 }
 
+namespace {
+
+// Some are read late, or never; the session is worth nothing without them.
+void note_named_files(const Session& session) {
+    io::note_input(session.tree.path);
+    for (const std::string& mesh : session.marks.lesion_meshes) io::note_input(mesh);
+    for (const ContextItem& item : session.marks.context) io::note_input(item.file);
+    io::note_input(session.marks.comparison.mask);
+}
+
+} // namespace
+
 Result<SavedSession> read_session(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (fs::is_directory(path) || !stream)
-        return fail("the session cannot be read", path.string(), "check the name and its permissions");
-    const json value = json::parse(stream, nullptr, false);
-    if (value.is_discarded()) return fail("this is not JSON", path.string(), "give a session file saved by ramus");
-    return session_from_json(value, fs::absolute(path).parent_path(), path.string());
+    RAMUS_TRY(text, io::read_file(path, kMostSessionBytes, io::InputKind::kSession));
+    auto parsed = io::parsed_json(text, path.string());
+    if (!parsed) {
+        parsed.error().hint = "give a session file saved by ramus";
+        return tl::unexpected(parsed.error());
+    }
+    const json value = std::move(*parsed);
+    auto saved = session_from_json(value, fs::absolute(path).parent_path(), path.string());
+    if (saved) note_named_files(saved->session);
+    return saved;
 }
 
 Result<void> write_session(const Session& session, const fs::path& path) {
     const auto text = json_text(to_json(session, fs::absolute(path).parent_path()), path.string());
-    return text ? io::write_file(path, *text) : tl::unexpected(text.error());
+    return text ? io::write_file(path, *text, io::InputKind::kSession) : tl::unexpected(text.error());
 }
 
 namespace {

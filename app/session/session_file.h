@@ -12,11 +12,13 @@
 #include "app/session/session.h"
 #include "core/base/error.h"
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
 namespace ramus::app {
 
 inline constexpr int kSessionVersion = 1;
+inline constexpr std::uintmax_t kMostSessionBytes = std::uintmax_t{64} << 20;
 
 // `folder`: where the session file lies or will lie.
 [[nodiscard]] nlohmann::json to_json(const Session& session, const std::filesystem::path& folder);

@@ -259,6 +259,8 @@ int run_window(const WindowOptions& options) {
     empty.marks.options = options.surface;
     workspace.document.open(nullptr, empty);
     if (const auto file = first_file(options)) workspace.open(*file);
+    if (!options.status.empty())
+        if (auto possible = io::check_output(options.status); !possible) return complain(possible.error());
 
     const StoredSettings stored = read_settings(user_folders::settings());
     const Settings& settings = stored.settings;

@@ -1,5 +1,7 @@
 #include "app/workspace/workspace.h"
 
+#include "core/io/run_inputs.h"
+
 #include <algorithm>
 
 namespace ramus::app {
@@ -8,6 +10,7 @@ Workspace::Workspace(const std::function<void()>& wake)
     : context(wake), loader_(wake), surface_(wake), comparison_(wake), lesions_(wake), contacts_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
+    io::note_input(path, io::InputKind::kSession); // until a tree is read from it
     load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
 }
 

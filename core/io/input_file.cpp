@@ -25,25 +25,39 @@ Result<void> check_input(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::not_found) return fail("no such file", name, "check the path");
     if (std::filesystem::is_directory(status))
         return fail("this is a directory, not a file", name, "name a file in it");
+    // Devices give bytes without end, or none before somebody types.
+    if (status.type() == std::filesystem::file_type::block || status.type() == std::filesystem::file_type::character)
+        return fail("this is a device, not a file", name, "name a file, or a pipe");
     // Not opened here: a pipe can be opened but once.
     if (::access(path.c_str(), R_OK) != 0) return cannot_open(name, errno);
     return {};
 }
 
-Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit, InputKind kind) {
     const std::string name = path.string();
     if (auto possible = check_input(path); !possible) return tl::unexpected(possible.error());
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) return cannot_open(name, errno);
-    // Read until the end rather than trust a size: pipes have none, and files may grow.
+    note_input(path, kind);
+    std::error_code error;
+    const bool has_size = std::filesystem::is_regular_file(path, error);
+    if (!has_size) limit = std::min(limit, kMostPipeBytes);
+    const auto too_large = [&] {
+        return fail("the file is larger than " + std::to_string(limit >> 20) + " MiB", name,
+                    has_size ? "choose a smaller file" : "write it to a file, and name that");
+    };
     std::string text;
+    if (has_size) {
+        const std::uintmax_t size = std::filesystem::file_size(path, error);
+        if (!error && size > limit) return too_large();
+        if (!error) text.reserve(size);
+    }
+    // Read until the end rather than trust a size: pipes have none, and files may grow.
     char buffer[1 << 16];
     while (file.read(buffer, sizeof(buffer)) || file.gcount() > 0) {
         text.append(buffer, static_cast<std::size_t>(file.gcount()));
-        if (text.size() > limit)
-            return fail("the file is larger than " + std::to_string(limit >> 20) + " MiB", name,
-                        "choose a smaller file");
+        if (text.size() > limit) return too_large();
     }
     if (file.bad()) return fail("reading stopped with an error", name, "check the medium");
     return text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/io/run_inputs.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,11 +12,15 @@
 
 namespace ramus::io {
 
-// All bytes of a regular file or a pipe, or an error that says why not. At most `limit` bytes.
+// All bytes of a regular file or a pipe, or an error that says why not. At most `limit` bytes; of a pipe, whose length
+// nobody knows, no more than kMostPipeBytes. Takes as much memory as the file has bytes, a pipe three times that. Notes
+// the file as an input of this run.
+inline constexpr std::uintmax_t kMostPipeBytes = std::uintmax_t{256} << 20;
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path,
-                                            std::uintmax_t limit = std::uintmax_t{4} << 30);
+                                            std::uintmax_t limit = std::uintmax_t{4} << 30,
+                                            InputKind kind = InputKind::kFile);
 
-// Whether there is a file to be read at `path`, or an error that says why not. Does not open it.
+// Whether there is a file or a pipe to be read at `path`, or an error that says why not. Does not open it.
 [[nodiscard]] Result<void> check_input(const std::filesystem::path& path);
 
 // What stands between blanks, in the order of the text.

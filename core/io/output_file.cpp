@@ -61,7 +61,8 @@ bool is_device(const fs::path& path) {
 struct OutputFile::State {
     fs::path asked;        // as the user named it, for messages
     fs::path target;       // where it goes
-    std::string temporary; // what is written until then; empty for a device
+    std::string temporary; // what is written until then; empty for a device, and for what has no name yet
+    bool nameless = false; // until all is written: however the process ends, nothing is left of it
     std::atomic<char*>* slot = nullptr;
 
     State() = default;
@@ -71,15 +72,50 @@ struct OutputFile::State {
         if (!temporary.empty()) ::unlink(temporary.c_str());
         forget(slot);
     }
+
+    // Has make(name) give the file a name beside the target that is free; an errno.
+    template <class Make> int name_by(const Make& make) {
+        // Of fixed length, so that a long target name leaves room; others in case an earlier process left its own.
+        constexpr int kAttempts = 100;
+        int code = EEXIST;
+        for (int attempt = 0; attempt < kAttempts && code == EEXIST; ++attempt) {
+            const std::string name =
+                ".ramus-" + std::to_string(::getpid()) + "-" + std::to_string(serial.fetch_add(1)) + ".part";
+            const std::string path = (folder_of(target) / name).string();
+            // Remembered before it exists: a signal in between then finds it.
+            slot = remember(path);
+            code = make(path.c_str()) ? 0 : errno;
+            if (code == 0)
+                temporary = path;
+            else
+                forget(std::exchange(slot, nullptr)); // not ours to remove
+        }
+        return code;
+    }
 };
 
-Result<void> check_output(const fs::path& target) {
+namespace {
+
+// Not every file system has files without names, and without /proc they could get none; -1.
+int open_nameless(const fs::path& folder) {
+#ifdef O_TMPFILE
+    if (::access("/proc/self/fd", X_OK) == 0) return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+#endif
+    return -1;
+}
+
+} // namespace
+
+Result<void> check_output(const fs::path& target, InputKind kind) {
     const std::string where = target.string();
     if (target.empty()) return fail("the output has no name", {}, "give a file name after -o");
     std::error_code code;
     if (fs::is_directory(target, code)) return fail("is a folder", where, "give the name of a file in it");
     const fs::path place = final_path(target);
     if (is_device(place)) return {};
+    if (const auto input = input_lost_by(place, kind))
+        return fail("would be lost: this run reads it" + (*input == target ? "" : " as " + input->string()), where,
+                    "nothing was written to it; give the output another name");
     const fs::path folder = folder_of(place);
     if (!fs::is_directory(folder, code))
         return fail("the folder " + folder_of(target).string() + " does not exist", where,
@@ -94,8 +130,8 @@ OutputFile::OutputFile(int descriptor, std::unique_ptr<State> state)
 OutputFile::OutputFile(OutputFile&&) noexcept = default;
 OutputFile::~OutputFile() = default;
 
-Result<OutputFile> OutputFile::create(const fs::path& target) {
-    if (auto possible = check_output(target); !possible) return tl::unexpected(possible.error());
+Result<OutputFile> OutputFile::create(const fs::path& target, InputKind kind) {
+    if (auto possible = check_output(target, kind); !possible) return tl::unexpected(possible.error());
     auto state = std::make_unique<State>();
     state->asked = target;
     state->target = final_path(target);
@@ -105,24 +141,15 @@ Result<OutputFile> OutputFile::create(const fs::path& target) {
         if (descriptor < 0) return write_error(target, errno);
         return OutputFile(descriptor, std::move(state));
     }
-    // A name of fixed length, so that a long target name leaves room; others in case an earlier process left its own.
-    constexpr int kAttempts = 100;
-    int code = EEXIST;
-    int descriptor = -1;
-    for (int attempt = 0; attempt < kAttempts && code == EEXIST; ++attempt) {
-        const std::string name =
-            ".ramus-" + std::to_string(::getpid()) + "-" + std::to_string(serial.fetch_add(1)) + ".part";
-        const std::string path = (folder_of(state->target) / name).string();
-        // Remembered before it exists: a signal in between then finds it.
-        state->slot = remember(path);
-        descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        code = descriptor < 0 ? errno : 0;
-        if (code == 0)
-            state->temporary = path;
-        else
-            forget(std::exchange(state->slot, nullptr)); // not ours to remove
-    }
-    if (code != 0) return write_error(target, code);
+    int descriptor = open_nameless(folder_of(state->target));
+    state->nameless = descriptor >= 0;
+    const auto open_named = [&](const char* path) {
+        descriptor = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        return descriptor >= 0;
+    };
+    if (!state->nameless)
+        if (const int code = state->name_by(open_named); code != 0) return write_error(target, code);
+    forget_input(descriptor);
     OutputFile file(descriptor, std::move(state));
     if (ending.load()) return fail("interrupted", target.string());
     // A file that is replaced keeps its permissions, as far as this user may set them.
@@ -134,7 +161,13 @@ Result<OutputFile> OutputFile::create(const fs::path& target) {
 
 void OutputFile::finish() {
     flush();
-    if (!failed() && !state_->temporary.empty()) keep_error(::fsync(file_descriptor_));
+    State& state = *state_;
+    if (!failed() && (state.nameless || !state.temporary.empty())) keep_error(::fsync(file_descriptor_));
+    if (!failed() && state.nameless) {
+        const std::string open = "/proc/self/fd/" + std::to_string(file_descriptor_);
+        first_error_ = state.name_by(
+            [&](const char* path) { return ::linkat(AT_FDCWD, open.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0; });
+    }
     keep_error(::close(std::exchange(file_descriptor_, -1)));
 }
 
@@ -173,8 +206,8 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     return {};
 }
 
-Result<void> write_file(const fs::path& target, std::string_view text) {
-    RAMUS_TRY(file, OutputFile::create(target));
+Result<void> write_file(const fs::path& target, std::string_view text, InputKind kind) {
+    RAMUS_TRY(file, OutputFile::create(target, kind));
     file.write(text);
     return file.commit();
 }

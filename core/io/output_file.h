@@ -1,11 +1,14 @@
-// The one way an output reaches the disk: written beside its target under another name, every write checked, flushed to
-// the disk, and only then renamed over the target. Whatever fails, an older target stays as it was and nothing else is
-// left behind. Devices and pipes (/dev/stdout) are written as they are, for there is nothing to rename.
+// The one way an output reaches the disk: written beside its target without a name, or under another one where the file
+// system wants that, every write checked, flushed to the disk, and only then renamed over the target. Whatever fails,
+// an older target stays as it was and nothing else is left behind. Devices and pipes (/dev/stdout) are written as they
+// are, for there is nothing to rename. A file that this run has read is never replaced, but for a session by a session
+// (run_inputs.h).
 //
 // Failures on the way (a full disk, `ulimit -f`) are told by commit().
 #pragma once
 
 #include "core/io/buffered_file.h"
+#include "core/io/run_inputs.h"
 
 #include <filesystem>
 #include <memory>
@@ -13,13 +16,14 @@
 
 namespace ramus::io {
 
-// Can a file be made there? Asked before long work starts: fails when the folder is missing or not writable, or when
-// `target` is a folder itself.
-[[nodiscard]] Result<void> check_output(const std::filesystem::path& target);
+// Can a file be made there? Asked before long work starts: fails when the folder is missing or not writable, when
+// `target` is a folder itself, or a file that this run has read so far. `kind`: of what is written.
+[[nodiscard]] Result<void> check_output(const std::filesystem::path& target, InputKind kind = InputKind::kFile);
 
 class OutputFile : public BufferedFile {
 public:
-    [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& target);
+    [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& target,
+                                                   InputKind kind = InputKind::kFile);
 
     OutputFile(OutputFile&&) noexcept;
     ~OutputFile(); // without commit(): as if nothing had been written
@@ -41,7 +45,8 @@ private:
 [[nodiscard]] Result<void> commit_both(OutputFile& first, OutputFile& second);
 
 // A whole file at once.
-[[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text);
+[[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text,
+                                      InputKind kind = InputKind::kFile);
 
 // Removes what every OutputFile of this process has written so far and keeps further ones from starting. Safe in a
 // signal handler; the process must end afterwards.

@@ -50,6 +50,7 @@ void Image::put(const Image& other, glm::ivec2 at) {
 Result<Image> read_png(const std::filesystem::path& path) {
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) return fail("cannot be opened", path.string(), "check the path");
+    io::note_input(path);
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     const auto refuse = [&] {

@@ -295,12 +295,6 @@ class Convert(CommandLineTest):
         self.assertEqual(same[0], same[1])
         self.assertEqual(without_notes(same[0]), without_notes(same[2]))
 
-    def test_in_place(self):
-        tree = self.write("tree.swc", GOOD)
-        before = self.json("info", tree, "--json", "--branches")
-        self.expect_done("convert", tree, "-o", tree)
-        self.assertEqual(without_notes(self.json("info", tree, "--json", "--branches")), without_notes(before))
-
     def test_loops_stay_in_json_and_are_refused_as_swc(self):
         ring = self.write("ring.json", json.dumps({
             "format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS",

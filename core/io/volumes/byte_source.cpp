@@ -2,6 +2,7 @@
 
 #include "core/io/file_format.h"
 #include "core/io/input_file.h"
+#include "core/io/run_inputs.h"
 #include "core/io/volumes/byte_stage.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ Result<ByteSource> ByteSource::open(const std::filesystem::path& path, Unpack un
     auto stage = file_stage(path);
     if (!stage) return fail(stage.error().what, path.string(), stage.error().hint);
     state->stage = std::move(*stage);
+    note_input(path);
     // Of pipes and devices nothing is known.
     std::error_code error;
     const double bytes = std::filesystem::is_regular_file(path, error)

@@ -134,13 +134,13 @@ TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
 }
 
 TEST_CASE("reading a session names what is wrong with the file") {
-    CHECK(read_session("/nowhere/s.json").error().what == "the session cannot be read");
-    CHECK(read_session(fs::temp_directory_path()).error().what == "the session cannot be read");
+    CHECK(read_session("/nowhere/s.json").error().what == "no such file");
+    CHECK(read_session(fs::temp_directory_path()).error().what == "this is a directory, not a file");
     const TemporaryFolder folder;
     CHECK(read_session(folder.write("junk.json", "\x7f"
                                                  "ELF"))
               .error()
-              .what == "this is not JSON");
+              .what == "this is not valid JSON");
 }
 
 TEST_CASE("a session that cannot be written leaves nothing behind") {

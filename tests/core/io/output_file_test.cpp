@@ -1,8 +1,11 @@
+#include "core/io/input_file.h"
 #include "core/io/output_file.h"
 #include "tests/support/temporary_folder.h"
 
+#include <array>
 #include <csignal>
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -104,7 +107,7 @@ TEST_CASE("an interrupted process removes what it had begun") {
     if (child == 0) {
         auto file = io::OutputFile::create(folder.path() / "tree.txt");
         file->write(std::string(5'000'000, 'x'));
-        const bool begun = !folder.names().empty();
+        const bool begun = file->size() == 5'000'000;
         io::remove_unfinished_files();
         const bool refused = !io::OutputFile::create(folder.path() / "other.txt");
         ::_exit(begun && refused && folder.names().empty() ? 0 : 1);
@@ -113,4 +116,66 @@ TEST_CASE("an interrupted process removes what it had begun") {
     REQUIRE(::waitpid(child, &status, 0) == child);
     CHECK(status == 0);
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("nothing is left of what a killed process had begun") {
+    TemporaryFolder folder;
+    REQUIRE(io::write_file(folder.path() / "tree.txt", "old"));
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        auto file = io::OutputFile::create(folder.path() / "tree.txt");
+        file->write(std::string(5'000'000, 'x'));
+        (void)::write(ends[1], "x", 1);
+        ::pause();
+        ::_exit(1);
+    }
+    char begun = 0;
+    REQUIRE(::read(ends[0], &begun, 1) == 1);
+    const int nameless = ::open(folder.path().c_str(), O_TMPFILE | O_WRONLY, 0600);
+    REQUIRE(::kill(child, SIGKILL) == 0);
+    REQUIRE(::waitpid(child, nullptr, 0) == child);
+    for (const int end : ends) ::close(end);
+    CHECK(folder.text("tree.txt") == "old");
+    if (nameless >= 0)
+        CHECK(folder.names() == std::vector<std::string>{"tree.txt"});
+    else
+        MESSAGE("SKIPPED: this file system has no files without names");
+    ::close(nameless);
+}
+
+TEST_CASE("what was read is not written over, whatever it is called") {
+    TemporaryFolder folder;
+    const fs::path input = folder.write("tree.swc", "precious"), session = folder.write("s.json", "session");
+    fs::create_symlink("tree.swc", folder.path() / "link.png");
+    fs::create_hard_link(input, folder.path() / "hard.png");
+    REQUIRE(io::read_file(input));
+    io::note_input(session, io::InputKind::kSession);
+    for (const char* name : {"tree.swc", "link.png", "hard.png", "s.json"}) {
+        CAPTURE(name);
+        const auto written = io::write_file(folder.path() / name, "picture");
+        REQUIRE_FALSE(written);
+        CHECK(written.error().where == (folder.path() / name).string());
+        CHECK(written.error().what.find("this run reads it") != std::string::npos);
+        CHECK_FALSE(io::check_output(folder.path() / name));
+    }
+    CHECK(folder.text("tree.swc") == "precious");
+    CHECK_FALSE(io::write_file(input, "session", io::InputKind::kSession));
+    CHECK(io::write_file(session, "session again", io::InputKind::kSession)); // itself
+    CHECK(folder.text("s.json") == "session again");
+    io::note_input(session, io::InputKind::kSession);
+    io::note_input(session); // a script too
+    CHECK_FALSE(io::write_file(session, "once more", io::InputKind::kSession));
+}
+
+TEST_CASE("a new file is not taken for one that was read and is gone") {
+    TemporaryFolder folder;
+    for (int i = 0; i < 20; ++i) { // file systems give away the numbers of removed files soon
+        const fs::path input = folder.write("input", "old");
+        REQUIRE(io::read_file(input));
+        fs::remove(input);
+        REQUIRE(io::write_file(folder.path() / "output", "first"));
+        CHECK(io::write_file(folder.path() / "output", "second"));
+    }
 }

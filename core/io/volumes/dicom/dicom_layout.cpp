@@ -1,5 +1,7 @@
 #include "core/io/volumes/dicom/dicom_layout.h"
 
+#include "core/io/run_inputs.h"
+
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -297,6 +299,7 @@ Result<std::unique_ptr<std::istream>> DicomBytes::open() const {
     if (bytes != nullptr) return std::make_unique<std::istringstream>(*bytes);
     auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
     if (!*file) return fail("cannot be opened", name, "check its permissions");
+    note_input(path);
     return file;
 }
 
