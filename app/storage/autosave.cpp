@@ -82,8 +82,7 @@ bool is_alive(pid_t process) { return process > 0 && (::kill(process, 0) == 0 ||
 
 Result<Slot> Slot::take(const fs::path& folder) {
     if (folder.empty()) return fail("there is no folder for it", {}, "set XDG_STATE_HOME or HOME");
-    std::error_code error;
-    if (fs::create_directories(folder, error)) fs::permissions(folder, fs::perms::owner_all, error);
+    std::error_code error = user_folders::make_private(folder);
     if (error) return fail("the folder cannot be made: " + error.message(), folder.string(), "set XDG_STATE_HOME");
     constexpr int kAttempts = 1000;
     for (int i = 0; i < kAttempts; ++i) {

@@ -38,8 +38,7 @@ std::vector<fs::path> remember_file(const fs::path& path, std::size_t most) {
     if (files.size() > most) files.resize(most);
     const fs::path target = list_file();
     if (target.empty()) return files;
-    std::error_code ignored;
-    fs::create_directories(target.parent_path(), ignored);
+    (void)user_folders::make_private(target.parent_path());
     std::string text;
     for (const fs::path& each : files)
         if (each.string().find('\n') == std::string::npos) text += each.string() + "\n";

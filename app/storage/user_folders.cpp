@@ -7,6 +7,7 @@
 #include <fstream>
 #include <pwd.h>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 
 namespace ramus::app {
@@ -72,6 +73,14 @@ fs::path state() {
 
 fs::path pictures() { return own_folder("XDG_PICTURES_DIR", "Pictures"); }
 fs::path documents() { return own_folder("XDG_DOCUMENTS_DIR", "Documents"); }
+
+std::error_code make_private(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    // Made by this program, now or by an older one that let others read what its user works on.
+    if (!error) fs::permissions(folder, fs::perms::owner_all, error);
+    return error;
+}
 
 bool writable(const fs::path& folder) {
     std::error_code ignored;

@@ -1,9 +1,11 @@
 // The folders where ramus keeps things between runs, and where what it saves goes, by the XDG rules. Every one
-// may be empty: a machine without a home folder is legal, and then there is no such folder. Nothing is created here.
+// may be empty: a machine without a home folder is legal, and then there is no such folder. Only make_private() creates
+// anything.
 #pragma once
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 namespace ramus::app {
 
@@ -18,6 +20,9 @@ namespace user_folders {
 // The person's own folders, as user-dirs.dirs names them; empty when they do not exist.
 [[nodiscard]] std::filesystem::path pictures();
 [[nodiscard]] std::filesystem::path documents();
+
+// Makes it where it is not there, and closes it to other users. For folders that ramus alone writes to.
+[[nodiscard]] std::error_code make_private(const std::filesystem::path& folder);
 
 [[nodiscard]] bool writable(const std::filesystem::path& folder); // exists, and files can be made there
 
