@@ -1,11 +1,13 @@
 // The command line: one CLI::App, one file of app/commands for each subcommand, and the window without one.
 #include "app/commands/command.h"
+#include "app/commands/harmless_output.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/suggestions.h"
 #include "app/commands/surface_flags.h"
 #include "app/window/run_window.h"
+#include "core/base/printable.h"
 
 #include <csignal>
 #include <cstdio>
@@ -18,7 +20,7 @@ namespace ramus::app {
 namespace {
 
 int complain(const std::string& message) {
-    std::cerr << "ramus: " << message << '\n';
+    std::cerr << "ramus: " << printable(message) << '\n';
     return kFailed;
 }
 
@@ -114,6 +116,7 @@ int main(int argc, char** argv) {
         return ramus::app::run(argc, argv);
     } catch (const std::bad_alloc&) {
         return ramus::app::complain("not enough memory; a coarser --detail or --cell needs less");
+    const ramus::app::HarmlessOutput harmless;
     } catch (const std::exception& error) {
         return ramus::app::complain(error.what());
     }

@@ -118,7 +118,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
 }
 
 int complain(const Error& error) {
-    std::cerr << "ramus: " << error.message() << '\n';
+    std::cerr << "ramus: " << printable(error.message()) << '\n';
     return 1;
 }
 

@@ -1,5 +1,7 @@
 #include "core/tree/vessel_tree.h"
 
+#include "core/base/printable.h"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -14,7 +16,7 @@ std::size_t VesselTree::segment_count() const {
 std::vector<std::string> sentences(const VesselTree& tree, Note::Kind kind) {
     std::vector<std::string> found;
     for (const Note& note : tree.notes)
-        if (note.kind == kind) found.push_back(note.text);
+        if (note.kind == kind) found.push_back(printable(note.text));
     return found;
 }
 
