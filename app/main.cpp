@@ -30,8 +30,7 @@ void add_window_flags(CLI::App& app, WindowOptions& window) {
     app.add_option("--commands", window.commands, "Run these commands as soon as the surface is ready")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("--ui-scale", window.scale, "Pixels per point; without it, what the display says")
-        ->type_name("FACTOR")
+    add_option(app, "--ui-scale", "FACTOR", window.scale, "Pixels per point; without it, what the display says")
         ->check(CLI::Range(0.5, 4.0))
         ->group(group);
     app.add_option_function<std::string>(
@@ -84,6 +83,13 @@ int run(int argc, char** argv) {
     }
     try {
         app.parse(argc, argv);
+    } catch (const CLI::ExtrasError& error) {
+        // Behind options of the window the command is not the first word.
+        if (!window.files.empty() && meant_as_command(window.files.front()))
+            complain(unknown_command(app, window.files.front()));
+        else
+            app.exit(error);
+        return kWrongUsage;
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;
     }
@@ -110,13 +116,13 @@ int run(int argc, char** argv) {
 } // namespace ramus::app
 
 int main(int argc, char** argv) {
+    const ramus::app::HarmlessOutput harmless;
     // Writing beyond `ulimit -f` shall be an error that a command reports, not a signal that kills it.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
         return ramus::app::run(argc, argv);
     } catch (const std::bad_alloc&) {
         return ramus::app::complain("not enough memory; a coarser --detail or --cell needs less");
-    const ramus::app::HarmlessOutput harmless;
     } catch (const std::exception& error) {
         return ramus::app::complain(error.what());
     }

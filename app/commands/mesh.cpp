@@ -47,11 +47,7 @@ void add_mask_flags(CLI::App& command, MaskFlags& flags) {
                              "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
                              ->check(expecting(" is not a list of whole numbers other than 0", label_list));
     add_option_taking<double>(
-        command, "--isovalue", "VALUE",
-        [&flags](double value) {
-            if (!std::isfinite(value)) throw CLI::ValidationError("--isovalue", "must be a finite number");
-            flags.selection.isovalue = value;
-        },
+        command, "--isovalue", "VALUE", [&flags](double value) { flags.selection.isovalue = value; },
         "With iso: what is at least that is inside (default for fractions: 0.5)")
         ->excludes(label);
 }

@@ -42,9 +42,9 @@ void add_size_flag(CLI::App& command, glm::ivec2& size) {
 }
 
 CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes) {
-    return add_option(command, "--graphics-memory", "SIZE", bytes,
-                      "Most graphics memory for surfaces, as 800M or 4G (default 0: three quarters of what there is)")
-        ->transform(CLI::AsSizeValue(false));
+    return add_memory_option(
+        command, "--graphics-memory", bytes,
+        "Most graphics memory for surfaces, as 800M or 4G (default 0: three quarters of what there is)");
 }
 
 CLI::Option* add_view_flag(CLI::App& command, render::View& view) {

@@ -188,10 +188,9 @@ void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
         CLI::Option* flag = add_surface_flag(command, option, surface);
         if (!option.instead.empty()) flag->excludes(command.get_option(flag_of(option.instead)));
     }
-    add_option(command, "--memory", "SIZE", surface.memory_bytes,
-               "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
-               "surfaces to the disk")
-        ->transform(CLI::AsSizeValue(false));
+    add_memory_option(command, "--memory", surface.memory_bytes,
+                      "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
+                      "surfaces to the disk");
     add_source_flags(command, flags);
 }
 

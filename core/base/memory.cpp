@@ -1,5 +1,7 @@
 #include "core/base/memory.h"
 
+#include "core/base/words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -12,7 +14,10 @@ namespace ramus {
 // finds its pages, which the system would have to clear anew.
 [[maybe_unused]] static const int kHugeArraysKept = scalable_allocation_mode(TBBMALLOC_SET_HUGE_SIZE_THRESHOLD, 0);
 
-std::string megabytes(double bytes) { return std::to_string(std::llround(bytes / 1e6)) + " MB"; }
+std::string megabytes(double bytes) {
+    constexpr double kMostTold = 1e15; // beyond, digits say nothing, and whole numbers end
+    return (bytes < 1e6 * kMostTold ? std::to_string(std::llround(bytes / 1e6)) : in_digits(bytes / 1e6, 3)) + " MB";
+}
 
 std::string takes_too_much(std::string_view what, double bytes, double left) {
     return std::string(what) + " takes " + megabytes(bytes) + " of memory; " + megabytes(left) + " are left to it";
