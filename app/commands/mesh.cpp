@@ -20,7 +20,7 @@
 #include "core/volume/isosurface.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -101,12 +101,28 @@ void add_parts_flag(CLI::App& command, std::optional<io::PartsBy>& parts) {
         ->check(expecting(" is not branch, system or none", parts_named));
 }
 
+// A surface that lacks something is told of.
+void warn_of_lost(const MeshFlags& flags, const WrittenSurface& written) {
+    if (written.lost_pieces.empty()) return;
+    constexpr std::size_t kNamed = 5;
+    const std::size_t count = written.lost_pieces.size();
+    std::string named;
+    for (std::size_t i = 0; i < std::min(count, kNamed); ++i)
+        named += (i == 0 ? "" : ", ") + std::to_string(written.lost_pieces[i].front());
+    std::cerr << "ramus: " << flags.output << ": " << counted(count, "piece", "pieces") << " of the tree "
+              << (count == 1 ? "is" : "are") << " not on the surface (branch " << named
+              << (count > kNamed ? ", ..." : "")
+              << "): far shorter than thick, thinner than cells, or inside of other vessels\n";
+}
+
 void report(const MeshFlags& flags, const WrittenSurface& written, double load_s) {
+    warn_of_lost(flags, written);
     if (flags.json) {
         nlohmann::ordered_json figures = {
             {"vertices", written.vertices}, {"triangles", written.triangles}, {"components", written.components}};
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
+        if (!written.lost_pieces.empty()) figures["lost_pieces"] = written.lost_pieces;
         if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses);
         std::cout << io::printed_json(figures) << '\n';
     } else {
@@ -139,6 +155,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
         return fail("this format has no parts", flags.output, "leave --parts out, or use .glb");
     if (flags.printing.wanted && format->unit_mm != 1.0)
         return fail("programs take the numbers of this format for metres", flags.output, "for printing use .stl");
+    io::note_input(flags.file);
+    io::note_input(flags.session);
     if (auto possible = io::check_output(flags.output); !possible) return tl::unexpected(possible.error());
 
     SurfaceTarget target{flags.output, {}, flags.printing.wanted, flags.surface.surface.threads};
@@ -151,8 +169,6 @@ Result<int> run_mesh(const MeshFlags& flags) {
     }
 
     const Stopwatch watch;
-    io::note_input(flags.file);
-    io::note_input(flags.session);
     RAMUS_TRY(opened, open_session(flags.file, flags.session, flags.surface));
     if (flags.printing.wanted && opened.session.marks.options.method != mesh::Method::kConvolutionSurface)
         return fail("truncated cones overlap, and are not fit for printing", flags.output, "use --method cs");
@@ -165,7 +181,8 @@ Result<int> run_mesh(const MeshFlags& flags) {
     }
     const double load_s = watch.seconds();
 
-    RAMUS_TRY(written, write_surface(*opened.tree, opened.session.marks.options, hidden, target));
+    RAMUS_TRY(written, of_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
+                               opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
     report(flags, written, load_s);

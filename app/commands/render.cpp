@@ -12,13 +12,14 @@
 #include "app/picture/fit.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
+#include "app/session/of_file.h"
 #include "app/window/headless_interface.h"
 #include "app/window/pace.h"
 #include "core/base/stopwatch.h"
 #include "core/io/file_format.h"
 #include "core/io/input_file.h"
-#include "core/io/meshes/mesh_file.h"
 #include "core/io/json_text.h"
+#include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
@@ -157,11 +158,11 @@ struct Inputs {
 // Fails on a picture that cannot be written and on a reference that cannot be read, too.
 Result<Inputs> read_inputs(const RenderFlags& flags) {
     Inputs inputs;
-    if (!flags.camera.empty()) {
     for (const auto& file : {flags.file, flags.reference}) io::note_input(file);
     io::note_input(flags.session, io::InputKind::kSession);
     io::note_input(flags.comparison.mask);
     for (const auto& file : flags.context) io::note_input(file);
+    if (!flags.camera.empty()) {
         RAMUS_TRY(read, read_camera(flags.camera));
         inputs.camera = read;
     }
@@ -235,7 +236,8 @@ Result<int> run_render(const RenderFlags& flags) {
     viewing.transparent = flags.transparent;
     viewing.notes = flags.notes;
     PictureStage stage(document, flags.common, viewing);
-    if (auto made = stage.make_surface(); !made) return tl::unexpected(made.error());
+    if (auto made = of_file(stage.make_surface(), document.session().tree.path.string()); !made)
+        return tl::unexpected(made.error());
     set_camera(document, inputs, has_camera, flags, stage);
     const auto context = open_context(flags);
     if (!context) return tl::unexpected(context.error());

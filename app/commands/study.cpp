@@ -10,9 +10,10 @@
 #include "app/ratings/rating_sheet.h"
 #include "app/session/checksum.h"
 #include "app/session/numbers.h"
+#include "app/session/of_file.h"
 #include "app/workspace/compared_surfaces.h"
-#include "core/io/output_file.h"
 #include "core/io/json_text.h"
+#include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/tree/part_of_tree.h"
 #include "render/gl/headless_context.h"
@@ -233,7 +234,7 @@ Result<int> run_study(const StudyFlags& flags) {
     RAMUS_TRY(chosen, branches_of(whole_tree, Marks(), flags.common.systems, flags.file));
     const bool all = std::ranges::find(chosen, 0) == chosen.end();
     const tree::VesselTree tree = all ? std::move(whole_tree) : tree::part_of(whole_tree, chosen);
-    RAMUS_TRY(surfaces, make_surfaces(flags, tree));
+    RAMUS_TRY(surfaces, of_file(make_surfaces(flags, tree), flags.file));
     const auto context = render::make_headless_context(render::Backend::kOsMesa, std::nullopt);
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create());

@@ -7,6 +7,7 @@
 #include "core/io/meshes/surface_file.h"
 #include "core/measure/mesh_components.h"
 #include "core/mesh/close_mesh.h"
+#include "core/mesh/lost_pieces.h"
 
 namespace ramus::app {
 
@@ -15,10 +16,11 @@ namespace {
 // Counts the pieces of what passes through to the file.
 class CountingSink final : public mesh::SurfaceSink {
 public:
-    explicit CountingSink(io::SurfaceFile& file) : file_(file) {}
+    CountingSink(io::SurfaceFile& file, std::size_t branches) : file_(file), seen_(branches) {}
 
     [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
         components_.add(more.size());
+        seen_.add(more.branches);
         return file_.add_vertices(more);
     }
     [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
@@ -26,9 +28,11 @@ public:
         return file_.add_triangles(more, vertices);
     }
     [[nodiscard]] int components() const { return static_cast<int>(components_.count()); }
+    [[nodiscard]] const mesh::SeenBranches& seen() const { return seen_; }
 
 private:
     io::SurfaceFile& file_;
+    mesh::SeenBranches seen_;
     DisjointSets components_;
 };
 
@@ -36,7 +40,7 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
                                       std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
     Stopwatch watch;
     RAMUS_TRY(file, io::SurfaceFile::create(output));
-    CountingSink sink(*file);
+    CountingSink sink(*file, tree.branches.size());
     const auto stream = [&](Job& job) { return mesh::stream_surface(tree, options, sink, job, hidden); };
     const auto streamed = with_progress("surface", stream, kNothingWritten);
     if (auto taken = file->check(); !taken) return tl::unexpected(taken.error());
@@ -46,6 +50,7 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
     written.triangles = file->triangle_count();
     written.evaluations = streamed->evaluations;
     written.components = sink.components();
+    written.lost_pieces = mesh::lost_pieces(tree, hidden, sink.seen());
     written.streamed = true;
     written.mesh_s = watch.lap();
     if (auto committed = file->commit(); !committed) return tl::unexpected(committed.error());
@@ -83,6 +88,9 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     RAMUS_TRY(surface, with_progress("surface", make, kNothingWritten));
     WrittenSurface written;
     written.evaluations = surface.statistics.evaluations;
+    mesh::SeenBranches seen(tree.branches.size());
+    seen.add(surface.mesh.branches);
+    written.lost_pieces = mesh::lost_pieces(tree, hidden, seen);
     written.mesh_s = watch.lap();
     if (auto saved = write_surface(surface.mesh, target, written); !saved) return tl::unexpected(saved.error());
     return written;

@@ -18,6 +18,7 @@ struct WrittenSurface {
     std::uint64_t vertices = 0, triangles = 0, evaluations = 0;
     int components = 0;
     bool streamed = false;
+    std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
     double mesh_s = 0.0, write_s = 0.0;
     std::vector<measure::Thickness> thicknesses; // for printing: as measure::least_thicknesses() gives them
 };

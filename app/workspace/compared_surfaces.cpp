@@ -41,7 +41,7 @@ Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const Com
                                             request.surface.options.threads};
     if (request.mask.empty()) {
         made.voxel_mm = request.voxel_mm > 0.0 ? request.voxel_mm : volume::sensible_voxel_mm(tree);
-        RAMUS_TRY(voxels, volume::voxelised(tree, made.voxel_mm, options.memory_bytes));
+        RAMUS_TRY(voxels, volume::voxelised(tree, made.voxel_mm, options.memory_bytes, job));
         return volume::mask_surface(voxels.mask, voxels.to_patient, options, job);
     }
     RAMUS_TRY(read, io::read_volume(request.mask, {options.memory_bytes, io::length_unit(request.units)}, job));

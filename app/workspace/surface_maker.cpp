@@ -162,6 +162,7 @@ Result<void> SurfaceMaker::follow(Followed& followed, const std::vector<field::V
         return updated;
     }
     followed.current = followed.mesh;
+    if (followed.mesh->triangle_count() == 0) return mesh::empty_surface(options.cell_mm);
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "core/field/kernels/gaussian.h"
 #include "core/field/vessel_field.h"
 #include "core/mesh/cones.h"
+#include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "core/mesh/systems.h"
 #include "core/tree/curves.h"
@@ -63,13 +64,15 @@ public:
         return sink_.add_vertices(more);
     }
     [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const VertexSpan& vertices) override {
+        triangles_ += more.size();
         return vertices_ <= kMostVertices && sink_.add_triangles(more, vertices);
     }
     [[nodiscard]] std::size_t vertices() const { return vertices_; }
+    [[nodiscard]] std::size_t triangles() const { return triangles_; }
 
 private:
     SurfaceSink& sink_;
-    std::size_t vertices_ = 0;
+    std::size_t vertices_ = 0, triangles_ = 0;
 };
 
 // What the surface may take: the limit is for the process, which has a tree already.
@@ -79,27 +82,6 @@ PolygonizeOptions polygonize_options(const SurfaceOptions& options) {
     chosen.cell_mm = options.cell_mm;
     chosen.memory_bytes = memory_left(static_cast<double>(options.memory_bytes));
     return chosen;
-}
-
-Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
-                     std::span<const std::uint8_t> hidden) {
-    const Stopwatch watch;
-    Surface surface;
-    if (options.method == Method::kTruncatedCones) {
-        RAMUS_TRY(mesh, cones(without(prepare_tree(source, options), hidden), options.detail, job));
-        surface.mesh = std::move(mesh);
-    } else {
-        const field::VesselField whole = make_field(source, options, {});
-        for (const auto& part : hidden_by_system(source, hidden)) {
-            PolygonizeStatistics statistics;
-            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), job, &statistics));
-            if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
-            append(surface.mesh, std::move(mesh));
-            surface.statistics.evaluations += statistics.evaluations;
-        }
-    }
-    surface.statistics.seconds = watch.seconds();
-    return surface;
 }
 
 Error at_memory_end() {
@@ -144,6 +126,47 @@ field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceO
     return {field::Skeleton(prepared, kernel.support_radii, frame), kernel};
 }
 
+// Of all systems. What cannot be met is known before contacts are looked for, which takes longer the thicker vessels
+// are.
+Result<field::VesselField> feasible_field(const tree::VesselTree& source, const SurfaceOptions& options,
+                                          std::span<const std::vector<std::uint8_t>> parts, PolygonizeMode mode) {
+    const PreparedTree prepared = prepare_tree(source, options);
+    const field::ConvolutionField sum = plain_sum(source, options, prepared);
+    const field::VesselField merged(sum, std::make_shared<const tree::Contacts>());
+    for (const auto& part : parts) {
+        const field::VesselField one = part.empty() ? merged : merged.without(part);
+        if (one.skeleton().present().empty()) continue;
+        if (auto possible = check_feasible(one, polygonize_options(options), mode); !possible)
+            return tl::unexpected(possible.error());
+    }
+    if (options.blend != Blend::kTree) return merged;
+    return field::VesselField(sum,
+                              std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, options.width)));
+}
+
+Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
+                     std::span<const std::uint8_t> hidden) {
+    const Stopwatch watch;
+    Surface surface;
+    if (options.method == Method::kTruncatedCones) {
+        RAMUS_TRY(mesh, cones(without(prepare_tree(source, options), hidden), options.detail, job));
+        surface.mesh = std::move(mesh);
+    } else {
+        const auto parts = hidden_by_system(source, hidden);
+        RAMUS_TRY(whole, feasible_field(source, options, parts, PolygonizeMode::kWhole));
+        for (const auto& part : parts) {
+            PolygonizeStatistics statistics;
+            RAMUS_TRY(mesh, polygonize(whole.without(part), polygonize_options(options), job, &statistics));
+            if (surface.mesh.positions.size() + mesh.positions.size() > kMostVertices) return too_many_vertices();
+            append(surface.mesh, std::move(mesh));
+            surface.statistics.evaluations += statistics.evaluations;
+        }
+    }
+    if (surface.mesh.triangles.empty()) return empty_surface(options.cell_mm);
+    surface.statistics.seconds = watch.seconds();
+    return surface;
+}
+
 } // namespace
 
 field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
@@ -155,6 +178,13 @@ field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptio
     return hidden.empty() ? field : field.without(hidden);
 }
 
+tl::unexpected<Error> empty_surface(double cell_mm) {
+    return fail(cell_mm > 0.0
+                    ? "the surface is empty: vessels are thinner than cells, or far shorter than they are thick"
+                    : "the surface is empty: vessels are far shorter than they are thick",
+                {}, cell_mm > 0.0 ? "lower --cell, or check the unit" : "check positions, radii and the unit");
+}
+
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
     return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden); });
@@ -164,7 +194,9 @@ bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options, 
     if (options.method == Method::kTruncatedCones) return false;
     options.blend = Blend::kPaper; // contacts change no size
     const field::VesselField field = make_field(source, options, hidden);
-    return !is_feasible(field, polygonize_options(options), PolygonizeMode::kWhole);
+    const PolygonizeOptions chosen = polygonize_options(options);
+    const bricks::Sizing sizing = bricks::make_sizing(field, chosen.detail, chosen.cell_mm);
+    return check_resolved(field, sizing, chosen) && !check_feasible(field, sizing, chosen, PolygonizeMode::kWhole);
 }
 
 Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
@@ -173,8 +205,9 @@ Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const S
         const Stopwatch watch;
         std::uint64_t evaluations = 0;
         CountedSink counted(sink);
-        const field::VesselField whole = make_field(source, options, {});
-        for (const auto& part : hidden_by_system(source, hidden)) {
+        const auto parts = hidden_by_system(source, hidden);
+        RAMUS_TRY(whole, feasible_field(source, options, parts, PolygonizeMode::kStream));
+        for (const auto& part : parts) {
             PolygonizeStatistics statistics;
             if (auto done = polygonize_to(counted, whole.without(part), polygonize_options(options), job, &statistics,
                                           counted.vertices());
@@ -182,6 +215,7 @@ Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const S
                 return counted.vertices() > kMostVertices ? too_many_vertices() : tl::unexpected(done.error());
             evaluations += statistics.evaluations;
         }
+        if (counted.triangles() == 0) return empty_surface(options.cell_mm);
         return SurfaceStatistics{evaluations, watch.seconds()};
     });
 }

@@ -54,10 +54,13 @@ using tree::PreparedTree;
 
 // Surface of `source` under `options`, closed where hidden branches were; vertex branch ids are those of `source`. Of
 // several systems each has a surface of its own, one after the other (core/mesh/systems.h).
-// Fails when the options cannot be met (more triangles than memory holds), when every branch is hidden, or when `job`
-// is cancelled (what == "cancelled").
+// Fails when the options cannot be met (more triangles than memory holds), when every branch is hidden, when nothing
+// has a surface, or when `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                            std::span<const std::uint8_t> hidden = {});
+
+// The error of a surface that has no triangle.
+[[nodiscard]] tl::unexpected<Error> empty_surface(double cell_mm);
 
 // Whether make_surface() would refuse for want of memory what stream_surface() may be able to make.
 [[nodiscard]] bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options,

@@ -30,7 +30,7 @@ struct Grid {
 };
 
 // Sets the voxels of one segment.
-void fill(BitMask& mask, const Grid& grid, const tree::Point& a, const tree::Point& b) {
+void fill(BitMask& mask, const Grid& grid, const tree::Point& a, const tree::Point& b, const Job& job) {
     const glm::dvec3 ab = b.position - a.position;
     const glm::ivec3 last = mask.size() - 1;
     Box box;
@@ -38,7 +38,7 @@ void fill(BitMask& mask, const Grid& grid, const tree::Point& a, const tree::Poi
     const auto cell = [&](const glm::dvec3& at) { return (at - grid.origin) / grid.voxel_mm; };
     const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(cell(box.least))), glm::ivec3(0), last);
     const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor(cell(box.most))), glm::ivec3(0), last);
-    for (int k = from.z; k <= to.z; ++k)
+    for (int k = from.z; k <= to.z && !job.cancelled(); ++k)
         for (int j = from.y; j <= to.y; ++j)
             for (int i = from.x; i <= to.x; ++i) {
                 const glm::dvec3 ap = grid.origin + glm::dvec3(i, j, k) * grid.voxel_mm - a.position;
@@ -62,11 +62,17 @@ double sensible_voxel_mm(const tree::VesselTree& tree) {
     return std::max(*tenth, std::max({extent.x, extent.y, extent.z}) / kMostVoxelsASide);
 }
 
-Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes) {
-    return voxelised(tree, glm::dvec3(voxel_mm), memory_bytes);
+Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm) {
+    Job job;
+    return voxelised(tree, voxel_mm, 0.0, job);
 }
 
-Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& voxel_mm, double memory_bytes) {
+Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes, Job& job) {
+    return voxelised(tree, glm::dvec3(voxel_mm), memory_bytes, job);
+}
+
+Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& voxel_mm, double memory_bytes,
+                                Job& job) {
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(voxel_mm[axis]) || voxel_mm[axis] <= 0.0)
             return fail("a voxel has no size", {}, "give millimetres, such as 0.5");
@@ -82,7 +88,8 @@ Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& 
     VoxelisedTree made{BitMask(glm::ivec3(sides)), glm::scale(glm::translate(glm::dmat4(1.0), grid.origin), voxel_mm)};
     for (const tree::Branch& branch : tree.branches)
         for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
-            fill(made.mask, grid, tree.points[branch.points[i]], tree.points[branch.points[i + 1]]);
+            fill(made.mask, grid, tree.points[branch.points[i]], tree.points[branch.points[i + 1]], job);
+    if (job.cancelled()) return fail("cancelled");
     if (made.mask.count() == 0)
         return fail("no voxel of " + least + " mm lies within a vessel", {}, "give a smaller size");
     return made;

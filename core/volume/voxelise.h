@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job.h"
 #include "core/tree/vessel_tree.h"
 #include "core/volume/bit_mask.h"
 
@@ -17,12 +18,15 @@ struct VoxelisedTree {
 
 // Voxels of `voxel_mm` a side whose centre lies within a vessel: within the radius of its centerline, linear between
 // points. Fails when `voxel_mm` is not positive and when the voxels would take more than `memory_bytes` (0: half of
-// the machine's), or vessels are so much thinner than voxels that nothing is inside.
-[[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes = 0.0);
+// the machine's), or vessels are so much thinner than voxels that nothing is inside, and when `job` is cancelled (what
+// == "cancelled").
+[[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes,
+                                              Job& job);
+[[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm);
 
 // The same with voxels of any proportions, as scanners make them.
 [[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& voxel_mm,
-                                              double memory_bytes = 0.0);
+                                              double memory_bytes, Job& job);
 
 // A voxel size at which nine vessels in ten are at least two voxels wide, and no side has more than 768 voxels; mm.
 [[nodiscard]] double sensible_voxel_mm(const tree::VesselTree& tree);

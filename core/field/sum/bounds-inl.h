@@ -25,6 +25,9 @@ using M8 = hn::Mask<D8>;
 
 // Square of half a box's edge, in supports of a segment, from which on the box counts as large.
 constexpr float kLarge = 4.0F;
+// Length of a segment, in half edges of a large box, from which on its own box along the axes says too little: of a
+// long one across, that holds far more boxes than the segment comes near.
+constexpr float kLong = 4.0F;
 
 // The middles of boxes seen from a segment's start, mm.
 struct Offsets {
@@ -134,6 +137,8 @@ ChildBounds bound_children(const Kernel& kernel, const CullingSegment* segments,
             if (half_extent * half_extent > kLarge * support2) {
                 // No box lies within the support, so there is nothing to gain for the lower bound; and boxes so large
                 // are split in any case.
+                if (s.length > kLong * half_extent)
+                    reaches = hn::And(reaches, hn::Lt(look_at_boxes(d, s, p, h).distance2, hn::Set(d, support2)));
                 upper = hn::IfThenElse(reaches, isovalue, upper);
                 note(d, reaches, first, reaching[m]);
                 continue;

@@ -1,9 +1,13 @@
 #include "core/mesh/polygonize/feasible.h"
 
 #include "core/base/memory.h"
+#include "core/base/words.h"
 #include "core/mesh/polygonize/octree/octree.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <limits>
 #include <string>
 
 namespace ramus::mesh {
@@ -24,7 +28,32 @@ double memory_for(const bricks::Sizing& sizing, PolygonizeMode mode) {
     return needs.first + needs.per_triangle * sizing.expected_triangles;
 }
 
+// Whole as long as that says anything.
+std::string millions(double count) {
+    constexpr double kMostTold = 1e15;
+    return count < 1e6 * kMostTold ? std::to_string(std::llround(count / 1e6)) : in_digits(count / 1e6, 3);
+}
+
 } // namespace
+
+Result<void> check_resolved(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options) {
+    const field::Frame& frame = field.frame();
+    if (bricks::levels_needed(frame, sizing) > bricks::kMaximumLevels)
+        return fail("the thinnest vessel is too thin for the tree's extent", {},
+                    "scale or prune the tree, or set --cell");
+    // Positions of a surface are in single precision: cells smaller than its steps would have no surface in them, and
+    // the points of the grid no order.
+    constexpr double kLeastSteps = 2.0; // of a cell
+    const glm::dvec3 corner = glm::max(glm::abs(frame.lower), glm::abs(frame.upper));
+    const double farthest = std::max({corner.x, corner.y, corner.z});
+    if (sizing.finest_cell_mm >= kLeastSteps * farthest * static_cast<double>(std::numeric_limits<float>::epsilon()))
+        return {};
+    return fail("cells of " + in_digits(sizing.finest_cell_mm, 3) + " mm cannot be told apart " +
+                    in_digits(farthest, 3) + " mm from the origin",
+                {},
+                options.cell_mm > 0.0 ? "raise --cell, or move the tree to the origin"
+                                      : "check the radii and the unit, or move the tree to the origin");
+}
 
 Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing, const PolygonizeOptions& options,
                             PolygonizeMode mode) {
@@ -33,20 +62,20 @@ Result<void> check_feasible(const field::Field& field, const bricks::Sizing& siz
     if (!(needed <= limit)) {
         const char* remedy = options.cell_mm > 0.0 ? "raise --cell or --memory"
                                                    : "lower --detail, prune with --prune, or raise --memory";
-        return fail("the surface would have about " + std::to_string(std::llround(sizing.expected_triangles / 1e6)) +
+        return fail("the surface would have about " + millions(sizing.expected_triangles) +
                         " million triangles or more and may take " + megabytes(needed) + " of memory; " +
                         megabytes(limit) + " are left to it",
                     {}, remedy);
     }
-    if (bricks::levels_needed(field.frame(), sizing) > bricks::kMaximumLevels)
-        return fail("the thinnest vessel is too thin for the tree's extent", {},
-                    "scale or prune the tree, or set --cell");
-    return {};
+    return check_resolved(field, sizing, options);
+}
+
+Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode) {
+    return check_feasible(field, bricks::make_sizing(field, options.detail, options.cell_mm), options, mode);
 }
 
 bool is_feasible(const field::Field& field, const PolygonizeOptions& options, PolygonizeMode mode) {
-    const bricks::Sizing sizing = bricks::make_sizing(field, options.detail, options.cell_mm);
-    return check_feasible(field, sizing, options, mode).has_value();
+    return check_feasible(field, options, mode).has_value();
 }
 
 } // namespace ramus::mesh

@@ -6,9 +6,17 @@
 
 namespace ramus::mesh {
 
-// Fails when the surface, made in that mode, is forecast to take more memory than the options allow, or has cells finer
-// than the lattice counts.
+// Fails on cells finer than the lattice counts, or than single precision tells apart where the tree is.
+[[nodiscard]] Result<void> check_resolved(const field::Field& field, const bricks::Sizing& sizing,
+                                          const PolygonizeOptions& options);
+
+// Fails when the surface, made in that mode, is forecast to take more memory than the options allow, and where it
+// cannot be resolved.
 [[nodiscard]] Result<void> check_feasible(const field::Field& field, const bricks::Sizing& sizing,
                                           const PolygonizeOptions& options, PolygonizeMode mode);
+
+// The same of a field whose sizing nobody needs.
+[[nodiscard]] Result<void> check_feasible(const field::Field& field, const PolygonizeOptions& options,
+                                          PolygonizeMode mode);
 
 } // namespace ramus::mesh

@@ -37,6 +37,9 @@ TEST_CASE("voxels that cannot be are refused") {
     CHECK_FALSE(volume::voxelised(vessel(40.0, 4.0, 2.0), 0.0));
     CHECK_FALSE(volume::voxelised(vessel(40.0, 4.0, 2.0), std::nan("")));
     CHECK_FALSE(volume::voxelised(vessel(40.0, 4.0, 2.0), 1e-7));
-    CHECK_FALSE(volume::voxelised(vessel(40.0, 4.0, 2.0), 0.25, 1000.0));
+    Job job;
+    CHECK_FALSE(volume::voxelised(vessel(40.0, 4.0, 2.0), 0.25, 1000.0, job));
+    job.cancel();
+    CHECK(volume::voxelised(vessel(40.0, 4.0, 2.0), 0.25, 0.0, job).error().what == "cancelled");
     CHECK(volume::sensible_voxel_mm(vessel(40.0, 4.0, 2.0)) == doctest::Approx(2.0));
 }

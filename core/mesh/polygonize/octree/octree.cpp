@@ -11,11 +11,12 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-// Splits all cubes larger than subtrees, level by level, and returns the subtrees' seeds in depth-first order.
-std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octree& octree) {
+// Splits all cubes larger than subtrees, level by level, and returns the subtrees' seeds in depth-first order. Ends
+// early when cancelled.
+std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octree& octree, const Job& job) {
     std::vector<Seed> frontier(1);
     frontier[0].cube = root;
-    for (bool some = true; some;) {
+    for (bool some = true; some && !job.cancelled();) {
         std::vector<std::uint32_t> upper_of(frontier.size());
         some = false;
         for (std::size_t i = 0; i < frontier.size(); ++i) {
@@ -26,6 +27,7 @@ std::vector<Seed> find_subtrees(const Splitter& splitter, const Cube& root, Octr
         }
         std::vector<std::vector<Seed>> next(frontier.size());
         tbb::parallel_for(std::size_t{0}, frontier.size(), [&](std::size_t i) {
+            if (job.cancelled()) return;
             if (frontier[i].is_subtree) {
                 next[i].push_back(std::move(frontier[i]));
                 return;
@@ -88,7 +90,8 @@ Octree build_octree(const field::Field& field, const Sizing& sizing, Job& job) {
 
     const RootLists lists(field, sizing);
     const Splitter splitter{field, sizing, octree.lattice};
-    std::vector<Seed> seeds = find_subtrees(splitter, lists.root(octree.top_level), octree);
+    std::vector<Seed> seeds = find_subtrees(splitter, lists.root(octree.top_level), octree, job);
+    if (job.cancelled()) return octree;
     append_subtrees(splitter, seeds, octree, job);
     return octree;
 }

@@ -13,15 +13,17 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr double kPieceRatio = 1.2; // radii within a piece differ by no more
-constexpr double kRunBend = 0.25;   // how far a piece's segments may lie from its chord, in radii
+constexpr double kPieceRatio = 1.2;  // radii within a piece differ by no more
+constexpr double kLeastAround = 1.0; // triangles for each cell along a vessel, as far as memory goes
+constexpr double kRunBend = 0.25;    // how far a piece's segments may lie from its chord, in radii
 
 // A run of consecutive segments that one piece can stand for: nearly straight, nearly one radius.
 struct Run {
     std::size_t first, last; // segments, inclusive
     double thinnest, thickest;
-    double widest;    // as FieldSegment::thickest()
-    double off = 0.0; // farthest that a point of the run lies from its chord, mm
+    double widest;       // as FieldSegment::thickest()
+    double off = 0.0;    // farthest that a point of the run lies from its chord, mm
+    double extent = 0.0; // farthest that a point of the run lies from its start, mm
 };
 
 using Segments = std::vector<field::FieldSegment>;
@@ -57,6 +59,7 @@ bool extend(Run& run, const Segments& s, std::size_t next) {
     if (off2 > kRunBend * kRunBend * thinnest * thinnest) return false;
     run.last = next, run.thinnest = thinnest, run.thickest = thickest, run.off = std::sqrt(off2);
     run.widest = std::max(run.widest, double(s[next].thickest()));
+    run.extent = std::max(run.extent, glm::length(chord));
     return true;
 }
 
@@ -103,12 +106,17 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
     const double cells_per_radius = 2.0 * std::numbers::pi / detail;
     Sizing sizing;
     sizing.finest_cell_mm = cell_mm > 0.0 ? cell_mm : cells_per_radius * field.frame().thinnest;
+    double ball = 0.0; // triangles
     const auto add = [&](std::int32_t branch, glm::dvec3 a, glm::dvec3 b, double thinnest, double thickest,
-                         double reach) {
+                         double reach, double extent) {
         const double length = glm::distance(a, b);
         const double cell = cell_mm > 0.0 ? cell_mm : cells_per_radius * thinnest;
-        // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each.
-        sizing.expected_triangles += 3.0 * std::numbers::pi * (thinnest + thickest) * length / (cell * cell);
+        // About 1.5 crossed cells for every cell-sized patch of surface, two triangles each. A run that comes back to
+        // its start is as long as it reaches, and a vessel far thinner than cells still has bricks along it.
+        const double around = 3.0 * std::numbers::pi * (thinnest + thickest) / cell;
+        sizing.expected_triangles += std::max(around, kLeastAround) * std::max(length, extent) / cell;
+        // Where all is shorter than it is thick, the surface is that of a ball.
+        ball = std::max(ball, 12.0 * std::numbers::pi * thickest * thickest / (cell * cell));
         if (cell_mm > 0.0) return;
         sizing.pieces.push_back({glm::vec3(a - origin), glm::vec3(length > 0.0 ? (b - a) / length : glm::dvec3(0.0)),
                                  static_cast<float>(length), static_cast<float>(Sizing::kRounding * cell),
@@ -131,18 +139,19 @@ Sizing make_sizing(const field::Field& field, int detail, double cell_mm) {
                 const double ra = r0 + (r1 - r0) * f0;
                 const double rb = r0 + (r1 - r0) * f1;
                 add(s[i].branch, a + (b - a) * f0, a + (b - a) * f1, std::min(ra, rb), std::max(ra, rb),
-                    reach_radii * std::max(ra, rb) * double(s[i].thickest()) / std::max(r0, r1));
+                    reach_radii * std::max(ra, rb) * double(s[i].thickest()) / std::max(r0, r1), 0.0);
             }
             ++n;
             continue;
         }
-        Run run{i, i, std::min(r0, r1), std::max(r0, r1), double(s[i].thickest())};
+        Run run{i, i, std::min(r0, r1), std::max(r0, r1), double(s[i].thickest()), 0.0, double(s[i].length)};
         std::size_t end = n + 1;
         while (end < present.size() && present[end] == run.last + 1 && extend(run, s, run.last + 1)) ++end;
         add(s[i].branch, start_of(s[run.first]), end_of(s[run.last]), run.thinnest, run.thickest,
-            reach_radii * run.widest + run.off);
+            reach_radii * run.widest + run.off, run.extent);
         n = end;
     }
+    sizing.expected_triangles = std::max(sizing.expected_triangles, ball);
     if (cell_mm <= 0.0) {
         sizing.cell_per_radius = cells_per_radius;
         const glm::vec3 extent(field.frame().upper - field.frame().lower);

@@ -128,12 +128,12 @@ TEST_CASE("a grown tree is found again in its voxels, with a rough wall too") {
                 CAPTURE(voxel.x);
                 CAPTURE(noise);
                 const tree::VesselTree truth = grown(seed);
-                const auto voxels = volume::voxelised(truth, voxel);
+                Job job;
+                const auto voxels = volume::voxelised(truth, voxel, 0.0, job);
                 REQUIRE(voxels);
                 // Where vessels of the tree run into each other, and where the wall is rough, the mask has tunnels.
                 volume::SkeletonizeOptions options;
                 options.fill_holes = true;
-                Job job;
                 const auto tree =
                     volume::skeletonize(noise > 0.0 ? test::with_noise(voxels->mask, noise, 1) : voxels->mask,
                                         voxels->to_patient, options, job);
