@@ -1,0 +1,213 @@
+"""Files, names and numbers that were made to do harm: each is taken for what it is, or refused with a word."""
+
+import json
+import os
+import resource
+import socket
+import subprocess
+import time
+import unittest
+
+from ramus import GOOD, RAMUS, SANITIZER_MEMORY, CommandLineTest
+
+SIZE = ("--size", "160x120")
+ESCAPE = "\x1b[2J\x1b]0;pwned\x07"
+
+
+def tree_json(**members):
+    return json.dumps({"format": "ramus-tree", "version": 1, "units": "mm", "orientation": "RAS",
+                       "points": [[0, 0, 0, 1], [0, 0, 5, 1]], "branches": [[0, 1]], "roots": [0]} | members)
+
+
+class Hostile(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.write("tree.swc", GOOD)
+
+    def bounded(self, *arguments, megabytes, **options):
+        """Runs within so much address space beside what an idle process has."""
+
+        def limit():
+            most = (megabytes << 20) + (2 << 30) + 16 * SANITIZER_MEMORY
+            if not SANITIZER_MEMORY:
+                resource.setrlimit(resource.RLIMIT_AS, (most, most))
+
+        return subprocess.run([RAMUS, *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, timeout=120, preexec_fn=limit, **options)
+
+
+class Json(Hostile):
+    def test_nesting_is_refused_wherever_json_is_read(self):
+        deep = "[" * 300_000 + "]" * 300_000
+        self.write("deep.ramus.json", '{"version": 1, "tree": {"path": "tree.swc"}, "comparison": {"labels": %s}}' % deep)
+        self.write("deep.json", tree_json().replace('"roots"', '"more": %s, "roots"' % deep))
+        self.write("camera.json", '{"position": %s}' % deep)
+        for command in (["render", "--session", "deep.ramus.json", "-o", "a.png", *SIZE],
+                        ["mesh", "tree.swc", "--session", "deep.ramus.json", "-o", "a.stl"], ["info", "deep.json"],
+                        ["convert", "deep.json", "-o", "a.swc"]):
+            with self.subTest(command):
+                self.expect_failure(*command, says=["deeper than 64 levels"])
+        self.expect_failure("render", "tree.swc", "--camera", "camera.json", "-o", "a.png", *SIZE, says=["camera.json"])
+        self.assertNotIn("a.png", self.names())
+
+    def test_sessions_have_so_much_and_no_more(self):
+        for count, status in ((10_001, 1), (10_000, 0)):
+            for name, value in (("cuts", [[0, i / count] for i in range(count)]),
+                                ("lesions", [[i % 100, i // 100, 50, 0.5] for i in range(count)]),
+                                ("measurements", [{"kind": "path", "branches": [1, 2]}] * count)):
+                with self.subTest(name, count=count):
+                    self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, name: value}))
+                    result = self.bounded("render", "--session", "s.ramus.json", "-o", "a.png", *SIZE, megabytes=1000)
+                    self.assertEqual(result.returncode, status, result.stderr)
+                    self.assertEqual("10,001 " + name in result.stderr, status == 1, result.stderr)
+        self.write("s.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"},
+                                               "cuts": [[0, i / 10_000] for i in range(10_000)]}))
+        self.write("c.txt", "cut 1 0.5\n")
+        self.expect_failure("render", "--session", "s.ramus.json", "--commands", "c.txt", *SIZE, says=["10,001 cuts"])
+
+
+class Terminal(Hostile):
+    def expect_plain(self, *arguments):
+        result = self.run_ramus(*arguments)
+        for text in (result.stdout, result.stderr):
+            self.assertEqual([c for c in text if (c < " " and c != "\n") or c == "\x7f"], [], text)
+        return result
+
+    def test_text_of_files_and_names_does_not_steer_it(self):
+        self.write("esc.json", tree_json(source=ESCAPE, repairs=["ok\nramus: fine " + ESCAPE]))
+        self.write("esc.ramus.json", json.dumps({"version": 1, "tree": {"path": "tree.swc"}, ESCAPE: 1}))
+        self.write("names.json", tree_json(systems=[{"name": ESCAPE, "colour": "#102030"}], branch_systems=[0]))
+        self.write(ESCAPE + ".swc", "rubbish")
+        shown = self.expect_plain("info", "esc.json")
+        self.assertIn("\\u001b[2J", shown.stdout)
+        self.assertNotIn("\nramus: fine", shown.stdout)
+        self.expect_plain("mesh", "esc.json", "-o", "a.stl")
+        self.expect_plain("info", "names.json")
+        self.assertIn("\\u001b", self.expect_plain("render", "--session", "esc.ramus.json", "-o", "a.png", *SIZE).stderr)
+        self.assertIn("\\u001b", self.expect_plain("info", ESCAPE + ".swc").stderr)
+        self.expect_plain("info", "tree.swc\nramus: fine")
+        self.expect_plain("mesh", "tree.swc", "--method", ESCAPE, "-o", "a.stl")
+        self.expect_plain(ESCAPE)
+
+    def test_json_stays_json(self):
+        self.write("esc.json", tree_json(source="\x7f\u009b2J", repairs=["\x1b\u009b\x7f"]))
+        told = self.json("info", "esc.json", "--json")
+        self.assertEqual(told["notes"][0]["text"], "\x1b\u009b\x7f")
+
+    def test_tables_have_no_formulas(self):
+        names = ["=1+2", "+cmd|' /C calc'!A0", "@SUM(A1)", "-2+3", "-3.5", "+", "plain, \"quoted\""]
+        commands = "".join('name %d "%s"\n' % (i % 3, name.replace('"', '\\"')) + "select 0 1 2\nreport %d.csv selection\n" % i
+                           for i, name in enumerate(names))
+        self.write("c.txt", commands)
+        self.expect_done("render", "tree.swc", "--commands", "c.txt", *SIZE)
+        for i, name in enumerate(names):
+            text = (self.folder / f"{i}.csv").read_text()
+            self.assertIn({0: "\"'=1+2\"", 3: "\"'-2+3\"", 4: ",-3.5,", 5: ",+,"}.get(i, name[1:8]), text)
+            for cell in (cell for row in text.splitlines() for cell in row.split(",")):
+                if cell[:1] in "=+-@" and len(cell) > 1:
+                    float(cell)
+
+
+class Numbers(Hostile):
+    def test_odd_numbers_are_wrong_usage(self):
+        for option, value in (("--memory", "-1"), ("--memory", "18446744073709551616"), ("--memory", "1e9"),
+                              ("--memory", ""), ("--memory", "5X"), ("--memory", "99999999999T"), ("--width", "nan"),
+                              ("--islands", "nan"), ("--bulge-size", "inf"), ("--root", "0,nan,0")):
+            with self.subTest(option, value=value):
+                self.expect_failure("mesh", "tree.swc", "-o", "a.stl", option + "=" + value, status=2, says=[option])
+        for command in (["study", "tree.swc", "-o", "s", "--voxel=nan"], ["study", "tree.swc", "-o", "s", "--voxel=inf"],
+                        ["render", "tree.swc", "-o", "a.png", "--reference", "b.png", "--tolerance=nan"],
+                        ["render", "tree.swc", "-o", "a.png", "--graphics-memory=-1"], ["--ui-scale=nan"]):
+            with self.subTest(command):
+                self.expect_failure(*command, status=2, says=[command[-1].split("=")[0]])
+
+    def test_sizes_of_memory_are_read_as_they_are_written(self):
+        for size in ("800M", "4G", "4gb", "4GiB", "2000000000", "0"):
+            with self.subTest(size):
+                self.expect_done("mesh", "tree.swc", "-o", "a.stl", "--memory", size)
+
+    def test_forecasts_are_numbers_and_name_the_file(self):
+        for cell in ("1e-12", "1e-30"):
+            refused = self.expect_failure("mesh", "tree.swc", "-o", "a.stl", "--cell", cell, says=["tree.swc: "])
+            self.assertNotRegex(refused.stderr, r"-\d{6}")
+        for command in (["mesh", "tree.swc", "-o", "a.stl"], ["render", "tree.swc", "-o", "a.png", *SIZE],
+                        ["study", "tree.swc", "-o", "s", *SIZE], ["validate", "tree.swc"]):
+            with self.subTest(command):
+                self.expect_failure(*command, "--detail", "512", "--memory", "60M", says=["tree.swc", "million triangles"])
+
+    def test_a_command_behind_options_is_named_where_it_is_unknown(self):
+        self.expect_failure("--detail", "8", "mehs", "tree.swc", "-o", "a.stl", status=2, says=["mehs"])
+        self.expect_failure("mehs", "tree.swc", "-o", "a.stl", status=2, says=["mehs", "mesh"])
+
+    def test_names_that_are_no_utf8_do_not_end_json(self):
+        os.rename(self.folder / "tree.swc", os.fsencode(self.folder) + b"/\xff.swc")
+        result = subprocess.run([RAMUS, "render", b"\xff.swc", "-o", b"\xfe.png", "--json", *SIZE], cwd=self.folder,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120, check=True)
+        self.assertEqual(json.loads(result.stdout)["picture"], "\ufffd.png")
+
+
+class Bounds(Hostile):
+    def test_devices_and_endless_pipes_end_soon(self):
+        for name in ("/dev/zero", "/dev/null"):
+            for command in (["info", name], ["mesh", name, "-o", "a.stl"], ["compare", name, "tree.swc"],
+                            ["render", "tree.swc", "-o", "a.png", "--camera", name, *SIZE],
+                            ["mesh", "tree.swc", "--session", name, "-o", "a.stl"]):
+                with self.subTest(command):
+                    self.expect_failure(*command, says=[name])
+        with open("/dev/zero", "rb") as zeros:
+            endless = subprocess.Popen(["cat"], stdin=zeros, stdout=subprocess.PIPE)
+            try:
+                result = self.bounded("info", "/dev/stdin", megabytes=1200, stdin=endless.stdout)
+            finally:
+                endless.kill()
+                endless.stdout.close()
+                endless.wait()
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("larger than 256 MiB", result.stderr)
+
+    def test_memory_is_kept_with_a_cell_that_is_larger_than_vessels(self):
+        self.write("thin.swc", "0 2 0 0 0 1.5e-5 -1\n1 2 907 -408 0 1.5e-5 0\n2 2 0 1 0 1.5e-5 0\n")
+        result = self.bounded("mesh", "thin.swc", "--cell", "0.0025", "--memory", "500M", "-o", "a.stl", "--json",
+                              megabytes=700)
+        self.assertEqual(result.returncode, 0, result.stderr)  # what grid points meet of it
+        self.assertLess(json.loads(result.stdout)["triangles"], 100_000)
+
+    def test_a_vessel_that_turns_back_is_as_large_as_it_reaches(self):
+        self.write("loop.json", tree_json(points=[[0, 0, 0, 400], [600, 0, 0, 400], [300, 0, 0, 400]],
+                                          branches=[[2, 1], [0, 1], [0, 2]], roots=[2]))
+        for name in ("loop.json",):
+            result = self.bounded("mesh", name, "--cell", "0.005", "--memory", "500M", "-o", "a.stl", megabytes=700)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn("million triangles", result.stderr)
+
+
+class Empty(Hostile):
+    def test_no_surface_is_no_success(self):
+        self.write("short.swc", "1 2 0 0 0 5 -1\n2 2 0 0 0.1 5 1\n")
+        for name, cell in (("short.swc", ()), ("short.swc", ("--cell", "1e9"))):
+            for command, output in (("mesh", "a.stl"), ("mesh", "a.glb"), ("render", "a.png")):
+                with self.subTest(name, command=command):
+                    size = SIZE if command == "render" else ()
+                    self.expect_failure(command, name, "-o", output, *cell, *size, says=[name, "the surface is empty"])
+                    self.assertNotIn(output, self.names())
+
+    def test_a_piece_that_is_lost_is_named(self):
+        self.write("two.swc", GOOD + "6 2 50 0 0 5 -1\n7 2 50 0 0.1 5 6\n")
+        result = self.expect_done("mesh", "two.swc", "-o", "a.stl")
+        self.assertIn("1 piece of the tree is not on the surface (branch 3)", result.stderr)
+        self.assertEqual(json.loads(self.expect_done("mesh", "two.swc", "-o", "a.stl", "--json").stdout)["lost_pieces"], [[3]])
+        self.assertNotIn("lost_pieces", self.json("mesh", "tree.swc", "-o", "a.stl", "--json"))
+
+    def test_what_single_precision_cannot_tell_apart_is_refused(self):
+        self.write("far.swc", "0 2 0 -9.9e6 0 1e-8 -1\n1 2 3e-7 -9.9e6 0 1e-8 0\n")
+        self.write("line.swc", "".join(f"{i} 2 {-9.9e6 + 0.03 * i} 0 0 3.2e-5 {i - 1}\n" for i in range(30)))
+        for command in (["mesh", "far.swc", "--detail", "64"], ["mesh", "far.swc", "--detail", "64", "--width", "50"],
+                        ["mesh", "line.swc"], ["mesh", "line.swc", "--cell", "0.001"]):
+            with self.subTest(command):
+                result = self.run_ramus(*command, "-o", "a.stl")
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn("cannot be told apart 9.9e+06 mm from the origin", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
