@@ -1,6 +1,7 @@
 // `ramus ratings FILE...`: what raters answered on the sheets of `ramus study`, as the paper's Table II.
 #include "app/commands/subcommands.h"
 #include "app/ratings/rating_results.h"
+#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 
 #include <iostream>
@@ -28,7 +29,7 @@ Result<int> run_ratings(const RatingsFlags& flags) {
         if (auto done = io::write_file(flags.csv, csv_of(results_table(results))); !done)
             return tl::unexpected(done.error());
     if (flags.json)
-        std::cout << results_json(results).dump(2) << '\n';
+        std::cout << io::printed_json(results_json(results)) << '\n';
     else
         std::cout << results_text(results);
     return kDone;

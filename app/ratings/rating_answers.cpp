@@ -16,7 +16,6 @@ using namespace session_json;
 
 namespace {
 
-constexpr int kDeepestAnswers = 8;                     // answers have four levels
 constexpr std::uintmax_t kLargestAnswers = 2ULL << 20; // answers have some kB, the key of 500 raters less than 1 MB
 constexpr double kMostSeconds = 1e8;
 constexpr std::size_t kMostListed = 3; // missing answers, in words
@@ -95,7 +94,6 @@ void read_scores(const json& list, const RatingStudy& study, const RaterOrder& o
 }
 
 RatingAnswers answers_in(const json& value, const RatingStudy& study) {
-    if (nests_deeper(value, kDeepestAnswers)) throw Refusal{"lists stand in lists, deeper than in any answers"};
     expect_only(value, "the answers",
                 {"format", "version", "study", "rater", "role", "years", "started", "saved", "scenes", "answers"});
     if (text(answer_member(value, "format"), "format") != kAnswersFormat) throw Refusal{"these are no answers"};

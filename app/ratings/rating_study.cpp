@@ -13,7 +13,6 @@ using namespace session_json;
 
 namespace {
 
-constexpr int kDeepestKey = 12;                // a key has seven levels
 constexpr std::uint64_t kMostStudyParts = 100; // methods, scenes
 
 const json& member_of(const json& object, const char* name) {
@@ -75,7 +74,6 @@ RaterOrder order_in(const json& value, const RatingStudy& study) {
 }
 
 RatingStudy study_in(const json& key) {
-    if (nests_deeper(key, kDeepestKey)) throw Refusal{"lists stand in lists, deeper than in any key"};
     expect_only(key, "the key",
                 {"format", "version", "study", "criteria", "methods", "compared", "scenes", "seed", "orders"});
     if (text(member_of(key, "format"), "format") != kKeyFormat) throw Refusal{"this is not the key of a study"};

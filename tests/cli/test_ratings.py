@@ -178,7 +178,7 @@ class Ratings(CommandLineTest):
             self.write("deep.json", head + ', "extra": ' + deep + "}")
             self.expect_failure("ratings", "key.json", one, "deep.json", says=("deep.json", "deeper"))
         self.write("deep.json", "[" * 1_000_000)
-        self.expect_failure("ratings", "key.json", one, "deep.json", says=("deep.json", "JSON"))
+        self.expect_failure("ratings", "key.json", one, "deep.json", says=("deep.json", "deeper"))
         self.write("huge.json", head + ', "extra": "' + "x" * (3 << 20) + '"}')
         self.expect_failure("ratings", "key.json", one, "huge.json", says=("huge.json", "larger than 2 MiB"))
 
