@@ -9,6 +9,7 @@ find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(Boost REQUIRED) # headers alone: the distributions of Boost.Math
+find_package(OpenSSL REQUIRED COMPONENTS Crypto) # libhdf5-dev brings it; checksums
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 # SIMD code is compiled for AVX-512, AVX2, SSE4 and plain C++; processors that have SSSE3 and no SSE4 are of 2006.

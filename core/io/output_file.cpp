@@ -173,6 +173,10 @@ void OutputFile::finish() {
 
 Result<void> OutputFile::commit() {
     finish();
+    return put_in_place();
+}
+
+Result<void> OutputFile::put_in_place() {
     const std::unique_ptr<State> state = std::move(state_);
     if (!failed() && !state->temporary.empty()) keep_error(::rename(state->temporary.c_str(), state->target.c_str()));
     if (failed()) return write_error(state->asked, first_error_);
@@ -203,6 +207,15 @@ Result<void> commit_both(OutputFile& first, OutputFile& second) {
     }
     if (!exchanged) one->temporary.clear();
     two->temporary.clear();
+    return {};
+}
+
+Result<void> commit_all(std::span<OutputFile> files) {
+    for (OutputFile& file : files) file.finish();
+    for (const OutputFile& file : files)
+        if (file.failed()) return write_error(file.state_->asked, file.first_error_);
+    for (OutputFile& file : files)
+        if (auto put = file.put_in_place(); !put) return put;
     return {};
 }
 

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string_view>
 
 namespace ramus::io {
@@ -33,8 +34,10 @@ public:
 
 private:
     friend Result<void> commit_both(OutputFile& first, OutputFile& second);
+    friend Result<void> commit_all(std::span<OutputFile> files);
     struct State;
     void finish(); // all but its name
+    [[nodiscard]] Result<void> put_in_place();
     OutputFile(int descriptor, std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;
@@ -43,6 +46,10 @@ private:
 // Two files that are worth nothing without each other: both come to their places, or none does, and older ones stay as
 // they were. Only a machine that stops between two renamings leaves the first alone.
 [[nodiscard]] Result<void> commit_both(OutputFile& first, OutputFile& second);
+
+// Files that belong together: none comes to its place before all of them are whole on the disk, the last one last. Only
+// a renaming that fails after that leaves some new beside old ones.
+[[nodiscard]] Result<void> commit_all(std::span<OutputFile> files);
 
 // A whole file at once.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& target, std::string_view text,

@@ -52,6 +52,31 @@ TEST_CASE("an older file stays until the new one is complete, and keeps its perm
     CHECK(fs::status(target).permissions() == (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read));
 }
 
+TEST_CASE("files that belong together come to their places together, or none does") {
+    TemporaryFolder folder;
+    REQUIRE(io::write_file(folder.path() / "a", "old"));
+    const auto write = [&](const std::vector<fs::path>& targets) {
+        std::vector<io::OutputFile> files;
+        for (const fs::path& target : targets) {
+            auto file = io::OutputFile::create(target);
+            REQUIRE(file);
+            file->write("new");
+            files.push_back(std::move(*file));
+        }
+        return io::commit_all(files);
+    };
+    // The second one finds no room on its disk.
+    const auto full = write({folder.path() / "a", "/dev/full", folder.path() / "c"});
+    REQUIRE_FALSE(full);
+    CHECK(full.error().where == "/dev/full");
+    CHECK(folder.text("a") == "old");
+    CHECK(folder.names() == std::vector<std::string>{"a"});
+    REQUIRE(write({folder.path() / "a", folder.path() / "c"}));
+    CHECK(folder.text("a") == "new");
+    CHECK(folder.text("c") == "new");
+    CHECK(folder.names() == std::vector<std::string>{"a", "c"});
+}
+
 TEST_CASE("a link to an output stays a link") {
     TemporaryFolder folder;
     REQUIRE(io::write_file(folder.path() / "real.txt", "old"));
