@@ -8,7 +8,6 @@
 #include "core/io/text_numbers.h"
 
 #include <algorithm>
-#include <ctime>
 
 namespace ramus::app::actions {
 
@@ -31,14 +30,6 @@ constexpr std::array<Kind, 6> kKinds{
      {"contacts", contacts_table, [](const Document& d, const Assets& a) {
           return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
       }}}};
-
-std::string now_text() {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    char text[64] = "";
-    if (::localtime_r(&now, &local) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-    return text;
-}
 
 Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
     const Document& document = context.document;

@@ -42,25 +42,6 @@ double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
     return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
 }
 
-// Round numbers from `low` to `high`: 1, 2 and 5 times powers of ten, few enough for a legend.
-std::vector<double> round_numbers(double low, double high, bool logarithmic) {
-    std::vector<double> found;
-    if (logarithmic) {
-        for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
-            for (const double step : {1.0, 2.0, 5.0})
-                if (const double v = step * std::pow(10.0, decade); v >= low * 0.999 && v <= high * 1.001)
-                    found.push_back(v);
-        return found;
-    }
-    const double rough = (high - low) / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double step = power * (rough <= 1.0 * power   ? 1.0
-                                 : rough <= 2.0 * power ? 2.0
-                                 : rough <= 5.0 * power ? 5.0
-                                                        : 10.0);
-    for (double v = std::ceil(low / step) * step; v <= high + 1e-9 * step; v += step) found.push_back(v);
-    return found;
-}
-
 Legend bar_legend(const std::string& title, ColourMap map, double low, double high, bool logarithmic) {
     Legend legend;
     legend.title = title;

@@ -2,26 +2,19 @@
 // from files or people is escaped. No GL: who has pictures gives them.
 #pragma once
 
+#include "app/reports/html.h"
 #include "app/session/document.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ramus::app {
 
 struct Assets; // app/assets/assets.h
 
-struct ReportPicture {
-    std::string caption; // "Anterior"
-    std::string png;     // the file's bytes
-};
-
 // UTF-8. `made`: when, for the head of the page. The first picture is the large one. The document has
 // a tree, and the assets are up to it.
 [[nodiscard]] std::string report_page(const Document& document, const Assets& assets,
                                       const std::vector<ReportPicture>& pictures, const std::string& made);
-
-[[nodiscard]] std::string html_text(std::string_view text); // with & < > " ' escaped
 
 } // namespace ramus::app

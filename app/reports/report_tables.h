@@ -18,6 +18,7 @@ struct Assets; // app/assets/assets.h
 struct Column {
     std::string name;    // in CSV, with the unit: "length_mm"
     std::string heading; // for people: "Length, mm"
+    int digits = 3;      // that people read, of numbers that are not whole
 };
 
 struct Cell {

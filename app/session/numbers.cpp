@@ -47,6 +47,26 @@ std::string seconds_text(double seconds) {
     return seconds < 0.9995 ? digits(1000.0 * seconds, 2) + " ms" : digits(seconds) + " s";
 }
 
+std::vector<double> round_numbers(double low, double high, bool logarithmic) {
+    std::vector<double> found;
+    if (logarithmic) {
+        for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade)
+            for (const double step : {1.0, 2.0, 5.0})
+                if (const double v = step * std::pow(10.0, decade); v >= low * 0.999 && v <= high * 1.001)
+                    found.push_back(v);
+        return found;
+    }
+    if (!(high > low)) return {low};
+    const double rough = (high - low) / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double step = power * (rough <= 1.0 * power   ? 1.0
+                                 : rough <= 2.0 * power ? 2.0
+                                 : rough <= 5.0 * power ? 5.0
+                                                        : 10.0);
+    for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; n += 1.0)
+        found.push_back(n * step + 0.0); // no negative zero
+    return found;
+}
+
 std::string counted(std::uint64_t number, const std::string& one, const std::string& many) {
     return grouped(number) + " " + (number == 1 ? one : many);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace ramus::app {
 
@@ -16,5 +17,9 @@ namespace ramus::app {
 
 // "1 branch", "1,504 branches".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);
+
+// From `low` to `high`, ascending: multiples of 1, 2 or 5 times a power of ten, ten at most. Logarithmic: 1, 2 and 5
+// times every power of ten, both ends above 0.
+[[nodiscard]] std::vector<double> round_numbers(double low, double high, bool logarithmic = false);
 
 } // namespace ramus::app
