@@ -1,0 +1,60 @@
+// Svg: a drawing as text, for pages and as a file of its own. It needs no style sheet, no script and no font of its
+// own; words in it are escaped. Units are those of the drawing, the width of which a page scales to its own.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramus::app {
+
+// Colours that colour-blind eyes tell apart (M. Okabe and K. Ito, 2008), each with a dash of its own for paper without
+// colours.
+struct Stroke {
+    std::string_view colour = "#000000";
+    double width = 1.0;
+    std::string_view dash{}; // "6 3"; empty: a full line
+};
+inline constexpr Stroke kInputStroke{"#000000", 1.1, ""};
+inline constexpr Stroke kSurfaceStroke{"#0072b2", 2.4, ""};
+inline constexpr Stroke kConesStroke{"#d55e00", 1.6, "7 3"};
+inline constexpr Stroke kMaskStroke{"#009e73", 1.6, "2 2"};
+inline constexpr Stroke kAxisStroke{"#5b6570", 1.0, ""};
+inline constexpr Stroke kGridStroke{"#e3e6ea", 1.0, ""};
+inline constexpr std::string_view kInk = "#1d2126", kQuietInk = "#5b6570";
+
+struct PlotPoint {
+    double x = 0.0, y = 0.0; // y downward
+};
+
+enum class Anchor { kStart, kMiddle, kEnd };
+
+class Svg {
+public:
+    // `title` is what readers of screens say.
+    Svg(double width, double height, std::string_view title);
+
+    void line(PlotPoint from, PlotPoint to, const Stroke& stroke);
+    void polyline(const std::vector<PlotPoint>& points, const Stroke& stroke);
+    void rectangle(PlotPoint corner, PlotPoint size, std::string_view fill, const Stroke* outline = nullptr);
+    void diamond(PlotPoint middle, double radius, std::string_view fill);
+    // `at`: its baseline. `whole`: what a pointer that rests there shows, where words were shortened.
+    void text(PlotPoint at, std::string_view words, Anchor anchor = Anchor::kStart, double size = 11.0,
+              std::string_view colour = kInk, std::string_view whole = {});
+    void text_upward(PlotPoint at, std::string_view words); // in the middle of a vertical axis
+
+    [[nodiscard]] double width() const { return width_; }
+    [[nodiscard]] std::string drawing() const; // as a page has it inside
+    [[nodiscard]] std::string file() const;    // as a file of its own
+
+private:
+    double width_;
+    std::string text_;
+};
+
+// About how wide words are.
+[[nodiscard]] double width_of(std::string_view words, double size = 11.0);
+// With an ellipsis in the middle where they are wider than `most`.
+[[nodiscard]] std::string shortened(std::string_view words, double most, double size = 11.0);
+
+} // namespace ramus::app
