@@ -87,6 +87,26 @@ double Probe::bulge(const measure::Crossing& crossing, const glm::dvec3& from, c
 
 bool Probe::inside(const glm::dvec3& at) const { return winding(at) > 0; }
 
+// The first of the crossings between a place, around which the surface winds `turns` times, and `far`, behind which it
+// is outside; null: there is none.
+const measure::Crossing* Probe::way_out(std::span<const measure::Crossing> crossings, int turns,
+                                        const glm::dvec3& far) const {
+    for (const measure::Crossing& crossing : crossings) {
+        turns -= crossing.out ? sign_ : -sign_;
+        if (turns <= 0) return &crossing;
+    }
+    // Solids that overlap may end at the same place, as cones do where they are joined, and that counts as one
+    // crossing. Then it is the other end that tells.
+    const measure::Crossing* first = nullptr;
+    int behind = crossings.empty() ? 1 : winding(far);
+    if (behind > 0) return nullptr;
+    for (std::size_t i = crossings.size(); i-- > 0;) {
+        if (behind <= 0) first = &crossings[i];
+        behind += crossings[i].out ? sign_ : -sign_;
+    }
+    return first;
+}
+
 CrossSection Probe::cross_section(const glm::dvec3& at, const glm::dvec3& direction, double reach) const {
     thread_local std::vector<measure::Crossing> found;
     CrossSection section;
@@ -105,13 +125,9 @@ CrossSection Probe::cross_section(const glm::dvec3& at, const glm::dvec3& direct
         const glm::dvec3 way = std::cos(angle) * side + std::sin(angle) * other;
         triangles_.crossings(at, way, reach, found);
         double end = reach, more = 0.0;
-        int left = turns;
-        for (const measure::Crossing& crossing : found) {
-            left -= crossing.out ? sign_ : -sign_;
-            if (left > 0) continue;
-            end = crossing.at;
-            more = bulge(crossing, at, way);
-            break;
+        if (const measure::Crossing* crossing = way_out(found, turns, at + reach * way)) {
+            end = crossing->at;
+            more = bulge(*crossing, at, way);
         }
         flat_squares += end * end;
         end += more;

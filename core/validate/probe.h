@@ -36,6 +36,8 @@ public:
 
 private:
     [[nodiscard]] int winding(const glm::dvec3& at) const;
+    [[nodiscard]] const measure::Crossing* way_out(std::span<const measure::Crossing> crossings, int turns,
+                                                   const glm::dvec3& far) const;
     [[nodiscard]] double bulge(const measure::Crossing& crossing, const glm::dvec3& from, const glm::dvec3& way) const;
 
     const mesh::TriangleMesh& surface_;

@@ -16,12 +16,12 @@ namespace {
 constexpr double kReach = 4.0;   // of the rays across, in radii
 constexpr double kFromEnd = 1.5; // radii: nearer to a free end, the surface closes
 
-std::vector<CrossSection> sections_at(const Reference& reference, const Probe& probe) {
-    const std::vector<Place>& places = reference.places();
-    std::vector<double> widest(reference.branches(), 0.0); // a stenosis may be filled to the width beside it
+std::vector<CrossSection> sections_at(const std::vector<Place>& places, const Probe& probe) {
+    std::vector<double> widest; // of each branch: a stenosis may be filled to the width beside it
     for (const Place& place : places) {
-        double& most = widest[static_cast<std::size_t>(place.branch)];
-        most = std::max(most, place.radius);
+        const auto branch = static_cast<std::size_t>(place.branch);
+        if (widest.size() <= branch) widest.resize(branch + 1, 0.0);
+        widest[branch] = std::max(widest[branch], place.radius);
     }
     std::vector<CrossSection> sections(places.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 64), [&](const auto& range) {
@@ -40,7 +40,7 @@ std::vector<RadiusPlace> radii_of(const Reference& reference, const std::vector<
         const Place& place = reference.places()[i];
         const bool alone = place.beside >= kFar && place.to_end >= kFromEnd * place.radius;
         radii.push_back({place.branch, place.along, place.at, place.input_radius, place.radius, sections[i].radius,
-                         sections[i].flat_radius, alone});
+                         sections[i].flat_radius, alone, place.direction});
     }
     return radii;
 }
@@ -69,7 +69,7 @@ Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh&
     const std::vector<Place>& places = reference.places();
     if (job.cancelled()) return fail("cancelled");
     job.report(0.2F);
-    const std::vector<CrossSection> sections = sections_at(reference, probe);
+    const std::vector<CrossSection> sections = sections_at(places, probe);
     if (job.cancelled()) return fail("cancelled");
     job.report(0.6F);
     Validation found;
@@ -96,6 +96,24 @@ Result<Validation> validate(const tree::VesselTree& source, const mesh::Triangle
                             const ValidationOptions& options, Job& job) {
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     return arena.execute([&] { return run(source, surface, options, job); });
+}
+
+Result<std::vector<double>> radii_in(const mesh::TriangleMesh& surface, const std::vector<RadiusPlace>& radii,
+                                     const ValidationOptions& options, Job& job) {
+    std::vector<Place> places(radii.size());
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        places[i].branch = radii[i].branch;
+        places[i].at = radii[i].at;
+        places[i].direction = radii[i].direction;
+        places[i].radius = radii[i].expected_mm;
+    }
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    const auto sections = arena.execute([&] { return sections_at(places, Probe(surface, places)); });
+    if (job.cancelled()) return fail("cancelled");
+    std::vector<double> found;
+    found.reserve(sections.size());
+    for (const CrossSection& section : sections) found.push_back(section.radius);
+    return found;
 }
 
 } // namespace ramus::validate

@@ -56,6 +56,7 @@ struct RadiusPlace {
     double surface_mm = 0.0;  // radius of a circle as large as the surface's cross-section; 0 outside of the surface
     double flat_mm = 0.0;     // likewise of the flat triangles, which are chords of the surface
     bool alone = false;       // away from joints, ends and other vessels
+    glm::dvec3 direction{0.0, 0.0, 1.0}; // of the centerline, unit length
 };
 
 // |surface - input| / input over all places that are alone.
@@ -84,5 +85,11 @@ struct ValidationOptions {
 // The surface has a triangle at least. Fails when `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<Validation> validate(const tree::VesselTree& source, const mesh::TriangleMesh& surface,
                                           const ValidationOptions& options, Job& job);
+
+// The radius of another surface of the same vessels (cones, a mask's isosurface) at the places of `radii`, as
+// RadiusPlace::surface_mm. Fails as validate().
+[[nodiscard]] Result<std::vector<double>> radii_in(const mesh::TriangleMesh& surface,
+                                                   const std::vector<RadiusPlace>& radii,
+                                                   const ValidationOptions& options, Job& job);
 
 } // namespace ramus::validate

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/task_arena.h>
 
@@ -82,6 +83,30 @@ DeviationStatistics statistics_of(std::span<double> values, std::optional<double
     found.histogram = histogram_of(values, most);
     found.percentile_95 = quantile(values, 0.95);
     found.box = box_plot_of(values);
+    return found;
+}
+
+std::vector<std::size_t> farthest_vertices(const mesh::TriangleMesh& surface, std::span<const double> distances,
+                                           std::size_t count) {
+    constexpr double kApart = 0.01; // of the diagonal of the surface's box
+    glm::vec3 least(surface.positions.front()), most(least);
+    for (const glm::vec3& at : surface.positions) least = glm::min(least, at), most = glm::max(most, at);
+    const auto apart = static_cast<float>(kApart) * glm::distance(least, most);
+    std::vector<std::size_t> found;
+    const auto is_free = [&](const glm::vec3& at) {
+        return std::ranges::none_of(found, [&](std::size_t other) {
+            const glm::vec3 way = at - surface.positions[other];
+            return glm::dot(way, way) < apart * apart;
+        });
+    };
+    while (found.size() < count) {
+        std::size_t farthest = distances.size();
+        for (std::size_t i = 0; i < distances.size(); ++i)
+            if ((farthest == distances.size() || distances[i] > distances[farthest]) && is_free(surface.positions[i]))
+                farthest = i;
+        if (farthest == distances.size()) break;
+        found.push_back(farthest);
+    }
     return found;
 }
 

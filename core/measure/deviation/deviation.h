@@ -51,6 +51,11 @@ struct DeviationStatistics {
 // The quantile of `share`, from 0 to 1, of values in any order, which are reordered.
 [[nodiscard]] double quantile(std::span<double> values, double share);
 
+// The `count` vertices that are farthest, the farthest first, each at least a hundredth of the surface's size away from
+// those before it: places, not vertices side by side. `distances`: as deviations() gives them.
+[[nodiscard]] std::vector<std::size_t> farthest_vertices(const mesh::TriangleMesh& surface,
+                                                         std::span<const double> distances, std::size_t count);
+
 struct SurfaceSize {
     double area_mm2 = 0.0;
     std::optional<double> volume_mm3; // inside; none of a surface that is not closed

@@ -196,6 +196,20 @@ TEST_CASE("deviation: statistics of values that can be worked out by hand") {
     CHECK_FALSE(measure::statistics_of(one, {}).above.has_value());
 }
 
+TEST_CASE("deviation: the farthest vertices are places apart from each other, the farthest first") {
+    const mesh::TriangleMesh surface = grid(99, 0.0); // 100 x 100 vertices, 1 mm apart; 1 % of it is 1.4 mm
+    std::vector<double> distances(surface.positions.size(), 0.0);
+    const auto at = [](std::size_t x, std::size_t y) { return 100 * y + x; };
+    distances[at(50, 50)] = 9.0;
+    distances[at(51, 50)] = 8.0; // 1 mm away: the same place
+    distances[at(52, 50)] = 7.0;
+    distances[at(10, 90)] = 8.5;
+    CHECK(measure::farthest_vertices(surface, distances, 3) ==
+          std::vector<std::size_t>{at(50, 50), at(10, 90), at(52, 50)});
+    CHECK(measure::farthest_vertices(test::icosphere(0, {0, 0, 0}, 1.0), std::vector<double>(12, 1.0), 50).size() ==
+          12);
+}
+
 TEST_CASE("deviation: area and volume") {
     const measure::SurfaceSize cube = measure::size_of(test::cube(2.0));
     CHECK(cube.area_mm2 == doctest::Approx(24.0));
