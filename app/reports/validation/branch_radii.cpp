@@ -1,0 +1,77 @@
+#include "app/reports/validation/branch_radii.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace ramus::app {
+
+namespace {
+
+using validate::RadiusPlace;
+
+double error_at(const RadiusPlace& place) { return std::abs(place.surface_mm - place.input_mm) / place.input_mm; }
+
+} // namespace
+
+std::vector<BranchError> worst_branches(const validate::Validation& found, std::size_t most) {
+    std::vector<BranchError> branches;
+    const std::vector<RadiusPlace>& places = found.radii;
+    for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
+        BranchError branch{places[first].branch, first, 0, places.size(), -1.0};
+        for (end = first; end < places.size() && places[end].branch == branch.branch; ++end) {
+            if (!places[end].alone || error_at(places[end]) <= branch.error) continue;
+            branch.worst = end;
+            branch.error = error_at(places[end]);
+        }
+        branch.count = end - first;
+        if (branch.worst < places.size()) branches.push_back(branch);
+    }
+    std::ranges::stable_sort(branches, std::greater<>(), &BranchError::error);
+    if (branches.size() > most) branches.resize(most);
+    return branches;
+}
+
+RadiusCurves curves_of(const ValidatedDataSet& set, const BranchError& branch) {
+    RadiusCurves curves;
+    for (std::size_t i = branch.first; i < branch.first + branch.count; ++i) {
+        const RadiusPlace& place = set.validation.radii[i];
+        curves.along_mm.push_back(place.along_mm);
+        curves.input_mm.push_back(place.input_mm);
+        curves.surface_mm.push_back(place.surface_mm);
+        curves.alone.push_back(place.alone);
+        if (!set.cones_radii_mm.empty()) curves.cones_mm.push_back(set.cones_radii_mm[i]);
+        if (!set.mask_radii_mm.empty()) curves.mask_mm.push_back(set.mask_radii_mm[i]);
+    }
+    return curves;
+}
+
+void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets, bool numbered) {
+    file.write(numbered ? "data_set,branch" : "branch");
+    file.write(",along_mm,x,y,z,input_radius_mm,smoothed_radius_mm,surface_radius_mm,flat_radius_mm,alone,"
+               "cones_radius_mm,mask_radius_mm\r\n");
+    for (std::size_t n = 0; n < sets.size(); ++n) {
+        const ValidatedDataSet& set = sets[n];
+        for (std::size_t i = 0; i < set.validation.radii.size(); ++i) {
+            const RadiusPlace& place = set.validation.radii[i];
+            if (numbered) {
+                file.write_number(n + 1);
+                file.write(",");
+            }
+            file.write_number(place.branch);
+            for (const double value : {place.along_mm, place.at.x, place.at.y, place.at.z, place.input_mm,
+                                       place.expected_mm, place.surface_mm, place.flat_mm}) {
+                file.write(",");
+                file.write_number(value + 0.0); // no negative zero
+            }
+            file.write(place.alone ? ",yes" : ",no");
+            for (const std::vector<double>& radii : {std::cref(set.cones_radii_mm), std::cref(set.mask_radii_mm)}) {
+                file.write(",");
+                if (!radii.empty()) file.write_number(radii[i]);
+            }
+            file.write("\r\n");
+        }
+    }
+}
+
+} // namespace ramus::app

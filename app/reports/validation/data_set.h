@@ -1,0 +1,72 @@
+// What validation found of one data set, a tree with its surface and perhaps its mask, as tables, plots and pages need
+// it; and what all data sets have on average. mm, RAS.
+#pragma once
+
+#include "app/reports/html.h"
+#include "core/measure/deviation/deviation.h"
+#include "core/validate/validation.h"
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ramus::app {
+
+// A vertex of the surface that is far from the other one.
+struct FarPlace {
+    glm::dvec3 at{0.0};
+    double distance_mm = 0.0;
+    int branch = 0; // whose centerline is nearest
+};
+
+// From the vertices of the surface to another one.
+struct SurfaceDistances {
+    measure::DeviationStatistics statistics;
+    std::vector<FarPlace> farthest; // the farthest first
+};
+
+struct InputFile {
+    std::string role; // "tree"
+    std::string path;
+    std::string sha256; // core/io/checksum.h
+};
+
+struct ValidatedDataSet {
+    std::string tree, surface, mask; // files as they were named; empty: the surface was made, there is no mask
+    SurfaceDistances to_cones;
+    std::optional<SurfaceDistances> to_mask;
+    std::optional<double> half_voxel_mm; // half the diagonal of the mask's voxels
+    validate::Validation validation;
+    // At the places of `validation.radii`; empty: not asked for.
+    std::vector<double> cones_radii_mm, mask_radii_mm;
+    std::vector<InputFile> files;
+    std::vector<ReportPicture> pictures;
+};
+
+[[nodiscard]] std::string name_of(const ValidatedDataSet& set); // of its tree's file, without the folder
+
+// The figures of the paper's Table I, with the 95th percentile.
+struct DistanceFigures {
+    double mean = 0.0, sigma = 0.0, rms = 0.0, min = 0.0, max = 0.0, median = 0.0, percentile_95 = 0.0;
+    std::optional<double> above_percent; // above half a voxel's diagonal
+};
+[[nodiscard]] DistanceFigures figures_of(const measure::DeviationStatistics& statistics);
+
+// The mean of each figure, every data set weighing the same, however many vertices it has: the mean of the means, of
+// the standard deviations, of the least and largest distances, as the paper's Table I has them of its ten trees. Not
+// the figures of all vertices together. The share above half a voxel is there when all have it. `all` is not empty.
+[[nodiscard]] DistanceFigures mean_of(std::span<const DistanceFigures> all);
+
+struct ValidationAverages {
+    std::size_t data_sets = 0;
+    DistanceFigures to_cones;
+    std::optional<DistanceFigures> to_mask;          // when all have a mask
+    std::optional<double> radius_median, radius_p95; // of the data sets that have places for it
+    double lost = 0.0, false_parts = 0.0, merged = 0.0, constrictions = 0.0, smoothed_away = 0.0; // per data set
+};
+[[nodiscard]] ValidationAverages averages_of(std::span<const ValidatedDataSet> sets); // not empty
+
+} // namespace ramus::app

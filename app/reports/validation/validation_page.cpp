@@ -1,0 +1,143 @@
+#include "app/reports/validation/validation_page.h"
+
+#include "app/reports/plots/distance_plots.h"
+#include "app/reports/validation/branch_radii.h"
+#include "app/reports/validation/validation_tables.h"
+#include "app/session/numbers.h"
+
+#include <array>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::array kOthers{HeldAgainst::kCones, HeldAgainst::kMask};
+constexpr const char* kHalfVoxel = "half the diagonal of the mask's voxels";
+
+const Stroke& stroke_of(HeldAgainst other) { return other == HeldAgainst::kCones ? kConesStroke : kMaskStroke; }
+
+Svg boxes_of(std::span<const ValidatedDataSet> sets, HeldAgainst other) {
+    std::vector<BoxRow> rows;
+    for (const ValidatedDataSet& set : sets)
+        if (const SurfaceDistances* distances = distances_of(set, other))
+            rows.push_back({name_of(set), &distances->statistics, set.half_voxel_mm});
+    return box_plots("Surface to " + noun_of(other), rows, stroke_of(other), kHalfVoxel);
+}
+
+bool has_mask(std::span<const ValidatedDataSet> sets) {
+    for (const ValidatedDataSet& set : sets)
+        if (set.to_mask) return true;
+    return false;
+}
+
+std::string figure_html(const Svg& plot) { return "<figure>" + plot.drawing() + "</figure>\n"; }
+
+std::string summary_html(std::span<const ValidatedDataSet> sets) {
+    const bool several = sets.size() > 1;
+    std::string note = "For each vertex of the surface the distance to the nearest point of the other one, mm.";
+    if (several)
+        note += " The average is the mean of the data sets' figures, each data set weighing the same, not the figures "
+                "of all vertices together.";
+    std::string text = "<h2>Distances</h2>\n<p class=\"quiet\">" + html_text(note) + "</p>\n";
+    std::string plots;
+    for (const HeldAgainst other : kOthers) {
+        if (other == HeldAgainst::kMask && !has_mask(sets)) continue;
+        text += table_html(for_people(distance_table(sets, other)), {.last_is_sum = several, .is_part = true});
+        plots += figure_html(boxes_of(sets, other));
+        if (several) continue;
+        const SurfaceDistances& distances = *distances_of(sets.front(), other);
+        plots += figure_html(histogram_plot("Surface to " + noun_of(other), distances.statistics, stroke_of(other),
+                                            sets.front().half_voxel_mm, kHalfVoxel));
+    }
+    return text + "<div class=\"plots\">\n" + plots + "</div>\n";
+}
+
+// The questions that have an answer, each with its places.
+std::string places_html(const validate::Validation& found) {
+    const TableLook look{.is_part = true, .all_rows_in = "places.csv"};
+    std::string text, none;
+    struct Question {
+        Table table;
+        const char* note;
+    };
+    const std::array questions{
+        Question{lost_table(found), "Stretches of centerline outside of the surface, or where it is less than half as "
+                                    "wide as the vessel."},
+        Question{false_table(found), "Parts of the surface with no centerline."},
+        Question{merged_table(found), "Vessels that pass each other without a joint and are one in the surface. A gap "
+                                      "below 0 is an overlap."},
+        Question{constrictions_table(found), "Narrow places whose radius the surface changes by more than 10 %."},
+        Question{smoothed_away_table(found), "Narrow places as read that smoothing alone changes by more than 10 %."}};
+    for (const Question& question : questions) {
+        if (question.table.rows.empty()) {
+            none += (none.empty() ? "" : ", ") + question.table.title;
+            continue;
+        }
+        TableLook with_note = look;
+        with_note.note = question.note;
+        if (&question == &questions.back()) with_note.most_rows = 10; // the surface has no part in them
+        text += table_html(question.table, with_note);
+    }
+    if (!none.empty()) text += "<p><strong>None:</strong> " + html_text(none) + ".</p>\n";
+    return text;
+}
+
+std::string radii_html(const ValidatedDataSet& set, std::size_t most) {
+    const Table table = worst_branches_table(set, most);
+    if (table.rows.empty())
+        return "<p class=\"quiet\">No place is away from joints, ends and other vessels: there is no error of the "
+               "radius.</p>\n";
+    const validate::RadiusError& error = set.validation.radius_error;
+    const std::string note = "The radius of a circle as large as the surface's cross-section, against what was read, "
+                             "away from joints, ends and other vessels (elsewhere the plots are grey): over " +
+                             counted(error.places, "place", "places") + " the median error is " +
+                             digits(100.0 * error.median) + " %, the 95th percentile " + digits(100.0 * error.p95) +
+                             " %. radii.csv has all branches.";
+    std::string text = table_html(table, {.note = note, .is_part = true}) + "<div class=\"plots\">\n";
+    for (const BranchError& branch : worst_branches(set.validation, most))
+        text += figure_html(radius_plot("Branch " + std::to_string(branch.branch), curves_of(set, branch)));
+    return text + "</div>\n";
+}
+
+std::string data_set_html(const ValidatedDataSet& set, std::size_t number, bool several) {
+    std::string text = "<section class=\"data-set\">\n";
+    if (several) {
+        text += "<h2>" + std::to_string(number) + ". " + html_text(name_of(set)) + "</h2>\n" +
+                pictures_html(set.pictures) + "<div class=\"plots\">\n";
+        for (const HeldAgainst other : kOthers)
+            if (const SurfaceDistances* distances = distances_of(set, other))
+                text += figure_html(histogram_plot("Surface to " + noun_of(other), distances->statistics,
+                                                   stroke_of(other), set.half_voxel_mm, kHalfVoxel));
+        text += "</div>\n";
+    }
+    text += several ? "<h3>Found places</h3>\n" : "<h2>Found places</h2>\n";
+    text += places_html(set.validation);
+    text += several ? "" : "<h2>Worst places</h2>\n";
+    text += radii_html(set, several ? 4 : 6);
+    for (const HeldAgainst other : kOthers)
+        if (const Table far = farthest_table(set, other); !far.rows.empty()) text += table_html(far, {.is_part = true});
+    return text + "</section>\n";
+}
+
+} // namespace
+
+std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts& settings, const std::string& made) {
+    const bool several = sets.size() > 1;
+    std::string page =
+        page_begin(several ? "Validation of " + counted(sets.size(), "data set", "data sets") : name_of(sets.front()),
+                   several ? "Surfaces held against their trees" : "Surface held against its tree", made);
+    if (!several) page += pictures_html(sets.front().pictures);
+    page += table_html(questions_table(sets), {.last_is_sum = several}) + summary_html(sets);
+    for (std::size_t i = 0; i < sets.size(); ++i) page += data_set_html(sets[i], i + 1, several);
+    page += "<h2>Settings</h2>\n" + facts_html(settings);
+    page += "<div class=\"sums\">\n" + table_html(files_table(sets)) + "</div>\n";
+    return page + page_end();
+}
+
+std::vector<NamedText> box_plot_files(std::span<const ValidatedDataSet> sets) {
+    std::vector<NamedText> files{{"boxes_to_cones.svg", boxes_of(sets, HeldAgainst::kCones).file()}};
+    if (has_mask(sets)) files.push_back({"boxes_to_mask.svg", boxes_of(sets, HeldAgainst::kMask).file()});
+    return files;
+}
+
+} // namespace ramus::app

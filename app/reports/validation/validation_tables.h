@@ -1,0 +1,46 @@
+// What validation found, as tables for CSV and pages: the paper's Table I, the four questions with each place, the
+// worst places, the files. Data sets have numbers from 1, in the order in which they were given.
+#pragma once
+
+#include "app/reports/report_tables.h"
+#include "app/reports/validation/data_set.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace ramus::app {
+
+enum class HeldAgainst { kCones, kMask };
+[[nodiscard]] std::string noun_of(HeldAgainst other); // "truncated cones"
+// null: the data set has no mask.
+[[nodiscard]] const SurfaceDistances* distances_of(const ValidatedDataSet& set, HeldAgainst other);
+
+// "L3": what a picture calls a place and a table has in its first column; `index` from 0.
+[[nodiscard]] std::string place_code(char letter, std::size_t index);
+inline constexpr char kLostLetter = 'L', kFalseLetter = 'F', kMergedLetter = 'M', kConstrictionLetter = 'C',
+                      kFarLetter = 'D';
+
+// A row for each data set, and one for all on average where there are several. No rows: none has a mask.
+[[nodiscard]] Table distance_table(std::span<const ValidatedDataSet> sets, HeldAgainst other);
+// How often each question is answered by a place, and the error of the radius; likewise.
+[[nodiscard]] Table questions_table(std::span<const ValidatedDataSet> sets);
+
+// Of one data set, with the codes of its places.
+[[nodiscard]] Table lost_table(const validate::Validation& found);
+[[nodiscard]] Table false_table(const validate::Validation& found);
+[[nodiscard]] Table merged_table(const validate::Validation& found);
+[[nodiscard]] Table constrictions_table(const validate::Validation& found);
+[[nodiscard]] Table smoothed_away_table(const validate::Validation& found);
+[[nodiscard]] Table farthest_table(const ValidatedDataSet& set, HeldAgainst other);
+[[nodiscard]] Table worst_branches_table(const ValidatedDataSet& set, std::size_t most);
+
+// Without the columns that have nothing in any row, and 0 for numbers so small that no vessel differs by them (10 nm).
+[[nodiscard]] Table for_people(Table table);
+
+// For CSV: both distance tables in one, every place of every question, the files.
+[[nodiscard]] Table all_distances_table(std::span<const ValidatedDataSet> sets);
+[[nodiscard]] Table all_places_table(std::span<const ValidatedDataSet> sets);
+[[nodiscard]] Table files_table(std::span<const ValidatedDataSet> sets);
+
+} // namespace ramus::app
