@@ -35,8 +35,8 @@ void handle_interrupts() {
     }
 }
 
-CancelOnInterrupt::CancelOnInterrupt(Job& job) { running.store(&job); }
-CancelOnInterrupt::~CancelOnInterrupt() { running.store(nullptr); }
+CancelOnInterrupt::CancelOnInterrupt(Job& job) : before_(running.exchange(&job)) {}
+CancelOnInterrupt::~CancelOnInterrupt() { running.store(before_); }
 
 ProgressBar::ProgressBar(std::string what, const Job& job) : what_(std::move(what)), job_(job) {
     if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this] { follow(); });

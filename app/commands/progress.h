@@ -19,13 +19,16 @@ namespace ramus::app {
 // Once, before any command.
 void handle_interrupts();
 
-// While it lives, an interrupt cancels `job`. One at a time.
+// While it lives, an interrupt cancels `job`; then again the job that it would have cancelled before.
 class CancelOnInterrupt {
 public:
     explicit CancelOnInterrupt(Job& job);
     ~CancelOnInterrupt();
     CancelOnInterrupt(const CancelOnInterrupt&) = delete;
     CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
+
+private:
+    Job* before_;
 };
 
 // A line on a terminal that follows a Job; silent where standard error is no terminal, and for the first moments, so

@@ -13,6 +13,11 @@
 
 namespace ramus::app {
 
+SurfaceFlags with_units(SurfaceFlags flags, const MaskInput& mask) {
+    if (!mask.units.empty()) flags.read.unit = io::length_unit(mask.units);
+    return flags;
+}
+
 std::string surface_input_kinds() {
     return "a mesh (" + io::readable_mesh_extensions() + "), a vessel tree, of which the surface is made, or a mask (" +
            io::readable_volume_extensions() + "), of which the isosurface is";
@@ -24,9 +29,7 @@ Result<SurfaceInput> load_mesh(const std::string& file) {
 }
 
 Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
-    SurfaceFlags reading = flags;
-    if (!mask.units.empty()) reading.read.unit = io::length_unit(mask.units);
-    RAMUS_TRY(volume, load_volume(file, reading));
+    RAMUS_TRY(volume, load_volume(file, with_units(flags, mask)));
     warn_about(file, volume);
     SurfaceInput made;
     made.half_voxel_mm = 0.5 * glm::length(volume::spacing_mm(volume.to_patient));

@@ -24,6 +24,9 @@ struct MaskInput {
     std::string units;                // of lengths; empty: as the file says
 };
 
+// How a mask is read: as `flags` say, in the unit of `mask` where that has one.
+[[nodiscard]] SurfaceFlags with_units(SurfaceFlags flags, const MaskInput& mask);
+
 // "a mesh (.ply, ...), a mask (...) or a vessel tree"
 [[nodiscard]] std::string surface_input_kinds();
 

@@ -1,9 +1,18 @@
 """Whether surfaces are true to their trees: `ramus validate`."""
 
+import csv
+import hashlib
+import html.parser
+import io
+import json
+import signal
+import subprocess
+import time
 import unittest
+import xml.etree.ElementTree
 
 from nifti import nifti, voxels
-from ramus import CommandLineTest
+from ramus import RAMUS, TUBE, CommandLineTest
 
 
 def swc(*rows):
@@ -28,6 +37,48 @@ def fork(with_leaf):
 
 
 CROSSING = swc((0, -10, 0, 1, -1), (0, 10, 0, 1, 1), (-10, 0, 1.8, 1, -1), (10, 0, 1.8, 1, 3))
+
+
+TEXT_FILES = ["distances.csv", "files.csv", "places.csv", "questions.csv", "radii.csv", "validation.json"]
+
+
+class Page(html.parser.HTMLParser):
+    """A page's words and elements; fails on tags that are not closed in order, and on anything from elsewhere."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.open, self.count, self.cells, self.words, self.pictures = [], {}, [], [], []
+        self.feed(text)
+        self.close()
+        assert not self.open, self.open
+
+    def handle_starttag(self, tag, attributes):
+        self.count[tag] = self.count.get(tag, 0) + 1
+        for name, value in attributes:
+            assert name not in ("href", "srcset", "onload", "onclick"), name
+            if name == "src":
+                assert value.startswith("data:image/png;base64,"), value[:50]
+                self.pictures.append(value)
+        if tag not in ("meta", "img"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.count[tag] = self.count.get(tag, 0) + 1
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, (tag, self.open)
+        self.open.pop()
+
+    def handle_data(self, data):
+        assert "script" not in self.open
+        if self.open and self.open[-1] == "td":
+            self.cells.append(data)
+        if self.open and self.open[-1] != "style":
+            self.words.append(data)
+
+
+def rows_of(path):
+    return list(csv.DictReader(io.StringIO(path.read_bytes().decode())))
 
 
 class Validate(CommandLineTest):
@@ -83,18 +134,191 @@ class Validate(CommandLineTest):
         self.assertLess(found["distances"]["to_mask"]["mean"], 0.6)
         self.assertAlmostEqual(found["distances"]["to_mask"]["threshold_mm"], 0.5 * 6 ** 0.5)
         report = self.folder / "made" / "report"
-        self.assertEqual(sorted(path.name for path in report.iterdir()), ["radii.csv", "validation.json"])
-        rows = (report / "radii.csv").read_text().splitlines()
-        self.assertTrue(rows[0].startswith("branch,along_mm,x,y,z,input_radius_mm"))
+        self.assertEqual(sorted(path.name for path in report.iterdir()),
+                         ["boxes_to_cones.svg", "boxes_to_mask.svg", *sorted([*TEXT_FILES, "index.html"])])
+        self.assertEqual(json.loads((report / "validation.json").read_text()), found)
+        # What scripts know of one tree.
+        self.assertEqual(list(found), ["tree", "surface", "distances", "radius_error", "questions", "smoothed_away"])
+        self.assertIsNone(found["distances"]["to_cones"]["above_percent"])
+        self.assertNotIn("threshold_mm", found["distances"]["to_cones"])
+        text = (report / "radii.csv").read_text()
+        self.assertTrue(text.startswith("branch,along_mm,x,y,z,input_radius_mm"))
+        rows = rows_of(report / "radii.csv")
         self.assertGreater(len(rows), 20)
+        middle = next(row for row in rows if row["alone"] == "yes")
+        # A tube of radius 1.5; its mask has 3 x 3 voxels across, cut at half of their height.
+        for name in ("input_radius_mm", "surface_radius_mm", "cones_radius_mm"):
+            self.assertAlmostEqual(float(middle[name]), 1.5, delta=0.03)
+        self.assertAlmostEqual(float(middle["mask_radius_mm"]), 1.6, delta=0.2)
+        page = Page((report / "index.html").read_text())
+        self.assertEqual(len(page.pictures), 3)
+        # Box plots and histograms to cones and mask, and one branch.
+        self.assertEqual(page.count["svg"], 5)
+        self.assertIn("mask", page.words)
 
     def test_what_cannot_be(self):
         self.expect_failure("validate", "fork.swc", "--surface", "missing.ply", says=["missing.ply"])
         self.expect_failure("validate", "fork.swc", "--mask", "fork.swc", says=["fork.swc"])
         self.write("file", "not a folder")
         self.expect_failure("validate", "fork.swc", "--report", "file", says=["file", "folder"])
+        self.assertEqual(self.names(), ["file", "fork.swc"])
         for words in ((), ("fork.swc", "--label", "1"), ("fork.swc", "--mask-units", "cm")):
             self.assertEqual(self.run_ramus("validate", *words).returncode, 2)
+
+    def test_several_trees(self):
+        self.write("line.swc", swc((0, 0, 0, 2, -1), (0, 0, 30, 2, 1)))
+        found = self.json("validate", "fork.swc", "line.swc", "fork.swc", "--json")
+        self.assertEqual(list(found), ["data_sets", "averages"])
+        sets, averages = found["data_sets"], found["averages"]
+        self.assertEqual([one["tree"] for one in sets], ["fork.swc", "line.swc", "fork.swc"])
+        self.assertEqual(averages["data_sets"], 3)
+        # Each is what it is alone.
+        alone = self.json("validate", "line.swc", "--json")
+        self.assertEqual(sets[1].pop("mask"), None)
+        self.assertEqual(sets[1], alone)
+        # The mean of the means: the fork counts twice because it is there twice.
+        for name in ("mean", "sigma", "rms", "min", "max", "median", "percentile_95"):
+            each = [one["distances"]["to_cones"][name] for one in sets]
+            self.assertAlmostEqual(averages["distances"]["to_cones"][name], sum(each) / 3)
+        self.assertIsNone(averages["distances"]["to_mask"])
+        self.assertAlmostEqual(averages["radius_error"]["median"],
+                               sum(one["radius_error"]["median"] for one in sets) / 3)
+        self.assertEqual(averages["questions"], {"lost": 0, "false": 0, "merged": 0, "constrictions": 0})
+        text = self.expect_done("validate", "fork.swc", "line.swc").stdout
+        for words in ("Surface to truncated cones", "average", "Mean, mm"):
+            self.assertIn(words, text)
+
+    def test_masks_and_surfaces_of_several_trees(self):
+        size = (9, 9, 14)
+        inside = [1 if 3 <= x <= 5 and 3 <= y <= 5 and 2 <= z <= 11 else 0 for x, y, z in voxels(size)]
+        for scale in (1, 2):
+            rows = ((scale, 0, 0, -4 * scale), (0, scale, 0, -4 * scale), (0, 0, 2 * scale, 0))
+            self.write("mask{}.nii".format(scale), nifti(size, inside, rows=rows))
+            self.write("tree{}.swc".format(scale),
+                       swc((0, 0, 4 * scale, 1.5 * scale, -1), (0, 0, 22 * scale, 1.5 * scale, 1)))
+            self.expect_done("mesh", "tree{}.swc".format(scale), "-o", "tree{}.stl".format(scale))
+        words = ["validate", "tree1.swc", "tree2.swc", "--mask", "mask1.nii", "--mask", "mask2.nii"]
+        found = self.json(*words, "--json")
+        sets, averages = found["data_sets"], found["averages"]
+        self.assertEqual([one["mask"] for one in sets], ["mask1.nii", "mask2.nii"])
+        # Everything is twice as large in the second one.
+        for other in ("to_cones", "to_mask"):
+            first, second = (one["distances"][other] for one in sets)
+            self.assertAlmostEqual(first["threshold_mm"], 0.5 * 6 ** 0.5)
+            self.assertAlmostEqual(second["threshold_mm"], 6 ** 0.5)
+            self.assertAlmostEqual(second["mean"], 2 * first["mean"], delta=1e-4)
+            self.assertAlmostEqual(averages["distances"][other]["mean"], 0.5 * (first["mean"] + second["mean"]))
+            self.assertAlmostEqual(averages["distances"][other]["above_percent"],
+                                   0.5 * (first["above_percent"] + second["above_percent"]))
+        crossed = self.json("validate", "tree1.swc", "tree2.swc", "--surface", "tree2.stl", "--surface", "tree1.stl",
+                            "--json")["data_sets"]
+        self.assertEqual([one["surface"] for one in crossed], ["tree2.stl", "tree1.stl"])
+        self.assertGreater(crossed[0]["distances"]["to_cones"]["mean"], 1)
+
+    def test_wrong_counts_are_wrong_usage(self):
+        self.write("mask.nii", "never read")
+        for words, says in (
+            (("fork.swc", "fork.swc", "--mask", "mask.nii"), ("--mask", "1 time", "2 trees", "same order")),
+            (("fork.swc", "--mask", "mask.nii", "--mask", "mask.nii"), ("--mask", "2 times", "1 tree")),
+            (("fork.swc", "--surface", "a.ply", "--surface", "b.ply"), ("--surface", "2 times", "1 tree")),
+        ):
+            with self.subTest(words):
+                self.expect_failure("validate", *words, "--report", "report", says=says, status=2)
+                self.assertEqual(self.names(), ["fork.swc", "mask.nii"])
+
+    def test_a_bad_file_is_named_before_the_work(self):
+        self.write("broken.swc", "1 0 0 0 x 1 -1\n")
+        self.write("mask.nii", "no mask")
+        self.write("broken.stl", "no mesh")
+        before = self.names()
+        for words, says in (
+            (("fork.swc", "broken.swc"), ["broken.swc"]),
+            (("missing.swc", "fork.swc"), ["missing.swc"]),
+            (("fork.swc", "fork.swc", "--mask", "fork.swc", "--mask", "mask.nii"), ["fork.swc"]),
+            (("fork.swc", "fork.swc", "--surface", "broken.stl", "--surface", "broken.stl"), ["broken.stl"]),
+        ):
+            with self.subTest(words):
+                self.expect_failure("validate", *words, "--report", "a/b", "--json", says=says)
+                self.assertEqual(self.names(), before)  # no empty folder stays
+
+    def test_the_report_of_several_trees(self):
+        # Names that need care, in pages, drawings and tables.
+        name = "<b>&\"x\" 'y', z.swc"
+        self.write("less.swc", fork(False))
+        self.write(name, fork(True))
+        self.expect_done("mesh", "less.swc", "-o", "less.stl")
+        self.expect_done("mesh", name, "-o", "all.stl")
+        self.expect_done("validate", name, "less.swc", "--surface", "less.stl", "--surface", "all.stl", "--report", "out")
+        report = self.folder / "out"
+        self.assertEqual(sorted(path.name for path in report.iterdir()),
+                         ["boxes_to_cones.svg", *sorted([*TEXT_FILES, "index.html"])])
+        text = (report / "index.html").read_text()
+        self.assertNotIn("<b>", text)
+        page = Page(text)
+        self.assertIn("1. " + name, page.words)
+        self.assertIn("Validation of 2 data sets", page.words)
+        self.assertIn("average", page.cells)
+        self.assertEqual(len(page.pictures), 6)
+        # Boxes; for each data set a histogram and up to four branches, here those of the two trees.
+        self.assertEqual(page.count["svg"], 1 + 2 + 3 + 1)
+        for code in ("L1", "F1", "D1"):  # lost, false, far
+            self.assertIn(code, page.cells)
+        for file in (name, "less.swc", "less.stl", "all.stl"):
+            self.assertIn(hashlib.sha256((self.folder / file).read_bytes()).hexdigest(), page.cells)
+        svg = xml.etree.ElementTree.parse(report / "boxes_to_cones.svg").getroot()
+        self.assertEqual(svg.tag, "{http://www.w3.org/2000/svg}svg")
+        self.assertIn(name, [element.text for element in svg.iter("{http://www.w3.org/2000/svg}text")])
+        found = json.loads((report / "validation.json").read_text())
+        distances = rows_of(report / "distances.csv")
+        self.assertEqual([row["tree"] for row in distances], [name, "less.swc", "average"])
+        self.assertAlmostEqual(float(distances[2]["mean_mm"]), found["averages"]["distances"]["to_cones"]["mean"],
+                               delta=1e-6)
+        places = rows_of(report / "places.csv")
+        self.assertEqual([(row["data_set"], row["question"]) for row in places], [("1", "lost"), ("2", "false")])
+        self.assertEqual([row["lost"] for row in rows_of(report / "questions.csv")], ["1", "0", "0.5"])
+        self.assertEqual({row["data_set"] for row in rows_of(report / "radii.csv")}, {"1", "2"})
+        self.assertEqual([row["role"] for row in rows_of(report / "files.csv")], ["tree", "surface"] * 2)
+
+    def test_the_report_takes_no_place_of_what_is_read(self):
+        (self.folder / "report").mkdir()
+        for name in ("index.html", "radii.csv"):
+            target = self.folder / "report" / name
+            target.symlink_to(self.folder / "fork.swc")
+            self.expect_failure("validate", "fork.swc", "--report", "report", says=[name, "that is read"])
+            self.assertTrue(target.is_symlink())
+            target.unlink()
+        self.assertEqual((self.folder / "fork.swc").read_text(), fork(True))
+
+    def test_a_full_disk_leaves_the_old_report(self):
+        (self.folder / "report").mkdir()
+        for name in ("index.html", "validation.json"):
+            self.write("report/" + name, "old")
+        # Small tables fit, the page does not.
+        self.expect_failure("validate", "fork.swc", "--report", "report", largest_file=30000, says=["report/", "ulimit -f"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "report").iterdir()),
+                         ["index.html", "validation.json"])
+        self.assertEqual((self.folder / "report" / "validation.json").read_text(), "old")
+
+    def test_a_report_that_cannot_be_written(self):
+        (self.folder / "report" / "index.html").mkdir(parents=True)
+        self.expect_failure("validate", "fork.swc", "--report", "report", says=["index.html", "is a folder"])
+        self.expect_failure("validate", "fork.swc", "--report", "/proc/report", says=["/proc/report", "cannot be made"])
+
+    def test_an_interrupt_leaves_nothing(self):
+        self.write("tube.swc", TUBE)
+        before = self.names()
+        process = subprocess.Popen(
+            [RAMUS, "validate", "tube.swc", "tube.swc", "tube.swc", "--detail", "256", "--report", "a/report"],
+            cwd=self.folder, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        while not (self.folder / "a" / "report").exists() and process.poll() is None:
+            time.sleep(0.01)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        out, errors = process.communicate(timeout=120)
+        self.assertEqual(out, "")
+        self.assertEqual(process.returncode, 1, errors)
+        self.assertIn("cancelled", errors)
+        self.assertEqual(self.names(), before)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,146 @@
+#include "app/commands/validate_data_set.h"
+
+#include "app/commands/inputs.h"
+#include "app/commands/progress.h"
+#include "app/session/of_file.h"
+#include "core/io/checksum.h"
+#include "core/measure/deviation/deviation.h"
+#include "core/validate/validation.h"
+
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::size_t kFarthest = 8; // places that a report lists
+
+Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::size_t n,
+                                               const tree::VesselTree& tree) {
+    const std::string file = flags.mesh(n);
+    RAMUS_TRY(loaded, file.empty() ? of_file(surface_of_tree(tree, flags.surface), flags.trees[n])
+                                   : of_file(load_mesh(file), file));
+    if (loaded.mesh.triangles.empty()) return fail("there is no surface in it", file.empty() ? flags.trees[n] : file);
+    return std::move(loaded.mesh);
+}
+
+validate::ValidationOptions validation_options(const ValidateFlags& flags) {
+    const mesh::SurfaceOptions& options = flags.surface.surface;
+    return {options.smooth_passes, options.width, options.threads};
+}
+
+// One surface against others.
+class Comparing {
+public:
+    Comparing(const ValidateFlags& flags, const mesh::TriangleMesh& surface, ValidatedDataSet& set, bool for_report)
+        : flags_(flags), surface_(surface), set_(set), for_report_(for_report) {}
+
+    Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other) const {
+        return with_progress("distances", [&](Job&) -> Result<SurfaceDistances> {
+            SurfaceDistances found;
+            LargeArray<double> distances = measure::deviations(surface_, other, flags_.surface.surface.threads);
+            if (for_report_)
+                for (const std::size_t vertex : measure::farthest_vertices(surface_, distances, kFarthest)) {
+                    const glm::dvec3 at(surface_.positions[vertex]);
+                    found.farthest.push_back({at, distances[vertex], nearest_place(set_.validation, at)->branch});
+                }
+            found.statistics = measure::statistics_of(distances, set_.half_voxel_mm);
+            return found;
+        });
+    }
+    Result<std::vector<double>> radii_in(const mesh::TriangleMesh& other) const {
+        if (!for_report_) return std::vector<double>();
+        return with_progress("radii", [&](Job& job) {
+            return validate::radii_in(other, set_.validation.radii, validation_options(flags_), job);
+        });
+    }
+
+private:
+    const ValidateFlags& flags_;
+    const mesh::TriangleMesh& surface_;
+    ValidatedDataSet& set_;
+    bool for_report_;
+};
+
+Result<std::vector<InputFile>> checksums_of(const ValidatedDataSet& set) {
+    return with_progress("checksums", [&](Job& job) -> Result<std::vector<InputFile>> {
+        std::vector<InputFile> files;
+        for (const auto& [role, path] :
+             {std::pair{"tree", set.tree}, std::pair{"surface", set.surface}, std::pair{"mask", set.mask}}) {
+            std::error_code error;
+            if (path.empty() || job.cancelled()) continue;
+            std::vector<std::filesystem::path> read = io::files_read_with(path);
+            if (std::filesystem::is_directory(path, error)) read = {path};
+            for (const std::filesystem::path& file : read) {
+                RAMUS_TRY(sum, io::sha256_of(file));
+                files.push_back({role, file.string(), std::move(sum)});
+            }
+        }
+        return files;
+    });
+}
+
+} // namespace
+
+std::vector<std::string> ValidateFlags::files(std::size_t n) const {
+    std::vector<std::string> all{trees[n]};
+    for (const std::string& file : {mask(n), mesh(n)})
+        if (!file.empty()) all.push_back(file);
+    return all;
+}
+
+Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags) {
+    std::vector<tree::VesselTree> trees;
+    for (const std::string& file : flags.trees) {
+        RAMUS_TRY(tree, load_tree(file, flags.surface));
+        trees.push_back(std::move(tree));
+    }
+    if (flags.count() == 1) return trees; // nothing else is lost when the mask is bad
+    SurfaceFlags silent = flags.surface;  // what is assumed of them is told when they are used
+    silent.verbose = false;
+    for (const std::string& file : flags.masks)
+        if (auto mask = load_volume(file, with_units(silent, flags.labels)); !mask) return tl::unexpected(mask.error());
+    for (const std::string& file : flags.meshes)
+        if (auto mesh = of_file(load_mesh(file), file); !mesh) return tl::unexpected(mesh.error());
+    return trees;
+}
+
+Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, const tree::VesselTree& tree,
+                                   ValidationPainter* painter) {
+    ValidatedDataSet set;
+    set.tree = flags.trees[n];
+    set.mask = flags.mask(n);
+    set.surface = flags.mesh(n);
+    RAMUS_TRY(surface, surface_to_validate(flags, n, tree));
+    RAMUS_TRY(validation, with_progress("validation", [&](Job& job) {
+                  return validate::validate(tree, surface, validation_options(flags), job);
+              }));
+    set.validation = std::move(validation);
+    const Comparing comparing(flags, surface, set, painter != nullptr);
+    if (!set.mask.empty()) { // first: half its voxels is the threshold of both comparisons
+        RAMUS_TRY(mask, surface_of_mask(set.mask, flags.surface, flags.labels));
+        set.half_voxel_mm = mask.half_voxel_mm;
+        RAMUS_TRY(distances, comparing.distances_to(mask.mesh));
+        RAMUS_TRY(radii, comparing.radii_in(mask.mesh));
+        set.to_mask = std::move(distances);
+        set.mask_radii_mm = std::move(radii);
+    }
+    {
+        SurfaceFlags of_cones = flags.surface;
+        of_cones.surface.method = mesh::Method::kTruncatedCones;
+        RAMUS_TRY(cones, surface_of_tree(tree, of_cones));
+        RAMUS_TRY(distances, comparing.distances_to(cones.mesh));
+        RAMUS_TRY(radii, comparing.radii_in(cones.mesh));
+        set.to_cones = std::move(distances);
+        set.cones_radii_mm = std::move(radii);
+    }
+    if (painter == nullptr) return set;
+    RAMUS_TRY(files, checksums_of(set));
+    set.files = std::move(files);
+    RAMUS_TRY(pictures,
+              with_progress("pictures", [&](Job&) { return painter->pictures(std::move(surface), tree, set); }));
+    set.pictures = std::move(pictures);
+    return set;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,206 @@
+#include "app/commands/validate_text.h"
+
+#include "app/commands/deviation_report.h"
+#include "app/reports/validation/validation_tables.h"
+#include "app/session/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace ramus::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json place_json(const glm::dvec3& at) { return {at.x + 0.0, at.y + 0.0, at.z + 0.0}; } // no negative zeros
+
+ordered_json constrictions_json(const std::vector<validate::Constriction>& constrictions) {
+    ordered_json list = ordered_json::array();
+    for (const validate::Constriction& one : constrictions)
+        list.push_back({{"branch", one.branch},
+                        {"at", place_json(one.at)},
+                        {"expected_radius_mm", one.expected_radius_mm},
+                        {"radius_mm", one.radius_mm}});
+    return list;
+}
+
+ordered_json questions_json(const validate::Validation& found) {
+    ordered_json lost = ordered_json::array(), parts = ordered_json::array(), merged = ordered_json::array();
+    for (const validate::Lost& one : found.lost)
+        lost.push_back({{"branch", one.branch}, {"at", place_json(one.at)}, {"length_mm", one.length_mm}});
+    for (const validate::FalsePart& one : found.false_parts)
+        parts.push_back({{"at", place_json(one.at)}, {"length_mm", one.length_mm}});
+    for (const validate::Merged& one : found.merged)
+        merged.push_back({{"branches", one.branches}, {"at", place_json(one.at)}, {"gap_mm", one.gap_mm}});
+    return {{"lost", std::move(lost)},
+            {"false", std::move(parts)},
+            {"merged", std::move(merged)},
+            {"constrictions", constrictions_json(found.constrictions)}};
+}
+
+ordered_json radius_error_json(const validate::RadiusError& error) {
+    if (error.places == 0) return {{"median", nullptr}, {"p95", nullptr}, {"places", 0}};
+    return {{"median", error.median},
+            {"p95", error.p95},
+            {"places", error.places},
+            {"flat", {{"median", error.flat_median}, {"p95", error.flat_p95}}}};
+}
+
+ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
+    ordered_json json;
+    json["tree"] = set.tree;
+    if (one_of_several) json["mask"] = set.mask.empty() ? ordered_json() : ordered_json(set.mask);
+    json["surface"] = set.surface.empty() ? "made of the tree" : set.surface;
+    ordered_json& cones = json["distances"]["to_cones"];
+    cones = deviation_json(set.to_cones.statistics);
+    if (!one_of_several)
+        cones["above_percent"] = nullptr; // as scripts know it
+    else if (set.half_voxel_mm)
+        cones["threshold_mm"] = *set.half_voxel_mm;
+    json["distances"]["to_mask"] = nullptr;
+    if (set.to_mask) {
+        json["distances"]["to_mask"] = deviation_json(set.to_mask->statistics);
+        json["distances"]["to_mask"]["threshold_mm"] = *set.half_voxel_mm;
+    }
+    json["radius_error"] = radius_error_json(set.validation.radius_error);
+    json["questions"] = questions_json(set.validation);
+    json["smoothed_away"] = constrictions_json(set.validation.smoothed_away);
+    return json;
+}
+
+ordered_json number_or_null(const std::optional<double>& number) {
+    return number ? ordered_json(*number) : ordered_json();
+}
+
+ordered_json figures_json(const DistanceFigures& figures) {
+    return {{"mean", figures.mean},
+            {"sigma", figures.sigma},
+            {"rms", figures.rms},
+            {"min", figures.min},
+            {"max", figures.max},
+            {"median", figures.median},
+            {"percentile_95", figures.percentile_95},
+            {"above_percent", number_or_null(figures.above_percent)}};
+}
+
+ordered_json averages_json(const ValidationAverages& averages) {
+    return {{"data_sets", averages.data_sets},
+            {"distances",
+             {{"to_cones", figures_json(averages.to_cones)},
+              {"to_mask", averages.to_mask ? figures_json(*averages.to_mask) : ordered_json()}}},
+            {"radius_error",
+             {{"median", number_or_null(averages.radius_median)}, {"p95", number_or_null(averages.radius_p95)}}},
+            {"questions",
+             {{"lost", averages.lost},
+              {"false", averages.false_parts},
+              {"merged", averages.merged},
+              {"constrictions", averages.constrictions}}},
+            {"smoothed_away", averages.smoothed_away}};
+}
+
+std::string at_text(const glm::dvec3& at) {
+    return rounded(at.x + 0.0) + ", " + rounded(at.y + 0.0) + ", " + rounded(at.z + 0.0) + " mm";
+}
+
+// A heading with how many there are, and a line for each of the first.
+template <class List, class Line> void print_list(const std::string& heading, const List& list, const Line& line) {
+    constexpr std::size_t kMostListed = 20; // a person reads no more; JSON has them all
+    std::cout << heading << ": " << (list.empty() ? "none" : grouped(list.size())) << '\n';
+    const std::size_t listed = std::min(list.size(), kMostListed);
+    for (std::size_t i = 0; i < listed; ++i) std::cout << "    " << line(list[i]) << '\n';
+    if (listed < list.size()) std::cout << "    and " << grouped(list.size() - listed) << " more, which --json lists\n";
+}
+
+void print_questions(const validate::Validation& validation) {
+    print_list("lost branches", validation.lost, [](const validate::Lost& one) {
+        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at) + ", " + length_text(one.length_mm) +
+               " long";
+    });
+    print_list("false branches", validation.false_parts, [](const validate::FalsePart& one) {
+        return "at " + at_text(one.at) + ", " + length_text(one.length_mm) + " long";
+    });
+    print_list("merged branches", validation.merged, [](const validate::Merged& one) {
+        return "branch " + std::to_string(one.branches[0]) + " with " + std::to_string(one.branches[1]) + " at " +
+               at_text(one.at) + (one.gap_mm < 0.0 ? ", overlap " : ", gap ") + length_text(std::abs(one.gap_mm));
+    });
+    print_list("changed constrictions", validation.constrictions, [](const validate::Constriction& one) {
+        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at) + ", radius " +
+               length_text(one.radius_mm) + " instead of " + length_text(one.expected_radius_mm);
+    });
+}
+
+void print_one(const ValidatedDataSet& set) {
+    const validate::Validation& validation = set.validation;
+    print_questions(validation);
+    std::cout << "narrow places that smoothing changes by more than 10 %: " << grouped(validation.smoothed_away.size())
+              << '\n';
+    const validate::RadiusError& error = validation.radius_error;
+    if (error.places > 0)
+        std::cout << "radius away from joints: median error " << digits(100.0 * error.median) << " %, 95th percentile "
+                  << digits(100.0 * error.p95) << " %; of flat triangles " << digits(100.0 * error.flat_median)
+                  << " % and " << digits(100.0 * error.flat_p95) << " %\n";
+    std::cout << deviation_text("surface to truncated cones", set.to_cones.statistics, set.half_voxel_mm);
+    if (set.to_mask) std::cout << deviation_text("surface to isosurface", set.to_mask->statistics, set.half_voxel_mm);
+}
+
+std::string cell_words(const Cell& cell) {
+    if (!cell.number) return cell.text;
+    const double number = *cell.number;
+    if (!std::isfinite(number)) return "-";
+    if (number >= 0.0 && number == std::floor(number)) return grouped(static_cast<std::uint64_t>(number));
+    return digits(number, 4);
+}
+
+// Columns under their headings; numbers to the right.
+void print_table(const Table& all) {
+    const Table table = for_people(all);
+    std::cout << '\n' << table.title << '\n';
+    std::vector<std::size_t> widths;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        widths.push_back(table.columns[c].heading.size());
+        for (const std::vector<Cell>& row : table.rows) widths[c] = std::max(widths[c], cell_words(row[c]).size());
+    }
+    const auto print_line = [&](const auto& word_of) {
+        std::string line;
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            const std::string word = word_of(c), space(widths[c] - word.size() + 2, ' ');
+            line += table.rows.front()[c].number ? space + word : "  " + word + space.substr(2);
+        }
+        std::cout << line << '\n';
+    };
+    print_line([&](std::size_t c) { return table.columns[c].heading; });
+    for (const std::vector<Cell>& row : table.rows) print_line([&](std::size_t c) { return cell_words(row[c]); });
+}
+
+} // namespace
+
+ordered_json validation_json(std::span<const ValidatedDataSet> sets) {
+    if (sets.size() == 1) return data_set_json(sets.front(), false);
+    ordered_json json;
+    json["data_sets"] = ordered_json::array();
+    for (const ValidatedDataSet& set : sets) json["data_sets"].push_back(data_set_json(set, true));
+    json["averages"] = averages_json(averages_of(sets));
+    return json;
+}
+
+void print_validation(std::span<const ValidatedDataSet> sets) {
+    if (sets.size() == 1) return print_one(sets.front());
+    for (const ValidatedDataSet& set : sets) {
+        const validate::Validation& found = set.validation;
+        if (found.lost.empty() && found.false_parts.empty() && found.merged.empty() && found.constrictions.empty())
+            continue; // the table says so
+        std::cout << set.tree << '\n';
+        print_questions(found);
+    }
+    print_table(questions_table(sets));
+    for (const HeldAgainst other : {HeldAgainst::kCones, HeldAgainst::kMask})
+        if (const Table table = distance_table(sets, other); !table.rows.empty()) print_table(table);
+}
+
+} // namespace ramus::app
