@@ -9,11 +9,14 @@
 #include "app/window/run_window.h"
 #include "core/base/printable.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace ramus::app {
 
@@ -84,8 +87,13 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError& error) {
-        // Behind options of the window the command is not the first word.
-        if (!window.files.empty() && meant_as_command(window.files.front()))
+        // Behind options of the window the command is not the first word. Behind an option that is unknown a word
+        // belongs to that.
+        const std::vector<std::string> words(argv, argv + argc);
+        const auto place_of = [&](const std::string& word) { return std::ranges::find(words, word); };
+        const bool is_first = !window.files.empty() && !app.remaining().empty() &&
+                              place_of(window.files.front()) < place_of(app.remaining().front());
+        if (is_first && meant_as_command(window.files.front()))
             complain(unknown_command(app, window.files.front()));
         else
             app.exit(error);
