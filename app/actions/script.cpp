@@ -1,9 +1,6 @@
 #include "app/actions/script.h"
 
-#include "core/io/run_inputs.h"
-
-#include <fstream>
-#include <sstream>
+#include "core/io/input_file.h"
 
 namespace ramus::app {
 
@@ -77,13 +74,9 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
 }
 
 Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (std::filesystem::is_directory(path) || !stream)
-        return fail("the commands cannot be read", path.string(), "check the name and its permissions");
-    io::note_input(path);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parse_script(text.str(), path.string());
+    constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
+    RAMUS_TRY(text, io::read_file(path, kMostBytes));
+    return parse_script(text, path.string());
 }
 
 Result<void> run_script(ActionContext& context, const std::vector<ScriptLine>& lines, const std::string& file) {

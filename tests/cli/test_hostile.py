@@ -151,6 +151,7 @@ class Bounds(Hostile):
         for name in ("/dev/zero", "/dev/null"):
             for command in (["info", name], ["mesh", name, "-o", "a.stl"], ["compare", name, "tree.swc"],
                             ["render", "tree.swc", "-o", "a.png", "--camera", name, *SIZE],
+                            ["render", "tree.swc", "-o", "a.png", "--commands", name, *SIZE],
                             ["mesh", "tree.swc", "--session", name, "-o", "a.stl"]):
                 with self.subTest(command):
                     self.expect_failure(*command, says=[name])
