@@ -28,7 +28,8 @@ const int kUnitImage = 21;          // that a full-screen pass reads
 const int kUnitOtherImage = 22;     // that it mixes with
 const int kUnitRings = 23;          // of the skeleton: centre, radius, axis
 const int kUnitSeenRings = 24;      // which of them
-const int kUnits = 25;
+const int kUnitValues = 25;         // multisampled: of the nearest opaque surface, where it has any
+const int kUnits = 26;
 
 // Uniform blocks.
 const int kBlockView = 0;
@@ -73,11 +74,16 @@ const int kAttributePosition = 0;
 const int kAttributeNormal = 1;
 const int kAttributeBranch = 2;
 const int kAttributeDominance = 3;
+const int kAttributeValue = 4;
 const int kAttributePixel = 0;
 const int kAttributeStripe = 1;
 const int kAttributeInk = 2;
 const int kAttributeUv = 1;
 const int kAttributeColour = 2;
+
+// Targets of geometry.frag.
+const int kTargetSurface = 0;
+const int kTargetValue = 1;
 
 // Targets of resolve.frag.
 const int kTargetIdNormal = 0;

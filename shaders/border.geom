@@ -2,7 +2,7 @@
 // are, in logarithms of their shares in the field, which are nearly linear over a triangle. A point belongs to the branch
 // that is least behind there (border.glsl). On an edge that depends on the edge's ends alone, so that borders run on from
 // triangle to triangle.
-// Variant: TRANSPARENT for glass.
+// Variants: TRANSPARENT for glass; VALUE for surfaces with a value for each vertex.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -10,10 +10,16 @@ layout(triangle_strip, max_vertices = 3) out;
 in vec3 corner_normal[];
 flat in uvec4 corner_dominance[]; // over two rivals, and the lowest bytes of their ids
 flat in int corner_branch[];
+#ifdef VALUE
+in float corner_value[];
+#endif
 
 out vec3 normal_eye;
 out vec3 shares; // of the corners' branches
 flat out ivec3 branch_ids;
+#ifdef VALUE
+centroid out float value_here;
+#endif
 #ifdef TRANSPARENT
 noperspective centroid out float depth_value;
 #endif
@@ -33,6 +39,9 @@ void main() {
         normal_eye = corner_normal[corner];
         shares = vec3(share(corner, 0), share(corner, 1), share(corner, 2));
         branch_ids = ivec3(corner_branch[0], corner_branch[1], corner_branch[2]);
+#ifdef VALUE
+        value_here = corner_value[corner];
+#endif
 #ifdef TRANSPARENT
 #ifdef FULL_DEPTH
         depth_value = 0.5 * gl_Position.z / gl_Position.w + 0.5;

@@ -1,6 +1,6 @@
 // What is seen at a sample: branch id + 1 (0 is nothing) and the normal towards the eye. Light comes later, once a pixel.
 // Variants: BORDER for triangles where branches meet, of which the samples of opaque branches are drawn; LINE draws
-// centerlines.
+// centerlines; VALUE for surfaces with a value for each vertex.
 
 in vec3 normal_eye;
 #ifdef BORDER
@@ -14,7 +14,11 @@ layout(location = kUniformSamplePosition) uniform vec2 sample_position; // from 
 flat in int branch_id;
 #endif
 
-layout(location = 0) out uvec2 surface;
+layout(location = kTargetSurface) out uvec2 surface;
+#ifdef VALUE
+centroid in float value_here; // beyond a triangle's edge it would be one that no vertex has
+layout(location = kTargetValue) out float value;
+#endif
 
 void main() {
 #ifdef BORDER
@@ -35,4 +39,7 @@ void main() {
     if (!gl_FrontFacing) normal = vec3(0.0, 0.0, 1.0); // a lid, where glass begins
 #endif
     surface = uvec2(id, packSnorm2x16(octahedral(normal)));
+#ifdef VALUE
+    value = value_here;
+#endif
 }

@@ -1,7 +1,8 @@
 // Surfaces to clip space. Positions are relative to the middle of the mesh, so that single precision is enough wherever
 // it lies.
 // Variants: TRANSPARENT for what is seen through; BORDER for triangles where branches meet (border.geom goes on); CONTEXT
-// for meshes beside the tree, LINES for the edges of their triangles, whose corners then come three by three.
+// for meshes beside the tree, LINES for the edges of their triangles, whose corners then come three by three; VALUE for
+// surfaces with a value for each vertex.
 
 layout(location = kAttributePosition) in vec3 position;
 layout(location = kAttributeNormal) in vec3 normal;
@@ -11,6 +12,9 @@ layout(location = kAttributeBranch) in int branch;
 #ifdef BORDER
 layout(location = kAttributeDominance) in uvec4 dominance; // as field::Dominance: over two rivals, and their marks
 #endif
+#ifdef VALUE
+layout(location = kAttributeValue) in float value;
+#endif
 
 layout(location = kUniformToClip) uniform mat4 to_clip;
 layout(location = kUniformToEye) uniform mat3 to_eye; // rotation only
@@ -19,8 +23,14 @@ layout(location = kUniformToEye) uniform mat3 to_eye; // rotation only
 out vec3 corner_normal;
 flat out uvec4 corner_dominance;
 flat out int corner_branch;
+#ifdef VALUE
+out float corner_value;
+#endif
 #else
 out vec3 normal_eye;
+#ifdef VALUE
+centroid out float value_here;
+#endif
 #ifndef CONTEXT
 flat out int branch_id;
 #endif
@@ -38,8 +48,14 @@ void main() {
     corner_normal = to_eye * normal;
     corner_dominance = dominance;
     corner_branch = branch;
+#ifdef VALUE
+    corner_value = value;
+#endif
 #else
     normal_eye = to_eye * normal;
+#ifdef VALUE
+    value_here = value;
+#endif
 #ifndef CONTEXT
     branch_id = branch;
 #endif

@@ -39,14 +39,21 @@ vec2 point_along(int branch, vec3 position) {
 #endif
 
 #ifdef SCALE
-// mm or, of the distance from the root, mm from there; negative where a branch has no centerline.
+// The surface's own value; or mm along the centerline, which some branches do not have: then it is not known.
 float value_on_scale(SurfacePoint p) {
+#ifdef VALUES
+    if (scale.w > 2.5) return p.value;
+#endif
     int branch = int(p.id) - 1;
-    if (texelFetch(line_runs, branch).y < 2u) return -1.0;
+    if (texelFetch(line_runs, branch).y < 2u) return kNotKnown;
     vec2 point = point_along(branch, p.position);
     return scale.w > 1.5 ? point.x : point.y;
 }
-vec3 ramp_colour(float along) { return texture(ramp, along).rgb; }
+// The ends of the scale are the middles of the first texel and of the last.
+vec3 ramp_colour(float along) {
+    float steps = float(textureSize(ramp, 0));
+    return texture(ramp, (along * (steps - 1.0) + 0.5) / steps).rgb;
+}
 #endif
 
 #ifdef MARGINS

@@ -1,7 +1,7 @@
 // Light, states and background: samples to the picture's colours, by the formulas in look/. All light is reckoned in
 // linear light; the result is sRGB with premultiplied alpha.
 // Variants: GLASS when anything is defocused, OUTLINE when anything is selected, MARGINS to colour by how far lesions are,
-// SCALE to colour by a value along the branches, CUTS when any branch is cut or lost, CHANGED to shade what is marked so
+// SCALE to colour by a value along the branches or, with VALUES, by the surface's own, CUTS when any branch is cut or lost, CHANGED to shade what is marked so
 // and leave the rest of the last picture, HALOS, CONTOURS and CHROMADEPTH for what tells near from far, CONTEXT when
 // there are context meshes or lesions. LAYER lays one layer of glass onto those before it, where there are no lists
 // (FLOOR).
@@ -16,6 +16,10 @@ layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
 layout(binding = kUnitIdNormal) uniform usampler2D id_normal;
 layout(binding = kUnitOcclusion) uniform sampler2D occlusion;
 layout(binding = kUnitBranches) uniform usamplerBuffer branches; // linear colour of 65535, and in alpha the flags of ids.glsl
+
+#ifdef VALUES
+layout(binding = kUnitValues) uniform sampler2DMS value_samples;
+#endif
 
 #ifdef GLASS
 #include "glass_fragments.glsl"
@@ -71,7 +75,7 @@ SurfacePoint point_of_branch(uint id, vec3 normal, vec3 position) {
     return p;
 }
 
-vec3 shade(uint id, vec3 normal, vec3 position, float occluded) {
+vec3 shade(uint id, vec3 normal, vec3 position, float occluded, float value) {
 #ifdef CONTEXT
     bool context = (id & kContext) != 0u;
     SurfacePoint p = point_of_branch(context ? 1u : id, normal, position);
@@ -83,6 +87,7 @@ vec3 shade(uint id, vec3 normal, vec3 position, float occluded) {
 #else
     SurfacePoint p = point_of_branch(id, normal, position);
 #endif
+    p.value = value;
     return radiance_of(p, occluded);
 }
 
@@ -141,6 +146,10 @@ void main() {
         mean_depth += texelFetch(depth_samples, pixel, s).x;
     }
     mean_depth /= float(samples);
+    float mean_of_values = 0.0; // of what is known or not, as between vertices
+#ifdef VALUES
+    for (int s = 0; s < samples; ++s) mean_of_values += texelFetch(value_samples, pixel, s).x / float(samples);
+#endif
 
 #ifdef GLASS
     // Front to back, each sample by itself: a fragment veils what lies behind it. Its light is reckoned once for all of them.
@@ -186,7 +195,11 @@ void main() {
         bool is_line = (found.x & kLine) != 0u;
         found.x &= ~kLine;
 #endif
-        vec4 here = vec4(shade(max(found.x, 1u), normal, position, occluded), 1.0);
+        float own_value = mean_of_values;
+#ifdef VALUES
+        if (!whole) own_value = texelFetch(value_samples, pixel, s).x;
+#endif
+        vec4 here = vec4(shade(max(found.x, 1u), normal, position, occluded, own_value), 1.0);
         if (found.x == 0u) here = behind;
 #ifdef GLASS
         if (is_line) here.rgb = line_radiance(point_of_branch(found.x, normal, position));

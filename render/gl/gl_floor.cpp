@@ -15,18 +15,22 @@ namespace {
 constexpr GLenum kBuffer = GL_COPY_WRITE_BUFFER;
 constexpr GLenum kUnit = GL_TEXTURE0 + 31; // 48 are the least that 3.3 has
 
-// 4.5 tells formats of vertices and their buffer apart, in any order; here they are put together.
+// 4.5 tells formats of vertices and their buffers apart, in any order; here they are put together.
 struct Attribute {
     GLint size = 0;
     GLenum type = 0;
     GLboolean normalised = GL_FALSE;
     bool whole = false; // an integer in the shader
     GLuint offset = 0;
+    GLuint source = 0; // of the array's buffers
 };
-struct VertexSource {
+struct VertexBuffer {
     GLuint buffer = 0;
     GLintptr offset = 0;
     GLsizei stride = 0;
+};
+struct VertexSource {
+    std::array<VertexBuffer, 2> buffers{};
     std::array<Attribute, 8> attributes{};
 };
 
@@ -178,39 +182,49 @@ void GLAD_API_PTR blit_framebuffer(GLuint from, GLuint to, GLint x0, GLint y0, G
 
 void point(const VertexSource& source, GLuint index) {
     const Attribute& a = source.attributes[index];
-    if (source.buffer == 0 || a.size == 0) return;
-    const auto* offset = offset_pointer(static_cast<std::size_t>(source.offset) + a.offset);
-    glBindBuffer(GL_ARRAY_BUFFER, source.buffer);
+    const VertexBuffer& from = source.buffers.at(a.source);
+    if (from.buffer == 0 || a.size == 0) return;
+    const auto* offset = offset_pointer(static_cast<std::size_t>(from.offset) + a.offset);
+    glBindBuffer(GL_ARRAY_BUFFER, from.buffer);
     if (a.whole)
-        glVertexAttribIPointer(index, a.size, a.type, source.stride, offset);
+        glVertexAttribIPointer(index, a.size, a.type, from.stride, offset);
     else
-        glVertexAttribPointer(index, a.size, a.type, a.normalised, source.stride, offset);
+        glVertexAttribPointer(index, a.size, a.type, a.normalised, from.stride, offset);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void GLAD_API_PTR vertex_array_vertex_buffer(GLuint array, GLuint, GLuint buffer, GLintptr offset, GLsizei stride) {
+// NOLINTNEXTLINE(readability-function-size): OpenGL's own parameters
+void GLAD_API_PTR vertex_array_vertex_buffer(GLuint array, GLuint number, GLuint buffer, GLintptr offset,
+                                             GLsizei stride) {
     const ArrayBound here(array);
     VertexSource& source = names->sources[array];
-    source.buffer = buffer;
-    source.offset = offset;
-    source.stride = stride;
+    source.buffers.at(number) = {buffer, offset, stride};
     for (GLuint i = 0; i < source.attributes.size(); ++i) point(source, i);
 }
 
 void set_format(GLuint array, GLuint index, const Attribute& attribute) {
     const ArrayBound here(array);
     VertexSource& source = names->sources[array];
-    source.attributes.at(index) = attribute;
+    const GLuint from = source.attributes.at(index).source;
+    source.attributes[index] = attribute;
+    source.attributes[index].source = from;
+    point(source, index);
+}
+
+void GLAD_API_PTR vertex_array_binding(GLuint array, GLuint index, GLuint from) {
+    const ArrayBound here(array);
+    VertexSource& source = names->sources[array];
+    source.attributes.at(index).source = from;
     point(source, index);
 }
 
 void GLAD_API_PTR vertex_array_format(GLuint array, GLuint index, GLint size, GLenum type, GLboolean normalised,
                                       GLuint offset) {
-    set_format(array, index, {size, type, normalised, false, offset});
+    set_format(array, index, {size, type, normalised, false, offset, 0});
 }
 
 void GLAD_API_PTR vertex_array_integer_format(GLuint array, GLuint index, GLint size, GLenum type, GLuint offset) {
-    set_format(array, index, {size, type, GL_FALSE, true, offset});
+    set_format(array, index, {size, type, GL_FALSE, true, offset, 0});
 }
 
 } // namespace
@@ -255,7 +269,7 @@ void install_gl_floor(int version, const void* context) {
     put_in_terms_of<ArrayBound, glad_glBindBuffer>(glad_glVertexArrayElementBuffer);
     glad_glVertexArrayAttribFormat = vertex_array_format;
     glad_glVertexArrayAttribIFormat = vertex_array_integer_format;
-    glad_glVertexArrayAttribBinding = [](GLuint, GLuint, GLuint) {}; // there is one buffer
+    glad_glVertexArrayAttribBinding = vertex_array_binding;
     put_in_terms_of<ArrayBound, glad_glEnableVertexAttribArray>(glad_glEnableVertexArrayAttrib);
     glad_glClipControl = [](GLenum, GLenum) {}; // shaders see to it
     install_uniform_floor(version, context);

@@ -170,9 +170,9 @@ Result<void> make_programs(std::initializer_list<ProgramSource> sources) {
     return {};
 }
 
-void use_attributes(GLuint array, std::initializer_list<GLuint> attributes) {
+void use_attributes(GLuint array, std::initializer_list<GLuint> attributes, GLuint source) {
     for (const GLuint attribute : attributes) {
-        glVertexArrayAttribBinding(array, attribute, 0);
+        glVertexArrayAttribBinding(array, attribute, source);
         glEnableVertexArrayAttrib(array, attribute);
     }
 }

@@ -99,7 +99,7 @@ private:
 [[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);
 [[nodiscard]] inline VertexArray make_vertex_array() { return created<VertexArray>(glCreateVertexArrays); }
 // What is read of the one buffer that the array has.
-void use_attributes(GLuint array, std::initializer_list<GLuint> attributes);
+void use_attributes(GLuint array, std::initializer_list<GLuint> attributes, GLuint source = 0);
 // A texture without mipmaps, nearest filtering, of the given internal format; multisampled when samples > 0.
 [[nodiscard]] Texture make_texture(GLenum format, int width, int height, int samples = 0);
 // The same with layers, of GL_TEXTURE_2D_ARRAY or GL_TEXTURE_3D.

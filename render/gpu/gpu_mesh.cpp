@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t kVertexPageBytes = sizeof(VertexPage::vertices);
 constexpr std::size_t kTrianglePageBytes = sizeof(TrianglePage::triangles);
+constexpr std::size_t kValuePageBytes = sizeof(ValuePage::values);
+constexpr GLuint kVertexSource = 0, kValueSource = 1; // of a vertex array
 
 std::size_t with_reserve(std::size_t pages) { return pages + pages / 8 + 1; }
 
@@ -79,21 +81,33 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
       triangle_pages(with_reserve(mesh.triangle_pages().size())) {
     vertices = make_buffer(vertex_pages.size() * kVertexPageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
     triangles = make_buffer(triangle_pages.size() * kTrianglePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
-    glVertexArrayVertexBuffer(vertex_array, 0, vertices, 0, sizeof(GpuVertex));
+    glVertexArrayVertexBuffer(vertex_array, kVertexSource, vertices, 0, sizeof(GpuVertex));
     glVertexArrayElementBuffer(vertex_array, triangles);
     glVertexArrayAttribFormat(vertex_array, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
     glVertexArrayAttribFormat(vertex_array, kAttributeNormal, 3, GL_SHORT, GL_TRUE, offsetof(GpuVertex, normal));
     glVertexArrayAttribIFormat(vertex_array, kAttributeBranch, 1, GL_INT, offsetof(GpuVertex, branch));
     glVertexArrayAttribIFormat(vertex_array, kAttributeDominance, 4, GL_UNSIGNED_BYTE, offsetof(GpuVertex, dominance));
-    use_attributes(vertex_array, {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeDominance});
+    use_attributes(vertex_array, {kAttributePosition, kAttributeNormal, kAttributeBranch, kAttributeDominance},
+                   kVertexSource);
+}
+
+void GpuMesh::Copy::make_room_for_values() {
+    if (values != 0) return;
+    value_pages.resize(vertex_pages.size());
+    values = make_buffer(value_pages.size() * kValuePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glVertexArrayVertexBuffer(vertex_array, kValueSource, values, 0, sizeof(float));
+    glVertexArrayAttribFormat(vertex_array, kAttributeValue, 1, GL_FLOAT, GL_FALSE, 0);
+    use_attributes(vertex_array, {kAttributeValue}, kValueSource);
 }
 
 std::size_t GpuMesh::Copy::bytes() const {
-    return vertex_pages.size() * kVertexPageBytes + triangle_pages.size() * kTrianglePageBytes;
+    return vertex_pages.size() * kVertexPageBytes + triangle_pages.size() * kTrianglePageBytes +
+           value_pages.size() * kValuePageBytes;
 }
 
 std::size_t GpuMesh::bytes_of(const PagedMesh& mesh) {
-    return with_reserve(mesh.vertex_pages().size()) * kVertexPageBytes +
+    const std::size_t of_vertex_page = kVertexPageBytes + (mesh.has_values() ? kValuePageBytes : 0);
+    return with_reserve(mesh.vertex_pages().size()) * of_vertex_page +
            with_reserve(mesh.triangle_pages().size()) * kTrianglePageBytes;
 }
 
@@ -104,17 +118,23 @@ bool GpuMesh::Copy::fits(const PagedMesh& mesh) const {
 }
 
 std::size_t GpuMesh::Copy::missing(const PagedMesh& mesh) const {
+    const std::size_t other_values =
+        value_pages.empty() ? mesh.value_pages().size() : differing(value_pages, mesh.value_pages());
     return differing(vertex_pages, mesh.vertex_pages()) * kVertexPageBytes +
-           differing(triangle_pages, mesh.triangle_pages()) * kTrianglePageBytes;
+           differing(triangle_pages, mesh.triangle_pages()) * kTrianglePageBytes + other_values * kValuePageBytes;
 }
 
 bool GpuMesh::Copy::send(const PagedMesh& mesh, std::size_t& budget) {
+    if (mesh.has_values()) make_room_for_values();
     return send_pages(
                vertices, vertex_pages, mesh.vertex_pages(), budget,
                [](const VertexPage& page) -> const auto& { return page.vertices; }) &&
            send_pages(
                triangles, triangle_pages, mesh.triangle_pages(), budget,
-               [](const TrianglePage& page) -> const auto& { return page.triangles; });
+               [](const TrianglePage& page) -> const auto& { return page.triangles; }) &&
+           send_pages(
+               values, value_pages, mesh.value_pages(), budget,
+               [](const ValuePage& page) -> const auto& { return page.values; });
 }
 
 void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& budget) {

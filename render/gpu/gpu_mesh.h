@@ -61,15 +61,17 @@ private:
     // Buffers and what is in them, page by page.
     struct Copy {
         VertexArray vertex_array;
-        Buffer vertices, triangles;
+        Buffer vertices, triangles, values; // the last when it has any
         PagedMesh::VertexPages vertex_pages;
         PagedMesh::TrianglePages triangle_pages;
+        PagedMesh::ValuePages value_pages;
 
         explicit Copy(const PagedMesh& mesh); // for it, and a reserve for growth
         [[nodiscard]] bool fits(const PagedMesh& mesh) const;
         [[nodiscard]] std::size_t bytes() const;
         [[nodiscard]] std::size_t missing(const PagedMesh& mesh) const; // bytes
-        bool send(const PagedMesh& mesh, std::size_t& budget);          // true: all is there
+        void make_room_for_values();
+        bool send(const PagedMesh& mesh, std::size_t& budget); // true: all is there
     };
 
     std::unique_ptr<Copy> drawn_, coming_;

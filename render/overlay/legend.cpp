@@ -89,10 +89,11 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
     const auto pixels = [&](double points) { return std::max(1, static_cast<int>(std::lround(points * pixel_ratio))); };
     const auto text = [&](const std::string& words, double size = 8.0) { return draw_text(words, size * pixel_ratio); };
     const int margin = pixels(8), gap = pixels(6), row = pixels(17), patch = pixels(11), bar_width = pixels(12);
-    const Coverage title = text(legend.title, 8.5);
-    const int head = margin + title.height + pixels(3);
+    const Coverage title = text(legend.title, 8.5), subtitle = text(legend.subtitle, 7.5);
+    const int below_title = margin + title.height, subtitle_room = legend.subtitle.empty() ? 0 : subtitle.height;
+    const int head = below_title + subtitle_room + pixels(3);
 
-    int width = title.width, height = head + margin;
+    int width = std::max(title.width, subtitle.width), height = head + margin;
     std::vector<Coverage> ticks, labels;
     int bar_height = 0, tick_room = 0;
     if (!legend.bar.empty()) {
@@ -112,6 +113,7 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
 
     Plate plate(std::min(width + 2 * margin, most.x), height, 4.0 * pixel_ratio, 0.66);
     plate.write(title, margin, margin - pixels(2), kPlateInk);
+    plate.write(subtitle, margin, below_title - pixels(2), kQuietInk);
     int top = head;
     if (!legend.bar.empty()) {
         top += tick_room;

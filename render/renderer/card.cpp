@@ -44,10 +44,12 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     if (subject.has_mesh()) scene.branch_layers().send(*subject.mesh.shown(), subject.layers);
 
     std::uint64_t triangles = 0;
+    if (subject.has_values()) targets.make_values();
     draw_opaque_into(targets.samples);
     clear_samples();
     const bool has_lines = scene.lines().shown() != nullptr;
     const bool as_cones = moving && subject.has_mesh() && has_lines && !subject.has_glass_vessels() &&
+                          !subject.has_values() &&
                           subject.mesh.triangles_in_picture(subject.mesh_to_clip(view)) > kMostMovingTriangles;
     if (as_cones) {
         triangles += centerlines.draw_cones(subject);

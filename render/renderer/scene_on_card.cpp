@@ -54,6 +54,9 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
     frame.mesh = mesh.shown();
     frame.preview = nullptr;
+    // The surface before may have values, but the frame's scale is not theirs.
+    const bool is_wanted = frame.mesh && (frame.mesh == wanted.mesh || frame.mesh == wanted.preview);
+    if (frame.scale.value == ColourScale::Value::kSurface && !is_wanted) frame.scale = {};
     frame.surface_awaited = false;
     done.quality = frame.quality;
     return frame;

@@ -61,6 +61,7 @@ struct Subject {
     SceneOnCard& scene;
 
     [[nodiscard]] bool has_mesh() const { return mesh.shown() != nullptr; }
+    [[nodiscard]] bool has_values() const { return has_mesh() && mesh.shown()->has_values(); }
     [[nodiscard]] bool has_lesions() const { return !frame.lesions.spheres.empty() || !frame.lesions.meshes.empty(); }
     [[nodiscard]] bool has_glass_vessels() const;
     // Glass, context that is clear, or lesions.

@@ -3,6 +3,7 @@
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ramus::render {
 
@@ -47,9 +48,17 @@ void ViewTargets::make(int samples_a_pixel) {
     lit.framebuffer = make_framebuffer({lit.colour}, resolved.covered);
     if (gl_has_lists()) lists.framebuffer = make_framebuffer({}, samples.depth);
     layers.fragments = {}; // makes the others anew when they are needed
+    samples.values = {};   // likewise
     samples.positions = sample_positions(samples.framebuffer, samples_a_pixel);
     view.samples = samples_a_pixel;
     made_for_ = view.size;
+}
+
+void ViewTargets::make_values() {
+    if (samples.values != 0) return;
+    Texture values = make_texture(GL_R32F, view.size.x, view.size.y, view.samples);
+    samples.valued_framebuffer = make_framebuffer({samples.id_normal, values}, samples.depth);
+    samples.values = std::move(values); // the last: all is there
 }
 
 void PictureTarget::make(glm::ivec2 pixels) {

@@ -17,6 +17,9 @@ struct SampleTarget {  // SurfacePass, CenterlinePass, ContextPass: what is opaq
     Texture id_normal; // RG32UI, 8 s bytes: id as in ids.glsl, octahedral normal
     Texture depth;     // DEPTH32F, 4 s bytes: reversed, 0 is nothing
     Framebuffer framebuffer;
+    // Of surfaces that have values, made when they are needed; what is drawn beside vessels does not write here.
+    Texture values; // R32F, 4 s bytes
+    Framebuffer valued_framebuffer;
     std::array<glm::vec2, kMostSamples> positions{}; // of samples, from the pixel's middle
 };
 
@@ -72,6 +75,7 @@ struct ViewTargets {
     [[nodiscard]] bool fit(glm::ivec2 size, int samples) const;
     // Makes them for views of so many pixels, `view.size`, and samples. Throws OutOfGraphicsMemory.
     void make(int samples_a_pixel);
+    void make_values(); // unless they are there
 
 private:
     glm::ivec2 made_for_{0};

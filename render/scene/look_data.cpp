@@ -55,11 +55,21 @@ glm::mat4 eye_to_grid(const DistanceGrid& grid, const glm::dmat4& from_eye) {
                      from_eye);
 }
 
+// Whether there is what the frame's scale shows.
+bool has_values(const Frame& frame, const Centerlines* lines) {
+    using Value = ColourScale::Value;
+    if (frame.scale.value == Value::kNone || frame.scale.ramp.empty()) return false;
+    return frame.scale.value == Value::kSurface ? frame.mesh && frame.mesh->has_values() : lines != nullptr;
+}
+
+// The shaders know values by the numbers of their enumerators.
+static_assert(static_cast<int>(ColourScale::Value::kDiameter) == 1 &&
+              static_cast<int>(ColourScale::Value::kRootDistance) == 2 &&
+              static_cast<int>(ColourScale::Value::kSurface) == 3);
 glm::vec4 scale_of(const ColourScale& scale) {
     const bool log = scale.logarithmic;
     const float low = log ? std::log(scale.low) : scale.low, high = log ? std::log(scale.high) : scale.high;
-    return {low, high > low ? 1.0F / (high - low) : 0.0F, log ? 1.0F : 0.0F,
-            scale.value == ColourScale::Value::kRootDistance ? 2.0F : 1.0F};
+    return {low, high > low ? 1.0F / (high - low) : 0.0F, log ? 1.0F : 0.0F, static_cast<float>(scale.value)};
 }
 
 } // namespace
@@ -75,11 +85,9 @@ LookData look_data_of(const Frame& frame, const Centerlines* lines, const glm::d
         data.block.counts.w = grid && grid->whole() ? 1.0F : 0.0F;
         if (data.block.counts.w > 0.0F) data.block.eye_to_grid = eye_to_grid(*grid, from_eye);
     }
+    if (!margins && has_values(frame, lines)) data.block.scale = scale_of(frame.scale);
     if (lines != nullptr) {
         data.block.eye_to_lines = glm::mat4(glm::translate(glm::dmat4(1.0), -lines->origin) * from_eye);
-        const ColourScale& scale = frame.scale;
-        if (scale.value != ColourScale::Value::kNone && !scale.ramp.empty() && !margins)
-            data.block.scale = scale_of(scale);
         data.cuts = cut_ends(frame.lost, *lines, eye);
     }
     data.block.counts.x = static_cast<float>(data.lesions.size());

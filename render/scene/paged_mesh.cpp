@@ -178,6 +178,31 @@ void PagedMesh::summarise() {
     }
 }
 
+PagedMesh PagedMesh::with_values(std::span<const float> values) const {
+    PagedMesh valued = *this;
+    valued.value_pages_.assign(vertex_pages_.size(), nullptr);
+    tbb::parallel_for(std::size_t{0}, vertex_pages_.size(), [&](std::size_t page) {
+        const auto made = std::make_shared_for_overwrite<ValuePage>();
+        const auto of_page = values.subspan(std::min(values.size(), page * VertexPage::kSize));
+        const std::size_t count = std::min(VertexPage::kSize, of_page.size());
+        std::copy_n(of_page.begin(), count, made->values.begin());
+        std::fill(made->values.begin() + static_cast<std::ptrdiff_t>(count), made->values.end(), kNotKnown);
+        valued.value_pages_[page] = made;
+    });
+    return valued;
+}
+
+std::vector<std::uint32_t> PagedMesh::used_vertices() const {
+    std::vector<std::uint8_t> used(vertex_pages_.size() * VertexPage::kSize, 0);
+    for (const auto& page : triangle_pages_)
+        for (std::uint32_t i = 0; i < page->count; ++i)
+            for (int corner = 0; corner < 3; ++corner) used[page->triangles[i][corner]] = 1;
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < used.size(); ++i)
+        if (used[i] != 0) numbers.push_back(i);
+    return numbers;
+}
+
 std::vector<glm::vec3> PagedMesh::positions(const std::function<bool(int)>& wanted) const {
     std::vector<bool> taken(vertex_pages_.size() * VertexPage::kSize, false);
     std::vector<glm::vec3> found;
@@ -187,8 +212,7 @@ std::vector<glm::vec3> PagedMesh::positions(const std::function<bool(int)>& want
                 const std::uint32_t v = page->triangles[i][corner];
                 if (taken[v]) continue;
                 taken[v] = true;
-                const GpuVertex& vertex = vertex_pages_[v / VertexPage::kSize]->vertices[v % VertexPage::kSize];
-                if (!wanted || wanted(vertex.branch)) found.emplace_back(origin_ + glm::dvec3(vertex.position));
+                if (!wanted || wanted(vertex(v).branch)) found.push_back(position(v));
             }
         }
     }

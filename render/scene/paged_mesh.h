@@ -4,15 +4,20 @@
 //
 // It may be made from a mesh with gaps: triangles without area are left out, and vertices that no triangle uses
 // influence nothing. Positions are single precision relative to `origin`.
+//
+// It may have a value for each vertex, of any quantity that a scale of colours shows (ColourScale::Value::kSurface):
+// pages of their own, so that a surface with values shares all else with the one without.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
 #include "render/scene/bounds.h"
+#include "render/scene/uniform_blocks.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace ramus::render {
@@ -47,8 +52,15 @@ struct TrianglePage {
     std::array<glm::uvec3, kSize> triangles;
 };
 
+// Of vertices, as a page has them; kNotKnown where there is none. What lies between a value that is known and one that
+// is not is not known either.
+struct ValuePage {
+    std::array<float, VertexPage::kSize> values;
+};
+
 class PagedMesh {
 public:
+    using ValuePages = std::vector<std::shared_ptr<const ValuePage>>;
     using VertexPages = std::vector<std::shared_ptr<const VertexPage>>;
     using TrianglePages = std::vector<std::shared_ptr<const TrianglePage>>;
 
@@ -56,7 +68,7 @@ public:
     // Relative to the middle of its bounds, or to a given point: surfaces of one tree shall have the same.
     explicit PagedMesh(const mesh::TriangleMesh& mesh);
     PagedMesh(const mesh::TriangleMesh& mesh, const glm::dvec3& origin);
-    // What `mesh` has become: this is what it was before `edit`.
+    // What `mesh` has become: this is what it was before `edit`. Values do not go on: they would be of another surface.
     [[nodiscard]] PagedMesh edited(const mesh::TriangleMesh& mesh, const mesh::SurfaceEdit& edit) const;
 
     [[nodiscard]] const Box& bounds() const { return bounds_; }
@@ -66,15 +78,30 @@ public:
     [[nodiscard]] const VertexPages& vertex_pages() const { return vertex_pages_; }
     [[nodiscard]] const TrianglePages& triangle_pages() const { return triangle_pages_; }
 
+    // The same surface with these values, by vertex; vertices beyond their end have kNotKnown.
+    [[nodiscard]] PagedMesh with_values(std::span<const float> values) const;
+    [[nodiscard]] const ValuePages& value_pages() const { return value_pages_; } // as vertex_pages(), or none
+    [[nodiscard]] bool has_values() const { return !value_pages_.empty(); }
+
+    // Numbers of the vertices that triangles use, ascending; and where one is, mm.
+    [[nodiscard]] std::vector<std::uint32_t> used_vertices() const;
+    [[nodiscard]] glm::vec3 position(std::uint32_t vertex) const {
+        return glm::vec3(origin_ + glm::dvec3(this->vertex(vertex).position));
+    }
+
     // Positions in mm of the vertices that triangles use, of the branches that `wanted` accepts. Takes a few
     // milliseconds for a million triangles.
     [[nodiscard]] std::vector<glm::vec3> positions(const std::function<bool(int)>& wanted = {}) const;
 
 private:
     void summarise();
+    [[nodiscard]] const GpuVertex& vertex(std::uint32_t number) const {
+        return vertex_pages_[number / VertexPage::kSize]->vertices[number % VertexPage::kSize];
+    }
 
     VertexPages vertex_pages_;
     TrianglePages triangle_pages_;
+    ValuePages value_pages_;
     Box bounds_;
     glm::dvec3 origin_{0.0};
     int branch_count_ = 0;

@@ -14,11 +14,13 @@
 
 namespace ramus::render {
 
-// Colours that follow a value along the branches, from point to point. Needs Frame::centerlines.
+// Colours that follow a value from point to point: one along the branches, which needs Frame::centerlines, or the
+// surface's own (PagedMesh::with_values()). Values beyond an end have its colour; where none is known, and on a surface
+// without values, Frame::colours are seen.
 struct ColourScale {
-    enum class Value : std::uint8_t { kNone, kDiameter, kRootDistance };
+    enum class Value : std::uint8_t { kNone, kDiameter, kRootDistance, kSurface };
     Value value = Value::kNone;
-    float low = 0.0F, high = 1.0F; // mm
+    float low = 0.0F, high = 1.0F; // mm; of a surface's values, their unit
     bool logarithmic = false;
     std::vector<glm::vec3> ramp; // even steps from low to high
     bool operator==(const ColourScale&) const = default;
@@ -111,7 +113,8 @@ struct Legend {
         bool hatched = false; // as what is lost is drawn
         bool operator==(const Swatch&) const = default;
     };
-    std::string title; // "Diameter (mm)"; empty: no legend
+    std::string title;    // "Diameter (mm)"; empty: no legend
+    std::string subtitle; // under it; empty: none
     std::vector<glm::vec3> bar;
     std::vector<Tick> ticks;
     std::vector<Swatch> swatches;

@@ -4,8 +4,8 @@
 #ifdef SCALE
 // Linear. Points whose value is not known have their own colour.
 INLINE Vec3 colour_on_scale(SurfacePoint p) {
-    Float value = value_on_scale(p); // negative: not known
-    Mask known = value >= 0.0F;
+    Float value = value_on_scale(p);
+    Mask known = value > kLeastKnown;
     if (scale.z > 0.5F) value = log(max(value, 1e-12F));
     return select(known, to_linear(ramp_colour(clamp((value - scale.x) * scale.y, 0.0F, 1.0F))), p.albedo);
 }

@@ -9,5 +9,5 @@ struct SurfacePoint {
     Vec3 towards_eye;  // of unit length, z towards the eye
     Float far;         // 0 at the near end of the tree, 1 at its far end
     Vec2 pixel;        // where it is seen
-    Float value;       // the caster's: value on the scale of colours or, when any branch is cut, mm from the root
+    Float value;       // the surface's own; the caster's: on the scale of colours or, when any branch is cut, mm from the root
 };

@@ -37,8 +37,8 @@ void draw_front_faces(bool write_depth) {
     glEnable(GL_MULTISAMPLE);
 }
 
-void draw_opaque_into(const SampleTarget& target) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+void draw_opaque_into(const SampleTarget& target, bool values) {
+    glBindFramebuffer(GL_FRAMEBUFFER, values ? target.valued_framebuffer : target.framebuffer);
     draw_front_faces(true);
 }
 

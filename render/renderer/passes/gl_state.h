@@ -12,8 +12,8 @@ void end_passes();
 
 // Front faces of closed surfaces, by reversed depth.
 void draw_front_faces(bool write_depth);
-// The same, into the samples of opaque surfaces.
-void draw_opaque_into(const SampleTarget& target);
+// The same, into the samples of opaque surfaces; `values`: and into those of their values, which are there.
+void draw_opaque_into(const SampleTarget& target, bool values = false);
 // Ids and depths of what is bound: nothing is there.
 void clear_samples();
 

@@ -71,7 +71,8 @@ SceneTables::Needs SceneTables::send(const Subject& subject) {
     const Frame& frame = subject.frame;
     const GpuLines& lines = subject.scene.lines();
     LookData data = look_data_of(frame, lines.shown(), eye_matrix(frame.camera));
-    const Needs needs{data.block.counts.z > 0.0F, data.block.scale.w > 0.0F,
+    const bool scale = data.block.scale.w > 0.0F;
+    const Needs needs{data.block.counts.z > 0.0F, scale, scale && frame.scale.value == ColourScale::Value::kSurface,
                       !data.context.empty() || subject.has_lesions()};
     if (needs.margins) {
         lesions_.send(data.lesions);

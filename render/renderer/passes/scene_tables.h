@@ -16,7 +16,7 @@ public:
     void let_go(); // of all but the block
     // What the shading of this frame has to do beside a plain tree's.
     struct Needs {
-        bool margins = false, scale = false, context = false;
+        bool margins = false, scale = false, values = false, context = false;
     };
     // Sends and binds all of it.
     Needs send(const Subject& subject);

@@ -26,12 +26,14 @@ enum Variant : unsigned {
     kChromadepth = 512,
     kLayer = 1024,
     kContext = 2048,
+    kValues = 4096,
 };
 constexpr std::pair<Variant, const char*> kVariants[] = {
     {kGlass, "GLASS"},     {kOutline, "OUTLINE"},   {kMargins, "MARGINS"},
     {kScale, "SCALE"},     {kCuts, "CUTS"},         {kOnlyChanged, "CHANGED"},
     {kHalos, "HALOS"},     {kContours, "CONTOURS"}, {kChromadepth, "CHROMADEPTH"},
-    {kShadows, "SHADOWS"}, {kLayer, "LAYER"},       {kContext, "CONTEXT"}};
+    {kShadows, "SHADOWS"}, {kLayer, "LAYER"},       {kContext, "CONTEXT"},
+    {kValues, "VALUES"}};
 
 unsigned if_any(float strength, Variant variant) { return strength > 0.0F ? unsigned{variant} : 0U; }
 
@@ -96,6 +98,7 @@ void ShadePass::bind(const ViewTargets& targets) const {
     glBindTextureUnit(kUnitIdNormal, targets.resolved.id_normal);
     glBindTextureUnit(kUnitOcclusion, targets.occlusion.blurred);
     glBindTextureUnit(kUnitBranches, records_.table());
+    glBindTextureUnit(kUnitValues, targets.samples.values);
 }
 
 void ShadePass::draw_rows(const Fullscreen& program, const ViewTargets& targets, const Region& region,
@@ -116,8 +119,8 @@ Result<Region> ShadePass::draw(const Subject& subject, ViewTargets& targets, Ext
     const SceneTables::Needs needs = tables_.send(subject);
     const unsigned seen_through = (records.any_cut ? kCuts : 0U) | (needs.context ? kContext : 0U);
     const unsigned variant = seen_through | (needs.margins ? kMargins : 0U) | (needs.scale ? kScale : 0U) |
-                             (records.any_selected ? kOutline : 0U) | (glass ? kGlass : 0U) |
-                             (part ? kOnlyChanged : 0U) | if_any(look.halos, kHalos) |
+                             (needs.values ? kValues : 0U) | (records.any_selected ? kOutline : 0U) |
+                             (glass ? kGlass : 0U) | (part ? kOnlyChanged : 0U) | if_any(look.halos, kHalos) |
                              if_any(look.contours, kContours) | if_any(look.chromadepth, kChromadepth) |
                              if_any(look.shadows, kShadows);
     const LookBlock block = look_of(subject.frame, targets.view, glass, records.any_selected);

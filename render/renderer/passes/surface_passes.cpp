@@ -56,18 +56,22 @@ void use_for_vessels(const Program& program, const Subject& subject, const ViewS
 void end_borders() { glUseProgram(0); }
 
 Result<void> SurfacePass::make() {
-    return make_programs({{&triangles_, "geometry.vert", "geometry.frag"},
-                          {&borders_, "geometry.vert", "geometry.frag", "#define BORDER\n", "border.geom"}});
+    constexpr const char *kValue = "#define VALUE\n", *kBorder = "#define BORDER\n",
+                         *kBorderValue = "#define BORDER\n#define VALUE\n";
+    return make_programs({{&plain_.triangles, "geometry.vert", "geometry.frag"},
+                          {&plain_.borders, "geometry.vert", "geometry.frag", kBorder, "border.geom"},
+                          {&valued_.triangles, "geometry.vert", "geometry.frag", kValue},
+                          {&valued_.borders, "geometry.vert", "geometry.frag", kBorderValue, "border.geom"}});
 }
 
 // Triangles that are cut in two inside a pixel. From 4.0 on a shader chooses samples; before, each is drawn by itself.
-void SurfacePass::draw_by_sample(const ViewSetup& view, const SampleTarget& to,
-                                 const std::function<void()>& draw) const {
+void SurfacePass::draw_by_sample(const Program& borders, const ViewSetup& view, const SampleTarget& to,
+                                 const std::function<void()>& draw) {
     if (gl_has_lists()) return draw();
     glEnable(GL_SAMPLE_MASK);
     for (std::size_t s = 0; s < static_cast<std::size_t>(view.samples); ++s) {
         glSampleMaski(0, GLbitfield{1} << s);
-        glProgramUniform2f(borders_, kUniformSamplePosition, to.positions.at(s).x, to.positions.at(s).y);
+        glProgramUniform2f(borders, kUniformSamplePosition, to.positions.at(s).x, to.positions.at(s).y);
         draw();
     }
     glSampleMaski(0, ~GLbitfield{0});
@@ -78,6 +82,7 @@ InParts<std::uint64_t> SurfacePass::draw(const Subject& subject, const ViewSetup
     const GpuMesh& mesh = subject.mesh;
     const glm::dmat4 to_clip = subject.mesh_to_clip(view);
     const bool any_glass = subject.has_glass_vessels();
+    const Programs& programs = subject.has_values() ? valued_ : plain_;
     const OpenAndClosed both = any_glass ? open_and_closed(*mesh.shown(), subject.scene.branch_layers().all)
                                          : OpenAndClosed{subject.layers, {}};
     const std::array<GpuMesh::Ranges, 3> chosen{mesh.choose(both.closed, Layer::kOpaque, to_clip),
@@ -88,11 +93,11 @@ InParts<std::uint64_t> SurfacePass::draw(const Subject& subject, const ViewSetup
     for (const GpuMesh::Ranges& ranges : chosen) {
         const bool closed = &ranges == &chosen.front(), borders = &ranges == &chosen.back();
         for (std::size_t part = 0; part < ranges.parts(); ++part) {
-            draw_opaque_into(to);
-            use_for_vessels(borders ? borders_ : triangles_, subject, view);
+            draw_opaque_into(to, subject.has_values());
+            use_for_vessels(borders ? programs.borders : programs.triangles, subject, view);
             if (any_glass && !closed) glDisable(GL_CULL_FACE);
             const auto draw_part = [&] { mesh.draw_part(ranges, part); };
-            borders ? draw_by_sample(view, to, draw_part) : draw_part();
+            borders ? draw_by_sample(programs.borders, view, to, draw_part) : draw_part();
             end_borders();
             co_await kPartEnds;
         }

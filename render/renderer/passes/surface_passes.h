@@ -23,9 +23,14 @@ public:
                                               const SampleTarget& to) const;
 
 private:
-    void draw_by_sample(const ViewSetup& view, const SampleTarget& to, const std::function<void()>& draw) const;
+    // Triangles of one branch, and those where branches meet.
+    struct Programs {
+        Program triangles, borders;
+    };
+    static void draw_by_sample(const Program& borders, const ViewSetup& view, const SampleTarget& to,
+                               const std::function<void()>& draw);
 
-    Program triangles_, borders_;
+    Programs plain_, valued_; // the others of surfaces that have values
 };
 
 class CenterlinePass {

@@ -72,7 +72,7 @@ std::shared_ptr<const TriangleMesh> ball(glm::dvec3 centre, double radius) {
     return std::make_shared<const TriangleMesh>(ramus::test::icosphere(3, centre, radius));
 }
 
-const std::array<Case, 12> kCases{{
+const std::array<Case, 13> kCases{{
     {"plain", [](Frame&) {}},
     {"glass", [](Frame& f) { f.states.assign(kVessels, BranchState::kDefocused); }},
     {"glass before and behind opaque vessels, and where it meets them",
@@ -94,6 +94,17 @@ const std::array<Case, 12> kCases{{
          f.states[2] = BranchState::kHidden;
          f.states[4] = BranchState::kDefocused;
          f.background.transparent = true;
+     }},
+    {"values of vertices, beside glass",
+     [](Frame& f) {
+         std::vector<float> values;
+         for (const std::uint32_t vertex : f.mesh->used_vertices()) {
+             values.resize(vertex + 1, kNotKnown);
+             values[vertex] = f.mesh->position(vertex).x;
+         }
+         f.mesh = std::make_shared<const PagedMesh>(f.mesh->with_values(values));
+         f.scale = {ColourScale::Value::kSurface, -20.0F, 20.0F, false, {{0.1F, 0.1F, 0.5F}, {0.95F, 0.9F, 0.2F}}};
+         f.states[3] = BranchState::kDefocused;
      }},
     {"lesions with margins",
      [](Frame& f) {
