@@ -35,6 +35,7 @@ std::vector<Command> make_table() {
              compare_commands,   //
              overview_commands,  //
              colour_commands,    //
+             deviation_commands, //
              surface_commands,   //
              tool_commands,      //
              window_commands,    //

@@ -23,6 +23,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> camera_commands();
 [[nodiscard]] std::vector<Command> turning_commands();
 [[nodiscard]] std::vector<Command> colour_commands();
+[[nodiscard]] std::vector<Command> deviation_commands();
 [[nodiscard]] std::vector<Command> depth_commands();
 [[nodiscard]] std::vector<Command> compare_commands();
 [[nodiscard]] std::vector<Command> contact_commands();

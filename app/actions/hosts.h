@@ -41,7 +41,7 @@ public:
     FlyPaths flights;
 };
 
-enum class FilePurpose { kOpen, kSave, kLesionMesh, kContext, kMask, kExport };
+enum class FilePurpose { kOpen, kSave, kLesionMesh, kContext, kMask, kDeviation, kExport };
 
 // Files that replace the document, and the dialogs that ask for files.
 class FileHost {

@@ -40,6 +40,7 @@ void refresh_tree(Assets& assets, const Document& document) {
     assets.measurements.reset();
     assets.centerlines = {};
     assets.contacts = {};
+    assets.deviation = {};
 }
 
 } // namespace

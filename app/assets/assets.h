@@ -13,6 +13,7 @@
 
 #include "app/assets/centerlines.h"
 #include "app/assets/contacts.h"
+#include "app/assets/deviation.h"
 #include "app/assets/measured.h"
 #include "app/assets/plan.h"
 #include "app/assets/shapes.h"
@@ -40,7 +41,8 @@ struct Assets {
     std::shared_ptr<const Plan> plan;
     std::shared_ptr<const Measurements> measurements;
     SurfaceCenterlines centerlines;
-    TreeContacts contacts; // of the tree; of other options of the surface, perhaps, until those are looked for
+    SurfaceDeviation deviation; // whoever has the surface measures it
+    TreeContacts contacts;      // of the tree; of other options of the surface, perhaps, until those are looked for
 
     // Null: it was not read, or could not be.
     [[nodiscard]] std::shared_ptr<const LesionMesh> lesion_mesh(const std::string& file) const;

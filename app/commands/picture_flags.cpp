@@ -1,6 +1,7 @@
 #include "app/commands/picture_flags.h"
 
 #include "app/commands/command.h"
+#include "app/session/numbers.h"
 #include "core/io/volumes/volume_file.h"
 #include "render/renderer/drawn.h"
 
@@ -113,11 +114,41 @@ void add_comparison_flags(CLI::App& command, ComparisonFlags& flags) {
         ->check(CLI::Range(1, 1'000'000).description(""));
 }
 
+void add_deviation_flags(CLI::App& command, DeviationFlags& flags) {
+    add_option(command, "--deviation-from", "cones|iso|FILE", flags.from,
+               "Colour the surface by how far it lies from truncated cones, from the isosurface of --mask or, without "
+               "one, of the tree's own voxels, or from a mesh or mask");
+    const auto is_end = expecting(" is not a number above 0", [](const std::string& text) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(text, value) && value >= kLeastDeviation && value <= kMostDeviation;
+    });
+    CLI::Option* mm = add_option(command, "--scale-mm", "MAX", flags.most_mm,
+                                 "With --colour-by deviation: where its colours end, in mm (default: where 99 % of the "
+                                 "distances lie below)")
+                          ->check(is_end);
+    add_option(command, "--scale-voxels", "N", flags.most_voxels, "Likewise, in diagonals of the mask's voxels")
+        ->check(is_end)
+        ->excludes(mm);
+}
+
+std::vector<std::vector<std::string>> command_lines(const DeviationFlags& flags, const std::string& mask_units) {
+    std::vector<std::vector<std::string>> lines;
+    if (!flags.from.empty()) lines.push_back({"deviation-from", flags.from});
+    if (!flags.from.empty() && !mask_units.empty() && io::names_volume(flags.from))
+        lines.back().insert(lines.back().end(), {"--units", mask_units});
+    if (flags.most_mm) lines.push_back({"deviation-scale", exact_text(*flags.most_mm), "mm"});
+    if (flags.most_voxels) lines.push_back({"deviation-scale", exact_text(*flags.most_voxels), "voxels"});
+    return lines;
+}
+
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags) {
     const bool off = !flags.mode || *flags.mode == Comparison::Mode::kOff;
+    const bool measures = command.get_option("--deviation-from")->count() > 0;
     for (const char* name : {"--methods", "--mask", "--label"})
-        if (off && command.get_option(name)->count() > 0)
-            throw CLI::ValidationError(name, "has a meaning only with --compare");
+        if (off && command.get_option(name)->count() > 0 && (!measures || name == std::string("--methods")))
+            throw CLI::ValidationError(name,
+                                       "has a meaning only with --compare" +
+                                           std::string(name == std::string("--methods") ? "" : " or --deviation-from"));
     if (flags.share && (off || *flags.mode != Comparison::Mode::kBlend))
         throw CLI::ValidationError("--share", "has a meaning only with --compare blend");
     if (flags.wipe && (off || *flags.mode != Comparison::Mode::kWipe))

@@ -39,6 +39,17 @@ struct ComparisonFlags {
 };
 
 void add_comparison_flags(CLI::App& command, ComparisonFlags& flags);
+
+// --colour-by deviation: from what, and up to where the colours go.
+struct DeviationFlags {
+    std::string from;                           // "cones", "iso" or a file; empty: the session's
+    std::optional<double> most_mm, most_voxels; // none: the session's
+};
+void add_deviation_flags(CLI::App& command, DeviationFlags& flags);
+// As the command lines that do the same; `mask_units`: of a file that is a mask, empty: as it says.
+[[nodiscard]] std::vector<std::vector<std::string>> command_lines(const DeviationFlags& flags,
+                                                                  const std::string& mask_units);
+
 // Throws CLI::ValidationError for what has no meaning without the other.
 void check_comparison_flags(const CLI::App& command, const ComparisonFlags& flags);
 // What was not given stays as it is.

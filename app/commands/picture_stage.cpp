@@ -3,6 +3,7 @@
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
 #include "app/session/numbers.h"
+#include "app/workspace/deviation_maker.h"
 
 #include <utility>
 
@@ -27,6 +28,7 @@ Result<void> PictureStage::make_surface() {
 Result<render::Frame> PictureStage::frame() {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
     if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
+    if (auto measured = measure_deviation(); !measured) return tl::unexpected(measured.error());
     Viewing viewing = viewing_;
     viewing.size = picture_size();
     return compose(document_.session(), assets, surface_.mesh, viewing);
@@ -40,6 +42,22 @@ Result<void> PictureStage::complete_assets() {
     }();
     if (job.cancelled()) return fail(kNothingWritten);
     return read;
+}
+
+Result<void> PictureStage::measure_deviation() {
+    const Marks& marks = document_.marks();
+    if (marks.colour_by != ColourBy::kDeviation) return {};
+    const DeviationOf of = deviation_of(document_.tree(), marks, marks.options);
+    if (assets.deviation.fits(of, surface_.mesh)) return {};
+    const auto measure = [&](Job& job) {
+        return make_deviation(of, flags_.surface.threads, marks.options.memory_bytes, surface_.mesh, nullptr, job);
+    };
+    RAMUS_TRY(found, with_progress("deviation", measure, kNothingWritten));
+    say(flags_, "deviation from " + noun_of(marks.deviation, marks.comparison) + ", mm: mean " +
+                    digits(found.mean_mm, 4) + ", 95th percentile " + digits(found.percentile_95_mm, 4) + ", most " +
+                    digits(found.most_mm, 4));
+    assets.deviation = std::move(found);
+    return {};
 }
 
 Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
@@ -61,6 +79,7 @@ Result<void> PictureStage::make_compared_surface(ComparedRequest request) {
 Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     if (auto made = make_surface(); !made) return tl::unexpected(made.error());
     if (auto read = complete_assets(); !read) return tl::unexpected(read.error());
+    if (auto measured = measure_deviation(); !measured) return tl::unexpected(measured.error());
     const Marks& marks = document_.marks();
     ShownSurfaces surfaces;
     for (const ComparedRequest& request : compared_requests(marks))

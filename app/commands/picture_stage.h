@@ -53,6 +53,7 @@ private:
     std::shared_ptr<const tree::VesselTree> tree_; // that the surfaces are of: it may be edited
     std::vector<ComparedSurface> compared_;        // one a kind
     Result<void> complete_assets();
+    Result<void> measure_deviation(); // of the surface, where colours show it
     Result<void> make_compared_surface(ComparedRequest request);
 };
 

@@ -54,6 +54,7 @@ struct RenderFlags {
     std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
     FigureFlags figure;
     ComparisonFlags comparison;
+    DeviationFlags deviation;
 };
 
 Result<render::Camera> read_camera(const std::string& text) {
@@ -219,6 +220,8 @@ Result<void> run_commands(ActionContext& here, const RenderFlags& flags,
             words.insert(words.end(), {"--units", flags.comparison.mask_units});
         if (auto added = run_command(here, words); !added) return added;
     }
+    for (const std::vector<std::string>& words : command_lines(flags.deviation, flags.comparison.mask_units))
+        if (auto set = run_command(here, words); !set) return set;
     if (flags.comparison.contact > 0) {
         const std::vector<std::string> words{"contact", std::to_string(flags.comparison.contact)};
         if (auto there = run_command(here, words); !there) return there;
@@ -370,6 +373,7 @@ void register_render(CLI::App& app, Action& chosen) {
     add_backend_flags(*command, *flags);
     add_figure_flags(*command, flags->figure);
     add_comparison_flags(*command, flags->comparison);
+    add_deviation_flags(*command, flags->deviation);
     command->add_flag("--json", flags->json, "Print what was done as one JSON object");
     add_surface_flags(*command, flags->common);
     add_system_flag(*command, flags->common);

@@ -66,6 +66,8 @@ void draw_surface_row(InterfaceContext& context, const Comparison& comparison, s
     if (wanted) context.perform("compare", {std::string(name_of(comparison.mode)), spelled(*wanted)});
 }
 
+} // namespace
+
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
     widgets::begin_row("Mask", "The segmentation that the isosurface is of");
     const bool there = !comparison.mask.empty();
@@ -83,8 +85,6 @@ void draw_mask_row(InterfaceContext& context, const Comparison& comparison) {
     }
     ImGui::PopID();
 }
-
-} // namespace
 
 void draw_compare(InterfaceContext& context) {
     const Comparison comparison = context.workspace.document.marks().comparison;

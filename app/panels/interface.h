@@ -217,6 +217,8 @@ void draw_glass(InterfaceContext& context);
 void draw_systems(InterfaceContext& context); // nothing where there are none
 void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
+void draw_mask_row(InterfaceContext& context, const Comparison& comparison); // its mask
+void draw_deviation(InterfaceContext& context);                              // nothing unless colours say it
 void draw_branch_list(InterfaceContext& context);
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);

@@ -103,7 +103,7 @@ std::string tree_and_mask_extensions() {
     return io::readable_tree_extensions() + "; masks: " + io::readable_volume_extensions();
 }
 
-constexpr std::array<Purpose, 6> kPurposes{
+constexpr std::array<Purpose, 7> kPurposes{
     {{FilePurpose::kOpen, "Open a vessel tree, a mask or a session",
       [](const fs::path& path) { return can_be_opened(path) || can_be_mask(path); }, tree_and_mask_extensions, "open",
       true},
@@ -115,6 +115,9 @@ constexpr std::array<Purpose, 6> kPurposes{
       true},
      {FilePurpose::kMask, "Choose a mask of the same vessels", can_be_mask, io::readable_volume_extensions,
       "compare-mask", true},
+     {FilePurpose::kDeviation, "Choose a mesh or mask to measure the deviation from",
+      [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); }, context_extensions,
+      "deviation-from", true},
      {FilePurpose::kExport, "Export", can_be_export, export_extensions, "export"}}};
 
 const Purpose& purpose_of(const OpenDialog& dialog) {

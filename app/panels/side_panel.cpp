@@ -232,6 +232,7 @@ void draw_side_panel(InterfaceContext& context) {
             draw_plan(context);
         } else {
             draw_systems(context);
+            draw_deviation(context); // what colours say, before what they are of
             draw_surface(context);
             draw_glass(context);
             draw_context(context);

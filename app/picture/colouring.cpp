@@ -1,5 +1,6 @@
 #include "app/picture/colouring.h"
 
+#include "app/picture/deviation_colours.h"
 #include "app/session/labels.h"
 #include "app/session/numbers.h"
 #include "app/session/systems.h"
@@ -40,20 +41,6 @@ double mean_diameter(const tree::VesselTree& tree, const tree::Branch& branch) {
     double sum = 0.0;
     for (const auto point : branch.points) sum += 2.0 * tree.points[point].radius;
     return branch.points.empty() ? 0.0 : sum / static_cast<double>(branch.points.size());
-}
-
-Legend bar_legend(const std::string& title, ColourMap map, double low, double high, bool logarithmic) {
-    Legend legend;
-    legend.title = title;
-    legend.bar = ramp_of(map);
-    const auto at = [&](double v) {
-        if (!(high > low)) return 0.5;
-        return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
-    };
-    std::vector<double> numbers = high > low ? round_numbers(low, high, logarithmic) : std::vector<double>{low};
-    if (numbers.size() < 2 && high > low) numbers = {low, high};
-    for (const double v : numbers) legend.ticks.push_back({at(v), rounded(v)});
-    return legend;
 }
 
 // Whole numbers: each its swatch while they are few.
@@ -193,6 +180,20 @@ void explain_states(Colouring& colouring, const Marks& marks, std::size_t branch
 
 } // namespace
 
+Legend bar_legend(const std::string& title, ColourMap map, double low, double high, bool logarithmic) {
+    Legend legend;
+    legend.title = title;
+    legend.bar = ramp_of(map);
+    const auto at = [&](double v) {
+        if (!(high > low)) return 0.5;
+        return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    };
+    std::vector<double> numbers = high > low ? round_numbers(low, high, logarithmic) : std::vector<double>{low};
+    if (numbers.size() < 2 && high > low) numbers = {low, high};
+    for (const double v : numbers) legend.ticks.push_back({at(v), rounded(v)});
+    return legend;
+}
+
 glm::vec3 margin_colour(std::size_t index, std::size_t count) {
     // From what is near to what is far: after the diverging red-yellow-blue maps, safe for colour-blind eyes.
     constexpr std::array<glm::vec3, 5> kStations{{{0.843F, 0.188F, 0.153F},
@@ -241,6 +242,11 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
         break;
     case ColourBy::kSystem:
         colour_by_system(colouring, tree, marks);
+        break;
+    case ColourBy::kDeviation: // the surface's own, which show_deviation() adds
+        colouring.branches.assign(tree.branches.size(), kNotMeasuredColour);
+        colouring.legend.title = "Deviation";
+        colouring.legend.swatches.push_back({kNotMeasuredColour, "not of branches"});
         break;
     case ColourBy::kBranch:
         for (std::size_t i = 0; i < tree.branches.size(); ++i) colouring.branches.push_back(distinct(i));

@@ -22,6 +22,10 @@ struct Colouring {
 [[nodiscard]] Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, const Marks& marks,
                                      const Plan* plan);
 
+// A bar from `low` to `high`, ticks at round numbers.
+[[nodiscard]] render::Legend bar_legend(const std::string& title, ColourMap map, double low, double high,
+                                        bool logarithmic);
+
 // The colour of a margin around lesions, the innermost first; beyond all of them.
 [[nodiscard]] glm::vec3 margin_colour(std::size_t index, std::size_t count);
 inline constexpr glm::vec3 kBeyondMargins{0.56F, 0.60F, 0.66F};

@@ -5,6 +5,7 @@
 #include "app/assets/plan.h"
 #include "app/picture/colouring.h"
 #include "app/picture/contact_marks.h"
+#include "app/picture/deviation_colours.h"
 #include "app/picture/note_marks.h"
 #include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
@@ -103,6 +104,12 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
     if (plan != nullptr) show_plan(frame, assets, marks);
     const mesh::SurfaceOptions& options = viewing.options ? *viewing.options : marks.options;
+    if (frame.mesh && marks.colour_by == ColourBy::kDeviation) {
+        const SurfaceDeviation& deviation = assets.deviation;
+        const bool known = deviation.fits(deviation_of(assets.tree, marks, options), frame.mesh);
+        if (known) frame.mesh = deviation.valued_mesh;
+        show_deviation(frame, marks, known ? &deviation : nullptr);
+    }
     frame.centerlines = assets.centerlines.lines;
     if (marks.skeleton) frame.skeleton = frame.centerlines;
     const bool cones = viewing.method.value_or(options.method) == mesh::Method::kTruncatedCones;

@@ -90,9 +90,12 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
     render::Sheet sheet;
     sheet.size = viewing.size;
     sheet.divider = kDividerColour;
-    std::size_t with_legend = 0; // one viewport has it: the last that has colours of branches
+    // One viewport has it: the last that has colours of branches, or the one that has colours of a scale of its own.
+    const auto is_own_surface = [&](const Viewport& viewport) { return is_own(viewport.surface, marks.options); };
+    const bool of_surface = marks.colour_by == ColourBy::kDeviation && std::ranges::any_of(viewports, is_own_surface);
+    std::size_t with_legend = 0;
     for (std::size_t i = 0; i < viewports.size(); ++i)
-        if (viewports[i].has_branches) with_legend = i;
+        if (of_surface ? is_own_surface(viewports[i]) : viewports[i].has_branches) with_legend = i;
     for (std::size_t i = 0; i < viewports.size(); ++i) {
         Viewing own = viewing;
         own.size = viewports[i].size;

@@ -20,6 +20,8 @@ std::vector<ColouringRow> colouring_table() {
     rows.push_back({ColourBy::kLabel, "label", "Names", "Colours named branches and what depends on them."});
     rows.push_back(
         {ColourBy::kSystem, "system", "System", "Colours each system (portal vein, artery) as it is listed."});
+    rows.push_back(
+        {ColourBy::kDeviation, "deviation", "Deviation", "Colours the surface by how far it lies from another one."});
     rows.push_back({ColourBy::kBranch, "branch", "Branch", "Tells neighbouring branches apart."});
     return rows;
 }

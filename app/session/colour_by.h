@@ -1,5 +1,5 @@
-// What the colour of a branch says: one row for each possibility, those of quantities from their own table
-// (app/session/quantity.h). Commands, the menu and sessions read it.
+// What colours say, of a branch or of a place of the surface: one row for each possibility, those of quantities from
+// their own table (app/session/quantity.h). Commands, the menu and sessions read it.
 #pragma once
 
 #include "app/session/quantity.h"
@@ -15,7 +15,7 @@
 namespace ramus::app {
 
 struct ColourBy {
-    enum class Kind : std::uint8_t { kNothing, kState, kQuantity, kLesion, kLabel, kBranch, kSystem };
+    enum class Kind : std::uint8_t { kNothing, kState, kQuantity, kLesion, kLabel, kBranch, kSystem, kDeviation };
     using enum Kind;
     Kind kind = kNothing;
     Quantity quantity{}; // of kQuantity

@@ -236,6 +236,39 @@ Comparison comparison_in(const json& value, const fs::path& folder) {
     return comparison;
 }
 
+json deviation_json(const DeviationChoice& choice, const fs::path& folder) {
+    using From = DeviationChoice::From;
+    json value;
+    if (choice.from == From::kFile)
+        value["mesh"] = written_path(choice.file, folder).string();
+    else
+        value["from"] =
+            std::string(name_of(choice.from == From::kCones ? Compared::kTruncatedCones : Compared::kIsosurface));
+    if (choice.unit != DeviationChoice{}.unit) value["unit"] = std::string(name_of(choice.unit));
+    if (choice.most > 0.0) value["most"] = choice.most;
+    return value;
+}
+
+DeviationChoice deviation_in(const json& value, const fs::path& folder) {
+    using From = DeviationChoice::From;
+    expect_only(value, "deviation", {"from", "mesh", "unit", "most"});
+    DeviationChoice choice;
+    if (value.contains("mesh")) {
+        choice.from = From::kFile;
+        choice.file = (folder / text(value["mesh"], "mesh of the deviation")).lexically_normal().string();
+    } else if (value.contains("from")) {
+        choice.from = word(value["from"], "from", "surface", [](const std::string& name) -> std::optional<From> {
+            if (name == name_of(Compared::kTruncatedCones)) return From::kCones;
+            return name == name_of(Compared::kIsosurface) ? std::optional(From::kIsosurface) : std::nullopt;
+        });
+    }
+    if (value.contains("unit")) choice.unit = word(value["unit"], "unit", "unit", deviation_unit_named);
+    if (choice.unit == DeviationChoice::Unit::kVoxels && !may_count_voxels(choice.from))
+        throw Refusal{"voxels are of an isosurface"};
+    if (value.contains("most")) choice.most = number(value["most"], "most", kLeastDeviation, kMostDeviation);
+    return choice;
+}
+
 static std::array<std::uint8_t, 3> colour_from(const json& value, const std::string& name) {
     const std::string wanted = text(value, name);
     const auto found = colour_in(wanted);

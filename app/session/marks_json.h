@@ -27,10 +27,12 @@ void read_plans(const nlohmann::json& value, Marks& marks); // lesions, cuts, na
 [[nodiscard]] std::filesystem::path written_path(const std::filesystem::path& file,
                                                  const std::filesystem::path& folder);
 [[nodiscard]] nlohmann::json comparison_json(const Comparison& comparison, const std::filesystem::path& folder);
+[[nodiscard]] nlohmann::json deviation_json(const DeviationChoice& choice, const std::filesystem::path& folder);
 [[nodiscard]] nlohmann::json context_json(const ContextItem& item, const std::filesystem::path& folder);
 
 // Throw Refusal (app/session/json_values.h).
 [[nodiscard]] Comparison comparison_in(const nlohmann::json& value, const std::filesystem::path& folder);
+[[nodiscard]] DeviationChoice deviation_in(const nlohmann::json& value, const std::filesystem::path& folder);
 [[nodiscard]] tree::System system_in(const nlohmann::json& value);
 [[nodiscard]] ContextItem context_item(const nlohmann::json& value, const std::filesystem::path& folder);
 

@@ -10,6 +10,7 @@
 #include "app/session/colour_by.h"
 #include "app/session/comparison.h"
 #include "app/session/depth_cues.h"
+#include "app/session/deviation.h"
 #include "core/io/trees/imported_tree.h"
 #include "core/mesh/surface.h"
 #include "core/tree/edit_tree.h"
@@ -85,6 +86,7 @@ struct Marks {
     GlassLook glass;
     DepthCues depth_cues;
     Comparison comparison;
+    DeviationChoice deviation;
     bool skeleton = false;      // centerlines and rings of the radius are drawn over the vessels
     bool contact_marks = false; // rings where vessels press on each other
     mesh::SurfaceOptions options;

@@ -57,6 +57,8 @@ json to_json(const Session& session, const fs::path& folder) {
     if (!session.marks.edits.empty()) value["edits"] = edits_json(session.marks.edits);
     if (session.marks.comparison != Comparison{})
         value["comparison"] = comparison_json(session.marks.comparison, folder);
+    if (session.marks.deviation != DeviationChoice{})
+        value["deviation"] = deviation_json(session.marks.deviation, folder);
     if (session.marks.reading != io::ReadOptions{}) value["reading"] = reading_json(session.marks.reading);
     return value;
 }
@@ -65,7 +67,8 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
     try {
         expect_only(value, "the session",
                     {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
-                     "measurements", "names", "systems", "edits", "comparison", "camera", "options", "reading"});
+                     "measurements", "names", "systems", "edits", "comparison", "deviation", "camera", "options",
+                     "reading"});
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};
@@ -86,6 +89,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         for (const json& item : list_in(value, "systems")) session.marks.systems.push_back(system_in(item));
         for (const json& item : list_in(value, "context")) session.marks.context.push_back(context_item(item, folder));
         if (value.contains("comparison")) session.marks.comparison = comparison_in(value["comparison"], folder);
+        if (value.contains("deviation")) session.marks.deviation = deviation_in(value["deviation"], folder);
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("reading")) session.marks.reading = reading_in(value["reading"]);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
@@ -108,6 +112,7 @@ void note_named_files(const Session& session) {
     for (const std::string& mesh : session.marks.lesion_meshes) io::note_input(mesh);
     for (const ContextItem& item : session.marks.context) io::note_input(item.file);
     io::note_input(session.marks.comparison.mask);
+    io::note_input(session.marks.deviation.file);
 }
 
 } // namespace

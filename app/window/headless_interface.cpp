@@ -27,8 +27,11 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     const auto settle = [&] {
         Job job;
         (void)complete(workspace.assets, workspace.document, job); // waits for what a window leaves to a worker
-        for (workspace.update(); workspace.comparing() || workspace.seeking_contacts(); workspace.update())
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        const auto more_to_come = [&] {
+            workspace.update();
+            return workspace.comparing() || workspace.seeking_contacts() || workspace.measuring_deviation();
+        };
+        while (more_to_come()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made
         for (int i = 0; i < kMostFrames; ++i) {
             viewer->draw(now, target.framebuffer);

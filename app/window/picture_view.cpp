@@ -1,5 +1,6 @@
 #include "app/window/picture_view.h"
 
+#include "app/picture/deviation_colours.h"
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
@@ -103,8 +104,7 @@ void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfa
         frame.quality = quality;
         frame.preview = surfaces.preview_of(viewports[i].surface);
         if (!shows_own(viewports[i])) continue;
-        frame.mesh = shown.mesh;
-        frame.preview = shown.preview;
+        put_surface(frame, state_.workspace.assets.deviation, shown.mesh, shown.preview);
     }
 }
 

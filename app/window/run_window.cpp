@@ -40,13 +40,16 @@ private:
     std::string path_, written_;
 };
 
-// What the lists of notes and of contacts say, and where one has gone from them.
+// What the lists of notes and of contacts say, and where one has gone from them; and what was measured.
 void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
     status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
     const auto& contacts = workspace.assets.contacts.list;
     status["contacts"] = {{"open", interface.contacts.open},
                           {"contact", interface.contacts.current + 1},
                           {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
+    const SurfaceDeviation& deviation = workspace.assets.deviation;
+    status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.measuring_deviation();
+    status["deviation_most_mm"] = deviation.most_mm;
     if (const auto& facts = workspace.document.facts()) {
         status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
         status["notes"] = workspace.document.tree()->notes.size();

@@ -8,6 +8,8 @@
 #include "render/scene/bounds.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
 
 namespace ramus::app {
 
@@ -31,26 +33,30 @@ void take_lines(mesh::TriangleMesh mesh, ComparedSurface& made) {
     made.lines = std::make_shared<const mesh::TriangleMesh>(std::move(mesh));
 }
 
-bool apart(const render::Box& a, const render::Box& b) {
-    return glm::any(glm::lessThan(a.upper, b.lower)) || glm::any(glm::lessThan(b.upper, a.lower));
-}
-
 Result<mesh::TriangleMesh> isosurface_of(const tree::VesselTree& tree, const ComparedRequest& request,
-                                         ComparedSurface& made, Job& job) {
+                                         ComparedMesh& made, Job& job) {
     const volume::IsosurfaceOptions options{static_cast<double>(request.surface.options.memory_bytes),
                                             request.surface.options.threads};
     if (request.mask.empty()) {
         made.voxel_mm = request.voxel_mm > 0.0 ? request.voxel_mm : volume::sensible_voxel_mm(tree);
         RAMUS_TRY(voxels, volume::voxelised(tree, made.voxel_mm, options.memory_bytes, job));
+        made.voxel_diagonal_mm = glm::length(volume::spacing_mm(voxels.to_patient));
         return volume::mask_surface(voxels.mask, voxels.to_patient, options, job);
     }
     RAMUS_TRY(read, io::read_volume(request.mask, {options.memory_bytes, io::length_unit(request.units)}, job));
+    made.voxel_diagonal_mm = glm::length(volume::spacing_mm(read.to_patient));
     made.notes = read.notes;
     made.notes.insert(made.notes.end(), read.suspicions.begin(), read.suspicions.end());
     return of_file(volume::isosurface(std::move(read), {request.labels, std::nullopt}, options, job), request.mask);
 }
 
 } // namespace
+
+bool lies_elsewhere(const mesh::TriangleMesh& surface, const tree::VesselTree& tree) {
+    const render::Box a = render::bounds_of(surface), b = render::bounds_of(tree);
+    if (a.empty()) return false;
+    return glm::any(glm::lessThan(a.upper, b.lower)) || glm::any(glm::lessThan(b.upper, a.lower));
+}
 
 std::vector<ComparedRequest> compared_requests(const Marks& marks) {
     std::vector<ComparedRequest> requests;
@@ -82,36 +88,41 @@ ComparedRequest compared_request(const Marks& marks, Compared kind) {
     return request;
 }
 
+Result<ComparedMesh> compared_mesh(const tree::VesselTree& tree, const ComparedRequest& request, Job& job) {
+    ComparedMesh made;
+    if (request.kind == Compared::kIsosurface) {
+        RAMUS_TRY(surface, isosurface_of(tree, request, made, job));
+        if (lies_elsewhere(surface, tree))
+            return fail("this mask lies elsewhere than the tree", request.mask,
+                        "give the mask that the tree was made from, or its unit if it is not mm");
+        made.mesh = std::move(surface);
+        return made;
+    }
+    const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
+    if (!hidden.empty() && std::ranges::find(hidden, 0) == hidden.end()) return made;
+    RAMUS_TRY(surface, mesh::make_surface(tree, request.surface.options, job, hidden));
+    made.mesh = std::move(surface.mesh);
+    return made;
+}
+
 Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request, Job& job) {
     ComparedSurface made;
     made.request = request;
-    if (request.kind != Compared::kIsosurface && request.wire) {
-        const auto hidden = hidden_flags(request.surface.hidden, tree.branches.size());
-        mesh::TriangleMesh lines; // of nothing where all is hidden
-        if (hidden.empty() || std::ranges::find(hidden, 0) != hidden.end()) {
-            RAMUS_TRY(surface, mesh::make_surface(tree, request.surface.options, job, hidden));
-            lines = std::move(surface.mesh);
-        }
-        take_lines(std::move(lines), made);
-        return made;
-    }
-    if (request.kind != Compared::kIsosurface) {
+    if (request.kind != Compared::kIsosurface && !request.wire) {
         RAMUS_TRY(ready, make_ready(tree, request.surface, job));
         made.mesh = std::move(ready.mesh);
         return made;
     }
-    RAMUS_TRY(surface, isosurface_of(tree, request, made, job));
-    const render::Box own = render::bounds_of(surface);
-    if (!own.empty() && apart(own, render::bounds_of(tree)))
-        return fail("this mask lies elsewhere than the tree", request.mask,
-                    "give the mask that the tree was made from, or its unit if it is not mm");
+    RAMUS_TRY(surface, compared_mesh(tree, request, job));
+    made.voxel_mm = surface.voxel_mm;
+    made.notes = std::move(surface.notes);
     if (request.wire) {
-        take_lines(std::move(surface), made);
+        take_lines(std::move(surface.mesh), made);
         return made;
     }
-    if (surface.triangles.size() > kManyTriangles)
-        made.preview = in_one_branch(mesh::coarse_mesh(surface, kFluent), tree);
-    made.mesh = in_one_branch(std::move(surface), tree);
+    if (surface.mesh.triangles.size() > kManyTriangles)
+        made.preview = in_one_branch(mesh::coarse_mesh(surface.mesh, kFluent), tree);
+    made.mesh = in_one_branch(std::move(surface.mesh), tree);
     return made;
 }
 

@@ -46,7 +46,20 @@ struct ComparedSurface {
 // All that the picture needs beside the session's own surface, in the order of its viewports.
 [[nodiscard]] std::vector<ComparedRequest> compared_requests(const Marks& marks);
 
+// The surface alone, as triangles.
+struct ComparedMesh {
+    mesh::TriangleMesh mesh;                 // without any triangle where all is hidden
+    double voxel_mm = 0.0;                   // of a mask that was made; 0: none was
+    std::optional<double> voxel_diagonal_mm; // of the mask's voxels, made or read
+    std::vector<std::string> notes;          // what was assumed where the mask does not say
+};
 // Fails as surfaces, volumes and isosurfaces do, with the mask's name, and when the mask lies elsewhere than the tree.
+[[nodiscard]] Result<ComparedMesh> compared_mesh(const tree::VesselTree& tree, const ComparedRequest& request,
+                                                 Job& job);
+// Whether the box around a surface and the one around the tree have nothing in common.
+[[nodiscard]] bool lies_elsewhere(const mesh::TriangleMesh& surface, const tree::VesselTree& tree);
+
+// The same for pictures.
 [[nodiscard]] Result<ComparedSurface> make_compared(const tree::VesselTree& tree, const ComparedRequest& request,
                                                     Job& job);
 

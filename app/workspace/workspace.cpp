@@ -7,7 +7,8 @@
 namespace ramus::app {
 
 Workspace::Workspace(const std::function<void()>& wake)
-    : context(wake), loader_(wake), surface_(wake), comparison_(wake), lesions_(wake), contacts_(wake) {}
+    : context(wake), loader_(wake), surface_(wake), comparison_(wake), deviation_(wake), lesions_(wake),
+      contacts_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
@@ -59,6 +60,7 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     lesions_.cancel(); // what is on its way belongs to the tree before
     context.forget();
     comparison_.forget();
+    deviation_.forget();
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
     tried_.reset();
@@ -77,6 +79,7 @@ bool Workspace::follow_tree() {
     first_is_coming_ = false; // of the tree before
     lesions_.cancel();
     comparison_.forget();
+    deviation_.forget();
     tried_.reset();
     surface_.change_tree(tree_shown_, request());
     changed_ = true;
@@ -148,6 +151,32 @@ void Workspace::follow_contacts() {
     });
 }
 
+// Of the surface that is shown, once it is more than provisional.
+std::optional<DeviationMaker::Wanted> Workspace::missing_deviation() const {
+    const Marks& marks = document.marks();
+    if (!document.tree() || tree_shown_ != document.tree() || marks.colour_by != ColourBy::kDeviation || !shown().mesh)
+        return {};
+    const mesh::SurfaceOptions options = request().options;
+    DeviationOf of = deviation_of(document.tree(), marks, options);
+    const SurfaceDeviation& have = assets.deviation;
+    if (!surface_.problem().empty()) return {}; // what is shown is no more than provisional
+    if (have.of == of && !have.trouble.empty()) return {};
+    if (have.fits(of, shown().mesh) && (have.preview == shown().preview || !shown().preview)) return {};
+    return DeviationMaker::Wanted{std::move(of), options.threads, options.memory_bytes, shown().mesh, shown().preview};
+}
+
+void Workspace::follow_deviation() {
+    deviation_.drain();
+    if (auto news = deviation_.take_news()) {
+        assets.deviation = std::move(*news);
+        changed_ = true;
+    }
+    if (document.marks().colour_by != ColourBy::kDeviation) assets.deviation = {};
+    const bool something_else_first =
+        surface_.worker().busy() || loader_.worker().busy() || shown().provisional || surface_.awaited(request());
+    deviation_.follow(missing_deviation(), something_else_first);
+}
+
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
     for (const ComparedSurface& one : comparison_.surfaces()) show(surfaces, one);
@@ -163,6 +192,8 @@ void Workspace::cancel_work() {
         surface_.give_up("cancelled");
     } else if (comparison_.worker().busy()) {
         comparison_.cancel();
+    } else if (deviation_.worker().busy()) {
+        deviation_.cancel();
     }
     context.cancel();
     changed_ = true;
@@ -186,6 +217,7 @@ void Workspace::take_failures() {
     if (!lesions_failure.empty()) lesions_failed_ = lesions_of_;
     tell(lesions_failure, lesions_);
     tell(comparison_.take_failure(), comparison_.worker());
+    tell(deviation_.take_failure(), deviation_.worker());
     tell(contacts_.take_failure(), contacts_);
 }
 
@@ -203,6 +235,7 @@ bool Workspace::update() {
     follow_lesions();
     if (!surface_.take_just_shown()) follow_surface();
     follow_contacts();
+    follow_deviation();
     if (document.tree())
         comparison_.follow(document.tree(), document.marks(), surface_.worker().busy() || loader_.worker().busy());
     changed_ |= surface_.take_changed();
@@ -219,6 +252,7 @@ std::string Workspace::activity() const {
     if (!meshing && lesions_.busy()) return lesions_.title();
     if (!meshing && context.busy()) return context.title();
     if (!meshing && !loading && comparison_.worker().busy()) return comparison_.worker().title();
+    if (!meshing && !loading && deviation_.worker().busy()) return deviation_.worker().title();
     return busy() ? kComputing : std::string{};
 }
 

@@ -4,7 +4,8 @@
 // follows. A file that cannot be read leaves everything as it was. No GL, no window.
 //
 // Each kind of work has its own object and thread: loading a tree, following with the surface, making surfaces to
-// compare with, reading context, reading lesions and measuring distances to them, and looking for contacts.
+// compare with, reading context, reading lesions and measuring distances to them, measuring how far the surface lies
+// from another one, and looking for contacts.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -12,6 +13,7 @@
 #include "app/storage/autosave.h"
 #include "app/workspace/compared_surfaces.h"
 #include "app/workspace/context_reader.h"
+#include "app/workspace/deviation_maker.h"
 #include "app/workspace/loaded_tree.h"
 #include "app/workspace/surface_maker.h"
 #include "core/io/trees/tree_file.h"
@@ -70,6 +72,8 @@ public:
     [[nodiscard]] bool comparing() const { return document.tree() && comparison_.awaited(document.marks()); }
     // Why one cannot be had; empty: all can.
     [[nodiscard]] const std::string& comparison_problem() const { return comparison_.problem(); }
+    // Whether the distances that colours shall show are being measured, or about to be.
+    [[nodiscard]] bool measuring_deviation() const { return missing_deviation().has_value(); }
     // The tree's contacts are looked for when there is nothing better to do, and at once where they are wanted: listed,
     // or marked in the picture. Those of large trees only then.
     void want_contacts(bool wanted) { contacts_wanted_ = wanted; }
@@ -109,11 +113,13 @@ private:
     void follow_surface();
     void follow_lesions();
     void follow_contacts();
+    void follow_deviation();
+    [[nodiscard]] std::optional<DeviationMaker::Wanted> missing_deviation() const;
     [[nodiscard]] bool contacts_due() const;
     static constexpr std::size_t kMostSoughtUnasked = 1'000'000; // points of the tree
     // Of the work that shows its progress, in the order in which it is named.
-    [[nodiscard]] std::array<const Worker*, 4> workers() const {
-        return {&loader_.worker(), &surface_.worker(), &lesions_, &comparison_.worker()};
+    [[nodiscard]] std::array<const Worker*, 5> workers() const {
+        return {&loader_.worker(), &surface_.worker(), &lesions_, &comparison_.worker(), &deviation_.worker()};
     }
 
     std::shared_ptr<const tree::VesselTree> tree_shown_; // that the surfaces are of
@@ -133,6 +139,7 @@ private:
     TreeLoader loader_;
     SurfaceFollower surface_;
     ComparisonMaker comparison_;
+    DeviationMaker deviation_;
     Worker lesions_;
     Worker contacts_;
 };

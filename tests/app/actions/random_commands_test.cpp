@@ -100,6 +100,11 @@ std::string random_command(std::mt19937& random, int branches) {
                                             "blend",
                                             "blend paper",
                                             "colour-by generation",
+                                            "colour-by deviation",
+                                            "deviation-from cones",
+                                            "deviation-from iso",
+                                            "deviation-scale 0." + number(9),
+                                            "deviation-scale auto voxels",
                                             "colour-by nothing"};
     return commands[random() % commands.size()];
 }

@@ -1,0 +1,173 @@
+#include "app/workspace/deviation_maker.h"
+
+#include "app/session/of_file.h"
+#include "app/workspace/compared_surfaces.h"
+#include "core/io/meshes/mesh_file.h"
+#include "core/measure/deviation/deviation.h"
+#include "core/measure/deviation/packed_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <oneapi/tbb/task_arena.h>
+#include <vector>
+
+namespace ramus::app {
+
+namespace {
+
+// The other surface, and the diagonal of its voxels.
+struct OtherSurface {
+    mesh::TriangleMesh mesh;
+    std::optional<double> voxel_mm;
+};
+
+// Triangles around cones that are finer than for pictures: their chords lie below the cones, and that would be seen as
+// stripes. As many as are soon measured from; a cone with its half-spheres has half the square of it.
+int detail_of_cones(const DeviationOf& of) {
+    constexpr double kMostTriangles = 8e6, kFinest = 48.0;
+    const double segments = std::max(1.0, static_cast<double>(of.tree->segment_count()));
+    return std::max(of.options->detail,
+                    static_cast<int>(std::min(kFinest, std::sqrt(2.0 * kMostTriangles / segments))));
+}
+
+ComparedRequest request_of(const DeviationOf& of, int threads, std::size_t memory_bytes) {
+    ComparedRequest request;
+    const bool cones = of.from == DeviationChoice::From::kCones;
+    request.kind = cones ? Compared::kTruncatedCones : Compared::kIsosurface;
+    if (cones) {
+        request.surface = {*of.options, of.hidden};
+        request.surface.options.method = mesh::Method::kTruncatedCones;
+        request.surface.options.detail = detail_of_cones(of);
+    }
+    request.surface.options.threads = threads;
+    request.surface.options.memory_bytes = memory_bytes;
+    request.mask = cones ? std::string() : of.file;
+    request.units = of.units;
+    request.labels = of.labels;
+    return request;
+}
+
+Result<OtherSurface> other_surface(const DeviationOf& of, int threads, std::size_t memory_bytes, Job& job) {
+    if (of.from == DeviationChoice::From::kFile) {
+        RAMUS_TRY(read, io::read_mesh(of.file, io::Holes::kAllowed));
+        if (lies_elsewhere(read, *of.tree))
+            return fail("this surface lies elsewhere than the tree", of.file,
+                        "give a surface in the coordinates of the tree, in mm");
+        return OtherSurface{std::move(read), {}};
+    }
+    RAMUS_TRY(made, compared_mesh(*of.tree, request_of(of, threads, memory_bytes), job));
+    return OtherSurface{std::move(made.mesh), made.voxel_diagonal_mm};
+}
+
+// In stretches, so that work can be cancelled and tells how far it is. Vertices that no triangle uses have no distance.
+Result<LargeArray<float>> distances_of(const render::PagedMesh& mesh, const measure::PackedTriangles& other,
+                                       const JobRange& job) {
+    constexpr std::size_t kStretch = 1U << 17U;
+    const std::vector<std::uint32_t> used = mesh.used_vertices();
+    LargeArray<float> values(used.empty() ? 0 : used.back() + 1, render::kNotKnown);
+    std::vector<glm::vec3> points;
+    for (std::size_t first = 0; first < used.size(); first += kStretch) {
+        if (job.cancelled()) return fail("cancelled");
+        const std::size_t count = std::min(kStretch, used.size() - first);
+        points.clear();
+        for (std::size_t i = first; i < first + count; ++i) points.push_back(mesh.position(used[i]));
+        const LargeArray<double> found = other.distances(points);
+        for (std::size_t i = 0; i < count; ++i) values[used[first + i]] = static_cast<float>(found[i]);
+        job.report(static_cast<float>(first + count) / static_cast<float>(used.size()));
+    }
+    return values;
+}
+
+void summarise(const LargeArray<float>& values, SurfaceDeviation& deviation) {
+    std::vector<double> known;
+    for (const float value : values)
+        if (value > render::kLeastKnown) known.push_back(value);
+    if (known.empty()) return;
+    double sum = 0.0;
+    for (const double value : known) sum += value;
+    deviation.mean_mm = sum / static_cast<double>(known.size());
+    deviation.most_mm = std::ranges::max(known);
+    deviation.percentile_95_mm = measure::quantile(known, 0.95);
+    deviation.percentile_99_mm = measure::quantile(known, 0.99);
+}
+
+Result<SurfaceDeviation> measured_from(const OtherSurface& other, SurfaceDeviation deviation, Job& job) {
+    constexpr float kPacked = 0.3F, kMesh = 0.9F; // of the job
+    const measure::PackedTriangles triangles(other.mesh);
+    RAMUS_TRY(values, distances_of(*deviation.mesh, triangles, JobRange(job, kPacked, kMesh)));
+    summarise(values, deviation);
+    deviation.voxel_mm = other.voxel_mm;
+    deviation.valued_mesh = std::make_shared<const render::PagedMesh>(deviation.mesh->with_values(values));
+    if (!deviation.preview) return deviation;
+    RAMUS_TRY(of_preview, distances_of(*deviation.preview, triangles, JobRange(job, kMesh, 1.0F)));
+    deviation.valued_preview = std::make_shared<const render::PagedMesh>(deviation.preview->with_values(of_preview));
+    return deviation;
+}
+
+} // namespace
+
+Result<SurfaceDeviation> make_deviation(const DeviationOf& of, int threads, std::size_t memory_bytes,
+                                        const SurfaceDeviation::Paged& mesh, const SurfaceDeviation::Paged& preview,
+                                        Job& job) {
+    SurfaceDeviation deviation;
+    deviation.of = of;
+    deviation.mesh = mesh;
+    deviation.preview = preview;
+    if (mesh->triangle_count() == 0) { // all is hidden
+        deviation.valued_mesh = mesh;
+        return deviation;
+    }
+    RAMUS_TRY(other, other_surface(of, threads, memory_bytes, job));
+    if (other.mesh.triangles.empty()) return fail("the other surface has no triangles", of.file, "choose another one");
+    if (job.cancelled()) return fail("cancelled");
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    return arena.execute([&] { return measured_from(other, std::move(deviation), job); });
+}
+
+void DeviationMaker::forget() {
+    worker_.cancel();
+    current_.reset();
+    failed_.reset();
+    news_.reset();
+}
+
+void DeviationMaker::follow(const std::optional<Wanted>& missing, bool something_else_first) {
+    if (!missing) {
+        worker_.cancel(); // nobody looks at it any more
+        current_.reset();
+        failed_.reset();
+        return;
+    }
+    if (something_else_first || failed_ == missing || (worker_.busy() && current_ == missing)) return;
+    current_ = missing;
+    worker_.start("Measuring the deviation", [this, task = *missing](Job& job, const Worker::Post& post) {
+        const auto made = make_deviation(task.of, task.threads, task.memory_bytes, task.mesh, task.preview, job);
+        if (job.cancelled()) return;
+        post([this, made] {
+            if (!made) return give_up(made.error().message());
+            news_ = *made;
+            current_.reset();
+        });
+    });
+}
+
+void DeviationMaker::give_up(std::string why) {
+    failed_ = std::exchange(current_, std::nullopt);
+    if (!failed_) return;
+    news_ = SurfaceDeviation{};
+    news_->of = failed_->of;
+    news_->trouble = std::move(why);
+}
+
+void DeviationMaker::cancel() {
+    worker_.cancel();
+    give_up("cancelled");
+}
+
+std::string DeviationMaker::take_failure() {
+    std::string failure = worker_.take_failure();
+    if (!failure.empty()) give_up("the work was given up: " + failure);
+    return failure;
+}
+
+} // namespace ramus::app
