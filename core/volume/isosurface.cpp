@@ -116,4 +116,8 @@ Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& t
                    [&] { return make(mask, to_patient, Midway{}, options, JobRange(job, 0.0F, 1.0F)); });
 }
 
+Result<void> check_mask_precision(const glm::ivec3& size, const glm::dmat4& to_patient) {
+    return check_precision(size, to_patient, Midway::kLeast);
+}
+
 } // namespace ramus::volume

@@ -38,4 +38,7 @@ struct IsosurfaceOptions {
 [[nodiscard]] Result<mesh::TriangleMesh> mask_surface(const BitMask& mask, const glm::dmat4& to_patient,
                                                       const IsosurfaceOptions& options, Job& job);
 
+// Whether single precision can tell the vertices of mask_surface() apart: known before there is a mask.
+[[nodiscard]] Result<void> check_mask_precision(const glm::ivec3& size, const glm::dmat4& to_patient);
+
 } // namespace ramus::volume

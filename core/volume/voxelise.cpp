@@ -3,6 +3,7 @@
 #include "core/base/bounds.h"
 #include "core/base/lines.h"
 #include "core/base/memory.h"
+#include "core/volume/isosurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,10 @@ Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, const glm::dvec3& 
         return fail("voxels of " + least + " mm are too fine for this tree", {},
                     "give a larger size, or more --memory");
     const Grid grid{0.5 * (box.least + box.most - voxel_mm * (sides - 1.0)), voxel_mm};
-    VoxelisedTree made{BitMask(glm::ivec3(sides)), glm::scale(glm::translate(glm::dmat4(1.0), grid.origin), voxel_mm)};
+    const glm::dmat4 to_patient = glm::scale(glm::translate(glm::dmat4(1.0), grid.origin), voxel_mm);
+    if (auto precise = check_mask_precision(glm::ivec3(sides), to_patient); !precise)
+        return tl::unexpected(precise.error());
+    VoxelisedTree made{BitMask(glm::ivec3(sides)), to_patient};
     for (const tree::Branch& branch : tree.branches)
         for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
             fill(made.mask, grid, tree.points[branch.points[i]], tree.points[branch.points[i + 1]], job);

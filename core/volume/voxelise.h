@@ -18,7 +18,8 @@ struct VoxelisedTree {
 
 // Voxels of `voxel_mm` a side whose centre lies within a vessel: within the radius of its centerline, linear between
 // points. Fails when `voxel_mm` is not positive and when the voxels would take more than `memory_bytes` (0: half of
-// the machine's), or vessels are so much thinner than voxels that nothing is inside, and when `job` is cancelled (what
+// the machine's), lie where single precision cannot tell them apart, or vessels are so much thinner than voxels that
+// nothing is inside, and when `job` is cancelled (what
 // == "cancelled").
 [[nodiscard]] Result<VoxelisedTree> voxelised(const tree::VesselTree& tree, double voxel_mm, double memory_bytes,
                                               Job& job);

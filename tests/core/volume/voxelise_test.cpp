@@ -41,5 +41,10 @@ TEST_CASE("voxels that cannot be are refused") {
     CHECK_FALSE(volume::voxelised(vessel(40.0, 4.0, 2.0), 0.25, 1000.0, job));
     job.cancel();
     CHECK(volume::voxelised(vessel(40.0, 4.0, 2.0), 0.25, 0.0, job).error().what == "cancelled");
+    tree::VesselTree far = vessel(40.0, 4.0, 2.0);
+    for (tree::Point& point : far.points) point.position.x += 9.9e6; // in steps of 1 mm
+    const auto coarse = volume::voxelised(far, 0.25);
+    REQUIRE_FALSE(coarse);
+    CHECK(coarse.error().what.find("single precision") != std::string::npos);
     CHECK(volume::sensible_voxel_mm(vessel(40.0, 4.0, 2.0)) == doctest::Approx(2.0));
 }
