@@ -42,7 +42,8 @@ public:
             if (for_report_)
                 for (const std::size_t vertex : measure::farthest_vertices(surface_, distances, kFarthest)) {
                     const glm::dvec3 at(surface_.positions[vertex]);
-                    found.farthest.push_back({at, distances[vertex], nearest_place(set_.validation, at)->branch});
+                    const validate::RadiusPlace* place = nearest_place(set_.validation, at);
+                    found.farthest.push_back({at, distances[vertex], place != nullptr ? place->branch : 0});
                 }
             found.statistics = measure::statistics_of(distances, set_.half_voxel_mm);
             return found;
