@@ -45,26 +45,38 @@ double around(const Reference& reference, std::size_t first, std::size_t end, st
     return sum / length;
 }
 
-} // namespace
-
-bool is_oblique(const Reference& reference, const Probe& probe, const Constriction& place) {
-    if (place.radius_mm <= place.expected_radius_mm) return false;
-    const auto places = reference.places_of(static_cast<std::size_t>(place.branch));
-    const auto same = std::ranges::find(places, place.at, &Place::at);
-    const glm::dvec3& along = same->direction;
+// The radius of the narrowest of some sections through a place: in a bend the one across its chord is askew.
+double narrowest(const Probe& probe, const Place& place) {
+    const glm::dvec3& along = place.direction;
     const glm::dvec3 side = glm::normalize(
         glm::cross(along, std::abs(along.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
     const glm::dvec3 other = glm::cross(along, side);
     constexpr int kWays = 8;
+    const double reach = 4.0 * place.radius;
+    double least = probe.cross_section(place.at, along, reach).radius;
     for (const double lean_deg : {15.0, 30.0, 45.0})
         for (int way = 0; way < kWays; ++way) {
             const double lean = lean_deg * std::numbers::pi / 180.0, turn = 2.0 * std::numbers::pi * way / kWays;
             const glm::dvec3 leant =
                 std::cos(lean) * along + std::sin(lean) * (std::cos(turn) * side + std::sin(turn) * other);
-            const double radius = probe.cross_section(place.at, leant, 4.0 * place.expected_radius_mm).radius;
-            if (radius <= (1.0 + kAllowed) * place.expected_radius_mm) return true;
+            least = std::min(least, probe.cross_section(place.at, leant, reach).radius);
         }
-    return false;
+    return least;
+}
+
+} // namespace
+
+bool is_oblique(const Reference& reference, const Probe& probe, const Constriction& found) {
+    if (found.radius_mm <= found.expected_radius_mm) return false;
+    const auto branch = static_cast<std::size_t>(found.branch);
+    const auto places = reference.places_of(branch);
+    const std::size_t first = reference.first_of(branch), end = first + places.size();
+    const auto at = static_cast<std::size_t>(std::ranges::find(places, found.at, &Place::at) - places.begin());
+    const double wanted =
+        around(reference, first, end, first + at, [&](std::size_t i) { return reference.places()[i].radius; });
+    const double there = around(reference, first, end, first + at,
+                                [&](std::size_t i) { return narrowest(probe, reference.places()[i]); });
+    return there <= (1.0 + kAllowed) * wanted;
 }
 
 std::vector<Constriction> changed_constrictions(const Reference& reference, const RadiusAt& expected,

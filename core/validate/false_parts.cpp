@@ -23,7 +23,10 @@ std::vector<std::uint8_t> far_from_vessels(const Reference& reference, const mes
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, far.size(), 1024), [&](const auto& range) {
         for (std::size_t v = range.begin(); v < range.end(); ++v) {
             const tree::Point place{glm::dvec3(surface.positions[v]), 0.0};
-            far[v] = reference.vessels().nearest(place, kOwn, kNoBranches, kOwn).branch == tree::kNoBranch ? 1 : 0;
+            const auto is_far = [&](const NearbyVessels& vessels) {
+                return vessels.nearest(place, kOwn, {}, kOwn).branch == tree::kNoBranch;
+            };
+            far[v] = is_far(reference.vessels()) && is_far(reference.input_vessels()) ? 1 : 0;
         }
     });
     return far;
@@ -75,8 +78,13 @@ private:
     std::vector<std::uint8_t> rim_; // beside what is near a vessel
 };
 
-// The middle of the ring of vertices that are as far from the part's beginning as `n`, and connected with it.
-glm::dvec3 middle_of_ring(const FarGraph& graph, std::uint32_t n, const std::vector<double>& distance, double width) {
+// The vertices that are as far from the part's beginning as `n`, and connected with it: about a circle.
+struct Ring {
+    glm::dvec3 middle{0.0};
+    double radius = 0.0;
+};
+
+Ring ring_of(const FarGraph& graph, std::uint32_t n, const std::vector<double>& distance, double width) {
     std::unordered_map<std::uint32_t, bool> seen{{n, true}};
     std::vector<std::uint32_t> ring{n};
     glm::dvec3 least = graph.place(n), most = least;
@@ -87,7 +95,10 @@ glm::dvec3 middle_of_ring(const FarGraph& graph, std::uint32_t n, const std::vec
             if (std::abs(distance[other] - distance[n]) <= width && seen.emplace(other, true).second)
                 ring.push_back(other);
     }
-    return 0.5 * (least + most);
+    Ring found{0.5 * (least + most), 0.0};
+    for (const std::uint32_t other : ring)
+        found.radius += glm::distance(graph.place(other), found.middle) / static_cast<double>(ring.size());
+    return found;
 }
 
 // Ways along the surface, of all parts, found one part after the other.
@@ -100,39 +111,97 @@ struct Ways {
     }
 };
 
-// Of one part: how far it reaches along itself, and where its middle is.
-FalsePart describe(const FarGraph& graph, const std::vector<std::uint32_t>& part, Ways& ways) {
-    std::vector<std::uint32_t> sources;
-    for (const std::uint32_t n : part)
-        if (graph.on_rim(n)) sources.push_back(n);
-    if (sources.empty()) { // a piece of its own: from the end that is farthest from any of its vertices
+// The largest group of the part's vertices that lie side by side on its rim: where it leaves one vessel. A part that
+// leads from one vessel to another has two of them.
+std::vector<std::uint32_t> widest_rim(const FarGraph& graph, const std::vector<std::uint32_t>& part) {
+    std::unordered_map<std::uint32_t, bool> taken;
+    std::vector<std::uint32_t> widest;
+    for (const std::uint32_t seed : part) {
+        if (!graph.on_rim(seed) || !taken.emplace(seed, true).second) continue;
+        std::vector<std::uint32_t> group{seed};
+        const auto take = [&](std::uint32_t n) {
+            if (graph.on_rim(n) && taken.emplace(n, true).second) group.push_back(n);
+        };
+        for (std::size_t i = 0; i < group.size(); ++i)
+            for (const std::uint32_t other : graph.next(group[i])) {
+                take(other);
+                for (const std::uint32_t third : graph.next(other)) take(third); // a rim is no perfect ring of edges
+            }
+        if (group.size() > widest.size()) widest = std::move(group);
+    }
+    return widest;
+}
+
+// How far it is from the axis of the vessel on whose side the part ends at `n` to there.
+double from_axis(const Reference& reference, const FarGraph& graph, std::uint32_t n) {
+    double edge = 0.0;
+    for (const std::uint32_t other : graph.next(n))
+        edge = std::max(edge, glm::distance(graph.place(n), graph.place(other)));
+    return kOwn * reference.vessels().nearest({graph.place(n), 2.0 * edge}, kOwn, {}, 0.0).radius;
+}
+
+struct Described {
+    FalsePart part;
+    double outside_mm = 0.0; // of its length, what is far from all vessels
+    double radius = 0.0;     // in its middle
+};
+
+// Of one part: how long it is as a branch, from the axis of the vessel that it stands on, and where its middle is.
+Described describe(const Reference& reference, const FarGraph& graph, const std::vector<std::uint32_t>& part,
+                   Ways& ways) {
+    std::vector<std::uint32_t> sources = widest_rim(graph, part);
+    const bool stands_on = !sources.empty();
+    if (!stands_on) { // a piece of its own: from the end that is farthest from any of its vertices
         graph.spread({part.front()}, ways.distance, ways.from);
         sources = {ways.farthest(part)};
         for (const std::uint32_t n : part) ways.distance[n] = kInfinity;
     }
     graph.spread(sources, ways.distance, ways.from);
     const std::uint32_t tip = ways.farthest(part);
-    std::uint32_t half = tip;
-    double edge = 0.0;
-    while (ways.from[half] != kNowhere && ways.distance[half] > 0.5 * ways.distance[tip]) {
-        edge = std::max(edge, ways.distance[half] - ways.distance[ways.from[half]]);
-        half = ways.from[half];
+    const double outside = ways.distance[tip];
+    const double before = stands_on ? from_axis(reference, graph, sources.front()) : 0.0;
+    const double after = graph.on_rim(tip) ? from_axis(reference, graph, tip) : 0.0;
+    const auto middle = [&](double length) {
+        std::uint32_t half = tip;
+        double edge = 0.0;
+        while (ways.from[half] != kNowhere && ways.distance[half] > 0.5 * length - before) {
+            edge = std::max(edge, ways.distance[half] - ways.distance[ways.from[half]]);
+            half = ways.from[half];
+        }
+        return ring_of(graph, half, ways.distance, 2.0 * edge);
+    };
+    const double whole = before + outside + after;
+    const double radius = middle(whole).radius;
+    // Free ends are round: the centerline ends about a radius before the surface does.
+    const int free_ends = (stands_on ? 0 : 1) + (graph.on_rim(tip) ? 0 : 1);
+    const double length = std::max(whole - free_ends * radius, 0.5 * whole);
+    glm::dvec3 at = middle(length).middle;
+    if (before > 0.5 * length) { // within the vessel that it stands on
+        const glm::dvec3 outward = middle(whole + outside).middle - at;
+        if (glm::length(outward) > 0.0) at -= (before - 0.5 * length) * glm::normalize(outward);
     }
-    return {middle_of_ring(graph, half, ways.distance, 2.0 * edge), ways.distance[tip]};
+    return {{at, length}, outside, radius};
 }
 
 // What surrounds a centerline is that vessel, wider than it should be; what stands out of a vessel's wall by less than
 // the vessel's radius is a bulge of the wall.
-bool is_a_branch(const Reference& reference, const FalsePart& part) {
-    const NearbyVessels& vessels = reference.vessels();
-    if (vessels.nearest({part.at, 0.0}, 1.0, kNoBranches, 1.0).branch != tree::kNoBranch) return false;
-    const auto beside = vessels.nearest({part.at, part.length_mm}, kOwn, kNoBranches, 0.0);
-    return part.length_mm > 0.0 && part.length_mm >= beside.radius;
+bool is_a_branch(const Reference& reference, const Described& found) {
+    const glm::dvec3& at = found.part.at;
+    for (const NearbyVessels* vessels : {&reference.vessels(), &reference.input_vessels()}) {
+        if (vessels->nearest({at, 0.0}, 1.0, {}, 1.0).branch != tree::kNoBranch) return false;
+        const auto through = vessels->nearest({at, found.radius}, 1.0, {}, 0.0);
+        if (through.branch != tree::kNoBranch && through.closeness * (found.radius + through.radius) < found.radius)
+            return false;
+    }
+    const auto beside = reference.vessels().nearest({at, found.outside_mm}, kOwn, {}, 0.0);
+    return found.outside_mm > 0.0 && found.outside_mm >= beside.radius;
 }
 
 } // namespace
 
-std::vector<FalsePart> false_parts(const Reference& reference, const mesh::TriangleMesh& surface) {
+std::vector<FalsePart> false_parts(const Reference& reference, const mesh::TriangleMesh& surface,
+                                   std::span<const LostStretch> lost) {
+    const std::vector<MovedJoint> joints = moved_joints(reference, lost);
     const FarGraph graph(surface, far_from_vessels(reference, surface));
     std::vector<std::uint8_t> taken(graph.size(), 0);
     std::vector<FalsePart> found;
@@ -145,8 +214,9 @@ std::vector<FalsePart> false_parts(const Reference& reference, const mesh::Trian
         for (std::size_t i = 0; i < part.size(); ++i)
             for (const std::uint32_t other : graph.next(part[i]))
                 if (taken[other] == 0) taken[other] = 1, part.push_back(other);
-        const FalsePart whole = describe(graph, part, ways);
-        if (is_a_branch(reference, whole)) found.push_back(whole);
+        const Described whole = describe(reference, graph, part, ways);
+        if (is_a_branch(reference, whole) && !is_moved(joints, whole.part.at, whole.outside_mm))
+            found.push_back(whole.part);
     }
     std::ranges::stable_sort(found, std::greater<>(), &FalsePart::length_mm);
     return found;

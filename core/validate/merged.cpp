@@ -24,6 +24,7 @@ struct PassingPair {
     tree::Point at_a, at_b;
     glm::dvec3 seen_from{0.0}, seen_to{0.0}; // where the axes count as: moved apart where they cross
     bool merged = false;
+    bool sure = false; // no third vessel has a part in it
 };
 
 // Whether something else that is there covers the way between them: then the two are in that, not one with each other.
@@ -33,7 +34,7 @@ bool third_between(const Reference& reference, const PassingPair& pair) {
     for (int i = 0; i < kAsked; ++i) {
         const glm::dvec3 at = glm::mix(pair.seen_from, pair.seen_to, (i + 0.5) / kAsked);
         const auto third =
-            reference.vessels().nearest({at, 0.0}, kThird, {links[pair.a].branch, links[pair.b].branch}, kThird);
+            reference.vessels().nearest({at, 0.0}, kThird, {{links[pair.a].branch, links[pair.b].branch}}, kThird);
         if (third.branch != tree::kNoBranch) return true;
     }
     return false;
@@ -82,24 +83,47 @@ std::vector<std::uint32_t> sets_of(const std::vector<PassingPair>& pairs, const 
     return set;
 }
 
+// Whether a place on a branch is in one of its lost stretches.
+bool is_lost(const Reference& reference, int branch, const glm::dvec3& at, std::span<const LostStretch> lost) {
+    if (std::ranges::find(lost, branch, [](const LostStretch& one) { return one.lost.branch; }) == lost.end())
+        return false;
+    const auto place = std::ranges::min_element(reference.places_of(static_cast<std::size_t>(branch)), {},
+                                                [&](const Place& one) { return glm::distance(one.at, at); });
+    return std::ranges::any_of(lost, [&](const LostStretch& one) {
+        return one.lost.branch == branch && place->along >= one.from && place->along <= one.to;
+    });
+}
+
 } // namespace
 
-std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width) {
+std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width,
+                                   std::span<const LostStretch> lost) {
     std::vector<PassingPair> pairs = passing_pairs(reference, width);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 64), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            pairs[i].merged = !third_between(reference, pairs[i]) && probe.sees(pairs[i].seen_from, pairs[i].seen_to) &&
-                              probe.inside(pairs[i].seen_from) && probe.inside(pairs[i].seen_to);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            PassingPair& pair = pairs[i];
+            pair.merged =
+                probe.sees(pair.seen_from, pair.seen_to) && probe.inside(pair.seen_from) && probe.inside(pair.seen_to);
+            pair.sure = pair.merged && !third_between(reference, pair);
+        }
     });
     std::erase_if(pairs, [](const PassingPair& pair) { return !pair.merged; });
+    std::erase_if(pairs, [&](const PassingPair& pair) {
+        return is_lost(reference, reference.links()[pair.a].branch, pair.at_a.position, lost) ||
+               is_lost(reference, reference.links()[pair.b].branch, pair.at_b.position, lost);
+    });
     const std::vector<std::uint32_t> sets = sets_of(pairs, reference.links());
     std::map<std::uint32_t, std::size_t> closest; // of each set
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto [found, fresh] = closest.try_emplace(sets[i], i);
         if (!fresh && gap_of(pairs[i]) < gap_of(pairs[found->second])) found->second = i;
     }
+    std::vector<std::uint8_t> sure(pairs.size(), 0); // by set
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].sure) sure[sets[i]] = 1;
     std::vector<Merged> merged;
     for (const auto& [set, i] : closest) {
+        if (sure[set] == 0) continue;
         const PassingPair& pair = pairs[i];
         const auto [low, high] = std::minmax(reference.links()[pair.a].branch, reference.links()[pair.b].branch);
         merged.push_back({{low, high}, 0.5 * (pair.at_a.position + pair.at_b.position), gap_of(pair)});

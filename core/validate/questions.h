@@ -11,21 +11,39 @@
 
 namespace ramus::validate {
 
+// A lost stretch, and how far along its branch it may go on within other vessels, in mm from the first point.
+struct LostStretch {
+    Lost lost;
+    double from = 0.0, to = 0.0;
+};
+
 // `sections`: what the probe says of each of the reference's places.
-[[nodiscard]] std::vector<Lost> lost_stretches(const Reference& reference, const Probe& probe,
-                                               std::span<const CrossSection> sections);
+[[nodiscard]] std::vector<LostStretch> lost_stretches(const Reference& reference, const Probe& probe,
+                                                      std::span<const CrossSection> sections);
 
-[[nodiscard]] std::vector<FalsePart> false_parts(const Reference& reference, const mesh::TriangleMesh& surface);
+// A joint from which a branch is lost: smoothing moved it in the surface as if it were none, so that what remains runs
+// elsewhere within `reach`. That is no other branch, lost or false.
+struct MovedJoint {
+    glm::dvec3 at{0.0};
+    double reach = 0.0;
+};
+[[nodiscard]] std::vector<MovedJoint> moved_joints(const Reference& reference, std::span<const LostStretch> lost);
+[[nodiscard]] bool is_moved(std::span<const MovedJoint> joints, const glm::dvec3& at, double length_mm);
 
-[[nodiscard]] std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width);
+[[nodiscard]] std::vector<FalsePart> false_parts(const Reference& reference, const mesh::TriangleMesh& surface,
+                                                 std::span<const LostStretch> lost);
+
+// `lost`: a vessel that is not there is merged with no other.
+[[nodiscard]] std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width,
+                                                 std::span<const LostStretch> lost);
 
 // Narrow places by `expected(place)`, where `actual(place)` is another radius; places by number.
 using RadiusAt = std::function<double(std::size_t)>;
 [[nodiscard]] std::vector<Constriction> changed_constrictions(const Reference& reference, const RadiusAt& expected,
                                                               const RadiusAt& actual);
 
-// Whether a narrow place that the surface seems to have filled was only cut askew, as in a sharp bend: another section
-// through it is as narrow as it should be.
-[[nodiscard]] bool is_oblique(const Reference& reference, const Probe& probe, const Constriction& place);
+// Whether a narrow place that the surface seems to have filled was only cut askew, as in a sharp bend: other sections
+// there are as narrow as they should be.
+[[nodiscard]] bool is_oblique(const Reference& reference, const Probe& probe, const Constriction& found);
 
 } // namespace ramus::validate

@@ -46,6 +46,7 @@ public:
         };
         place.radius = between(smooth_);
         place.input_radius = between(source_);
+        place.input_at = glm::mix(source_.points[points_[i]].position, source_.points[points_[i + 1]].position, share);
         return place;
     }
     // The chord over half a radius to either side: at a corner neither the one segment nor the other.
@@ -93,6 +94,10 @@ NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
     constexpr std::uint32_t kLeaf = 4;
     order_.resize(links.all().size());
     std::iota(order_.begin(), order_.end(), 0U);
+    along_.resize(order_.size(), 0.0);
+    for (std::size_t n = 1; n < along_.size(); ++n)
+        if (links[n].branch == links[n - 1].branch)
+            along_[n] = along_[n - 1] + glm::distance(links[n - 1].a.position, links[n - 1].b.position);
     struct Part {
         std::uint32_t first, count;
         std::int64_t second_of; // the node whose second child this is; -1: a first child
@@ -130,8 +135,16 @@ NearbyVessels::NearbyVessels(const tree::Links& links) : links_(links) {
     }
 }
 
-NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double most,
-                                              const std::array<int, 2>& but_branches, double enough) const {
+// `radii`: the sum of the place's radius and the link's, there.
+bool NearbyVessels::is_out(const ButFor& but, std::uint32_t link, double share, double radii) const {
+    const tree::Link& one = links_[link];
+    if (one.branch != but.near_on) return false;
+    const double along = along_[link] + share * glm::distance(one.a.position, one.b.position);
+    return std::abs(along - but.along) < kFar * radii;
+}
+
+NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double most, const ButFor& but,
+                                              double enough) const {
     Nearest best{most, tree::kNoBranch, 0.0};
     if (nodes_.empty()) return best;
     const double reach = kOwn * place.radius;
@@ -151,11 +164,13 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const tree::Link& link = links_[order_[i]];
-            if (link.branch == but_branches[0] || link.branch == but_branches[1]) continue;
+            if (link.branch == but.branches[0] || link.branch == but.branches[1]) continue;
             const double closeness = tree::closeness(place, link);
             if (closeness >= best.closeness) continue;
             const double share = tree::share_along(place.position - link.a.position, link.b.position - link.a.position);
-            best = {closeness, link.branch, tree::point_on(link, share).radius};
+            const double radius = tree::point_on(link, share).radius;
+            if (is_out(but, order_[i], share, place.radius + radius)) continue;
+            best = {closeness, link.branch, radius};
             if (closeness < enough) return best;
         }
     }
@@ -163,7 +178,8 @@ NearbyVessels::Nearest NearbyVessels::nearest(const tree::Point& place, double m
 }
 
 Reference::Reference(const tree::VesselTree& source, int smooth_passes)
-    : prepared_(smoothed(source, smooth_passes)), links_(prepared_), vessels_(links_) {
+    : smooth_passes_(smooth_passes), prepared_(smoothed(source, smooth_passes)), links_(prepared_), vessels_(links_),
+      input_links_(smoothed(source, 0)), input_vessels_(input_links_) {
     const tree::VesselTree& tree = prepared_.tree;
     std::vector<int> degree(tree.points.size(), 0);
     for (const tree::Branch& branch : tree.branches) ++degree[branch.points.front()], ++degree[branch.points.back()];
@@ -178,7 +194,7 @@ Reference::Reference(const tree::VesselTree& source, int smooth_passes)
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             Place& place = places_[i];
             place.beside =
-                vessels_.nearest({place.at, place.radius}, kFar, {place.branch, place.branch}, 0.0).closeness;
+                vessels_.nearest({place.at, place.radius}, kFar, {{}, place.branch, place.along}, 0.0).closeness;
         }
     });
 }

@@ -73,12 +73,13 @@ Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh&
     if (job.cancelled()) return fail("cancelled");
     job.report(0.6F);
     Validation found;
-    found.lost = lost_stretches(reference, probe, sections);
+    const std::vector<LostStretch> lost = lost_stretches(reference, probe, sections);
+    for (const LostStretch& stretch : lost) found.lost.push_back(stretch.lost);
     job.report(0.7F);
-    found.false_parts = false_parts(reference, surface);
+    found.false_parts = false_parts(reference, surface, lost);
     if (job.cancelled()) return fail("cancelled");
     job.report(0.8F);
-    found.merged = merged_vessels(reference, probe, options.width);
+    found.merged = merged_vessels(reference, probe, options.width, lost);
     job.report(0.95F);
     const auto smoothed = [&](std::size_t i) { return places[i].radius; };
     found.constrictions = changed_constrictions(reference, smoothed, [&](std::size_t i) { return sections[i].radius; });

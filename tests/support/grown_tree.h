@@ -10,9 +10,10 @@
 
 namespace ramus::test {
 
-inline Result<tree::VesselTree> grown_tree(int branches) {
+inline Result<tree::VesselTree> grown_tree(int branches, std::uint64_t seed = 1) {
     tree::GrowOptions options;
     options.branches = branches;
+    options.seed = seed;
     Job job;
     const auto grown = tree::grow(options, job);
     if (!grown) return tl::unexpected(grown.error());
@@ -28,6 +29,8 @@ inline Result<tree::VesselTree> grown_tree(int branches) {
 }
 
 // The same, for who cannot go on without.
-inline tree::VesselTree grown(int branches) { return std::move(grown_tree(branches).value()); }
+inline tree::VesselTree grown(int branches, std::uint64_t seed = 1) {
+    return std::move(grown_tree(branches, seed).value());
+}
 
 } // namespace ramus::test

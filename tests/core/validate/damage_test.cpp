@@ -1,0 +1,287 @@
+// Damage of each kind at many places of grown trees and of a real one: each is found where it is, and nothing else.
+#include "core/io/trees/tree_file.h"
+#include "core/mesh/surface.h"
+#include "core/tree/contacts/contacts.h"
+#include "core/validate/validation.h"
+#include "tests/support/damaged_tree.h"
+#include "tests/support/grown_tree.h"
+#include "tests/support/shared_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+using namespace ramus;
+using tree::Point;
+using tree::VesselTree;
+
+namespace {
+
+constexpr double kNear = 2.0; // mm: damage is found at its place
+constexpr int kGrownBranches = 31;
+
+mesh::TriangleMesh damaged_surface(const VesselTree& tree, mesh::Blend blend = mesh::Blend::kTree) {
+    mesh::SurfaceOptions options;
+    options.blend = blend;
+    Job job;
+    auto surface = mesh::make_surface(tree, options, job);
+    REQUIRE_MESSAGE(surface, (surface ? "" : surface.error().message()));
+    return std::move(surface->mesh);
+}
+
+validate::Validation look_at(const VesselTree& tree, const mesh::TriangleMesh& surface) {
+    Job job;
+    auto found = validate::validate(tree, surface, {1, 5.0, 0}, job);
+    REQUIRE(found);
+    return std::move(*found);
+}
+
+std::size_t findings(const validate::Validation& found) {
+    return found.lost.size() + found.false_parts.size() + found.merged.size() + found.constrictions.size();
+}
+
+// Branches that end free and hang on another one.
+std::vector<int> leaves_of(const VesselTree& tree) {
+    std::vector<int> leaves;
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        if (tree.branches[id].children.empty() && tree.branches[id].parent != tree::kNoBranch)
+            leaves.push_back(static_cast<int>(id));
+    return leaves;
+}
+
+void check_lost_leaves(const VesselTree& tree, std::size_t every) {
+    const std::vector<int> leaves = leaves_of(tree);
+    for (std::size_t i = 0; i < leaves.size(); i += every) {
+        CAPTURE(leaves[i]);
+        const validate::Validation found = look_at(tree, damaged_surface(test::without_branch(tree, leaves[i])));
+        REQUIRE(found.lost.size() == 1);
+        CHECK(findings(found) == 1);
+        CHECK(found.lost[0].branch == leaves[i]);
+    }
+}
+
+// A ghost of 15 mm, which stands on a branch's middle point, if there is room around it.
+struct Ghost {
+    std::uint32_t from = 0;
+    std::vector<Point> points;
+    glm::dvec3 middle{0.0};
+};
+
+std::optional<Ghost> ghost_on(const VesselTree& tree, std::size_t id) {
+    constexpr int kLength = 15;
+    const std::vector<std::uint32_t>& on = tree.branches[id].points;
+    if (on.size() < 5) return std::nullopt;
+    Ghost ghost{on[on.size() / 2], {}, {}};
+    const Point foot = tree.points[ghost.from];
+    const glm::dvec3 along = tree.points[on[on.size() / 2 + 1]].position - tree.points[on[on.size() / 2 - 1]].position;
+    const glm::dvec3 side = glm::normalize(
+        glm::cross(along, std::abs(along.x) < 0.7 * glm::length(along) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    for (int i = 1; i <= kLength; ++i)
+        ghost.points.push_back({foot.position + double(i) * side, std::min(0.6 * foot.radius, 1.5)});
+    ghost.middle = foot.position + 0.5 * kLength * side;
+    for (const tree::Branch& branch : tree.branches)
+        for (const std::uint32_t other : branch.points)
+            for (const Point& point : ghost.points) {
+                const Point& there = tree.points[other];
+                if (glm::distance(point.position, foot.position) > 3.0 * foot.radius + 2.0 &&
+                    glm::distance(there.position, point.position) < 2.0 * (there.radius + point.radius))
+                    return std::nullopt;
+            }
+    return ghost;
+}
+
+int check_ghosts(const VesselTree& tree, std::size_t every) {
+    int checked = 0;
+    for (std::size_t id = 0; id < tree.branches.size(); id += every) {
+        const std::optional<Ghost> ghost = ghost_on(tree, id);
+        if (!ghost) continue;
+        CAPTURE(id);
+        const validate::Validation found =
+            look_at(tree, damaged_surface(test::with_branch(tree, ghost->from, ghost->points)));
+        REQUIRE(found.false_parts.size() == 1);
+        CHECK(findings(found) == 1);
+        CHECK(glm::distance(found.false_parts[0].at, ghost->middle) < kNear);
+        CHECK(std::abs(found.false_parts[0].length_mm - 15.0) < kNear);
+        ++checked;
+    }
+    return checked;
+}
+
+// How long stenoses are made, in diameters.
+double diameters_of(double share) { return share == 0.2 ? 2.0 : share == 0.5 ? 1.0 : 3.0; }
+
+// A place with room for a stenosis of so many diameters, away from the branch's ends, where the radius is even.
+std::optional<test::PlaceOn> even_place(const VesselTree& tree, int branch, double diameters) {
+    const double whole = tree::length_mm(tree, tree.branches[static_cast<std::size_t>(branch)]);
+    for (const double fraction : {0.5, 0.3, 0.7, 0.4, 0.6, 0.2, 0.8}) {
+        const test::PlaceOn place{branch, fraction * whole};
+        const double middle = test::point_at(tree, place).radius;
+        const double half = (diameters + 3.0) * middle;
+        if (half > std::min(place.along, whole - place.along)) continue;
+        double least = middle, most = middle;
+        constexpr int kAsked = 24;
+        for (int i = -kAsked; i <= kAsked; ++i) {
+            const double radius = test::point_at(tree, {branch, place.along + half * i / kAsked}).radius;
+            least = std::min(least, radius);
+            most = std::max(most, radius);
+        }
+        if (most <= 1.1 * least) return place;
+    }
+    return std::nullopt;
+}
+
+// Stenoses of all degrees and lengths, on branches with room for them away from joints, which the surface lacks.
+int check_stenoses(const VesselTree& tree, std::size_t every) {
+    const VesselTree healthy = test::dense(tree, 0.25);
+    const mesh::TriangleMesh surface = damaged_surface(healthy);
+    const std::size_t without = findings(look_at(healthy, surface));
+    int checked = 0;
+    for (std::size_t id = 0; id < healthy.branches.size(); id += every)
+        for (const double share : {0.2, 0.5, 0.8}) {
+            const std::optional<test::PlaceOn> place = even_place(healthy, static_cast<int>(id), diameters_of(share));
+            if (!place) continue;
+            const Point there = test::point_at(healthy, *place);
+            const double length = diameters_of(share) * 2.0 * there.radius;
+            CAPTURE(id);
+            CAPTURE(share);
+            const validate::Validation found = look_at(test::with_stenosis(healthy, *place, share, length), surface);
+            CHECK(findings(found) == without + 1);
+            CHECK(std::ranges::any_of(found.constrictions, [&](const validate::Constriction& one) {
+                return one.branch == place->branch && glm::distance(one.at, there.position) < kNear;
+            }));
+            ++checked;
+        }
+    return checked;
+}
+
+// A leaf goes on past another vessel, so near that their tubes overlap by a tenth.
+struct Passing {
+    VesselTree tree;
+    glm::dvec3 at{0.0};
+};
+
+std::optional<Passing> passing_on(const VesselTree& tree, int leaf) {
+    const std::uint32_t end = tree.branches[static_cast<std::size_t>(leaf)].points.back();
+    const Point tip = tree.points[end];
+    const tree::Branch& own = tree.branches[static_cast<std::size_t>(leaf)];
+    const auto meets = [&](const tree::Branch& other) {
+        return other.points.front() == own.points.front() || other.points.back() == own.points.front() ||
+               other.points.front() == own.points.back() || other.points.back() == own.points.back();
+    };
+    double least = std::numeric_limits<double>::infinity();
+    int passed = tree::kNoBranch;
+    Point beside;
+    glm::dvec3 along(0.0);
+    for (std::size_t id = 0; id < tree.branches.size(); ++id) {
+        const tree::Branch& other = tree.branches[id];
+        if (other.points.size() < 8 || meets(other)) continue;
+        const std::size_t i = other.points.size() / 2;
+        const double distance = glm::distance(tree.points[other.points[i]].position, tip.position);
+        if (distance >= least || distance < 10.0) continue;
+        least = distance;
+        passed = static_cast<int>(id);
+        beside = tree.points[other.points[i]];
+        along = glm::normalize(tree.points[other.points[i + 1]].position - tree.points[other.points[i - 1]].position);
+    }
+    const glm::dvec3 way = glm::normalize(beside.position - tip.position);
+    const glm::dvec3 side = glm::cross(way, along);
+    if (passed == tree::kNoBranch || glm::length(side) < 0.5) return std::nullopt; // nearly along each other
+    const glm::dvec3 through = beside.position + 0.9 * (beside.radius + tip.radius) * glm::normalize(side);
+    const glm::dvec3 straight = glm::normalize(through - tip.position);
+    std::vector<Point> points;
+    const double length = glm::distance(through, tip.position) + 3.0 * beside.radius + 6.0;
+    for (double there = 1.0; there < length; there += 1.0)
+        points.push_back({tip.position + there * straight, tip.radius});
+    // Only this one: what else the leaf comes near on its way would be merged as well.
+    for (std::size_t id = 0; id < tree.branches.size(); ++id)
+        for (const std::uint32_t other : tree.branches[id].points)
+            for (const Point& point : points) {
+                const Point& there = tree.points[other];
+                const bool is_own = static_cast<int>(id) == leaf && glm::distance(point.position, tip.position) < 8.0;
+                const bool is_passed = static_cast<int>(id) == passed &&
+                                       glm::distance(there.position, through) < 4.0 * (beside.radius + tip.radius);
+                if (!is_own && !is_passed &&
+                    glm::distance(there.position, point.position) < 1.5 * (there.radius + point.radius) + 1.0)
+                    return std::nullopt;
+            }
+    glm::dvec3 closest(0.0);
+    double gap = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t other : tree.branches[static_cast<std::size_t>(passed)].points)
+        for (const Point& point : points) {
+            const Point& there = tree.points[other];
+            const double here = glm::distance(there.position, point.position) - there.radius - point.radius;
+            if (here < gap) gap = here, closest = 0.5 * (there.position + point.position);
+        }
+    if (gap > 0.0) return std::nullopt;
+    return Passing{test::with_branch(tree, end, points), closest};
+}
+
+} // namespace
+
+TEST_CASE("validation: of a grown tree the leaf that is gone is lost, and no other") {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        CAPTURE(seed);
+        check_lost_leaves(test::grown(kGrownBranches, seed), 4);
+    }
+}
+
+TEST_CASE("validation: on a grown tree a ghost is found in its middle") {
+    int checked = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        CAPTURE(seed);
+        checked += check_ghosts(test::grown(kGrownBranches, seed), 3);
+    }
+    CHECK(checked >= 8);
+}
+
+TEST_CASE("validation: on a grown tree filled stenoses are found") {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        CAPTURE(seed);
+        CHECK(check_stenoses(test::grown(kGrownBranches, seed), 5) >= 6);
+    }
+}
+
+TEST_CASE("validation: on a grown tree vessels fused by the paper's sum are merged, and apart by default") {
+    int checked = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const VesselTree tree = test::grown(kGrownBranches, seed);
+        for (const int leaf : leaves_of(tree)) {
+            const std::optional<Passing> passing = passing_on(tree, leaf);
+            if (!passing) continue;
+            CAPTURE(seed);
+            CAPTURE(leaf);
+            const validate::Validation found =
+                look_at(passing->tree, damaged_surface(passing->tree, mesh::Blend::kPaper));
+            REQUIRE(found.merged.size() == 1);
+            CHECK(findings(found) == 1);
+            CHECK(glm::distance(found.merged[0].at, passing->at) < kNear);
+            CHECK(findings(look_at(passing->tree, damaged_surface(passing->tree))) == 0);
+            ++checked;
+        }
+    }
+    CHECK(checked >= 4);
+}
+
+TEST_CASE("validation: damage of a real tree is found where it is") {
+    const auto path = test::shared_file("trees", "brain_BG0003.swc");
+    if (!path) return;
+    const auto tree = io::read_tree(*path);
+    REQUIRE(tree);
+    check_lost_leaves(*tree, 60);
+    CHECK(check_ghosts(*tree, 110) >= 1);
+    CHECK(check_stenoses(*tree, 55) >= 2);
+    // The paper's sum fuses what the tree keeps apart: all contacts whose tubes overlap clearly, and only contacts.
+    const VesselTree smooth = tree::smooth(*tree, 1);
+    const tree::Contacts contacts = tree::find_contacts(tree::prune(smooth, 0.0), 5.0);
+    const validate::Validation found = look_at(*tree, damaged_surface(*tree, mesh::Blend::kPaper));
+    REQUIRE(found.merged.size() > 5);
+    for (const validate::Merged& one : found.merged) {
+        CAPTURE(one.branches[0]);
+        CAPTURE(one.branches[1]);
+        CHECK(std::ranges::any_of(
+            contacts.list, [&](const tree::Contact& contact) { return glm::distance(contact.at(), one.at) < kNear; }));
+    }
+}
