@@ -46,10 +46,13 @@ ordered_json questions_json(const validate::Validation& found) {
 
 ordered_json radius_error_json(const validate::RadiusError& error) {
     if (error.places == 0) return {{"median", nullptr}, {"p95", nullptr}, {"places", 0}};
-    return {{"median", error.median},
-            {"p95", error.p95},
-            {"places", error.places},
-            {"flat", {{"median", error.flat_median}, {"p95", error.flat_p95}}}};
+    ordered_json json = {{"median", error.median},
+                         {"p95", error.p95},
+                         {"places", error.places},
+                         {"flat", {{"median", error.flat_median}, {"p95", error.flat_p95}}}};
+    if (error.points > 0)
+        json["at_points"] = {{"median", error.points_median}, {"p95", error.points_p95}, {"points", error.points}};
+    return json;
 }
 
 ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {

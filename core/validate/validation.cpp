@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -33,14 +34,15 @@ std::vector<CrossSection> sections_at(const std::vector<Place>& places, const Pr
     return sections;
 }
 
+bool is_alone(const Place& place) { return place.beside >= kFar && place.to_end >= kFromEnd * place.radius; }
+
 std::vector<RadiusPlace> radii_of(const Reference& reference, const std::vector<CrossSection>& sections) {
     std::vector<RadiusPlace> radii;
     radii.reserve(sections.size());
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Place& place = reference.places()[i];
-        const bool alone = place.beside >= kFar && place.to_end >= kFromEnd * place.radius;
         radii.push_back({place.branch, place.along, place.at, place.input_radius, place.radius, sections[i].radius,
-                         sections[i].flat_radius, alone, place.direction});
+                         sections[i].flat_radius, is_alone(place), place.direction});
     }
     return radii;
 }
@@ -60,6 +62,31 @@ RadiusError error_of(const std::vector<RadiusPlace>& radii) {
     error.flat_median = measure::quantile(flat_errors, 0.5);
     error.flat_p95 = measure::quantile(flat_errors, 0.95);
     return error;
+}
+
+// |surface - input| / input at the points that were read.
+std::vector<double> errors_at_points(const tree::VesselTree& source, const Reference& reference, const Probe& probe) {
+    const tree::VesselTree& smooth = reference.prepared().tree;
+    std::vector<std::vector<double>> of_branch(reference.branches());
+    tbb::parallel_for(std::size_t(0), reference.branches(), [&](std::size_t branch) {
+        const auto places = reference.places_of(branch);
+        const std::vector<std::uint32_t>& points = smooth.branches[branch].points;
+        double along = 0.0;
+        std::size_t before = 0;
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+            const tree::Point& point = smooth.points[points[i]];
+            along += glm::distance(smooth.points[points[i - 1]].position, point.position);
+            while (before + 1 < places.size() && places[before + 1].along <= along) ++before;
+            const Place& place = places[before];
+            if (!is_alone(place)) continue;
+            const double input = source.points[points[i]].radius;
+            const double radius = probe.cross_section(point.position, place.direction, kReach * point.radius).radius;
+            of_branch[branch].push_back(std::abs(radius - input) / input);
+        }
+    });
+    std::vector<double> errors;
+    for (const std::vector<double>& some : of_branch) errors.insert(errors.end(), some.begin(), some.end());
+    return errors;
 }
 
 Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh& surface,
@@ -88,6 +115,11 @@ Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh&
         reference, [&](std::size_t i) { return places[i].input_radius; }, smoothed);
     found.radii = radii_of(reference, sections);
     found.radius_error = error_of(found.radii);
+    if (std::vector<double> errors = errors_at_points(source, reference, probe); !errors.empty()) {
+        found.radius_error.points = errors.size();
+        found.radius_error.points_median = measure::quantile(errors, 0.5);
+        found.radius_error.points_p95 = measure::quantile(errors, 0.95);
+    }
     return found;
 }
 

@@ -64,6 +64,10 @@ struct RadiusError {
     std::size_t places = 0; // 0: none is alone, the others mean nothing
     double median = 0.0, p95 = 0.0;
     double flat_median = 0.0, flat_p95 = 0.0; // of flat_mm
+    // Only at inner points that were read, and are alone. Between them the input is taken as linear, which a surface of
+    // `Centerline::kSmooth` is not.
+    std::size_t points = 0; // 0: the others mean nothing
+    double points_median = 0.0, points_p95 = 0.0;
 };
 
 struct Validation {

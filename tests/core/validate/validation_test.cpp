@@ -220,10 +220,15 @@ TEST_CASE("validation: real trees lose nothing and get nothing that is false") {
         CHECK(found.lost.empty());
         CHECK(found.false_parts.empty());
         CHECK(found.merged.empty());
+        // A spur of the airways coils up within its own width, and fills a narrow place between two turns.
+        CHECK(found.constrictions.size() == (path.stem() == "airways_from_mask" ? 1 : 0));
         if (!path.stem().string().starts_with("brain_BG")) continue;
         mesh::SurfaceOptions options;
         options.smooth_passes = 0;
-        CHECK(validated(*tree, surface_with(*tree, options), 0).radius_error.median < 0.01);
+        const validate::RadiusError error = validated(*tree, surface_with(*tree, options), 0).radius_error;
+        CHECK(error.median < 0.01);
+        CHECK(error.points > 1000);
+        CHECK(error.points_median < 0.005);
         options.centerline = tree::Centerline::kLines;
         CHECK(validated(*tree, surface_with(*tree, options), 0).radius_error.median < 0.005);
     }
