@@ -1,0 +1,190 @@
+"""The parts of docs/VALIDATION.md: each makes its data, its figures and its text anew."""
+
+import csv
+import json
+import math
+import pathlib
+import resource
+import subprocess
+
+import plots
+import support
+import trees
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+OUT = ROOT / "build" / "validation"
+FIGURES = ROOT / "docs" / "validation"
+SHARED = ROOT.parent / "shared" / "data"
+RAMUS = ROOT / "build" / "release" / "app" / "ramus"
+MASKS = (  # name, options
+    ("liver_002_vessels.nii.gz", ("--label", "1")), ("liver_002_vessels.nii.gz", ("--label", "2")),
+    ("airways_lumen.nii.gz", ()), ("airways_flipped.nrrd", ()), ("aorta_0066_mask.mha", ("--units", "cm")),
+    ("circle_of_willis_mr_003.nii.gz", ()), ("kidney.nii.gz", ()))
+GROWN = ((61, 1), (121, 2), (121, 3))  # branches, seed
+VOXEL = (0.7, 0.7, 1.5)
+MISSING = "*left out: there is no ../shared/data*"
+
+
+def ramus(*words):
+    """Standard output, and the CPU seconds of all cores together."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([RAMUS, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        raise SystemExit(f"validation: ramus {' '.join(map(str, words))}: {done.stderr.strip()}")
+    return done.stdout, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def ramus_json(*words):
+    return json.loads(ramus(*words, "--json")[0])
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|---" + "|--:" * (len(head) - 1) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def figure(name, svg):
+    FIGURES.mkdir(parents=True, exist_ok=True)
+    (FIGURES / name).write_text(svg, encoding="utf-8")
+    return f"![{name[:-4].replace('_', ' ')}](validation/{name})\n"
+
+
+def swc(name, rows):
+    path = OUT / (name + ".swc")
+    trees.write_swc(path, rows)
+    return path
+
+
+def grown(branches, seed):
+    path = OUT / f"grown_{branches}_{seed}.swc"
+    ramus("grow", "-o", path, "--branches", branches, "--seed", seed)
+    return path
+
+
+def cones_of(tree):
+    path = tree.with_suffix(".cones.ply")
+    ramus("mesh", tree, "-o", path, "--method", "cones", "--smooth", 0)
+    return path
+
+
+def shapes():
+    """Artificial trees: how far the surface is from truncated cones, at width 1 and 5."""
+    boxes, rows = [], []
+    for label, tree in (("trifurcation", swc("trifurcation", trees.trifurcation())),
+                        ("S-shape", swc("s_shape", trees.s_shape()))):
+        cones = cones_of(tree)
+        for width in (1, 5):
+            found = ramus_json("compare", tree, cones, "--smooth", 0, "--width", width)
+            boxes.append(plots.box_of(f"{label}, width {width}", found))
+            rows.append((f"{label}, width {width}", *(f"{found[key]:.4f}" for key in ("mean", "sigma", "median", "max"))))
+    text = table(("radius 2 mm", "mean, mm", "sigma", "median", "largest"), rows)
+    return text + "\n" + figure("shapes.svg", plots.box_plots("Convolution surface to truncated cones", "mm", boxes))
+
+
+def joints():
+    """Height of the surface over the joint of three branches, beside the formula of DESIGN: sqrt(1 + log2(3/2) / width)."""
+    tree = swc("trifurcation", trees.trifurcation())
+    rows = []
+    for width in (1, 5):
+        mesh = OUT / "trifurcation.obj"
+        ramus("mesh", tree, "-o", mesh, "--smooth", 0, "--width", width, "--detail", 48)
+        height = max((float(words[3]) for words in map(str.split, open(mesh, encoding="ascii"))
+                      if words and words[0] == "v" and math.hypot(float(words[1]), float(words[2])) < 0.25), default=0.0)
+        rows.append((f"width {width}", f"{height / 2.0:.4f}", f"{math.sqrt(1.0 + math.log2(1.5) / width):.4f}"))
+    return table(("three branches in a plane", "height / radius", "by the formula"), rows)
+
+
+def bounds():
+    """Bounding volumes: what leaving segments out beyond them does to the radius of the S-shape."""
+    rows = [(name, f"{100.0 * mean:.4f}", f"{100.0 * most:.4f}")
+            for name, mean, most in support.radius_changes(trees.s_shape())]
+    return table(("segments are left out", "mean change of the radius, %", "largest, %"), rows)
+
+
+def radii():
+    """How true the radius is along branches, without smoothing."""
+    inputs = [(f"grown, {b} branches, seed {s}", grown(b, s)) for b, s in GROWN]
+    brains = sorted((SHARED / "trees").glob("brain_BG*.swc"))
+    inputs += [(path.stem.replace("_", " "), path) for path in brains]
+    rows = []
+    for name, tree in inputs:
+        smooth, lines = (ramus_json("validate", tree, "--smooth", 0, "--centerline", way)["radius_error"]
+                         for way in ("smooth", "lines"))
+        figures = (smooth["at_points"]["median"], smooth["median"], smooth["p95"], lines["median"], lines["p95"])
+        rows.append((name, *(f"{100.0 * figure:.4f}" for figure in figures)))
+    text = table(("tree", "round centerlines, points that were read: median, %", "all along: median, %", "95th percentile",
+                  "lines: median, %", "95th percentile"), rows)
+    return text + ("" if brains else "\n" + MISSING + "\n")
+
+
+def stenoses():
+    """The narrowest radius of stenoses: how much wider the surface is than the tree."""
+    rows = []
+    for share in (0.2, 0.5, 0.8):
+        row = [f"{100 * share:.0f} %"]
+        for diameters in (1, 2, 3, 5):
+            tree = swc("stenosis", trees.stenosis(share, diameters))
+            ramus("validate", tree, "--smooth", 0, "--detail", 32, "--report", OUT / "stenosis")
+            with open(OUT / "stenosis" / "radii.csv", encoding="ascii", newline="") as file:
+                narrowest = min(float(line["surface_radius_mm"]) for line in csv.DictReader(file) if line["alone"] == "yes")
+            row.append(f"{100.0 * (narrowest / (2.0 * (1.0 - share)) - 1.0):+.2f}")
+        rows.append(row)
+    return table(("stenosis", *(f"over {n} diameter{'s' if n > 1 else ''}, %" for n in (1, 2, 3, 5))), rows)
+
+
+def table1():
+    """Table I: the surface against truncated cones and against the isosurface of the mask."""
+    inputs = []
+    for branches, seed in GROWN:
+        mask = OUT / f"grown_{branches}_{seed}.nii.gz"
+        trees.write_mask(mask, trees.read_swc(grown(branches, seed)), VOXEL)
+        inputs.append((f"grown, {branches} branches, seed {seed}", mask, ()))
+    missing = not (SHARED / "volumes").is_dir()
+    if not missing:
+        inputs += [(" ".join([name.split(".")[0].replace("_", " "), *(f"label {o}" for o in options[1:] if o.isdigit())]),
+                    SHARED / "volumes" / name, options) for name, options in MASKS]
+    rows, boxes = [], []
+    for n, (name, mask, options) in enumerate(inputs):
+        tree = OUT / f"table1_{n}.json"
+        ramus("skeletonize", mask, "-o", tree, *options)
+        found = ramus_json("validate", tree, "--mask", mask, *(word.replace("--units", "--mask-units") for word in options))
+        cones, to_mask, questions = found["distances"]["to_cones"], found["distances"]["to_mask"], found["questions"]
+        boxes.append(plots.box_of(name, to_mask))
+        rows.append((name, f"{cones['mean']:.4f}", f"{cones['sigma']:.4f}", f"{cones['max']:.3f}", f"{to_mask['mean']:.4f}",
+                     f"{to_mask['sigma']:.4f}", f"{to_mask['max']:.3f}", f"{to_mask['threshold_mm']:.3f}",
+                     f"{100.0 - to_mask['above_percent']:.2f}",
+                     " ".join(str(len(questions[key])) for key in ("lost", "false", "merged", "constrictions"))))
+        print(f"    {name}", flush=True)
+    text = table(("mask", "to cones: mean, mm", "sigma", "largest", "to isosurface: mean, mm", "sigma", "largest",
+                  "half a voxel's diagonal, mm", "below it, %", "lost, false, merged, constrictions"), rows)
+    text += "\n" + MISSING + "\n" if missing else ""
+    return text + "\n" + figure("table1.svg", plots.box_plots("Surface to isosurface of the mask", "mm", boxes))
+
+
+def table3():
+    """Table III: CPU seconds of all cores together, reading and writing included."""
+    inputs = [(f"grown, {b} branches, seed {s}", grown(b, s)) for b, s in (*GROWN, (1504, 1))]
+    real = sorted((SHARED / "trees").glob("*.swc"))
+    inputs += [(path.stem.replace("_", " "), path) for path in real]
+    rows = []
+    for name, tree in inputs:
+        row = [name]
+        for method in ("cones", "cs"):
+            mesh = OUT / "timed.ply"
+            text, seconds = ramus("mesh", tree, "-o", mesh, "--method", method, "--json")
+            row += [f"{json.loads(text)['triangles']:,}", f"{seconds:.2f}"]
+            mesh.unlink()
+        rows.append(row)
+    text = table(("tree", "cones: triangles", "CPU s", "convolution surface: triangles", "CPU s"), rows)
+    return text + ("" if real else "\n" + MISSING + "\n")
+
+
+def study():
+    """The pictures of the paper's study, in build/validation/study."""
+    text, _ = ramus("study", grown(121, 2), "-o", OUT / "study", "--voxel", 0.7)
+    return text.replace(str(ROOT) + "/", "")
+
+
+PARTS = {"shapes": shapes, "joints": joints, "bounds": bounds, "radii": radii, "stenoses": stenoses, "table1": table1,
+         "table3": table3, "study": study}
