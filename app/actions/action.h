@@ -36,7 +36,7 @@ struct ActionContext {
 
     // What a command did, in a sentence, where it cannot be seen in the picture.
     void say(const std::string& sentence) const {
-        if (tell) tell(sentence);
+        if (tell) tell(document.lengths().worded(sentence));
     }
 };
 

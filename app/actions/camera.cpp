@@ -4,7 +4,6 @@
 #include "app/picture/fit.h"
 #include "core/io/input_file.h"
 
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 namespace ramus::app::actions {
@@ -24,7 +23,8 @@ render::Camera fitted_to_picture(const ActionContext& context, const render::Cam
 Result<void> view(ActionContext& context, Arguments arguments) {
     const auto view = arguments.size() == 1 ? render::view_named(arguments[0]) : std::nullopt;
     if (!view)
-        return fail("view takes the name of a view", {}, "anterior, posterior, left, right, superior or inferior");
+        return fail("view takes the name of a view", {},
+                    "anterior, posterior, left, right, superior or inferior; +x, -x, +y, -y, +z or -z");
     return move_camera(context, fitted_to_picture(context, render::looking(context.document.session().camera, *view)));
 }
 
@@ -67,24 +67,34 @@ Result<void> camera(ActionContext& context, Arguments arguments) {
 
 bool is_orthographic(const Document& document) { return document.session().camera.orthographic; }
 
-Command view_entry(const char* label, const char* key, const char* help) {
-    std::string name(label);
-    name.front() = static_cast<char>(std::tolower(name.front()));
-    return Command("view", "NAME", help, view).in_menu("View", label, {key}).giving({name}).when(has_tree);
+// Neutral where nobody knows the patient's sides.
+template <render::View Which> std::string view_label(const Document& document) {
+    return render::title_of(Which, !document.tree() || document.tree()->claims.has_sides());
+}
+
+template <render::View Which> Command view_entry(const char* key, const char* help) {
+    return Command("view", "NAME", help, view)
+        .in_menu("View", render::title_of(Which, true), {key})
+        .labelled(view_label<Which>)
+        .giving({std::string(render::name_of(Which))})
+        .when(has_tree);
 }
 
 } // namespace
 
 std::vector<Command> camera_commands() {
     return {
-        Command("view", "NAME", "Looks from anterior, posterior, left, right, superior or inferior at the whole tree.",
+        Command("view", "NAME",
+                "Looks from anterior, posterior, left, right, superior or inferior, or from +x, -x, +y, -y, +z or -z, "
+                "at the "
+                "whole tree.",
                 view),
-        view_entry("Anterior", "A", "The viewer stands in front of the patient."),
-        view_entry("Posterior", "P", "The viewer stands behind the patient."),
-        view_entry("Left", "L", "The viewer stands at the patient's left."),
-        view_entry("Right", "R", "The viewer stands at the patient's right."),
-        view_entry("Superior", "S", "The viewer looks down from the head."),
-        view_entry("Inferior", "I", "The viewer looks up from the feet."),
+        view_entry<render::View::kAnterior>("A", "From +y: where sides are known, from in front of the patient."),
+        view_entry<render::View::kPosterior>("P", "From -y: where sides are known, from behind the patient."),
+        view_entry<render::View::kLeft>("L", "From -x: where sides are known, from the patient's left."),
+        view_entry<render::View::kRight>("R", "From +x: where sides are known, from the patient's right."),
+        view_entry<render::View::kSuperior>("S", "From +z: where sides are known, down from the head."),
+        view_entry<render::View::kInferior>("I", "From -z: where sides are known, up from the feet."),
         Command("fit", "", "Brings the whole tree into the picture, from where the viewer stands.", fit)
             .in_menu("View", "Fit", {"F", "0"})
             .when(has_tree),

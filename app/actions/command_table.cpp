@@ -65,7 +65,7 @@ const Command* command_for_key(std::string_view key) {
 }
 
 std::string label_of(const Command& command, const Document& document) {
-    return command.label_now == nullptr ? command.label : command.label_now(document);
+    return document.lengths().worded(command.label_now == nullptr ? command.label : command.label_now(document));
 }
 
 } // namespace ramus::app

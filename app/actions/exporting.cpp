@@ -96,7 +96,7 @@ struct SurfaceWork {
 };
 
 Result<void> stream(const SurfaceWork& work, Job& job) {
-    RAMUS_TRY(file, io::SurfaceFile::create(work.wanted.file));
+    RAMUS_TRY(file, io::SurfaceFile::create(work.wanted.file, work.names.claims));
     const auto streamed = mesh::stream_surface(*work.tree, work.options, *file, job, work.hidden);
     if (auto taken = file->check(); !taken) return taken;
     if (!streamed) return tl::unexpected(streamed.error());
@@ -119,7 +119,7 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
             return tl::unexpected(closed.error());
         const auto thicknesses = measure::least_thicknesses(surface.mesh, work.options.threads);
         const std::string thin = thin_text(thicknesses, kThinnestPrintedMm);
-        printing = "; " + (thin.empty() ? printing_text(thicknesses) : thin);
+        printing = "; " + (thin.empty() ? printing_text(thicknesses, Lengths(work.names.claims)) : thin);
     }
     if (job.cancelled()) return fail("cancelled");
     if (auto written = io::write_mesh(surface.mesh, work.wanted.file, work.names); !written)

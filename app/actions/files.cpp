@@ -88,6 +88,14 @@ Result<void> panel(ActionContext& context, Arguments arguments) {
     return toggle_part(context, arguments.empty() ? "panel" : arguments[0]);
 }
 
+Result<void> warnings(ActionContext& context, Arguments arguments) {
+    if (arguments.empty()) return toggle_part(context, "warnings");
+    if (arguments.size() > 1 || arguments[0] != "read") return fail("warnings shows its list, or takes read");
+    if (context.window == nullptr) return no_window("list of warnings");
+    context.window->read_warnings();
+    return {};
+}
+
 Result<void> help(ActionContext& context, Arguments) { return toggle_part(context, "help"); }
 Result<void> menu(ActionContext& context, Arguments) { return toggle_part(context, "menu"); }
 Result<void> palette(ActionContext& context, Arguments) { return toggle_part(context, "palette"); }
@@ -128,6 +136,12 @@ std::vector<Command> window_commands() {
             .in_menu("View", "Explore or plan", {"B"})
             .giving({"other"})
             .when(has_tree),
+        Command("warnings", "[read]",
+                "Shows or hides what a person should know: what was assumed and repaired, files that were not written; "
+                "read takes all out of the count.",
+                warnings)
+            .in_menu("View", "Warnings")
+            .in_use_when(shows_part("warnings")),
         Command("ui-scale", "FACTOR|larger|smaller|auto",
                 "Sets how large text and panels are, in pixels per point; auto is what the display says.", ui_scale),
         Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels larger.", ui_scale)

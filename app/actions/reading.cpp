@@ -18,8 +18,10 @@ namespace ramus::app::actions {
 
 namespace {
 
+constexpr const char *kOrientationKey = "orientation", *kUnitsKey = "units";
+
 constexpr const char* kUsage =
-    "read-as units cm, radius-is diameter, axes lps, repair none; of a mask labels together, "
+    "read-as units cm, radius-is diameter, orientation LPS, repair none; of a mask labels together, "
     "fill-holes on, bulge-size 1, islands 10, root X,Y,Z; auto takes it back";
 
 // The options as they are, with what the words change. `of_mask`: what is read is one.
@@ -84,6 +86,17 @@ Result<Outcome> read_as(ActionContext& context, Arguments arguments) {
                    }};
 }
 
+// Without a word it asks: the panel opens. With one it is short for read-as.
+template <const char* const& kKey> Result<Outcome> say_or_ask(ActionContext& context, Arguments arguments) {
+    if (arguments.empty()) {
+        if (context.window == nullptr) return fail(std::string(kKey) + " takes a value without a window", {}, kUsage);
+        return outcome_of(toggle_part(context, "orientation"));
+    }
+    if (arguments.size() != 1) return fail(std::string(kKey) + " takes one value", {}, kUsage);
+    const std::vector<std::string> words{kKey, arguments[0]};
+    return read_as(context, words);
+}
+
 Result<void> doctor(ActionContext& context, Arguments) { return toggle_part(context, "doctor"); }
 
 // The radius where `at` is, of the point next to it.
@@ -119,8 +132,22 @@ std::vector<Command> reading_commands() {
                 "Goes to the place of the N-th note of the import doctor, as ramus info --json counts them.", note)
             .when(has_tree),
         Command(
+            "orientation", "[XYZ|auto]",
+            "Says which sides of the patient the file's axes lead to, as RAS or LPS; without them, asks for what the "
+            "file does not say.",
+            say_or_ask<kOrientationKey>)
+            .in_menu("View", "Orientation and unit\xE2\x80\xA6")
+            .when(has_tree)
+            .in_use_when(shows_part("orientation")),
+        Command("units", "[UNIT|auto]",
+                "Says what one unit of the file's numbers is: mm, um, cm, m, or the size of a voxel in mm; without it, "
+                "asks for what the file does not say.",
+                say_or_ask<kUnitsKey>)
+            .when(has_tree),
+        Command(
             "read-as", "OPTION VALUE...|usual",
-            "Reads the file again: units UNIT, radius-is radius|diameter, axes ras|lps, repair LIST; of a mask labels "
+            "Reads the file again: units UNIT, radius-is radius|diameter, orientation XYZ, repair LIST; of a mask "
+            "labels "
             "apart|together|N[+M...],..., fill-holes on|off, bulge-size X, islands MM, root X,Y,Z; auto leaves it to "
             "the "
             "file.",

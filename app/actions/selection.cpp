@@ -38,6 +38,8 @@ Result<void> select_none(ActionContext& context, Arguments) { return select_thes
 
 Result<void> select_dependents(ActionContext& context, Arguments) {
     const Document& document = context.document;
+    if (document.facts() && nothing_depends(*document.facts()))
+        context.say("Nothing is known to depend on anything: each of these vessels has a root of its own");
     return select_these(context, document.dependency().with_dependents(document.marks().selection));
 }
 

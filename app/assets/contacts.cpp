@@ -18,8 +18,8 @@ std::vector<int> branches_of(const tree::Contact& contact) {
     return first.branch == second.branch ? std::vector{first.branch} : std::vector{first.branch, second.branch};
 }
 
-std::string gap_text(const tree::Contact& contact) {
-    const std::string length = length_text(std::abs(contact.gap));
+std::string gap_text(const tree::Contact& contact, const Lengths& lengths) {
+    const std::string length = lengths.scaled(std::abs(contact.gap));
     if (contact.crossing()) return "axes cross, overlap " + length;
     return (contact.gap < 0.0 ? "overlap " : "gap ") + length;
 }

@@ -2,6 +2,7 @@
 // pictures; and what is said of one. Finding them takes seconds where the tree is large: a worker's task.
 #pragma once
 
+#include "app/session/numbers.h"
 #include "core/mesh/surface.h"
 #include "core/tree/contacts/contacts.h"
 
@@ -27,6 +28,6 @@ struct TreeContacts {
 [[nodiscard]] std::vector<int> branches_of(const tree::Contact& contact);
 
 // "gap 0.12 mm", "overlap 0.4 mm", "axes cross, overlap 2 mm"; the vessels' own tubes are meant, not the surface.
-[[nodiscard]] std::string gap_text(const tree::Contact& contact);
+[[nodiscard]] std::string gap_text(const tree::Contact& contact, const Lengths& lengths);
 
 } // namespace ramus::app

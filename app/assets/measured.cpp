@@ -35,11 +35,11 @@ std::vector<glm::dvec3> arc(const glm::dvec3& centre, const glm::dvec3& a, const
     return points;
 }
 
-Measured distance(const Measurement& m) {
+Measured distance(const tree::VesselTree& tree, const Measurement& m) {
     Measured found{.kind = "Distance",
                    .what = place_text(m.points[0]) + " to " + place_text(m.points[1]),
                    .value = glm::distance(m.points[0], m.points[1]),
-                   .unit = "mm"};
+                   .unit = Lengths(tree.claims).unit()};
     found.lines = {{m.points[0], m.points[1]}};
     found.label = found.value_text();
     found.label_place = 0.5 * (m.points[0] + m.points[1]);
@@ -54,8 +54,8 @@ Result<Measured> path(const tree::VesselTree& tree, const Measurement& m) {
     Measured found{.kind = "Path",
                    .what = branch_text(m.branches[0]) + " to " + branch_text(m.branches[1]),
                    .value = way->length_mm,
-                   .unit = "mm"};
-    found.details = {{"straight", digits(glm::distance(way->places.front(), way->places.back())) + " mm"},
+                   .unit = Lengths(tree.claims).unit()};
+    found.details = {{"straight", Lengths(tree.claims).text(glm::distance(way->places.front(), way->places.back()))},
                      {"branches on the way", grouped(way->branches.size())}};
     found.label = "path " + found.value_text();
     found.label_place = way->places[way->places.size() / 2];
@@ -68,9 +68,10 @@ Measured diameter(const tree::VesselTree& tree, const Measurement& m) {
     Measured found{.kind = "Diameter",
                    .what = branch_text(m.branches[0]) + " at " + digits(100.0 * m.fraction, 3) + " %",
                    .value = 2.0 * place.radius_mm,
-                   .unit = "mm"};
-    found.details = {{"cross-section", digits(std::numbers::pi * place.radius_mm * place.radius_mm) + " mm\xC2\xB2"},
-                     {"place", place_text(place.position)}};
+                   .unit = Lengths(tree.claims).unit()};
+    found.details = {
+        {"cross-section", Lengths(tree.claims).text(std::numbers::pi * place.radius_mm * place.radius_mm) + "\xC2\xB2"},
+        {"place", place_text(place.position)}};
     found.lines = {ring_around(place.position, place.direction, place.radius_mm)};
     found.label = "\xD8 " + found.value_text(); // in the fonts' encoding
     found.label_place = found.lines[0][found.lines[0].size() / 8];
@@ -114,7 +115,7 @@ Result<Measured> angle(const tree::VesselTree& tree, const Measurement& m) {
 
 } // namespace
 
-std::string Measured::value_text() const { return digits(value) + (unit == "mm" ? " mm" : unit); }
+std::string Measured::value_text() const { return digits(value) + (unit == "\xC2\xB0" ? "" : " ") + unit; }
 
 std::string Measured::sentence() const {
     std::string text = kind + ", " + what + ": " + value_text();
@@ -130,7 +131,7 @@ Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measu
             return fail("there is no " + branch_text(id));
     switch (measurement.kind) {
     case Measurement::Kind::kDistance:
-        return distance(measurement);
+        return distance(tree, measurement);
     case Measurement::Kind::kPath:
         return path(tree, measurement);
     case Measurement::Kind::kDiameter:

@@ -16,7 +16,7 @@ struct Measured {
     std::string kind;   // "Distance", "Path", "Diameter", "Angle"
     std::string what{}; // "branch 3 to branch 17"
     double value = 0.0;
-    std::string unit;                                           // "mm" or "\u00B0"
+    std::string unit;                                           // "mm", "units" or "\u00B0"
     std::vector<std::pair<std::string, std::string>> details{}; // what belongs to it: ("cross-section", "12.6 mm2")
     std::vector<std::vector<glm::dvec3>> lines{};               // mm, RAS: what was measured, as polylines
     std::string label{};                                        // of the picture: "path 12.3 mm"

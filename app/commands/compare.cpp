@@ -74,6 +74,7 @@ Result<int> run_compare(const CompareFlags& flags) {
     const double hausdorff = std::max(found.ways[0].max, found.ways[1].max);
     const double hausdorff_95 = std::max(found.ways[0].percentile_95, found.ways[1].percentile_95);
     say(flags.surface, "distances in " + seconds_text(found.seconds));
+    const tree::Claims& claims = inputs[inputs[0].claims.has_unit() ? 1 : 0].claims; // of the one that knows least
     if (flags.json) {
         nlohmann::ordered_json json = deviation_json(found.ways[0]);
         json.update(size_json(sizes[0]));
@@ -81,6 +82,7 @@ Result<int> run_compare(const CompareFlags& flags) {
         if (found.threshold_mm) json["threshold_mm"] = *found.threshold_mm;
         json["back"] = deviation_json(found.ways[1]);
         json["back"].update(size_json(sizes[1]));
+        json["units"] = claims.unit_word();
         json["hausdorff"] = hausdorff;
         json["hausdorff_95"] = hausdorff_95;
         json["a"] = input_json(flags.files[0], inputs[0], sizes[0]);
@@ -89,14 +91,16 @@ Result<int> run_compare(const CompareFlags& flags) {
         std::cout << io::printed_json(json) << '\n';
         return kDone;
     }
+    const Lengths lengths(claims);
     for (std::size_t i = 0; i < 2; ++i)
         std::cout << flags.files[i] << ": " << counted(inputs[i].mesh.positions.size(), "vertex", "vertices") << ", "
                   << counted(inputs[i].mesh.triangles.size(), "triangle", "triangles") << ", area "
-                  << digits(sizes[i].area_mm2, 5) << " mm2, "
-                  << (sizes[i].volume_mm3 ? "volume " + volume_text(*sizes[i].volume_mm3) : "not closed") << '\n';
-    std::cout << deviation_text("A to B", found.ways[0], found.threshold_mm)
-              << deviation_text("B to A", found.ways[1], found.threshold_mm) << "Hausdorff distance "
-              << digits(hausdorff, 4) << " mm, its 95th percentile " << digits(hausdorff_95, 4) << " mm\n";
+                  << lengths.worded(digits(sizes[i].area_mm2, 5) + " mm2, ")
+                  << (sizes[i].volume_mm3 ? "volume " + lengths.volume(*sizes[i].volume_mm3) : "not closed") << '\n';
+    std::cout << lengths.worded(deviation_text("A to B", found.ways[0], found.threshold_mm) +
+                                deviation_text("B to A", found.ways[1], found.threshold_mm))
+              << "Hausdorff distance " << lengths.text(hausdorff, 4) << ", its 95th percentile "
+              << lengths.text(hausdorff_95, 4) << '\n';
     return kDone;
 }
 

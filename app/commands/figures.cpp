@@ -128,10 +128,10 @@ Grid grid_for(const render::Sheet& sheet, glm::ivec2 size) {
     return {size, size.x >= size.y ? glm::ivec2(views, 1) : glm::ivec2(1, views), 1};
 }
 
-// "Anterior"; "anterior" behind other words.
-std::string title_of(render::View view, bool first) {
-    std::string name(render::name_of(view));
-    if (first) name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+// "Anterior", "From +y"; "anterior" behind other words.
+std::string title_of(render::View view, bool first, bool sides_known) {
+    std::string name = render::title_of(view, sides_known);
+    if (!first) name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
     return name;
 }
 
@@ -143,7 +143,8 @@ void label(render::Sheet& sheet, std::size_t view, bool table) {
         std::string words;
         if (side_by_side(sheet) && (view == 0 || !table)) words = overlays.heading;
         if (!side_by_side(sheet) || i == 0 || !table)
-            words += (words.empty() ? "" : ", ") + title_of(kViews[view], words.empty());
+            words += (words.empty() ? "" : ", ") +
+                     title_of(kViews[view], words.empty(), overlays.axes != render::plain_axes());
         if (view == 0 && (i == 0 || sheet.blend) && !caption.empty()) words.insert(0, caption + ": ");
         overlays.caption = words;
         if (view > 0 || side_by_side(sheet)) overlays.heading.clear();

@@ -209,7 +209,12 @@ void print_json(const tree::VesselTree& tree, const measure::TreeStatistics& sta
                            {"length_mm", statistics.length_mm},
                            {"volume_mm3", statistics.volume_mm3},
                            {"radius_mm", range_json(statistics.radius_mm)},
+                           {"units", tree.claims.unit_word()},
+                           {"units_said_by", tree::name_of(tree.claims.unit)},
+                           {"orientation", tree.claims.axes_word()},
+                           {"orientation_said_by", tree::name_of(tree.claims.orientation)},
                            {"generations", statistics.generations},
+                           {"dependency_known", !nothing_depends(facts_of(tree))},
                            {"repairs", sentences(tree, tree::Note::Kind::kRepaired)},
                            {"assumptions", sentences(tree, tree::Note::Kind::kAssumed)},
                            {"suspicions", sentences(tree, tree::Note::Kind::kSuspect)},
@@ -234,13 +239,14 @@ void print_branches(const tree::VesselTree& tree) {
     const auto columns = rows_with(&QuantityRow::info);
     const auto cell = [](int width, std::string_view text) { std::cout << std::setw(width) << text; };
     constexpr int kRange = 10; // of least and largest
+    const auto heading = [&](const QuantityRow* row) { return Lengths(tree.claims).worded(row->info.heading); };
     std::cout << '\n';
     cell(8, "branch");
     cell(8, "parent");
     const std::size_t widest = system_width(tree);
     if (widest > 0) cell(static_cast<int>(widest), "system");
     for (const QuantityRow* row : columns) {
-        cell(row->info.width, row->info.heading);
+        cell(std::max(row->info.width, static_cast<int>(heading(row).size()) + 2), heading(row));
         if (row->least != nullptr) cell(kRange, "min"), cell(kRange, "max");
     }
     std::cout << '\n';
@@ -253,7 +259,8 @@ void print_branches(const tree::VesselTree& tree) {
                  system_name(tree.systems, tree.branches[static_cast<std::size_t>(id)].system));
         for (const QuantityRow* row : columns) {
             const double value = row->value(tree, facts, id);
-            cell(row->info.width, row->whole ? std::to_string(static_cast<int>(value)) : rounded(value));
+            cell(std::max(row->info.width, static_cast<int>(heading(row).size()) + 2),
+                 row->whole ? std::to_string(static_cast<int>(value)) : rounded(value));
             if (row->least == nullptr) continue;
             cell(kRange, rounded(row->least(facts, id)));
             cell(kRange, rounded(row->largest(facts, id)));
@@ -269,7 +276,13 @@ void print_systems(const tree::VesselTree& tree) {
     for (std::size_t i = 0; i < facts.size(); ++i)
         std::cout << "  " << system_name(tree.systems, static_cast<int>(i)) << ": "
                   << counted(static_cast<std::uint64_t>(facts[i].branches), "branch", "branches") << ", "
-                  << rounded(facts[i].length_mm) << " mm, " << colour_text(tree.systems[i].colour) << '\n';
+                  << Lengths(tree.claims).worded(rounded(facts[i].length_mm) + " mm, ")
+                  << colour_text(tree.systems[i].colour) << '\n';
+}
+
+std::string claim_text(tree::SaidBy who, const std::string& known, const std::string& open) {
+    return who == tree::SaidBy::kNobody ? open
+                                        : known + (who == tree::SaidBy::kFile ? ", says the file" : ", as asked for");
 }
 
 void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const measure::TreeStatistics& statistics,
@@ -282,10 +295,14 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
     line("loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
     line("generations", std::to_string(statistics.generations) + " (Strahler order " +
                             std::to_string(statistics.highest_strahler) + ")");
-    line("length", rounded(statistics.length_mm) + " mm");
-    line("volume", rounded(statistics.volume_mm3) + " mm3");
-    line("radius", rounded(statistics.radius_mm.min) + " to " + rounded(statistics.radius_mm.max) + " mm, mean " +
-                       rounded(statistics.radius_mm.mean) + " mm");
+    const Lengths lengths(tree.claims);
+    line("length", lengths.worded(rounded(statistics.length_mm) + " mm"));
+    line("volume", lengths.worded(rounded(statistics.volume_mm3) + " mm3"));
+    line("radius", lengths.worded(rounded(statistics.radius_mm.min) + " to " + rounded(statistics.radius_mm.max) +
+                                  " mm, mean " + rounded(statistics.radius_mm.mean) + " mm"));
+    if (nothing_depends(facts_of(tree))) line("dependency", kNothingDepends);
+    line("unit", claim_text(tree.claims.unit, "mm", "not known"));
+    line("orientation", claim_text(tree.claims.orientation, "RAS", "not known"));
     const std::vector<tree::NoteGroup> groups = note_groups(tree);
     for (const auto& [kind, heading] :
          {std::pair(tree::Note::Kind::kRepaired, "repairs"), std::pair(tree::Note::Kind::kAssumed, "assumptions"),

@@ -32,10 +32,11 @@ std::string line_of(const tree::VesselTree& tree, const tree::Contact& contact) 
     const auto& [first, second] = contact.sides;
     const glm::dvec3 at = contact.at() + 0.0; // no negative zeros
     const auto both = [&](double a, double b) { return rounded(a) + " and " + rounded(b) + " mm"; };
-    return "branch " + side_text(tree, first) + " with " + side_text(tree, second) + " at " + rounded(at.x) + ", " +
-           rounded(at.y) + ", " + rounded(at.z) + " mm: " + (contact.crossing() ? "axes cross, " : "") +
-           (contact.gap < 0.0 ? "overlap " : "gap ") + rounded(std::abs(contact.gap)) + " mm; narrowed by " +
-           both(first.narrowed, second.narrowed) + "; along " + both(first.length, second.length);
+    return Lengths(tree.claims)
+        .worded("branch " + side_text(tree, first) + " with " + side_text(tree, second) + " at " + rounded(at.x) +
+                ", " + rounded(at.y) + ", " + rounded(at.z) + " mm: " + (contact.crossing() ? "axes cross, " : "") +
+                (contact.gap < 0.0 ? "overlap " : "gap ") + rounded(std::abs(contact.gap)) + " mm; narrowed by " +
+                both(first.narrowed, second.narrowed) + "; along " + both(first.length, second.length));
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 #include "core/volume/bit_mask.h"
 #include "core/volume/isosurface.h"
 
@@ -67,10 +68,11 @@ void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
 
 // Reads, makes and writes. `load_s` is set to the seconds that reading took.
 Result<WrittenSurface> mesh_of_mask(const std::string& file, const MaskFlags& mask, const SurfaceFlags& flags,
-                                    const SurfaceTarget& target, double& load_s) {
+                                    SurfaceTarget& target, double& load_s) {
     Stopwatch watch;
     RAMUS_TRY(read, load_volume(file, flags));
     warn_about(file, read);
+    target.names.claims = io::claims_of(read, flags.read.unit);
     load_s = watch.lap();
     const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
     const auto make = [&](Job& job) {
@@ -115,24 +117,25 @@ void warn_of_lost(const MeshFlags& flags, const WrittenSurface& written) {
               << "): far shorter than thick, thinner than cells, or inside of other vessels\n";
 }
 
-void report(const MeshFlags& flags, const WrittenSurface& written, double load_s) {
+void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims, double load_s) {
     warn_of_lost(flags, written);
     if (flags.json) {
         nlohmann::ordered_json figures = {
             {"vertices", written.vertices}, {"triangles", written.triangles}, {"components", written.components}};
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
+        figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
         if (!written.lost_pieces.empty()) figures["lost_pieces"] = written.lost_pieces;
-        if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses);
+        if (flags.printing.wanted) figures["printing"] = printing_json(flags.printing, written.thicknesses, claims);
         std::cout << io::printed_json(figures) << '\n';
     } else {
         std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
                   << counted(written.vertices, "vertex", "vertices") << ", "
                   << counted(static_cast<std::uint64_t>(written.components), "component", "components") << " in "
                   << rounded(load_s + written.mesh_s + written.write_s) << " s\n";
-        if (flags.printing.wanted) std::cout << printing_text(written.thicknesses) << '\n';
+        if (flags.printing.wanted) std::cout << printing_text(written.thicknesses, Lengths(claims)) << '\n';
     }
-    if (flags.printing.wanted) warn_about_printing(flags.printing, written);
+    if (flags.printing.wanted) warn_about_printing(flags.printing, written, claims);
 }
 
 // What the surface of a tree is called and coloured; fails where the tree lacks the parts that were asked for.
@@ -164,7 +167,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
         double load_s = 0.0;
         target.names.name = std::filesystem::path(flags.file).stem().stem().string();
         RAMUS_TRY(written, mesh_of_mask(flags.file, flags.mask, flags.surface, target, load_s));
-        report(flags, written, load_s);
+        report(flags, written, target.names.claims, load_s);
         return kDone;
     }
 
@@ -179,13 +182,14 @@ Result<int> run_mesh(const MeshFlags& flags) {
         RAMUS_TRY(names, names_for(flags, opened));
         target.names = std::move(names);
     }
+    target.names.claims = opened.tree->claims;
     const double load_s = watch.seconds();
 
     RAMUS_TRY(written, of_file(write_surface(*opened.tree, opened.session.marks.options, hidden, target),
                                opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
-    report(flags, written, load_s);
+    report(flags, written, target.names.claims, load_s);
     return kDone;
 }
 

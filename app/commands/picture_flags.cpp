@@ -50,9 +50,12 @@ CLI::Option* add_graphics_memory_flag(CLI::App& command, std::size_t& bytes) {
 
 CLI::Option* add_view_flag(CLI::App& command, render::View& view) {
     std::map<std::string, render::View> views;
-    for (const render::View one : render::kViews) views.emplace(render::name_of(one), one);
+    for (const render::View one : render::kViews)
+        views.emplace(render::name_of(one), one), views.emplace(render::axis_name_of(one), one);
     return add_option(command, "--view", "NAME", view,
-                      "anterior (default), posterior, left, right, superior or inferior")
+                      "anterior (default), posterior, left, right, superior or inferior; or where to look from: +y, "
+                      "-y, -x, +x, "
+                      "+z, -z")
         ->transform(CLI::CheckedTransformer(views).description(""));
 }
 

@@ -33,8 +33,9 @@ void add_printing_flags(CLI::App& command, PrintingFlags& flags) {
         }));
 }
 
-nlohmann::ordered_json printing_json(const PrintingFlags& flags, std::span<const Thickness> thicknesses) {
-    nlohmann::ordered_json json = {{"closed", true}, {"units", "mm"}};
+nlohmann::ordered_json printing_json(const PrintingFlags& flags, std::span<const Thickness> thicknesses,
+                                     const tree::Claims& claims) {
+    nlohmann::ordered_json json = {{"closed", true}, {"units", claims.unit_word()}};
     if (!thicknesses.empty()) json["thinnest"] = json_of(thicknesses.front());
     json["thin_below_mm"] = flags.thinnest_mm;
     json["thin"] = nlohmann::ordered_json::array();
@@ -42,7 +43,10 @@ nlohmann::ordered_json printing_json(const PrintingFlags& flags, std::span<const
     return json;
 }
 
-void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written) {
+void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written, const tree::Claims& claims) {
+    if (!claims.has_unit())
+        std::cerr << "ramus: nobody has said what one unit of the tree is, and printers take it for 1 mm; say it with "
+                     "--units\n";
     if (const std::string thin = thin_text(written.thicknesses, flags.thinnest_mm); !thin.empty())
         std::cerr << "ramus: " << thin
                   << "; print it larger, leave thin vessels out with --prune or hidden in a --session, or say with "

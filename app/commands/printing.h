@@ -19,10 +19,10 @@ struct PrintingFlags {
 void add_printing_flags(CLI::App& command, PrintingFlags& flags);
 
 // closed, units, thinnest {mm, at, branch}, thin_below_mm, and thin: the branches below that, the thinnest first.
-[[nodiscard]] nlohmann::ordered_json printing_json(const PrintingFlags& flags,
-                                                   std::span<const measure::Thickness> thicknesses);
+[[nodiscard]] nlohmann::ordered_json
+printing_json(const PrintingFlags& flags, std::span<const measure::Thickness> thicknesses, const tree::Claims& claims);
 
 // On standard error: what is thinner than it should be, and that several pieces come out of the printer, if so.
-void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written);
+void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& written, const tree::Claims& claims);
 
 } // namespace ramus::app

@@ -13,6 +13,7 @@
 #include "core/io/run_inputs.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 #include "core/measure/tree_measure.h"
 #include "core/volume/label_counts.h"
 
@@ -61,6 +62,8 @@ void report_json(const tree::VesselTree& tree, const volume::SkeletonizeFigures&
         {"roots", tree.roots.size()},
         {"loops", tree.loop_count},
         {"points", tree.points.size()},
+        {"units", tree.claims.unit_word()},
+        {"orientation", tree.claims.axes_word()},
         {"length_mm", statistics.length_mm},
         {"radius_mm", {{"min", statistics.radius_mm.min}, {"max", statistics.radius_mm.max}}},
         {"systems", systems},
@@ -104,11 +107,13 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     volume::SkeletonizeFigures figures;
     const auto options =
         skeletonize_options(flags.reading.read.mask, static_cast<double>(flags.reading.surface.memory_bytes));
+    const tree::Claims claims = io::claims_of(mask, flags.reading.read.unit);
     const auto make = [&](Job& job) {
         return of_file(volume::skeletonize(std::move(mask), *systems, options, job, &figures), flags.file);
     };
     RAMUS_TRY(tree, with_progress("skeleton", make, kNothingWritten));
     seconds.skeleton = watch.lap();
+    tree.claims = claims;
     tree.source = std::filesystem::path(flags.file).filename().string();
     if (auto written =
             io::write_tree(tree, flags.output, {"written by ramus " RAMUS_VERSION, "source: " + tree.source});

@@ -6,6 +6,7 @@
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
+#include "app/picture/compose.h"
 #include "app/ratings/rating_order.h"
 #include "app/ratings/rating_sheet.h"
 #include "app/session/checksum.h"
@@ -146,7 +147,8 @@ render::Camera close_to(const CloseUp& close_up, render::Camera camera) {
 // Draws the pictures as they are asked for.
 class Painter {
 public:
-    Painter(render::Renderer& renderer, const StudyFlags& flags) : renderer_(renderer), flags_(flags) {}
+    Painter(render::Renderer& renderer, const StudyFlags& flags, const tree::Claims& claims)
+        : renderer_(renderer), flags_(flags), claims_(claims) {}
 
     [[nodiscard]] render::Frame frame(const Paged& mesh, const render::Camera& camera, std::string caption) const {
         render::Frame frame;
@@ -154,6 +156,7 @@ public:
         frame.camera = camera;
         frame.size = flags_.size;
         frame.overlays.caption = std::move(caption);
+        show_claims(frame, claims_);
         return frame;
     }
     Result<render::Image> draw(const render::Frame& frame) {
@@ -174,6 +177,7 @@ public:
 private:
     render::Renderer& renderer_;
     const StudyFlags& flags_;
+    tree::Claims claims_; // of the tree
     std::vector<std::string> files_;
 };
 
@@ -239,7 +243,7 @@ Result<int> run_study(const StudyFlags& flags) {
     if (!context) return tl::unexpected(context.error());
     RAMUS_TRY(renderer, render::Renderer::create());
 
-    Painter painter(*renderer, flags);
+    Painter painter(*renderer, flags, tree.claims);
     const Paged& smooth = surfaces.all[2].mesh;
     const render::Frame whole =
         painter.frame(smooth, render::camera_for(smooth->positions(), flags.view, flags.size), surfaces.all[2].title);
@@ -261,8 +265,8 @@ Result<int> run_study(const StudyFlags& flags) {
                 return tl::unexpected(done.error());
         }
         const double diameter_mm = 2.0 * close_ups[i].radius;
-        if (auto done =
-                add_scene(sheets, painter, surfaces, camera, "Close-up, vessel " + length_text(diameter_mm) + " wide");
+        if (auto done = add_scene(sheets, painter, surfaces, camera,
+                                  "Close-up, vessel " + Lengths(tree.claims).scaled(diameter_mm) + " wide");
             !done)
             return tl::unexpected(done.error());
         report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});

@@ -38,10 +38,12 @@ void add_meaning_flags(CLI::App& command, io::ReadOptions& read) {
     command.add_option("--radius-is", read.radius_is, "What a tree's file has for a width: radius or diameter")
         ->type_name("WIDTH")
         ->transform(CLI::CheckedTransformer(widths).description(""));
-    const std::map<std::string, io::Axes> axes = {{"ras", io::Axes::kRas}, {"lps", io::Axes::kLps}};
-    command.add_option("--axes", read.axes, "Where a tree's axes lead: ras or lps")
-        ->type_name("AXES")
-        ->transform(CLI::CheckedTransformer(axes, CLI::ignore_case).description(""));
+    add_option_taking<std::string>(
+        command, "--orientation,--axes", "XYZ",
+        [&read](const std::string& text) { read.orientation = io::Orientation::named(text); },
+        "Which sides of the patient a tree's axes x, y and z lead to, three letters of R L A P S I, as RAS or LPS")
+        ->check(
+            expecting(" does not name a side for each of three axes, as RAS, LPS or PIR do", io::Orientation::named));
     add_option_taking<std::vector<std::string>>(
         command, "--columns", "WHAT=NAME,...",
         [&read](const std::vector<std::string>& pairs) {

@@ -6,6 +6,7 @@
 #include "core/io/length_unit.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 #include "core/volume/isosurface.h"
 
 #include <glm/geometric.hpp>
@@ -25,13 +26,14 @@ std::string surface_input_kinds() {
 
 Result<SurfaceInput> load_mesh(const std::string& file) {
     RAMUS_TRY(mesh, io::read_mesh(file, io::Holes::kAllowed));
-    return SurfaceInput{std::move(mesh), {}};
+    return SurfaceInput{std::move(mesh), {}, {}};
 }
 
 Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
     RAMUS_TRY(volume, load_volume(file, with_units(flags, mask)));
     warn_about(file, volume);
     SurfaceInput made;
+    made.claims = io::claims_of(volume, reading.read.unit);
     made.half_voxel_mm = 0.5 * glm::length(volume::spacing_mm(volume.to_patient));
     const volume::IsosurfaceOptions options{static_cast<double>(flags.surface.memory_bytes), flags.surface.threads};
     RAMUS_TRY(
@@ -45,7 +47,7 @@ Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags
 Result<SurfaceInput> surface_of_tree(const tree::VesselTree& tree, const SurfaceFlags& flags) {
     RAMUS_TRY(surface,
               with_progress("surface", [&](Job& job) { return mesh::make_surface(tree, flags.surface, job); }));
-    return SurfaceInput{std::move(surface.mesh), {}};
+    return SurfaceInput{std::move(surface.mesh), tree.claims, {}};
 }
 
 Result<SurfaceInput> load_surface(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {

@@ -15,6 +15,7 @@ namespace ramus::app {
 
 struct SurfaceInput {
     mesh::TriangleMesh mesh;
+    tree::Claims claims;                 // of the tree or mask that it is of; meshes say nothing, and are taken as mm
     std::optional<double> half_voxel_mm; // half the diagonal of the voxels of a mask; none of what has no voxels
 };
 

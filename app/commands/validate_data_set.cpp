@@ -109,6 +109,7 @@ Result<std::vector<tree::VesselTree>> read_all(const ValidateFlags& flags) {
 Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, const tree::VesselTree& tree,
                                    ValidationPainter* painter) {
     ValidatedDataSet set;
+    set.claims = tree.claims;
     set.tree = flags.trees[n];
     set.mask = flags.mask(n);
     set.surface = flags.mesh(n);

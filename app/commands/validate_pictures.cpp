@@ -1,5 +1,6 @@
 #include "app/commands/validate_pictures.h"
 
+#include "app/picture/compose.h"
 #include "app/picture/place_marks.h"
 #include "app/reports/validation/validation_tables.h"
 #include "app/workspace/surface_maker.h"
@@ -99,6 +100,8 @@ Result<std::vector<ReportPicture>> ValidationPainter::pictures(mesh::TriangleMes
     complete_arrays(surface);
     render::Frame frame;
     frame.mesh = paged(surface, tree);
+    show_claims(frame, tree.claims);
+    const bool sides = tree.claims.has_sides();
     surface = {};
     const auto look = [&](render::View view, glm::ivec2 size) {
         frame.size = size;
@@ -110,15 +113,15 @@ Result<std::vector<ReportPicture>> ValidationPainter::pictures(mesh::TriangleMes
     look(render::View::kAnterior, few_ ? glm::ivec2{1200, 840} : small);
     marked = frame;
     mark(marked, set);
-    RAMUS_TRY(places, draw(marked, "From the front (anterior), with the found places and those farthest from the "
-                                   "truncated cones"));
+    RAMUS_TRY(places, draw(marked, std::string(sides ? "From the front (anterior)" : "From +y") +
+                                       ", with the found places and those farthest from the truncated cones"));
     pictures.push_back(std::move(places));
     look(render::View::kAnterior, small);
-    RAMUS_TRY(front, draw(frame, "The surface from the front (anterior)"));
+    RAMUS_TRY(front, draw(frame, sides ? "The surface from the front (anterior)" : "The surface from +y"));
     pictures.push_back(std::move(front));
     if (!few_) return pictures;
     look(render::View::kLeft, small);
-    RAMUS_TRY(side, draw(frame, "From the patient's left"));
+    RAMUS_TRY(side, draw(frame, sides ? "From the patient's left" : "From -x"));
     pictures.push_back(std::move(side));
     return pictures;
 }

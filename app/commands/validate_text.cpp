@@ -58,6 +58,7 @@ ordered_json radius_error_json(const validate::RadiusError& error) {
 ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
     ordered_json json;
     json["tree"] = set.tree;
+    json["units"] = set.claims.unit_word();
     if (one_of_several) json["mask"] = set.mask.empty() ? ordered_json() : ordered_json(set.mask);
     json["surface"] = set.surface.empty() ? "made of the tree" : set.surface;
     ordered_json& cones = json["distances"]["to_cones"];
@@ -107,8 +108,8 @@ ordered_json averages_json(const ValidationAverages& averages) {
             {"smoothed_away", averages.smoothed_away}};
 }
 
-std::string at_text(const glm::dvec3& at) {
-    return rounded(at.x + 0.0) + ", " + rounded(at.y + 0.0) + ", " + rounded(at.z + 0.0) + " mm";
+std::string at_text(const glm::dvec3& at, const Lengths& lengths) {
+    return rounded(at.x + 0.0) + ", " + rounded(at.y + 0.0) + ", " + rounded(at.z + 0.0) + " " + lengths.unit();
 }
 
 // A heading with how many there are, and a line for each of the first.
@@ -120,27 +121,29 @@ template <class List, class Line> void print_list(const std::string& heading, co
     if (listed < list.size()) std::cout << "    and " << grouped(list.size() - listed) << " more, which --json lists\n";
 }
 
-void print_questions(const validate::Validation& validation) {
-    print_list("lost branches", validation.lost, [](const validate::Lost& one) {
-        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at) + ", " + length_text(one.length_mm) +
-               " long";
+void print_questions(const validate::Validation& validation, const Lengths& lengths) {
+    print_list("lost branches", validation.lost, [&](const validate::Lost& one) {
+        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at, lengths) + ", " +
+               lengths.scaled(one.length_mm) + " long";
     });
-    print_list("false branches", validation.false_parts, [](const validate::FalsePart& one) {
-        return "at " + at_text(one.at) + ", " + length_text(one.length_mm) + " long";
+    print_list("false branches", validation.false_parts, [&](const validate::FalsePart& one) {
+        return "at " + at_text(one.at, lengths) + ", " + lengths.scaled(one.length_mm) + " long";
     });
-    print_list("merged branches", validation.merged, [](const validate::Merged& one) {
+    print_list("merged branches", validation.merged, [&](const validate::Merged& one) {
         return "branch " + std::to_string(one.branches[0]) + " with " + std::to_string(one.branches[1]) + " at " +
-               at_text(one.at) + (one.gap_mm < 0.0 ? ", overlap " : ", gap ") + length_text(std::abs(one.gap_mm));
+               at_text(one.at, lengths) + (one.gap_mm < 0.0 ? ", overlap " : ", gap ") +
+               lengths.scaled(std::abs(one.gap_mm));
     });
-    print_list("changed constrictions", validation.constrictions, [](const validate::Constriction& one) {
-        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at) + ", radius " +
-               length_text(one.radius_mm) + " instead of " + length_text(one.expected_radius_mm);
+    print_list("changed constrictions", validation.constrictions, [&](const validate::Constriction& one) {
+        return "branch " + std::to_string(one.branch) + " at " + at_text(one.at, lengths) + ", radius " +
+               lengths.scaled(one.radius_mm) + " instead of " + lengths.scaled(one.expected_radius_mm);
     });
 }
 
 void print_one(const ValidatedDataSet& set) {
     const validate::Validation& validation = set.validation;
-    print_questions(validation);
+    const Lengths lengths(set.claims);
+    print_questions(validation, lengths);
     std::cout << "narrow places that smoothing changes by more than 10 %: " << grouped(validation.smoothed_away.size())
               << '\n';
     const validate::RadiusError& error = validation.radius_error;
@@ -148,8 +151,11 @@ void print_one(const ValidatedDataSet& set) {
         std::cout << "radius away from joints: median error " << digits(100.0 * error.median) << " %, 95th percentile "
                   << digits(100.0 * error.p95) << " %; of flat triangles " << digits(100.0 * error.flat_median)
                   << " % and " << digits(100.0 * error.flat_p95) << " %\n";
-    std::cout << deviation_text("surface to truncated cones", set.to_cones.statistics, set.half_voxel_mm);
-    if (set.to_mask) std::cout << deviation_text("surface to isosurface", set.to_mask->statistics, set.half_voxel_mm);
+    std::cout << lengths.worded(
+        deviation_text("surface to truncated cones", set.to_cones.statistics, set.half_voxel_mm));
+    if (set.to_mask)
+        std::cout << lengths.worded(
+            deviation_text("surface to isosurface", set.to_mask->statistics, set.half_voxel_mm));
 }
 
 std::string cell_words(const Cell& cell) {

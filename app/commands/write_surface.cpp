@@ -39,7 +39,7 @@ private:
 Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                                       std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
     Stopwatch watch;
-    RAMUS_TRY(file, io::SurfaceFile::create(output));
+    RAMUS_TRY(file, io::SurfaceFile::create(output, tree.claims));
     CountingSink sink(*file, tree.branches.size());
     const auto stream = [&](Job& job) { return mesh::stream_surface(tree, options, sink, job, hidden); };
     const auto streamed = with_progress("surface", stream, kNothingWritten);

@@ -303,7 +303,7 @@ void draw_filter(InterfaceContext& context) {
     ImGui::PopStyleVar();
 }
 
-void set_up_columns(bool named, bool systems, float width) {
+void set_up_columns(bool named, bool systems, float width, const Lengths& lengths) {
     const float scale = theme::scale();
     const auto column = [](const char* name, ImGuiID id, float weight, ImGuiTableColumnFlags flags = 0) {
         ImGui::TableSetupColumn(name, flags | ImGuiTableColumnFlags_NoResize, weight, id);
@@ -317,7 +317,7 @@ void set_up_columns(bool named, bool systems, float width) {
     for (const QuantityRow* row : rows_with(&QuantityRow::list)) {
         const float least =
             named || systems ? row->list.least_width_named : row->list.least_width; // a narrow panel has no room
-        column(row->list.heading, id++, row->list.weight,
+        column(lengths.worded(row->list.heading).c_str(), id++, row->list.weight,
                (row->list.largest_first ? ImGuiTableColumnFlags_PreferSortDescending : 0) |
                    shown(width >= least * scale));
     }
@@ -340,7 +340,7 @@ void draw_branch_list(InterfaceContext& context) {
                               ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_PadOuterX,
                           size)) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        set_up_columns(!document.marks().names.empty(), document.tree()->systems.size() > 1, width);
+        set_up_columns(!document.marks().names.empty(), document.tree()->systems.size() > 1, width, document.lengths());
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         draw_headers();
         ImGui::PopStyleColor();

@@ -29,13 +29,14 @@ std::string side_text(const Document& document, const ContactSide& side) {
     if (const std::string label = label_of(document.dependency(), document.marks().names, side.branch); !label.empty())
         text += ", " + label;
     if (side.branches.size() > 1) text += ", and " + grouped(side.branches.size() - 1) + " more";
-    return text + "\n    radius " + digits(side.radius) + " mm, narrowed by " + digits(side.narrowed) +
-           " mm\n    along " + digits(side.length) + " mm";
+    const Lengths lengths = document.lengths();
+    return text + "\n    radius " + lengths.text(side.radius) + ", narrowed by " + lengths.text(side.narrowed) +
+           "\n    along " + lengths.text(side.length);
 }
 
 // What the row has no room for.
 std::string whole_text(const Document& document, const Contact& contact) {
-    std::string text = gap_text(contact);
+    std::string text = gap_text(contact, document.lengths());
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     for (const ContactSide& side : contact.sides) text += "\n" + side_text(document, side);
     return text + "\nClick to look at the place and to select both";
@@ -143,7 +144,7 @@ void draw_contacts(InterfaceContext& context) {
     } else {
         widgets::quiet(summary_of(*list).c_str());
         ImGui::SameLine();
-        widgets::quiet_right("in mm");
+        widgets::quiet_right(context.workspace.document.lengths().worded("in mm"));
         draw_rows(context, *list, bottom);
     }
     ImGui::End();

@@ -98,9 +98,7 @@ void draw_voxel_row(InterfaceContext& context) {
 
 void draw_unit(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
     constexpr const char* kVoxels = "voxels";
-    const std::string unit_by_itself =
-        says_about(tree, "units", "names no unit") || says_about(tree, "mask", "names no unit") ? "mm (assumed)"
-                                                                                                : "As the file says";
+    const std::string unit_by_itself = tree.claims.has_unit() ? "As the file says" : "Not known";
     Doctor& doctor = context.interface.doctor;
     const auto unit = widgets::choice_row("Unit", "What one unit of the file's coordinates is",
                                           options.unit ? app::spelled(*options.unit) : "auto",
@@ -117,7 +115,7 @@ void draw_unit(InterfaceContext& context, const tree::VesselTree& tree, const io
 
 // What a tree's file leaves open beside the unit.
 void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, const io::ReadOptions& options) {
-    const std::string axes_by_itself = says_about(tree, "axes", "does not say") ? "RAS (assumed)" : "As the file says";
+    const std::string axes_by_itself = tree.claims.has_sides() ? "As the file says" : "Not known";
     const std::string width_by_itself = says_about(tree, "radius-is", "is taken as the radius") ? "Radius (assumed)"
                                         : says_about(tree, "radius-is", "is taken as the diameter")
                                             ? "Diameter (assumed)"
@@ -129,12 +127,17 @@ void draw_assumptions(InterfaceContext& context, const tree::VesselTree& tree, c
                                  {"radius", "Radii"},
                                  {"diameter", "Diameters"}}))
         context.perform("read-as", {"radius-is", *width});
-    if (const auto axes = widgets::choice_row("Axes", "Where the file's axes lead",
-                                              options.axes ? std::string(app::spelled(*options.axes)) : "auto",
-                                              {{"auto", options.axes ? "By the file" : axes_by_itself},
-                                               {"ras", "Right, anterior, superior (RAS)"},
-                                               {"lps", "Left, posterior, superior (LPS)"}}))
-        context.perform("read-as", {"axes", *axes});
+    constexpr const char* kOther = "other";
+    const std::string now = options.orientation ? options.orientation->letters() : "auto";
+    std::vector<std::pair<std::string, std::string>> entries{
+        {"auto", options.orientation ? "By the file" : axes_by_itself},
+        {"RAS", "Right, anterior, superior (RAS)"},
+        {"LPS", "Left, posterior, superior (LPS)"}};
+    if (now != "auto" && now != "RAS" && now != "LPS") entries.emplace_back(now, options.orientation->words());
+    entries.emplace_back(kOther, "Other\xE2\x80\xA6");
+    const auto axes = widgets::choice_row("Axes", "Which sides of the patient the file's axes lead to", now, entries);
+    if (axes == kOther) context.perform("orientation", {});
+    if (axes && axes != kOther) context.perform("read-as", {"orientation", *axes});
 }
 
 void draw_repairs(InterfaceContext& context, const io::ReadOptions& options) {

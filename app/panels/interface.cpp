@@ -73,8 +73,9 @@ bool Interface::dismiss() {
     } else if (drop.open()) {
         drop.file.clear();
     } else {
-        const std::array below{&palette.open, &recovery.open, &open_dialog.open, &help_open,    &rename.open,
-                               &radius.open,  &fly.open,      &doctor.open,      &contacts.open};
+        const std::array below{&palette.open,  &recovery.open, &open_dialog.open, &help_open,
+                               &rename.open,   &radius.open,   &fly.open,         &unsaid.open,
+                               &warnings.open, &doctor.open,   &contacts.open};
         const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
         if (top == below.end()) return false;
         **top = false;
@@ -94,14 +95,16 @@ void Interface::forget_tree() {
 }
 
 void InterfaceContext::perform(const Command& command) {
-    if (const auto done = commands.run(actions, command); !done) interface.tell(done.error().message(), now, true);
+    if (const auto done = commands.run(actions, command); !done)
+        interface.tell(done.error(), workspace.document.lengths(), now);
 }
 
 void InterfaceContext::perform(std::string_view name, const std::vector<std::string>& arguments) {
     std::vector<std::string> words{std::string(name)};
     words.insert(words.end(), arguments.begin(), arguments.end());
     interface.last_command = words;
-    if (const auto done = commands.run(actions, words); !done) interface.tell(done.error().message(), now, true);
+    if (const auto done = commands.run(actions, words); !done)
+        interface.tell(done.error(), workspace.document.lengths(), now);
 }
 
 void draw_title(InterfaceContext& context, const char* title, std::initializer_list<widgets::TitleButton> buttons) {
@@ -125,6 +128,8 @@ void draw_interface(InterfaceContext& context) {
     draw_tool_bar(context);
     draw_side_panel(context);
     draw_doctor(context);
+    draw_unsaid(context);
+    draw_warnings(context);
     draw_contacts(context);
     draw_overview(context);
     draw_fly(context);

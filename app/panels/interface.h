@@ -9,6 +9,7 @@
 #include "app/panels/overview.h"
 #include "app/panels/slider_row.h"
 #include "app/panels/widgets.h"
+#include "app/session/warnings.h"
 #include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace/workspace.h"
@@ -21,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ramus::app {
@@ -131,6 +133,25 @@ struct ContextMenu {
     int branch = tree::kNoBranch;                     // that it is about; kNoBranch: the view
 };
 
+// The panel that asks for what a file does not say.
+struct Unsaid {
+    bool open = false;
+    std::string unit = "open"; // a name, "voxels", or "open": nobody says it
+    std::array<char, 64> voxel{};
+    std::array<std::optional<io::Side>, 3> sides{}; // that x, y, z lead to; never two on one line
+    void show(const io::ReadOptions& options);
+    [[nodiscard]] std::optional<io::Orientation> orientation() const; // none: not all three are chosen
+    // What the picture of a tree that is read so calls its axes while the choice is tried; none: as ever.
+    [[nodiscard]] std::optional<render::AxisNames> axes(const tree::Claims& claims,
+                                                        const io::ReadOptions& options) const;
+};
+
+// The list of what a person should know.
+struct WarningsPanel {
+    bool open = false;
+    WarningList list;
+};
+
 // What the list of contacts remembers.
 struct ContactList {
     bool open = false;
@@ -165,6 +186,8 @@ struct Interface {
     RadiusDialog radius;
     Fly fly;
     Doctor doctor;
+    WarningsPanel warnings;                                // likewise
+    Unsaid unsaid;                                         // open: neither of the other two is
     ContactList contacts;                                  // open: the doctor is not, and the other way about
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
@@ -180,6 +203,19 @@ struct Interface {
     CommandLine last_command; // that the tool or a panel gave
 
     void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
+    // What is about a file or a place stays in the list of warnings, too.
+    void tell(const Error& error, const Lengths& lengths, double now) {
+        tell(lengths.worded(error.message()), now, true);
+        if (!error.where.empty()) warnings.list.add(error);
+    }
+    void warn(Warning warning, double now) {
+        tell(warning.what, now, true);
+        warnings.list.add(std::move(warning));
+    }
+    // One panel lies over the picture's left edge at a time; null: none.
+    void open_left_panel(bool* panel) {
+        for (bool* each : {&doctor.open, &contacts.open, &unsaid.open, &warnings.open}) *each = each == panel;
+    }
     [[nodiscard]] bool menus_have_keys() const { return want_menu || menu_keys > 0; }
     [[nodiscard]] bool dialog_open() const {
         return help_open || palette.open || rename.open || radius.open || open_dialog.open || recovery.open ||
@@ -224,6 +260,10 @@ void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
 void draw_doctor(InterfaceContext& context);
+void draw_unsaid(InterfaceContext& context);
+void draw_warnings(InterfaceContext& context);
+// The mark in the status bar, left of what begins at `right_edge`; returns where it begins itself.
+[[nodiscard]] float draw_warning_mark(InterfaceContext& context, float right_edge);
 void draw_contacts(InterfaceContext& context);
 void draw_contacts_line(InterfaceContext& context); // in the side panel: how many there are, and the way there
 void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask); // in the import doctor's panel

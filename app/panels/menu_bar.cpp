@@ -25,7 +25,7 @@ void draw_entry(InterfaceContext& context, const Command& command) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetNextWindowPos({ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + 4.0F * theme::scale(),
                                  ImGui::GetItemRectMin().y - 4.0F * theme::scale()});
-    widgets::tooltip(command.help.c_str());
+    widgets::tooltip(document.lengths().worded(command.help).c_str());
 }
 
 // The last steps, newest first, down to what was there before them; the present one is marked.
@@ -40,7 +40,7 @@ void draw_history(InterfaceContext& context) {
     std::size_t chosen = here;
     for (std::size_t after = last + 1; after-- > first;) { // what was there after so many steps
         const bool undone = after > here;
-        std::string label = after == 0 ? "as it was opened" : document.step_name(after - 1);
+        std::string label = after == 0 ? "as it was opened" : document.lengths().worded(document.step_name(after - 1));
         if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
         ImGui::PushID(static_cast<int>(after));
         if (ImGui::MenuItem(label.c_str(), undone ? "undone" : nullptr, after == here)) chosen = after;
@@ -102,7 +102,7 @@ void draw_menus(InterfaceContext& context) {
     }
 }
 
-// A P L R S I in one row, and Fit.
+// A P L R S I in one row, or +y -y -x +x +z -z where no sides are known, and Fit.
 void draw_views(InterfaceContext& context) {
     const float scale = theme::scale();
     const float side = 26.0F * scale;
@@ -111,19 +111,25 @@ void draw_views(InterfaceContext& context) {
     const float total = 6.0F * side + 7.0F * gap + wide + 8.0F * scale;
     const float at = static_cast<float>(context.layout.window.x) - total - 8.0F * scale;
     if (at < ImGui::GetCursorPosX() + 12.0F * scale) return; // a narrow window keeps the menus
-    const bool enabled = context.workspace.document.branch_count() > 0;
+    const Document& document = context.workspace.document;
+    const bool enabled = document.branch_count() > 0;
+    const bool sides = !document.tree() || document.tree()->claims.has_sides();
     ImGui::SetCursorPosX(std::round(at));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, 0.0F});
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(1.0F, 1.0F, 1.0F, 0.05F));
     ImGui::BeginDisabled(!enabled);
-    const auto button = [&](const Command& command, const char* text, float width) {
+    const auto button = [&](const Command& command, const std::string& text, float width) {
         ImGui::SetCursorPosY(std::round(0.5F * (static_cast<float>(context.layout.bar_height) - side)));
-        if (ImGui::Button(text, {width, side})) context.perform(command);
-        widgets::tooltip(command.label.c_str(), command.keys.front().c_str());
+        if (ImGui::Button(text.c_str(), {width, side})) context.perform(command);
+        widgets::tooltip(label_of(command, document).c_str(), command.keys.front().c_str());
     };
     for (const Command& command : command_table())
-        if (command.name == "view" && !command.scripted()) button(command, command.keys.front().c_str(), side);
+        if (command.name == "view" && !command.scripted())
+            button(command,
+                   sides ? command.keys.front()
+                         : std::string(render::axis_name_of(*render::view_named(command.preset[0]))),
+                   side);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 6.0F * scale);
     button(*find_command("fit"), "Fit", wide);
     ImGui::EndDisabled();

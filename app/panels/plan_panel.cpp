@@ -17,9 +17,9 @@ namespace ramus::app {
 
 namespace {
 
-std::string amount(const measure::Amount& lost) {
-    return counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " + digits(lost.length_mm) +
-           " mm, " + volume_text(lost.volume_mm3) + ", " +
+std::string amount(const measure::Amount& lost, const Lengths& lengths) {
+    return counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " +
+           lengths.text(lost.length_mm) + ", " + lengths.volume(lost.volume_mm3) + ", " +
            counted(static_cast<std::uint64_t>(lost.leaves), "leaf", "leaves");
 }
 
@@ -51,7 +51,7 @@ std::vector<std::string> entry(InterfaceContext& context, const char* label, con
                                float width) {
     auto& [owner, typed] = context.interface.editing.numbers;
     ImGui::AlignTextToFramePadding();
-    widgets::quiet(label);
+    widgets::quiet(context.workspace.document.lengths().worded(label).c_str());
     ImGui::SameLine();
     widgets::align_right(width * theme::scale());
     std::array<char, 64> shown{};
@@ -94,9 +94,9 @@ void draw_lesions(InterfaceContext& context) {
     for (std::size_t i = 0; i < marks.lesions.size(); ++i) {
         const auto& sphere = marks.lesions[i];
         ImGui::PushID(static_cast<int>(i));
-        const int done =
-            removable_row("Lesion " + std::to_string(i + 1) + "   \xC3\x98 " + digits(2.0 * sphere[3]) + " mm",
-                          theme::kText, "Click to bring it to the middle of the picture");
+        const int done = removable_row("Lesion " + std::to_string(i + 1) + "   \xC3\x98 " +
+                                           context.workspace.document.lengths().text(2.0 * sphere[3]),
+                                       theme::kText, "Click to bring it to the middle of the picture");
         if (done > 0) context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
         if (done < 0) context.perform("lesion-remove", {std::to_string(i + 1)});
         ImGui::PopID();
@@ -114,8 +114,8 @@ void draw_lesions(InterfaceContext& context) {
 }
 
 void draw_band(InterfaceContext& context, const measure::Band& band) {
-    const std::string title =
-        (band.from_mm > 0.0 ? rounded(band.from_mm) : "0") + " \xE2\x80\x93 " + rounded(band.to_mm) + " mm";
+    const std::string title = (band.from_mm > 0.0 ? rounded(band.from_mm) : "0") + " \xE2\x80\x93 " +
+                              rounded(band.to_mm) + " " + context.workspace.document.lengths().unit();
     const std::string count = counted(band.rows.size(), "branch", "branches");
     ImGui::PushID(static_cast<int>(std::lround(1000.0 * band.to_mm)));
     const bool open = ImGui::TreeNodeEx("band", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", title.c_str());
@@ -129,7 +129,8 @@ void draw_band(InterfaceContext& context, const measure::Band& band) {
         const float rows = static_cast<float>(std::min<std::size_t>(band.rows.size(), 8) + 1);
         if (!band.rows.empty() && ImGui::BeginTable("rows", 4, kFlags, {0.0F, rows * row_height + 2.0F})) {
             ImGui::TableSetupScrollFreeze(0, 1);
-            for (const char* name : {"Branch", "\xC3\x98 mm", "Away mm", "Deps"}) ImGui::TableSetupColumn(name);
+            for (const char* name : {"Branch", "\xC3\x98 mm", "Away mm", "Deps"})
+                ImGui::TableSetupColumn(context.workspace.document.lengths().worded(name).c_str());
             ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
             ImGui::TableHeadersRow();
             ImGui::PopStyleColor();
@@ -191,18 +192,18 @@ void draw_cuts(InterfaceContext& context) {
         const int branch = marks.cuts[i].first;
         ImGui::PushID(static_cast<int>(i));
         const int done = removable_row(
-            branch_name(document, branch) + "   \xC3\x98 " + digits(figures.diameter_mm) + " mm",
+            branch_name(document, branch) + "   \xC3\x98 " + document.lengths().text(figures.diameter_mm),
             figures.reconstruct ? theme::kTrouble : theme::kText, "Click to select the branch and look at it");
         if (ImGui::IsItemHovered()) context.interface.listed = branch;
         if (done > 0) go_to(context, branch);
         if (figures.reconstruct) ImGui::TextColored(theme::kTrouble, "must be reconstructed");
-        widgets::quiet_wrapped(("Lost: " + amount(figures.lost)).c_str());
+        widgets::quiet_wrapped(("Lost: " + amount(figures.lost, document.lengths())).c_str());
         ImGui::PopID();
         if (done < 0) context.perform("cut-remove", {std::to_string(i + 1)});
     }
     if (marks.cuts.size() > 1) {
         ImGui::Dummy({0.0F, 2.0F * theme::scale()});
-        widgets::quiet_wrapped(("Lost together: " + amount(report.together)).c_str());
+        widgets::quiet_wrapped(("Lost together: " + amount(report.together, document.lengths())).c_str());
     }
 }
 

@@ -22,7 +22,7 @@ void draw_radius(InterfaceContext& context) {
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                               ImGuiInputTextFlags_CharsDecimal);
     ImGui::SameLine();
-    if (ImGui::RadioButton("mm", !dialog.scales)) dialog.scales = false;
+    if (ImGui::RadioButton(context.workspace.document.lengths().unit().c_str(), !dialog.scales)) dialog.scales = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("times", dialog.scales)) dialog.scales = true;
     widgets::quiet_wrapped("Nodes that they share with other branches keep their radius.");

@@ -22,10 +22,10 @@ namespace ramus::app {
 
 namespace {
 
-std::string range(double least, double most) {
+std::string range(double least, double most, const Lengths& lengths) {
     const std::string a = digits(least);
     const std::string b = digits(most);
-    return (a == b ? a : a + " \xE2\x80\x93 " + b) + " mm";
+    return (a == b ? a : a + " \xE2\x80\x93 " + b) + " " + lengths.unit();
 }
 
 void draw_tree(InterfaceContext& context) {
@@ -41,16 +41,20 @@ void draw_tree(InterfaceContext& context) {
     ImGui::Dummy({0.0F, 1.0F});
     widgets::fact("Branches", grouped(tree.branches.size()));
     widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.statistics.generations)));
-    widgets::fact("Length", digits(facts.statistics.length_mm, 4) + " mm");
-    widgets::fact("Volume", volume_text(facts.statistics.volume_mm3));
-    widgets::fact("Diameter", range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max));
+    const Lengths lengths = document.lengths();
+    widgets::fact("Length", lengths.text(facts.statistics.length_mm, 4));
+    widgets::fact("Volume", lengths.volume(facts.statistics.volume_mm3));
+    widgets::fact("Diameter",
+                  range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max, lengths));
     if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
+    if (nothing_depends(facts)) widgets::fact("Dependency", "none: separate vessels");
     if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
     if (const auto& edits = document.marks().edits; !edits.empty()) {
         widgets::fact("Edits", grouped(edits.size()));
         constexpr std::size_t kListed = 12; // the last ones
         const auto last = std::span(edits).last(std::min(edits.size(), kListed));
-        widgets::tooltip(joined(last, "\n", [](const tree::Edit& edit) { return sentence(edit); }).c_str());
+        widgets::tooltip(
+            joined(last, "\n", [&](const tree::Edit& edit) { return lengths.worded(sentence(edit)); }).c_str());
     }
     draw_contacts_line(context);
     draw_doctor_line(context);
@@ -122,12 +126,14 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     if (!label.empty()) widgets::fact("Name", label);
     const std::string system = system_of(*document.tree(), document.marks(), id);
     if (!system.empty()) widgets::fact("System", system);
-    widgets::fact("Diameter", digits(own.diameter_mm.mean) + " mm");
-    widgets::fact("  from \xE2\x80\x93 to", range(own.diameter_mm.min, own.diameter_mm.max));
-    widgets::fact("Length", digits(own.length_mm) + " mm");
+    const Lengths lengths = document.lengths();
+    widgets::fact("Diameter", lengths.text(own.diameter_mm.mean));
+    widgets::fact("  from \xE2\x80\x93 to", range(own.diameter_mm.min, own.diameter_mm.max, lengths));
+    widgets::fact("Length", lengths.text(own.length_mm));
     widgets::fact("Generation", std::to_string(branch.generation));
     widgets::fact("Strahler order", std::to_string(branch.strahler));
-    widgets::fact("Dependents", grouped(static_cast<std::uint64_t>(own.dependents.branches)));
+    widgets::fact("Dependents", nothing_depends(facts) ? kNothingDepends
+                                                       : grouped(static_cast<std::uint64_t>(own.dependents.branches)));
     widgets::fact("State", std::string(name_of(state_of(document.marks(), id))));
 }
 
@@ -144,8 +150,9 @@ void draw_many(const Document& document, const TreeFacts& facts) {
     const auto selected = document.marks().selection.size();
     widgets::fact("Branches",
                   grouped(selected) + " of " + grouped(static_cast<std::uint64_t>(document.branch_count())));
-    widgets::fact("Length", digits(length, 4) + " mm");
-    widgets::fact("Mean diameters", range(least, most));
+    const Lengths lengths = document.lengths();
+    widgets::fact("Length", lengths.text(length, 4));
+    widgets::fact("Mean diameters", range(least, most, lengths));
 }
 
 void draw_actions(InterfaceContext& context) {

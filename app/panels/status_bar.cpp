@@ -1,5 +1,5 @@
 // The line at the bottom: the way from the root to the branch at hand at the left, progress or what the picture is made
-// of at the right.
+// of at the right, and how many warnings nobody has read.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
@@ -139,8 +139,10 @@ void draw_status_bar(InterfaceContext& context) {
                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar(2);
     const ImVec2 left = ImGui::GetCursorPos();
-    const float edge =
+    const float right =
         context.workspace.busy() || context.commands.busy() ? draw_progress(context) : draw_facts(context);
+    ImGui::SetCursorPos(left);
+    const float edge = draw_warning_mark(context, right);
     ImGui::SetCursorPos(left);
     const Notice& notice = context.interface.notice;
     const float room = edge - left.x - 24.0F * theme::scale();

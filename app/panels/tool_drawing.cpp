@@ -15,7 +15,8 @@ ImU32 shadow(const glm::vec4& colour) { return IM_COL32(0, 0, 0, static_cast<int
 
 class Painter {
 public:
-    Painter(ImDrawList& list, glm::ivec2 at, glm::ivec2 size) : list_(list), at_(at), size_(size) {}
+    Painter(ImDrawList& list, glm::ivec2 at, glm::ivec2 size, const Lengths& lengths)
+        : list_(list), at_(at), size_(size), lengths_(lengths) {}
 
     // Row by row: ImGui fills convex polygons only, and this is what the even-odd rule takes.
     void area(const ToolDrawing::Area& area) const {
@@ -51,14 +52,15 @@ public:
     }
 
     void text(const ToolDrawing::Text& text) const {
+        const std::string words = lengths_.worded(text.text);
         ImGui::PushFont(theme::small_font());
         const ImVec2 at = to_window(text.at);
         const ImVec2 from(std::round(at.x), std::round(at.y));
-        const ImVec2 size = ImGui::CalcTextSize(text.text.c_str());
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
         const ImVec2 padding(6.0F * theme::scale(), 3.0F * theme::scale());
         list_.AddRectFilled(from, {from.x + size.x + 2.0F * padding.x, from.y + size.y + 2.0F * padding.y},
                             IM_COL32(14, 16, 19, 205), 3.0F * theme::scale());
-        list_.AddText({from.x + padding.x, from.y + padding.y}, widgets::packed(text.colour), text.text.c_str());
+        list_.AddText({from.x + padding.x, from.y + padding.y}, widgets::packed(text.colour), words.c_str());
         ImGui::PopFont();
     }
 
@@ -68,6 +70,7 @@ private:
     }
     ImDrawList& list_;
     glm::ivec2 at_, size_; // of the picture
+    Lengths lengths_;
 };
 
 } // namespace
@@ -81,7 +84,7 @@ void draw_tool_drawing(InterfaceContext& context) {
         const glm::ivec2 at = layout.view_at + corner, to = at + layout.viewport_size;
         list.PushClipRect({static_cast<float>(at.x), static_cast<float>(at.y)},
                           {static_cast<float>(to.x), static_cast<float>(to.y)});
-        const Painter painter(list, at, layout.viewport_size);
+        const Painter painter(list, at, layout.viewport_size, context.workspace.document.lengths());
         for (const auto& area : drawing.areas) painter.area(area);
         for (const auto& line : drawing.lines) painter.line(line);
         for (const auto& circle : drawing.circles) painter.circle(circle);

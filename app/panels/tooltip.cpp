@@ -43,16 +43,19 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
         if (!system.empty()) row("System", widgets::fitted(system, 180.0F * scale));
         const std::string least = digits(facts.diameter_mm.min);
         const std::string most = digits(facts.diameter_mm.max);
-        row("Diameter", digits(facts.diameter_mm.mean) + " mm",
+        const Lengths lengths = document.lengths();
+        row("Diameter", lengths.text(facts.diameter_mm.mean),
             least == most ? std::string{} : least + " \xE2\x80\x93 " + most);
-        row("Length", length_text(facts.length_mm));
+        row("Length", lengths.scaled(facts.length_mm));
         row("Generation", std::to_string(branch.generation));
         row("Strahler order", std::to_string(branch.strahler));
-        if (facts.dependents.branches == 0) {
+        if (nothing_depends(*context.workspace.facts())) {
+            row("Depend on it", kNothingDepends);
+        } else if (facts.dependents.branches == 0) {
             row("Depend on it", "no branches");
         } else {
             row("Depend on it", counted(static_cast<std::uint64_t>(facts.dependents.branches), "branch", "branches"));
-            row("", length_text(facts.dependents.length_mm), volume_text(facts.dependents.volume_mm3));
+            row("", lengths.scaled(facts.dependents.length_mm), lengths.volume(facts.dependents.volume_mm3));
         }
         ImGui::EndTable();
     }

@@ -103,7 +103,8 @@ void colour_by_root_distance(Colouring& colouring, const TreeFacts& facts, Colou
 // What the shaders know along a branch has colours of its own; every other quantity one colour for each branch.
 void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree::VesselTree& tree,
                         const TreeFacts& facts, ColourMap map) {
-    const std::string title = std::string(row.label) + (row.unit.empty() ? "" : " (" + std::string(row.unit) + ")");
+    const std::string title = std::string(row.label) +
+                              (row.unit.empty() ? "" : Lengths(tree.claims).worded(" (" + std::string(row.unit) + ")"));
     if (row.quantity == Quantity::kDiameter) return colour_by_diameter(colouring, tree, map, title);
     if (row.quantity == Quantity::kRootDistance) return colour_by_root_distance(colouring, facts, map, title);
     if (tree.branches.empty()) return;
@@ -113,11 +114,12 @@ void colour_by_quantity(Colouring& colouring, const QuantityRow& row, const tree
     colour_by_measure(colouring, values, map, title, row.colours.logarithmic);
 }
 
-void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan, std::size_t branches) {
+void colour_by_lesion(Colouring& colouring, const Marks& marks, const Plan* plan, const tree::VesselTree& tree) {
+    const std::size_t branches = tree.branches.size();
     const auto& bands = marks.planning.bands_mm;
     const std::size_t count = std::min(bands.size(), render::Margins::kMost);
     Legend& legend = colouring.legend;
-    legend.title = "Distance to lesion (mm)";
+    legend.title = Lengths(tree.claims).worded("Distance to lesion (mm)");
     colouring.branches.assign(branches, kBeyondMargins);
     if (plan == nullptr || (plan->lesions.empty() && !plan->measuring)) {
         legend.title = "No lesion";
@@ -235,7 +237,7 @@ Colouring colouring_of(const tree::VesselTree& tree, const TreeFacts& facts, con
         colour_by_quantity(colouring, row_of(marks.colour_by.quantity), tree, facts, marks.colour_map);
         break;
     case ColourBy::kLesion:
-        colour_by_lesion(colouring, marks, plan, tree.branches.size());
+        colour_by_lesion(colouring, marks, plan, tree);
         break;
     case ColourBy::kLabel:
         colour_by_label(colouring, facts, marks);

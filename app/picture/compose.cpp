@@ -69,6 +69,11 @@ void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> m
 
 } // namespace
 
+void show_claims(render::Frame& frame, const tree::Claims& claims) {
+    frame.overlays.axes = claims.has_sides() ? render::side_letters() : render::plain_axes();
+    frame.overlays.unit_known = claims.has_unit();
+}
+
 render::Frame compose(const Session& session, const Assets& assets, std::shared_ptr<const render::PagedMesh> mesh,
                       const Viewing& viewing) {
     render::Frame frame;
@@ -91,6 +96,8 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     if (!assets.tree) return frame;
     const tree::VesselTree& tree = *assets.tree;
+    show_claims(frame, tree.claims);
+    if (viewing.axes) frame.overlays.axes = *viewing.axes;
     if (viewing.hovered >= 0 && static_cast<std::size_t>(viewing.hovered) < tree.branches.size()) {
         const auto dependents = assets.facts->dependency.dependents(viewing.hovered);
         frame.hovered_dependents.assign(dependents.begin(), dependents.end());
@@ -102,6 +109,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.scale = std::move(colouring.scale);
     frame.margins = std::move(colouring.margins);
     if (frame.mesh) frame.overlays.legend = std::move(colouring.legend);
+    frame.overlays.legend.title = Lengths(tree.claims).worded(frame.overlays.legend.title);
     if (plan != nullptr) show_plan(frame, assets, marks);
     const mesh::SurfaceOptions& options = viewing.options ? *viewing.options : marks.options;
     if (frame.mesh && marks.colour_by == ColourBy::kDeviation) {
@@ -120,7 +128,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
         mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,
-                      viewing.contact);
+                      viewing.contact, Lengths(tree.claims));
     return frame;
 }
 

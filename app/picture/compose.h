@@ -23,10 +23,14 @@ struct Viewing {
     std::optional<GlassLook> glass{};                  // instead of the session's, while it is being tried
     std::optional<std::vector<ContextItem>> context{}; // likewise
     std::optional<mesh::SurfaceOptions> options{};     // likewise
+    std::optional<render::AxisNames> axes{};           // likewise: instead of those that are known
     bool notes = false; // the places that reading the tree repaired or suspects are marked
     int note = -1;      // this one more than the others; -1: none
     int contact = -1;   // of the contacts this one is marked, more than the others if these are; -1: none
 };
+
+// Sides and a unit are shown where somebody has said them of the tree.
+void show_claims(render::Frame& frame, const tree::Claims& claims);
 
 // `assets` are those of the session; what is not there yet is not shown, and without a tree
 // there are no colours. `mesh` may be null: an empty picture.

@@ -20,7 +20,8 @@ bool is_hidden(const render::Frame& frame, int branch) {
 
 } // namespace
 
-void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current) {
+void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current,
+                   const Lengths& lengths) {
     const bool numbered = contacts.size() <= kMostNumberedContacts;
     for (std::size_t n = 0; n < contacts.size(); ++n) {
         const tree::Contact& contact = contacts[n];
@@ -33,7 +34,7 @@ void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts
                                               contact.gap < 0.0 ? kOverlapColour : kGapColour, is_current));
         const std::string number = std::to_string(n + 1);
         if (is_current)
-            frame.labels.push_back({contact.at(), number + ": " + gap_text(contact)});
+            frame.labels.push_back({contact.at(), number + ": " + gap_text(contact, lengths)});
         else if (numbered)
             frame.labels.push_back({contact.at(), number});
     }

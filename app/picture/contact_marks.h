@@ -1,6 +1,7 @@
 // Where vessels press on each other, as rings in the picture.
 #pragma once
 
+#include "app/session/numbers.h"
 #include "core/tree/contacts/contacts.h"
 #include "render/scene/frame.h"
 
@@ -17,6 +18,7 @@ enum class ContactMarks { kCurrent, kAll };
 // overlap, blue where there is a gap. Few of them have their numbers, from 1. `current`: an index, drawn stronger and
 // named; -1: none. Contacts of branches that the frame hides have none. The frame has its states, camera, size and
 // pixel ratio.
-void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current);
+void mark_contacts(render::Frame& frame, std::span<const tree::Contact> contacts, ContactMarks which, int current,
+                   const Lengths& lengths);
 
 } // namespace ramus::app

@@ -40,6 +40,7 @@ io::MeshNames surface_names(const tree::VesselTree& tree, const TreeFacts& facts
                             io::PartsBy by) {
     io::MeshNames names;
     names.by = by;
+    names.claims = tree.claims;
     names.colour = colour_of(render::Appearance{}.vessel);
     if (!tree.source.empty()) names.name = std::filesystem::path(tree.source).stem().string();
     names.systems = systems_of(tree, marks);

@@ -14,6 +14,17 @@ namespace {
 
 std::string range_text(double least, double most) { return digits(least) + " to " + digits(most) + " mm"; }
 
+Facts worded(Facts facts, const Lengths& lengths) {
+    for (auto& [name, value] : facts) value = lengths.worded(value);
+    return facts;
+}
+
+std::string claim_text(tree::SaidBy who, const std::string& known, const std::string& open) {
+    return who == tree::SaidBy::kFile     ? known + ", as the file says"
+           : who == tree::SaidBy::kPerson ? known + ", as the user says"
+                                          : open;
+}
+
 Facts tree_facts(const Document& document) {
     const TreeFacts& facts = *document.facts();
     const tree::VesselTree& tree = *document.tree();
@@ -27,12 +38,16 @@ Facts tree_facts(const Document& document) {
                 {"Volume", digits(facts.statistics.volume_mm3, 4) + " mm\xC2\xB3"},
                 {"Diameters", range_text(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max)},
                 {"Roots", grouped(tree.roots.size())},
+                {"Dependency", nothing_depends(facts) ? kNothingDepends : "by the way from the roots"},
                 {"Loops", grouped(static_cast<std::uint64_t>(tree.loop_count))},
                 {"Repairs on reading", grouped(sentences(tree, tree::Note::Kind::kRepaired).size())},
                 {"Selected", grouped(marks.selection.size())},
                 {"Highlighted", count(render::BranchState::kHighlighted)},
                 {"Defocused", count(render::BranchState::kDefocused)},
                 {"Hidden", count(render::BranchState::kHidden)}};
+    found.push_back({"Unit", claim_text(tree.claims.unit, "mm", "not known: lengths count as the file has them")});
+    found.push_back({"Orientation", claim_text(tree.claims.orientation, "right, anterior, superior (RAS)",
+                                               "not known: axes x, y, z are those of the file")});
     return found;
 }
 
@@ -53,6 +68,7 @@ std::string lesions_html(const Document& document, const Plan& plan) {
         "Lesions",
         {{"lesion", "Lesion"}, {"shape", "Shape"}, {"x", "x, mm"}, {"y", "y, mm"}, {"z", "z, mm"}, {"r", "Radius, mm"}},
         {}};
+    use_unit(table, document.lengths());
     int number = 0;
     for (const auto& [x, y, z, r] : marks.lesions) table.rows.push_back({++number, "sphere", x, y, z, r});
     for (const std::string& mesh : marks.lesion_meshes)
@@ -72,7 +88,7 @@ std::string cuts_note(const Document& document, const Plan& plan) {
         note.append(" ")
             .append(counted(static_cast<std::uint64_t>(report.in_part), "branch is", "branches are"))
             .append(" lost in part only.");
-    return note + " The last line counts nothing twice.";
+    return document.lengths().worded(note) + " The last line counts nothing twice.";
 }
 
 } // namespace
@@ -81,7 +97,7 @@ std::string report_page(const Document& document, const Assets& assets, const st
                         const std::string& made) {
     std::string page = page_begin(document.session().tree.path.filename().string(), "Vessel tree report", made) +
                        pictures_html(pictures);
-    page += "<h2>Tree</h2>\n" + facts_html(tree_facts(document));
+    page += "<h2>Tree</h2>\n" + facts_html(worded(tree_facts(document), document.lengths()));
     if (!document.tree()->systems.empty()) page += table_html(systems_table(document, assets));
     if (const Table contacts = contacts_table(document, assets); !contacts.rows.empty())
         page += table_html(contacts,
@@ -100,7 +116,7 @@ std::string report_page(const Document& document, const Assets& assets, const st
                                                                 "first."});
     if (!marks.measurements.empty()) page += table_html(measurements_table(document, assets));
     if (!marks.selection.empty()) page += table_html(selection_table(document, assets));
-    page += "<h2>Options</h2>\n" + facts_html(option_facts(marks)) + page_end();
+    page += "<h2>Options</h2>\n" + facts_html(worded(option_facts(marks), document.lengths())) + page_end();
     return page;
 }
 

@@ -74,6 +74,13 @@ void add(std::vector<Cell>& row, const measure::Amount& amount) {
 
 } // namespace
 
+void use_unit(Table& table, const Lengths& lengths) {
+    for (Column& column : table.columns) {
+        column.name = lengths.column(column.name);
+        column.heading = lengths.worded(column.heading);
+    }
+}
+
 Table selection_table(const Document& document, const Assets& assets) {
     Table table = branches_table(document, assets, document.marks().selection);
     table.title = "Selection";
@@ -101,6 +108,7 @@ Table branches_table(const Document& document, const Assets& assets, std::span<c
         table.rows.push_back(std::move(cells));
     }
     add_systems(table, document, 0, 2);
+    use_unit(table, document.lengths());
     return table;
 }
 
@@ -133,6 +141,7 @@ Table cuts_table(const Document& document, const Assets& assets) {
         table.rows.push_back(std::move(row));
     }
     add_systems(table, document, 1, 3);
+    use_unit(table, document.lengths());
     return table;
 }
 
@@ -156,6 +165,7 @@ Table bands_table(const Document& document, const Assets& assets) {
             table.rows.push_back(std::move(row));
         }
     add_systems(table, document, 2, 4);
+    use_unit(table, document.lengths());
     return table;
 }
 
@@ -168,6 +178,7 @@ Table systems_table(const Document& document, const Assets& /*assets*/) {
                  {"length_mm", "Length, mm"},
                  {"volume_mm3", "Volume, mm\xC2\xB3"}},
                 {}};
+    use_unit(table, document.lengths());
     const Systems& systems = systems_of(*document.tree(), document.marks());
     const std::vector<SystemFacts> facts = system_facts(*document.tree(), *document.facts(), document.marks());
     for (std::size_t i = 0; i < facts.size(); ++i)
@@ -214,6 +225,7 @@ Table contacts_table(const Document& document, const Assets& assets) {
                  {"y", "y, mm"},
                  {"z", "z, mm"}},
                 {}};
+    use_unit(table, document.lengths());
     if (!assets.contacts.fits(document.marks().options)) return table;
     const Names names(document);
     for (const tree::Contact& contact : *assets.contacts.list) {

@@ -49,6 +49,9 @@ struct Table {
 // A row for each contact, the closest first; none where they were not looked for.
 [[nodiscard]] Table contacts_table(const Document& document, const Assets& assets);
 
+// Names and headings of columns that say mm say so of what is in mm only.
+void use_unit(Table& table, const Lengths& lengths);
+
 // RFC 4180: comma, CRLF, a heading line; quotes around and doubled quotes inside where a field needs them. UTF-8.
 // A name that spreadsheets would take for a formula has an apostrophe in front, which tells them that it is text.
 [[nodiscard]] std::string csv_of(const Table& table);

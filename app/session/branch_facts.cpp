@@ -20,6 +20,12 @@ TreeFacts facts_of(const tree::VesselTree& tree) {
     return facts;
 }
 
+bool nothing_depends(const TreeFacts& facts) {
+    return facts.branches.size() > 1 && std::ranges::all_of(facts.branches, [](const BranchFacts& branch) {
+               return branch.dependents.branches == 0;
+           });
+}
+
 std::vector<int> parents_first(const tree::VesselTree& tree) {
     std::vector<int> order = branches_where(
         tree.branches.size(), [&](std::size_t id) { return tree.branches[id].parent == tree::kNoBranch; });

@@ -24,6 +24,11 @@ struct TreeFacts {
 
 [[nodiscard]] TreeFacts facts_of(const tree::VesselTree& tree);
 
+// Whether there are several branches and none depends on another: separate vessels, each with a root of its own.
+// Nothing can be said then of what a cut would cost beyond the vessel itself.
+[[nodiscard]] bool nothing_depends(const TreeFacts& facts);
+inline constexpr const char* kNothingDepends = "not known: separate vessels";
+
 // Every branch, behind the one that it comes from.
 [[nodiscard]] std::vector<int> parents_first(const tree::VesselTree& tree);
 

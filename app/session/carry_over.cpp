@@ -129,6 +129,29 @@ void follow_unit(Marks& marks, const TreeFile& file) {
     marks.comparison.mask_units = marks.reading.unit ? spelled(*marks.reading.unit) : std::string();
 }
 
+namespace {
+
+// Which turn of the axes, a mirror image included, made one tree of the other beside a change of scale: that of the
+// first of all points, which RAS is unless something was turned.
+io::Orientation turn_between(const tree::VesselTree& before, const tree::VesselTree& after, double scale, double size) {
+    constexpr double kSame = 1e-6;
+    constexpr std::size_t kLooked = 200; // places: what turns so many alike turns all
+    const std::size_t count = before.points.size(), step = std::max<std::size_t>(1, count / kLooked);
+    if (count == 0 || count != after.points.size()) return {};
+    const glm::dvec3 from = before.points.front().position, to = after.points.front().position;
+    for (const io::Orientation& turn : io::all_orientations()) {
+        bool turns_all = true;
+        for (std::size_t p = 0; p < count && turns_all; p += step) {
+            const glm::dvec3 there = to + scale * turn.to_patient(before.points[p].position - from);
+            turns_all = glm::distance(there, after.points[p].position) <= kSame * scale * size;
+        }
+        if (turns_all) return turn;
+    }
+    return {};
+}
+
+} // namespace
+
 render::Camera carried_over(const render::Camera& camera, const tree::VesselTree& before,
                             const tree::VesselTree& after) {
     const render::Box from = render::bounds_of(before), to = render::bounds_of(after);
@@ -136,9 +159,11 @@ render::Camera carried_over(const render::Camera& camera, const tree::VesselTree
     if (from.empty() || to.empty() || !(size > 0.0)) return camera;
     const double scale = glm::distance(to.lower, to.upper) / size;
     const glm::dvec3 old_centre = 0.5 * (from.lower + from.upper), centre = 0.5 * (to.lower + to.upper);
+    const io::Orientation turn = turn_between(before, after, scale, size);
     render::Camera carried = camera;
-    carried.focal_point = centre + scale * (camera.focal_point - old_centre);
-    carried.position = centre + scale * (camera.position - old_centre);
+    carried.focal_point = centre + scale * turn.to_patient(camera.focal_point - old_centre);
+    carried.position = centre + scale * turn.to_patient(camera.position - old_centre);
+    carried.view_up = turn.to_patient(camera.view_up);
     carried.scale = scale * camera.scale;
     return carried;
 }

@@ -83,24 +83,55 @@ void Document::follow_edits(const std::vector<tree::Edit>& before) {
     keep_tree();
 }
 
+void Document::forget_undone() {
+    if (saved_position_ > position_) {
+        lost_changes_ += work_between(position_, saved_position_);
+        saved_position_ = position_;
+    }
+    steps_.resize(position_);
+}
+
+// The undone steps lead on from `now`, which is looked at in another way than what they were made of.
+void Document::carry_undone(const Marks& now) {
+    Marks was = session_.marks, is = now;
+    for (auto step = steps_.begin() + static_cast<std::ptrdiff_t>(position_); step != steps_.end(); ++step) {
+        Marks was_after = was;
+        bool same_branches = !step->trees;
+        for (const MarksChange& change : step->changes) {
+            change.apply(was_after, Direction::kForward);
+            same_branches = same_branches && !change.edits_tree();
+        }
+        Marks is_after = carry_looks(was, is, was_after, same_branches);
+        step->changes = {MarksChange::between(is, is_after)};
+        was = std::move(was_after), is = std::move(is_after);
+    }
+}
+
+std::size_t Document::work_between(std::size_t first, std::size_t last) const {
+    return static_cast<std::size_t>(std::count_if(steps_.begin() + static_cast<std::ptrdiff_t>(first),
+                                                  steps_.begin() + static_cast<std::ptrdiff_t>(last),
+                                                  [](const Step& s) { return !s.looks_alone; }));
+}
+
 void Document::take_change(Marks next) {
     set_state(next, {}, render::BranchState::kNormal);
+    const bool looks = differ_in_looks_alone(session_.marks, next);
+    if (!looks)
+        forget_undone();
+    else if (can_redo())
+        carry_undone(next);
     MarksChange made = MarksChange::between(session_.marks, next);
     session_.marks = std::move(next);
     ++revision_;
-    if (joining_) {
-        steps_.back().changes.push_back(std::move(made));
-        return;
+    if (!joining_) {
+        steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(position_), Step{"change", {}, nullptr, nullptr});
+        if (saved_position_ > position_) ++saved_position_;
+        ++position_;
+        joining_ = depth_ > 0;
     }
-    steps_.resize(position_);
-    if (saved_position_ > position_) {
-        lost_changes_ += saved_position_ - position_;
-        saved_position_ = position_;
-    }
-    steps_.push_back({"change", {}, nullptr, nullptr, false});
-    steps_.back().changes.push_back(std::move(made));
-    ++position_;
-    joining_ = depth_ > 0;
+    Step& step = steps_[position_ - 1];
+    step.changes.push_back(std::move(made));
+    step.looks_alone = step.looks_alone && looks;
 }
 
 void Document::go_to_tree(const TreeWithFacts& other, bool moves) {
@@ -117,12 +148,13 @@ void Document::change_tree(std::shared_ptr<const tree::VesselTree> tree, Marks n
     change(std::move(next));
     if (joining_) {
         const io::ReadOptions& now = session_.marks.reading;
-        steps_.back().tree_moves = read.unit != now.unit || read.axes != now.axes;
+        Step& step = steps_[position_ - 1];
+        step.tree_moves = read.unit != now.unit || read.orientation != now.orientation;
         const TreeWithFacts before{tree_, facts_};
         auto facts = std::make_shared<const TreeFacts>(facts_of(*tree));
         const TreeWithFacts after{std::move(tree), std::move(facts)};
-        steps_.back().trees = std::make_shared<const std::pair<TreeWithFacts, TreeWithFacts>>(before, after);
-        go_to_tree(after, steps_.back().tree_moves);
+        step.trees = std::make_shared<const std::pair<TreeWithFacts, TreeWithFacts>>(before, after);
+        go_to_tree(after, step.tree_moves);
     }
     end_step("read again");
 }
@@ -140,15 +172,16 @@ void Document::begin_step() {
 void Document::end_step(const std::string& name) {
     if (--depth_ > 0) return;
     if (joining_) {
-        steps_.back().name = name;
+        Step& step = steps_[position_ - 1];
+        step.name = name;
         if (session_.camera != step_camera_)
-            steps_.back().cameras =
+            step.cameras =
                 std::make_shared<const std::pair<render::Camera, render::Camera>>(step_camera_, session_.camera);
     }
     joining_ = false;
 }
 
-const MarksChange* Document::last_change() const { return joining_ ? &steps_.back().changes.back() : nullptr; }
+const MarksChange* Document::last_change() const { return joining_ ? &steps_[position_ - 1].changes.back() : nullptr; }
 
 bool Document::undo() {
     if (!can_undo()) return false;
@@ -181,15 +214,12 @@ void Document::take_step(const Step& step, const std::vector<MarksChange>& chang
 
 bool Document::has_unsaved_work() const {
     if (unsaved_) return true;
-    if (!modified()) return false;
-    Marks here = session_.marks;
-    here.selection = saved_.selection;
-    return here != saved_;
+    return !differ_in_looks_alone(session_.marks, saved_);
 }
 
 std::size_t Document::unsaved_changes() const {
-    if (!modified()) return 0;
-    const std::size_t away = std::max(position_, saved_position_) - std::min(position_, saved_position_);
+    if (!has_unsaved_work()) return 0;
+    const std::size_t away = work_between(std::min(position_, saved_position_), std::max(position_, saved_position_));
     return std::max<std::size_t>(away + lost_changes_, 1);
 }
 

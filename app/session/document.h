@@ -2,10 +2,16 @@
 // through change(), which remembers what it changed; files are not covered, and of the camera only what a step that
 // changes other things too does with it. There is no limit to the steps: they are kept small
 // (app/session/marks_change.h). No GL, no window.
+//
+// Looking never costs work: a step that changes nothing but how the tree is looked at (differ_in_looks_alone(): the
+// selection, colours, depth cues) is put between what is done and what is undone, and what is undone can still be
+// redone. It then gives what it gave, seen as it is looked at by then, unless it changed that itself. Any other change
+// forgets what was undone. Steps of looking are none that closing would lose.
 #pragma once
 
 #include "app/session/branch_facts.h"
 #include "app/session/marks_change.h"
+#include "app/session/numbers.h"
 #include "app/session/session.h"
 #include "core/base/error.h"
 
@@ -34,6 +40,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& base_tree() const { return base_; }
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
     [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
+    // How its lengths are written.
+    [[nodiscard]] Lengths lengths() const { return tree_ ? Lengths(tree_->claims) : Lengths(); }
     [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
     // The session file that it was read from or saved to last; empty: none yet.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -68,10 +76,10 @@ public:
     [[nodiscard]] std::size_t position() const { return position_; }
 
     // Whether there is something a session file does not have yet; and something that is worth asking a person about:
-    // a selection alone is not.
+    // how it is looked at alone is not.
     [[nodiscard]] bool modified() const { return unsaved_ || session_.marks != saved_; }
     [[nodiscard]] bool has_unsaved_work() const;
-    [[nodiscard]] std::size_t unsaved_changes() const; // steps away from what was saved
+    [[nodiscard]] std::size_t unsaved_changes() const; // steps of work away from what was saved
     void mark_saved(std::filesystem::path file);
     // What was opened is in no session file, however it looks: it was recovered, after so many changes.
     void mark_unsaved(std::size_t changes);
@@ -90,6 +98,7 @@ private:
         std::shared_ptr<const std::pair<render::Camera, render::Camera>> cameras; // before and after; null: the same
         std::shared_ptr<const std::pair<TreeWithFacts, TreeWithFacts>> trees;     // likewise
         bool tree_moves = false; // the second of them lies elsewhere, or is larger or smaller
+        bool looks_alone = true; // of all its changes
     };
     // The tree after so many edits of the session.
     struct EditedState {
@@ -98,6 +107,9 @@ private:
         std::shared_ptr<const TreeFacts> facts;
     };
     void take_change(Marks next);
+    void forget_undone();
+    void carry_undone(const Marks& now);
+    [[nodiscard]] std::size_t work_between(std::size_t first, std::size_t last) const;
     void keep_tree();
     void follow_edits(const std::vector<tree::Edit>& before);
     void take_step(const Step& step, const std::vector<MarksChange>& changes, MarksChange::Direction direction);

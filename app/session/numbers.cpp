@@ -39,9 +39,22 @@ std::string digits(double value, int significant) {
     return text;
 }
 
-std::string length_text(double mm) { return mm < 999.5 ? digits(mm) + " mm" : digits(mm / 1000.0) + " m"; }
+std::string Lengths::text(double length, int significant) const { return digits(length, significant) + " " + unit(); }
 
-std::string volume_text(double mm3) { return mm3 < 999.5 ? digits(mm3) + " mm\xC2\xB3" : digits(mm3 / 1000.0) + " ml"; }
+std::string Lengths::scaled(double length) const {
+    return length < 999.5 || !known() ? text(length) : digits(length / 1000.0) + " m";
+}
+
+std::string Lengths::volume(double volume) const {
+    return volume < 999.5 || !known() ? text(volume) + "\xC2\xB3" : digits(volume / 1000.0) + " ml";
+}
+
+std::string Lengths::column(std::string_view name) const {
+    std::string column(name);
+    const std::size_t at = column.rfind("_mm");
+    if (!known() && at != std::string::npos) column.replace(at, 3, "_units");
+    return column;
+}
 
 std::string seconds_text(double seconds) {
     return seconds < 0.9995 ? digits(1000.0 * seconds, 2) + " ms" : digits(seconds) + " s";

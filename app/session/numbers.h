@@ -1,8 +1,11 @@
 // Numbers as people read them, in the window and on the command line.
 #pragma once
 
+#include "core/tree/vessel_tree.h"
+
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app {
@@ -11,9 +14,27 @@ namespace ramus::app {
 [[nodiscard]] std::string exact_text(double value);                  // as few digits as read as the same number
 [[nodiscard]] std::string rounded(double number);                    // "0.1235"
 [[nodiscard]] std::string digits(double value, int significant = 3); // "0.031", "12.3", "1,234"
-[[nodiscard]] std::string length_text(double mm);                    // "12.3 mm", "1.42 m"
-[[nodiscard]] std::string volume_text(double mm3);                   // "12.3 mm³", "1.42 ml"
 [[nodiscard]] std::string seconds_text(double seconds);              // "12 ms", "1.42 s"
+
+// How lengths of a tree are written for people: the one place that puts a unit behind a number. Where nobody has said
+// what the unit is they are never called mm: "12.3 units".
+class Lengths {
+public:
+    Lengths() = default; // of what is in mm
+    explicit Lengths(const tree::Claims& claims) : claims_(claims) {}
+    [[nodiscard]] bool known() const { return claims_.has_unit(); }
+    [[nodiscard]] std::string unit() const { return worded("mm"); }
+    [[nodiscard]] std::string text(double length, int significant = 3) const; // "12.3 mm", "12.3 units"
+    [[nodiscard]] std::string scaled(double length) const;                    // "12.3 mm", "1.42 m"; "1,420 units"
+    [[nodiscard]] std::string volume(double volume) const;                    // "12.3 mm³", "1.42 ml"; "1,420 units³"
+    // A text that says mm where it is known: "Ø mm", "Margins 5, 10, 20 mm"; else the same about units.
+    [[nodiscard]] std::string worded(std::string_view text) const { return claims_.worded(text); }
+    // The name of a column or of a member of JSON: "length_mm", "length_units".
+    [[nodiscard]] std::string column(std::string_view name) const;
+
+private:
+    tree::Claims claims_;
+};
 
 // "1 branch", "1,504 branches".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);

@@ -27,7 +27,7 @@ json reading_json(const io::ReadOptions& reading) {
     json value = json::object();
     if (reading.unit) value["units"] = spelled(*reading.unit);
     if (reading.radius_is) value["radius_is"] = spelled(*reading.radius_is);
-    if (reading.axes) value["axes"] = spelled(*reading.axes);
+    if (reading.orientation) value["orientation"] = reading.orientation->letters();
     if (reading.repair != tree::Repair::kUsual) value["repair"] = spelled(reading.repair);
     if (!reading.columns.empty()) value["columns"] = reading.columns;
     const io::MaskReading& mask = reading.mask;
@@ -40,13 +40,13 @@ json reading_json(const io::ReadOptions& reading) {
 }
 
 io::ReadOptions reading_in(const json& value) {
-    expect_only(
-        value, "reading",
-        {"units", "radius_is", "axes", "repair", "columns", "labels", "fill_holes", "bulge_size", "islands", "root"});
+    expect_only(value, "reading",
+                {"units", "radius_is", "orientation", "axes", "repair", "columns", "labels", "fill_holes", "bulge_size",
+                 "islands", "root"});
     io::ReadOptions reading;
     for (const auto& [name, key] :
          {std::pair("units", "units"), std::pair("radius_is", "radius-is"), std::pair("axes", "axes"),
-          std::pair("repair", "repair"), std::pair("labels", "labels")}) {
+          std::pair("orientation", "orientation"), std::pair("repair", "repair"), std::pair("labels", "labels")}) {
         if (!value.contains(name)) continue;
         auto next = with(std::move(reading), key, text(value[name], name));
         if (!next) throw Refusal{std::string(name) + ": " + next.error().message()};

@@ -16,7 +16,7 @@ using tree::Note;
 using tree::Repair;
 
 constexpr std::array kTopics{std::pair{"units", "Unit of length"},
-                             std::pair{"axes", "Axes"},
+                             std::pair{"axes", "Orientation"},
                              std::pair{"radius-is", "Radius or diameter"},
                              std::pair{"radius", "Radii of whole vessels"},
                              std::pair{"radii", "Absurd radii"},
@@ -72,17 +72,10 @@ std::string spelled(const io::LengthUnit& unit) {
 }
 
 std::string_view spelled(io::RadiusIs width) { return width == io::RadiusIs::kRadius ? "radius" : "diameter"; }
-std::string_view spelled(io::Axes axes) { return axes == io::Axes::kRas ? "ras" : "lps"; }
 
 std::optional<io::RadiusIs> width_in(std::string_view text) {
     for (const io::RadiusIs width : {io::RadiusIs::kRadius, io::RadiusIs::kDiameter})
         if (text == spelled(width)) return width;
-    return std::nullopt;
-}
-
-std::optional<io::Axes> axes_in(std::string_view text) {
-    for (const io::Axes axes : {io::Axes::kRas, io::Axes::kLps})
-        if (text == spelled(axes)) return axes;
     return std::nullopt;
 }
 
@@ -95,9 +88,11 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
     } else if (key == "radius-is") {
         options.radius_is = width_in(value);
         if (!options.radius_is && !reset) return refused("radius-is takes radius, diameter or auto");
-    } else if (key == "axes") {
-        options.axes = axes_in(value);
-        if (!options.axes && !reset) return refused("axes takes ras, lps or auto");
+    } else if (key == "orientation" || key == "axes") {
+        options.orientation = io::Orientation::named(value);
+        if (!options.orientation && !reset)
+            return refused("orientation takes the sides that x, y and z lead to, one of R and L, one of A and P, one "
+                           "of S and I in any order, as RAS, LPS or PIR; or auto");
     } else if (key == "repair") {
         const auto repair = reset ? std::optional(Repair::kUsual) : repairs_in(value);
         if (!repair) return refused("repair takes usual, all, none, or some of " + repair_names());
@@ -107,7 +102,7 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
         options.mask = std::move(mask);
     } else {
         return fail(std::string(key) + " is no option of reading", {},
-                    "units, radius-is, axes, repair; of masks labels, fill-holes, bulge-size, islands, root");
+                    "units, radius-is, orientation, repair; of masks labels, fill-holes, bulge-size, islands, root");
     }
     return options;
 }
@@ -116,7 +111,7 @@ io::ReadOptions over(const io::ReadOptions& said, io::ReadOptions session) {
     if (said.repair != Repair::kUsual) session.repair = said.repair;
     if (said.unit) session.unit = said.unit;
     if (said.radius_is) session.radius_is = said.radius_is;
-    if (said.axes) session.axes = said.axes;
+    if (said.orientation) session.orientation = said.orientation;
     for (const auto& [what, name] : said.columns) session.columns[what] = name;
     session.mask = over(said.mask, std::move(session.mask));
     return session;
@@ -131,7 +126,7 @@ std::string topic_label(std::string_view topic) {
 bool could_mislead(const Note& note, const io::ReadOptions& options) {
     switch (note.kind) {
     case Note::Kind::kSuspect:
-        return note.topic == "units";
+        return note.topic == "units" || note.topic == "axes";
     case Note::Kind::kAssumed:
         return note.topic == "radius-is" && !options.radius_is;
     case Note::Kind::kRepaired:

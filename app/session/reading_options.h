@@ -16,11 +16,10 @@ namespace ramus::app {
 [[nodiscard]] std::string spelled(tree::Repair repair);                        // the inverse
 [[nodiscard]] std::string spelled(const io::LengthUnit& unit);                 // "cm", "0.3x0.3x0.6": exact
 [[nodiscard]] std::string_view spelled(io::RadiusIs width);                    // "radius", "diameter"
-[[nodiscard]] std::string_view spelled(io::Axes axes);                         // "ras", "lps"
 [[nodiscard]] std::optional<io::RadiusIs> width_in(std::string_view text);
-[[nodiscard]] std::optional<io::Axes> axes_in(std::string_view text);
 
-// `options` with one of them changed. Keys: units, radius-is, axes, repair, and those of masks (mask_reading.h); "auto"
+// `options` with one of them changed. Keys: units, radius-is, orientation (axes is
+// its older name), repair, and those of masks (mask_reading.h); "auto"
 // leaves the answer to the file, or to what is usual. Fails with what the key takes.
 [[nodiscard]] Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, const std::string& value);
 

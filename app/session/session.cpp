@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace ramus::app {
 
@@ -40,6 +41,33 @@ std::vector<int> canonical(std::vector<int> branches) {
 
 bool is_selected(const Marks& marks, int branch) {
     return std::binary_search(marks.selection.begin(), marks.selection.end(), branch);
+}
+
+namespace {
+
+constexpr std::tuple kLooks{&Marks::selection,  &Marks::colour_by, &Marks::colour_map,   &Marks::glass,
+                            &Marks::depth_cues, &Marks::skeleton,  &Marks::contact_marks};
+
+void for_looks(const auto& call) {
+    std::apply([&](auto... member) { (call(member), ...); }, kLooks);
+}
+
+} // namespace
+
+Marks with_looks(Marks marks, const Marks& looks) {
+    for_looks([&](auto member) { marks.*member = looks.*member; });
+    return marks;
+}
+
+bool differ_in_looks_alone(const Marks& a, const Marks& b) { return with_looks(a, b) == b; }
+
+Marks carry_looks(const Marks& before, const Marks& now, Marks after, bool same_branches) {
+    const std::vector<int> selection = after.selection;
+    for_looks([&](auto member) {
+        if (after.*member == before.*member) after.*member = now.*member;
+    });
+    if (!same_branches) after.selection = selection;
+    return after;
 }
 
 } // namespace ramus::app

@@ -94,6 +94,16 @@ struct Marks {
     bool operator==(const Marks&) const = default;
 };
 
+// What says how a tree is looked at, and nothing of the tree or the plan: undo covers it, but it never costs what was
+// undone, and is no work that closing would lose.
+// `marks` with the selection, colours, glass, depth cues, skeleton and rings of `looks`.
+[[nodiscard]] Marks with_looks(Marks marks, const Marks& looks);
+// Whether two of them differ in nothing else; true of equal ones.
+[[nodiscard]] bool differ_in_looks_alone(const Marks& a, const Marks& b);
+// What `after` was to `before`, for who looks at `before` in another way: each of the looks that did not change on the
+// way is that of `now`. `same_branches`: both have the same tree, so that a selection of one is one of the other.
+[[nodiscard]] Marks carry_looks(const Marks& before, const Marks& now, Marks after, bool same_branches);
+
 struct Session {
     TreeFile tree;
     Marks marks;

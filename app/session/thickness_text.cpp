@@ -14,10 +14,10 @@ std::string place_text(const Thickness& thickness) {
     return thickness.branch == tree::kNoBranch ? at : "branch " + std::to_string(thickness.branch) + " " + at;
 }
 
-std::string printing_text(std::span<const Thickness> thicknesses) {
-    if (thicknesses.empty()) return "closed, in mm";
-    return "closed, in mm; thinnest place " + digits(thicknesses.front().mm) + " mm, " +
-           place_text(thicknesses.front());
+std::string printing_text(std::span<const Thickness> thicknesses, const Lengths& lengths) {
+    const std::string closed = lengths.known() ? "closed, in mm" : "closed; nobody has said what its unit is";
+    if (thicknesses.empty()) return closed;
+    return closed + "; thinnest place " + lengths.text(thicknesses.front().mm) + ", " + place_text(thicknesses.front());
 }
 
 std::span<const Thickness> thinner_than(std::span<const Thickness> thicknesses, double least_mm) {

@@ -1,6 +1,7 @@
 // What measure::least_thicknesses() found, in words.
 #pragma once
 
+#include "app/session/numbers.h"
 #include "core/measure/wall_thickness.h"
 
 #include <span>
@@ -14,7 +15,7 @@ inline constexpr double kThinnestPrintedMm = 0.8;
 [[nodiscard]] std::string place_text(const measure::Thickness& thickness); // "branch 12 at (1.5, -20.1, 33.4)"
 
 // "closed, in mm; thinnest place 0.62 mm, branch 12 at (1.5, -20.1, 33.4)"; of all thicknesses of a closed surface.
-[[nodiscard]] std::string printing_text(std::span<const measure::Thickness> thicknesses);
+[[nodiscard]] std::string printing_text(std::span<const measure::Thickness> thicknesses, const Lengths& lengths);
 
 // Those below `least_mm`, of thicknesses in ascending order.
 [[nodiscard]] std::span<const measure::Thickness> thinner_than(std::span<const measure::Thickness> thicknesses,

@@ -2,6 +2,7 @@
 
 #include "app/session/of_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -51,6 +52,9 @@ std::vector<tree::Note> notes_on(const volume::Volume& mask, std::size_t systems
 
 Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,
                                       Job& job) {
+    if (options.orientation)
+        return fail("the axes of a mask are those of its file, and cannot be said otherwise", path.string(),
+                    "leave out --orientation, or write the mask anew with the program that made it");
     RAMUS_TRY(mask, io::read_volume(path, {memory_bytes, options.unit}, job));
     volume::LabelGroups groups(std::in_place); // each label one
     if (options.mask.labels && options.mask.labels->empty())
@@ -60,8 +64,10 @@ Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOption
     RAMUS_TRY(systems, of_file(volume::systems_of(mask, groups), path.string()));
     const std::vector<tree::Note> notes = notes_on(mask, options.mask.labels ? 0 : systems.size());
     const volume::SkeletonizeOptions how = skeletonize_options(options.mask, memory_bytes);
+    const tree::Claims claims = io::claims_of(mask, options.unit);
     auto tree = of_file(volume::skeletonize(std::move(mask), systems, how, job), path.string());
     if (!tree) return tree;
+    tree->claims = claims;
     tree->source = path.filename().string();
     tree->notes.insert(tree->notes.begin(), notes.begin(), notes.end());
     return tree;

@@ -21,6 +21,8 @@ Viewing PictureView::viewing() const {
     viewing.options = state_.workspace.tried_options();
     viewing.notes = interface.doctor.open && interface.doctor.mark;
     viewing.note = interface.doctor.current;
+    if (const auto& tree = state_.workspace.document.tree())
+        viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document.marks().reading);
     viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
     return viewing;
 }
@@ -125,7 +127,8 @@ void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Qual
     const render::DrawStatistics done = drawn.value_or(render::DrawStatistics{});
     // Said once; the interface goes on without a picture.
     const std::string problem = drawn ? std::string() : drawn.error().message();
-    if (std::exchange(drawing_problem_, problem) != problem && !problem.empty()) state_.say(problem);
+    if (std::exchange(drawing_problem_, problem) != problem && !problem.empty())
+        state_.warn(Warning{drawn.error().what, drawn.error().where, drawn.error().hint});
     if (done.geometry && done.quality == quality) pace_.drawn(frame, done.seconds);
     if (done.geometry) cast_ = done.cones > 0;
     const bool as_wanted = cast_ || !frame.surface_awaited;
@@ -133,7 +136,9 @@ void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Qual
         pictured_width_ = as_wanted ? frame.width : static_cast<float>(state_.workspace.shown().request.options.width);
     quality_ = drawn ? quality : render::Quality::kFull;
     if (done.coarse && std::exchange(told_coarse_, frame.mesh) != frame.mesh)
-        state_.say("The surface is more than graphics memory holds: a coarser one is shown");
+        state_.warn(Warning{"The surface is more than graphics memory holds: a coarser one is shown",
+                            {},
+                            "lower the detail, or hide what is not needed; files that are exported have all of it"});
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;

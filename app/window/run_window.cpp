@@ -43,6 +43,12 @@ private:
 // What the lists of notes and of contacts say, and where one has gone from them; and what was measured.
 void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
     status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
+    status["unsaid"] = interface.unsaid.open;
+    status["warnings"] = {{"open", interface.warnings.open},
+                          {"unread", interface.warnings.list.unread()},
+                          {"count", interface.warnings.list.all().size()}};
+    if (const auto& tree = workspace.document.tree())
+        status["claims"] = {{"units", tree->claims.unit_word()}, {"orientation", tree->claims.axes_word()}};
     const auto& contacts = workspace.assets.contacts.list;
     status["contacts"] = {{"open", interface.contacts.open},
                           {"contact", interface.contacts.current + 1},
@@ -145,7 +151,7 @@ public:
     void update(GlfwWindow& window, Viewer& viewer, const Document& document, double now) {
         if (auto slot = viewer.files().take_recovered()) autosaver_.take_over(std::move(*slot));
         if (const auto error = autosaver_.update(document, now))
-            viewer.say("Not kept for recovery: " + error->message());
+            viewer.warn(Warning{"Not kept for recovery: " + error->what, error->where, error->hint});
         Settings wanted = settings(window, viewer);
         if (!own_scale_) window.set_scale(static_cast<float>(wanted.ui_scale));
         if (wanted != wanted_) {

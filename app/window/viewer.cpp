@@ -91,7 +91,7 @@ void Viewer::take_news() {
     files_.update();
     const bool worked = state_.commands.busy();
     for (const Error& error : state_.commands.update(actions_))
-        state_.interface.tell(error.message(), state_.now, true);
+        state_.interface.tell(error, state_.workspace.document.lengths(), state_.now);
     if (worked != state_.commands.busy()) state_.redraw();
     state_.follow_tree();
 }
@@ -109,7 +109,14 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
     state_.tree = document.tree();
     state_.interface.doctor = {};
     state_.interface.doctor.open = state_.tree && could_mislead(*state_.tree, document.marks().reading);
-    if (state_.interface.doctor.open) state_.interface.contacts.open = false;
+    state_.interface.unsaid = {};
+    // Who opens a session has been asked when it was made.
+    if (state_.persons_window && state_.tree && !state_.tree->claims.complete() && !opened.has_camera) {
+        state_.interface.unsaid.show(document.marks().reading);
+        state_.interface.doctor.open = false;
+    }
+    if (state_.interface.doctor.open || state_.interface.unsaid.open)
+        state_.interface.contacts.open = state_.interface.warnings.open = false;
     state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }
 

@@ -42,6 +42,7 @@ public:
     void redraw() { state_.redraw(); }               // something outside changed
     void present_again() { state_.present_again(); } // the window's own pixels are lost
     void say(const std::string& sentence) { state_.say(sentence); }
+    void warn(Warning warning) { state_.warn(std::move(warning)); }
     void tell(const Error& error) { state_.interface.errors.push_back(error); } // in a dialog
     void set_script_runs(bool runs) { state_.script_runs = runs; }
 

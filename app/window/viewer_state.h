@@ -53,6 +53,10 @@ struct ViewerState {
         interface.tell(sentence, now);
         redraw();
     }
+    void warn(Warning warning) {
+        interface.warn(std::move(warning), now);
+        redraw();
+    }
     [[nodiscard]] InterfaceContext context() { return {interface, workspace, *actions, commands, layout, now}; }
     void perform(std::string_view name, const std::vector<std::string>& arguments) {
         context().perform(name, arguments);

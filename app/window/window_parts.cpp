@@ -15,7 +15,11 @@ void WindowParts::toggle(std::string_view part) {
     else if (part == "overview")
         interface.overview.open = !interface.overview.open;
     else if (part == "doctor")
-        interface.doctor.open = !interface.doctor.open, interface.contacts.open = false;
+        interface.open_left_panel(interface.doctor.open ? nullptr : &interface.doctor.open);
+    else if (part == "warnings")
+        interface.open_left_panel(interface.warnings.open ? nullptr : &interface.warnings.open);
+    else if (part == "orientation")
+        show_unsaid(!interface.unsaid.open);
     else if (part == "contacts")
         show_contacts(!interface.contacts.open);
     else if (part == "panel")
@@ -27,13 +31,15 @@ void WindowParts::toggle(std::string_view part) {
 
 bool WindowParts::shows(std::string_view part) const {
     const Interface& interface = state_.interface;
-    return part == "fly-along"  ? interface.fly.open
-           : part == "overview" ? interface.overview.open
-           : part == "help"     ? interface.help_open
-           : part == "palette"  ? interface.palette.open
-           : part == "doctor"   ? interface.doctor.open
-           : part == "contacts" ? interface.contacts.open
-                                : interface.panel_open;
+    return part == "fly-along"     ? interface.fly.open
+           : part == "overview"    ? interface.overview.open
+           : part == "help"        ? interface.help_open
+           : part == "palette"     ? interface.palette.open
+           : part == "doctor"      ? interface.doctor.open
+           : part == "orientation" ? interface.unsaid.open
+           : part == "warnings"    ? interface.warnings.open
+           : part == "contacts"    ? interface.contacts.open
+                                   : interface.panel_open;
 }
 
 void WindowParts::set_overview(std::string_view setting) {
@@ -72,16 +78,26 @@ void WindowParts::ask_for_radius() {
 }
 
 void WindowParts::show_note(int note) {
-    state_.interface.contacts.open = false;
-    state_.interface.doctor.open = true;
+    state_.interface.open_left_panel(&state_.interface.doctor.open);
     state_.interface.doctor.current = note;
     state_.redraw();
+}
+
+void WindowParts::read_warnings() {
+    state_.interface.warnings.list.mark_all_read();
+    state_.redraw();
+}
+
+void WindowParts::show_unsaid(bool open) {
+    Interface& interface = state_.interface;
+    interface.open_left_panel(nullptr);
+    if (open) interface.unsaid.show(state_.workspace.document.marks().reading);
 }
 
 void WindowParts::show_contacts(bool open) {
     Interface& interface = state_.interface;
     interface.contacts.open = open;
-    if (open) interface.doctor.open = false;
+    if (open) interface.open_left_panel(&interface.contacts.open);
     state_.workspace.want_contacts(open);
 }
 

@@ -18,6 +18,7 @@ public:
     void ask_for_radius() override;
     void show_note(int note) override;
     void show_contact(int contact) override;
+    void read_warnings() override;
     bool dismiss() override;
     void set_ui_scale(double pixels_per_point) override;
     [[nodiscard]] double ui_scale() const override { return state_.scale; }
@@ -27,6 +28,7 @@ public:
 
 private:
     void show_contacts(bool open);
+    void show_unsaid(bool open);
 
     ViewerState& state_;
 };

@@ -126,6 +126,7 @@ EditedTree EditGraph::assembled(const VesselTree& before) && {
     edited.tree.systems = before.systems;
     edited.tree.source = before.source;
     edited.tree.notes = before.notes;
+    edited.tree.claims = before.claims;
     note_network(edited.tree);
     return edited;
 }

@@ -50,6 +50,7 @@ VesselTree part_of(const VesselTree& tree, std::span<const std::uint8_t> kept) {
     part.systems = tree.systems;
     part.source = tree.source;
     part.notes = tree.notes;
+    part.claims = tree.claims;
     return part;
 }
 

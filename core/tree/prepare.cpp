@@ -97,6 +97,7 @@ PreparedTree prune(const VesselTree& source, double ratio) {
     compact.source = source.source;
     compact.systems = source.systems;
     compact.notes = source.notes;
+    compact.claims = source.claims;
     result.tree = std::move(compact);
     return result;
 }

@@ -3,6 +3,7 @@
 #include "core/base/printable.h"
 
 #include <algorithm>
+#include <cctype>
 #include <glm/geometric.hpp>
 
 namespace ramus::tree {
@@ -11,6 +12,28 @@ std::size_t VesselTree::segment_count() const {
     std::size_t count = 0;
     for (const Branch& branch : branches) count += branch.points.size() - 1;
     return count;
+}
+
+std::string_view Claims::unit_word() const { return has_unit() ? "mm" : kNotSaid; }
+std::string_view Claims::axes_word() const { return has_sides() ? "RAS" : kNotSaid; }
+
+// The word alone, behind a blank or a bracket and before no letter, as texts have it; not within names of files.
+std::string Claims::worded(std::string_view text) const {
+    std::string worded(text);
+    if (has_unit()) return worded;
+    constexpr std::string_view kMm = "mm", kUnits = "units";
+    for (std::size_t at = worded.find(kMm); at != std::string::npos; at = worded.find(kMm, at + 1)) {
+        const char before = at == 0 ? ' ' : worded[at - 1];
+        const char after = at + kMm.size() < worded.size() ? worded[at + kMm.size()] : ' ';
+        const bool is_word = (before == ' ' || before == '(' || before == '\n') &&
+                             std::isalpha(static_cast<unsigned char>(after)) == 0 && after != '_' && after != '/';
+        if (is_word) worded.replace(at, kMm.size(), kUnits);
+    }
+    return worded;
+}
+
+std::string_view name_of(SaidBy who) {
+    return who == SaidBy::kFile ? "file" : who == SaidBy::kPerson ? "person" : "nobody";
 }
 
 std::vector<std::string> sentences(const VesselTree& tree, Note::Kind kind) {

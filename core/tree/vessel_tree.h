@@ -56,6 +56,26 @@ struct Note {
     bool operator==(const Note&) const = default;
 };
 
+// Who says what a tree claims of the patient. Of what nobody says, the numbers are the file's own: they are counted as
+// mm and as RAS where a computation needs either, and neither a unit nor a side may be shown of them.
+enum class SaidBy : std::uint8_t { kFile, kPerson, kNobody };
+struct Claims {
+    SaidBy unit = SaidBy::kFile;        // that lengths are mm
+    SaidBy orientation = SaidBy::kFile; // that axes lead to the right, anterior, superior
+    [[nodiscard]] bool has_unit() const { return unit != SaidBy::kNobody; }
+    [[nodiscard]] bool has_sides() const { return orientation != SaidBy::kNobody; }
+    [[nodiscard]] bool complete() const { return has_unit() && has_sides(); }
+    // As files say it: "mm" and "RAS", or kNotSaid.
+    [[nodiscard]] std::string_view unit_word() const;
+    [[nodiscard]] std::string_view axes_word() const;
+    // A text for people whose lengths are in mm, "3 mm"; where nobody has said the unit, "3 units".
+    [[nodiscard]] std::string worded(std::string_view text) const;
+    bool operator==(const Claims&) const = default;
+};
+inline constexpr std::string_view kNotSaid = "unknown";
+
+[[nodiscard]] std::string_view name_of(SaidBy who); // "file", "person", "nobody"
+
 struct VesselTree {
     std::vector<Point> points;
     std::vector<int> labels; // per point, as the file labels them (SWC type code); empty when it does not
@@ -65,6 +85,7 @@ struct VesselTree {
     std::vector<System> systems;      // empty: all branches are of one system without a name
     std::string source;               // name of the file it came from first; empty when that is not known
     std::vector<Note> notes;          // what reading assumed, repaired and suspects
+    Claims claims;                    // who says that all this is in mm and RAS
 
     [[nodiscard]] std::size_t segment_count() const;
     bool operator==(const VesselTree&) const = default;

@@ -14,6 +14,11 @@ std::size_t voxel_count(const Volume& volume) {
            static_cast<std::size_t>(volume.size.z);
 }
 
+bool says_sides(const Volume& volume) {
+    return std::ranges::none_of(volume.notes,
+                                [](const std::string& note) { return note.starts_with(kLeavesSidesOpen); });
+}
+
 bool holds_whole_numbers(const Volume& volume) {
     return !std::holds_alternative<SparseArray<float>>(volume.voxels) &&
            !std::holds_alternative<FractionRuns>(volume.voxels);

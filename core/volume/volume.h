@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct LabelName {
     bool operator==(const LabelName&) const = default;
 };
 
+// How the note of a volume begins whose file leaves the patient's sides open.
+inline constexpr std::string_view kLeavesSidesOpen = "the file does not say how the patient lies";
+
 struct Volume {
     glm::ivec3 size{0};
     // Of voxel indices, whole numbers at the centres, to mm, RAS. Invertible and finite; may mirror and shear.
@@ -40,6 +44,8 @@ struct Volume {
     std::vector<LabelName> label_names;  // ascending; empty: the file names none
 };
 
+// Whether the file says how the patient lies: else the axes are a guess, and a note says so.
+[[nodiscard]] bool says_sides(const Volume& volume);
 [[nodiscard]] std::size_t voxel_count(const Volume& volume);
 [[nodiscard]] bool holds_whole_numbers(const Volume& volume);
 [[nodiscard]] double value_at(const Volume& volume, const glm::ivec3& voxel); // of a voxel within `size`

@@ -26,14 +26,13 @@ Image haloed(const Coverage& ink, int halo) {
     return image;
 }
 
-std::string orientation_letters(const glm::dvec3& direction) {
-    constexpr std::array<std::array<char, 2>, 3> kLetters{{{'R', 'L'}, {'A', 'P'}, {'S', 'I'}}};
+std::string orientation_letters(const glm::dvec3& direction, const AxisNames& axes) {
     std::array<int, 3> order{0, 1, 2};
     std::ranges::sort(order, [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
     std::string letters;
     for (const int axis : order)
         if (std::abs(direction[axis]) > 0.34)
-            letters += kLetters[static_cast<std::size_t>(axis)][direction[axis] < 0.0];
+            letters += axes.at(static_cast<std::size_t>(2 * axis + (direction[axis] < 0.0 ? 1 : 0)));
     return letters;
 }
 

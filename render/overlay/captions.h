@@ -3,6 +3,7 @@
 
 #include "render/image/image.h"
 #include "render/image/text.h"
+#include "render/scene/camera.h"
 
 #include <glm/vec3.hpp>
 #include <string>
@@ -14,7 +15,7 @@ namespace ramus::render {
 
 // Which way of the patient a direction (RAS) goes, the most first: "L", "LA", "SAL". A part below about 20 degrees has
 // no letter.
-[[nodiscard]] std::string orientation_letters(const glm::dvec3& direction);
+[[nodiscard]] std::string orientation_letters(const glm::dvec3& direction, const AxisNames& axes = side_letters());
 
 // Latin-1, in lines of at most so many pixels where words allow it.
 [[nodiscard]] Image paint_caption(const std::string& text, double pixel_ratio, int width);

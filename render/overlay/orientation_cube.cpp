@@ -14,23 +14,22 @@ namespace {
 constexpr int kLetterSide = 64; // texels of a face's letter
 constexpr int kSubsamples = 4;  // a side: 16 rays a pixel
 
-// The six faces in RAS: outward normal, and right and up of its letter as its standard view shows it.
+// The six faces in the order of AxisNames: outward normal, and right and up of its name as its standard view shows it.
 struct Face {
-    char letter;
     glm::dvec3 normal, right, up;
     glm::dvec3 colour; // linear
 };
 const std::array<Face, 6> kFaces{{
-    {'R', {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.155, 0.095, 0.088}},
-    {'L', {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.155, 0.095, 0.088}},
-    {'A', {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0.088, 0.128, 0.098}},
-    {'P', {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0.088, 0.128, 0.098}},
-    {'S', {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
-    {'I', {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.155, 0.095, 0.088}},
+    {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.155, 0.095, 0.088}},
+    {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0.088, 0.128, 0.098}},
+    {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0.088, 0.128, 0.098}},
+    {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
+    {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0.084, 0.108, 0.160}},
 }};
 
-Coverage letter_tile(char letter) {
-    const Coverage drawn = draw_text(std::string(1, letter), 0.56 * kLetterSide);
+Coverage name_tile(const std::string& name) {
+    const Coverage drawn = draw_text(name, (name.size() > 1 ? 0.46 : 0.56) * kLetterSide);
     int left = drawn.width, right = -1, top = drawn.height, bottom = -1;
     for (int y = 0; y < drawn.height; ++y)
         for (int x = 0; x < drawn.width; ++x)
@@ -61,15 +60,27 @@ struct Hit {
 } // namespace
 
 OrientationCube::OrientationCube() {
-    for (std::size_t i = 0; i < letters_.size(); ++i) letters_.at(i) = letter_tile(kFaces.at(i).letter);
+    for (std::size_t i = 0; i < kFaces.size(); ++i) {
+        tiles_.at(i) = name_tile(side_letters().at(i));
+        tiles_.at(kFaces.size() + i) = name_tile(plain_axes().at(i));
+    }
+}
+
+const Coverage& OrientationCube::tile_of(const std::string& name) const {
+    const auto place = [&](const AxisNames& names) {
+        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    };
+    const std::size_t letter = place(side_letters()), axis = place(plain_axes());
+    return tiles_.at(letter < kFaces.size() ? letter : kFaces.size() + std::min(axis, kFaces.size() - 1));
 }
 
 // Parallel rays of one camera: the nearest entry into the three slabs is the face that is seen.
 class OrientationCube::Rays {
 public:
-    Rays(const OrientationCube& cube, const Camera& camera, int side)
-        : letters_(cube.letters_), side_(side), axes_(axes_of(camera)),
+    Rays(const OrientationCube& cube, const Camera& camera, int side, const AxisNames& axes)
+        : side_(side), axes_(axes_of(camera)),
           light_(glm::normalize(-0.35 * axes_.right + 0.55 * axes_.up - 0.9 * axes_.forward)) {
+        for (std::size_t face = 0; face < names_.size(); ++face) names_.at(face) = &cube.tile_of(axes.at(face));
         for (int k = 0; k < 3; ++k) {
             const double along = axes_.forward[k];
             ahead_[k] = std::copysign(1.0, along);
@@ -105,10 +116,10 @@ private:
         glm::dvec3 colour = f.colour * lit;
         if (edge < 0.07) colour = 1.5 * colour + 0.04;
         return glm::mix(colour, glm::dvec3(0.90, 0.92, 0.95) * std::min(1.0, 0.35 + 0.7 * lit),
-                        sampled(letters_[face], u, v));
+                        sampled(*names_[face], u, v));
     }
 
-    const std::array<Coverage, 6>& letters_;
+    std::array<const Coverage*, 6> names_{}; // by face
     int side_;
     CameraAxes axes_;
     glm::dvec3 light_;
@@ -140,9 +151,9 @@ void OrientationCube::paint_pixel(const Rays& rays, int px, int py, std::uint8_t
     out[3] = static_cast<std::uint8_t>(std::lround(235.0 * hits / count));
 }
 
-Image OrientationCube::paint(const Camera& camera, int side) const {
+Image OrientationCube::paint(const Camera& camera, int side, const AxisNames& axes) const {
     Image image(side, side);
-    const Rays rays(*this, camera, side);
+    const Rays rays(*this, camera, side, axes);
     for (int py = 0; py < side; ++py)
         for (int px = 0; px < side; ++px) paint_pixel(rays, px, py, image.pixel(px, py));
     return image;

@@ -6,10 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <sstream>
 
 namespace ramus::render {
 
 namespace {
+
+// "0.002", "20": a step of the scale bar, whatever its power of ten.
+std::string plain_number(double value) {
+    std::ostringstream text;
+    text << value; // six digits, of which a step has one
+    return text.str();
+}
 
 int rounded(double value) { return static_cast<int>(std::lround(value)); }
 
@@ -22,24 +30,25 @@ double scale_bar_length_mm(double longest_mm) {
     return power;
 }
 
-std::string scale_bar_label(double length_mm) {
+std::string scale_bar_label(double length_mm, bool unit_known) {
     const auto text = [](double value) {
         std::string digits = std::to_string(value);
         while (digits.back() == '0') digits.pop_back();
         if (digits.back() == '.') digits.pop_back();
         return digits;
     };
+    if (!unit_known) return plain_number(length_mm) + (length_mm == 1.0 ? " unit" : " units");
     if (length_mm < 0.99e-3) return text(1e6 * length_mm) + " nm";
     if (length_mm < 0.99) return text(1e3 * length_mm) + " \xb5m";
     if (length_mm > 150.0) return text(0.1 * length_mm) + " cm";
     return text(length_mm) + " mm";
 }
 
-Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio) {
+Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, bool unit_known) {
     const int line = std::max(1, rounded(1.5 * pixel_ratio)), tick = std::max(3, rounded(5.0 * pixel_ratio));
     const int halo = std::max(1, rounded(pixel_ratio));
     const int length = std::max(line, rounded(length_pixels));
-    const Coverage label = draw_text(scale_bar_label(length_mm), 9.5 * pixel_ratio);
+    const Coverage label = draw_text(scale_bar_label(length_mm, unit_known), 9.5 * pixel_ratio);
     const int gap = rounded(2.0 * pixel_ratio);
     const int width = std::max(length, label.width) + 2 * halo, height = label.height + gap + tick + line + 2 * halo;
 
@@ -95,15 +104,15 @@ Image OverlayPainter::heading(const std::string& text, const SpriteSource& frame
 
 void OverlayPainter::add_cube(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
     const int side = rounded(std::min(96.0 * space.ratio, 0.22 * std::min(space.free.x, space.free.y)));
-    sprites.push_back(
-        {cube_.paint(frame.camera, side), {space.corner.x + space.free.x - space.margin - side, space.bottom - side}});
+    sprites.push_back({cube_.paint(frame.camera, side, frame.overlays.axes),
+                       {space.corner.x + space.free.x - space.margin - side, space.bottom - side}});
 }
 
 void OverlayPainter::add_scale_bar(Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
     const double mm = mm_per_pixel(frame.camera, frame.size);
     if (!(std::isfinite(mm) && mm > 1e-9 && mm < 1e9)) return;
     const double length = scale_bar_length_mm(mm * std::min(150.0 * space.ratio, 0.30 * space.free.x));
-    Image bar = paint_scale_bar(length, length / mm, space.ratio);
+    Image bar = paint_scale_bar(length, length / mm, space.ratio, frame.overlays.unit_known);
     const glm::ivec2 corner(space.corner.x + space.margin, space.bottom - bar.height);
     space.bottom = corner.y - rounded(10.0 * space.ratio);
     sprites.push_back({std::move(bar), corner});
@@ -126,7 +135,7 @@ void OverlayPainter::add_words(Space& space, const SpriteSource& frame, std::vec
 void OverlayPainter::add_letters(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
     const CameraAxes axes = axes_of(frame.camera);
     const auto add = [&](const glm::dvec3& direction, double x, double y) {
-        Image image = paint_caption(orientation_letters(direction), space.ratio, space.free.x);
+        Image image = paint_caption(orientation_letters(direction, frame.overlays.axes), space.ratio, space.free.x);
         const glm::dvec2 left = glm::dvec2(space.free) - glm::dvec2(image.width, image.height) - double(space.margin);
         const glm::ivec2 corner(rounded(space.corner.x + 0.5 * space.margin + x * left.x),
                                 rounded(space.corner.y + 0.5 * space.margin + y * left.y));

@@ -22,10 +22,10 @@ struct Sprite {
 
 // A length of 1, 2 or 5 times a power of ten, at most `longest_mm`.
 [[nodiscard]] double scale_bar_length_mm(double longest_mm);
-// "500 um" (with the micro sign in Latin-1), "20 mm", "20 cm".
-[[nodiscard]] std::string scale_bar_label(double length_mm);
+// "500 um" (with the micro sign in Latin-1), "20 mm", "20 cm"; "20 units" where nobody has said what a unit is.
+[[nodiscard]] std::string scale_bar_label(double length_mm, bool unit_known = true);
 
-[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio);
+[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, bool unit_known = true);
 
 // All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
 struct SpriteSource {

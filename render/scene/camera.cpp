@@ -1,6 +1,7 @@
 #include "render/scene/camera.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -43,16 +44,16 @@ Camera moved(Camera camera, const glm::dvec3& by) {
 // RAS: +x is the patient's right, +y anterior, +z superior.
 struct NamedView {
     View view;
-    std::string_view name;
+    std::string_view name, axis;
     glm::dvec3 towards_viewer, up;
 };
 constexpr std::array<NamedView, kViews.size()> kNamedViews{{
-    {View::kAnterior, "anterior", {0, 1, 0}, {0, 0, 1}},
-    {View::kPosterior, "posterior", {0, -1, 0}, {0, 0, 1}},
-    {View::kLeft, "left", {-1, 0, 0}, {0, 0, 1}},
-    {View::kRight, "right", {1, 0, 0}, {0, 0, 1}},
-    {View::kSuperior, "superior", {0, 0, 1}, {0, 1, 0}},
-    {View::kInferior, "inferior", {0, 0, -1}, {0, 1, 0}},
+    {View::kAnterior, "anterior", "+y", {0, 1, 0}, {0, 0, 1}},
+    {View::kPosterior, "posterior", "-y", {0, -1, 0}, {0, 0, 1}},
+    {View::kLeft, "left", "-x", {-1, 0, 0}, {0, 0, 1}},
+    {View::kRight, "right", "+x", {1, 0, 0}, {0, 0, 1}},
+    {View::kSuperior, "superior", "+z", {0, 0, 1}, {0, 1, 0}},
+    {View::kInferior, "inferior", "-z", {0, 0, -1}, {0, 1, 0}},
 }};
 const NamedView& named(View view) { return *std::ranges::find(kNamedViews, view, &NamedView::view); }
 
@@ -124,9 +125,28 @@ glm::dvec3 unproject(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel, do
 }
 
 std::string_view name_of(View view) { return named(view).name; }
+std::string_view axis_name_of(View view) { return named(view).axis; }
+
+std::string title_of(View view, bool sides_known) {
+    if (!sides_known) return "From " + std::string(axis_name_of(view));
+    std::string title(name_of(view));
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    return title;
+}
+
+const AxisNames& side_letters() {
+    static const AxisNames letters{"R", "L", "A", "P", "S", "I"};
+    return letters;
+}
+
+const AxisNames& plain_axes() {
+    static const AxisNames names{"+x", "-x", "+y", "-y", "+z", "-z"};
+    return names;
+}
 
 std::optional<View> view_named(std::string_view name) {
-    const auto found = std::ranges::find(kNamedViews, name, &NamedView::name);
+    const auto found = std::ranges::find_if(
+        kNamedViews, [&](const NamedView& each) { return each.name == name || each.axis == name; });
     return found != kNamedViews.end() ? std::optional(found->view) : std::nullopt;
 }
 

@@ -71,7 +71,16 @@ enum class View { kAnterior, kPosterior, kLeft, kRight, kSuperior, kInferior };
 inline constexpr std::array kViews{View::kAnterior, View::kPosterior, View::kLeft,
                                    View::kRight,    View::kSuperior,  View::kInferior};
 [[nodiscard]] std::string_view name_of(View view); // "anterior", ...
-[[nodiscard]] std::optional<View> view_named(std::string_view name);
+// Where the viewer stands in a picture whose sides nobody knows: "+y" for anterior.
+[[nodiscard]] std::string_view axis_name_of(View view);
+// "Anterior"; "From +y" where sides are not known. For the head of a picture, a menu.
+[[nodiscard]] std::string title_of(View view, bool sides_known);
+[[nodiscard]] std::optional<View> view_named(std::string_view name); // by either name
+
+// What a picture calls the directions +x, -x, +y, -y, +z, -z.
+using AxisNames = std::array<std::string, 6>;
+[[nodiscard]] const AxisNames& side_letters(); // R L A P S I: of what is known to be RAS
+[[nodiscard]] const AxisNames& plain_axes();   // +x -x ...: no side of the patient is claimed
 
 // The camera's direction and view-up become those of `view`; focal point, distance and the rest stay.
 [[nodiscard]] Camera looking(const Camera& camera, View view);

@@ -75,7 +75,7 @@ class Planning(CommandLineTest):
 
     def plan(self, lines, tree=None, **options):
         self.write("plan.txt", lines)
-        return self.expect_done("render", tree or self.write("tree.swc", GOOD), "--size", "200x150",
+        return self.expect_done("render", tree or self.write("tree.swc", GOOD), "--size", "200x150", "--units", "mm",
                                 "--commands", "plan.txt", "--verbose", **options).stderr
 
     def rows(self, name):
@@ -154,7 +154,8 @@ class Info(CommandLineTest):
         tree = self.write("tree.swc", GOOD)
         info = self.json("info", tree, "--json")
         self.assertEqual(list(info), ["branches", "segments", "roots", "loops", "length_mm", "volume_mm3", "radius_mm",
-                                      "generations", "repairs", "assumptions", "suspicions", "notes", "systems"])
+                                      "units", "units_said_by", "orientation", "orientation_said_by", "generations",
+                                      "dependency_known", "repairs", "assumptions", "suspicions", "notes", "systems"])
         self.assertEqual((info["branches"], info["segments"], info["roots"], info["loops"]), (3, 4, 1, 0))
         self.assertEqual((info["generations"], info["repairs"]), (2, []))
         side = math.hypot(3, 5)
@@ -194,7 +195,7 @@ class Info(CommandLineTest):
         tree = self.write("tree.swc", GOOD)
         text = self.expect_done("info", tree, "--branches").stdout
         self.assertRegex(text, r"branches +3 \(2 ends\)")
-        self.assertRegex(text, r"length +21.66 mm")
+        self.assertRegex(text, r"length +21.66 units")
 
 
 class Mesh(CommandLineTest):
@@ -218,7 +219,8 @@ class Mesh(CommandLineTest):
         for method in ("cs", "cones"):
             with self.subTest(method):
                 figures = self.json("mesh", tree, "-o", "out.ply", "--method", method, "--json")
-                self.assertEqual(list(figures), ["vertices", "triangles", "components", "evaluations", "load_s",
+                self.assertEqual(list(figures), ["vertices", "triangles", "components", "evaluations", "units",
+                                                 "orientation", "load_s",
                                                  "mesh_s", "write_s"])
                 self.assertGreater(figures["triangles"], 100)
                 self.check_closed(self.folder / "out.ply", figures)
@@ -287,7 +289,8 @@ class Convert(CommandLineTest):
         self.assertEqual(a.pop("source"), "tree.swc")
         self.assertEqual(c.pop("source"), "b.swc")
         self.assertEqual([note["topic"] for note in a.pop("notes") if note["kind"] == "assumed"], ["units", "axes"])
-        self.assertEqual([note for note in c.pop("notes") if note["kind"] == "assumed"], [])  # the file says both
+        # The files on the way say that both are unknown still.
+        self.assertEqual([note["topic"] for note in c.pop("notes") if note["kind"] == "assumed"], ["units", "axes"])
         self.assertEqual(a, c)
         self.assertEqual(a["points"][0], [0.1, 1e-17, 0.30000000000000004, 1.25])
         self.assertEqual(a["labels"], [3, 5, -4, 900, 0, 0])

@@ -33,7 +33,7 @@ class Info(CommandLineTest):
 
     def listed(self, tree):
         self.write("tree.swc", tree)
-        lines = self.expect_done("info", "tree.swc", "--contacts").stdout.splitlines()
+        lines = self.expect_done("info", "tree.swc", "--contacts", "--units", "mm").stdout.splitlines()
         return lines[next(i for i, line in enumerate(lines) if line.startswith("contacts")):]
 
     def test_two_tubes_that_overlap(self):

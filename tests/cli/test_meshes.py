@@ -86,7 +86,7 @@ class GlbTest(CommandLineTest):
 
 class PrintingTest(CommandLineTest):
     # A stem of 4 mm that forks into a branch of 2 mm and one of 0.5 mm.
-    FORK = "1 0 0 0 0 2 -1\n2 0 0 0 30 2 1\n3 0 20 0 60 1 2\n4 0 -10 0 40 0.25 2\n5 0 -40 0 70 0.25 4\n"
+    FORK = "# id type x y z radius parent (mm, RAS)\n1 0 0 0 0 2 -1\n2 0 0 0 30 2 1\n3 0 20 0 60 1 2\n4 0 -10 0 40 0.25 2\n5 0 -40 0 70 0.25 4\n"
 
     def test_what_is_thin_is_said(self):
         self.write("fork.swc", self.FORK)

@@ -15,7 +15,7 @@ io::ReadOptions options_for(std::string_view bytes) {
     options.repair = tree::Repair::kAll;
     options.unit = io::LengthUnit{{0.3, 0.3, 0.6}};
     options.radius_is = io::RadiusIs::kDiameter;
-    options.axes = io::Axes::kLps;
+    options.orientation = io::Orientation::lps();
     return options;
 }
 

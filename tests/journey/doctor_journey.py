@@ -62,7 +62,9 @@ def near(a, b, tolerance=1e-6):
 
 def units(window):
     """The doctor's panel is there by itself; cm make the radii right, and what is seen stays."""
-    status = window.wait("the surface", lambda s: s["surface_ready"])
+    window.wait("the question for the unit", lambda s: s["surface_ready"] and s["unsaid"])
+    click(window, "Leave open")
+    status = window.wait("the doctor", lambda s: not s["unsaid"])
     check(status["doctor"]["open"], "the doctor comes by itself: sizes are those of cm")
     check(near(thickest(status), 0.5), "the radii are taken as mm")
     before = project(status, (0, 0, 4))

@@ -15,7 +15,7 @@ from pathlib import Path
 
 # A trunk that forks twice. Branches: the trunk, its two children, and the two children of the right one.
 SMALL_TREE = """\
-# id type x y z radius parent
+# id type x y z radius parent (mm, RAS)
 1 3 0 0 -40 5 -1
 2 3 0 0 -20 5 1
 3 3 0 0 0 5 2

@@ -36,6 +36,7 @@ struct InputFile {
 
 struct ValidatedDataSet {
     std::string tree, surface, mask; // files as they were named; empty: the surface was made, there is no mask
+    tree::Claims claims;             // of the tree
     SurfaceDistances to_cones;
     std::optional<SurfaceDistances> to_mask;
     std::optional<double> half_voxel_mm; // half the diagonal of the mask's voxels

@@ -40,10 +40,11 @@ public:
         json_["scenes"].push_back({{"name", names.name}, {"nodes", Json::array({0})}});
         // (x, y, z) of RAS becomes (-x, z, y) / 1000: half a turn about (0, 1, 1).
         const double half = std::sqrt(0.5);
-        nodes_.push_back({{"name", names.name},
-                          {"rotation", {0.0, half, half, 0.0}},
-                          {"scale", {0.001, 0.001, 0.001}},
-                          {"extras", {{"units", "mm"}, {"orientation", "RAS"}}}});
+        nodes_.push_back(
+            {{"name", names.name},
+             {"rotation", {0.0, half, half, 0.0}},
+             {"scale", {0.001, 0.001, 0.001}},
+             {"extras", {{"units", names.claims.unit_word()}, {"orientation", names.claims.axes_word()}}}});
         add_views();
     }
 

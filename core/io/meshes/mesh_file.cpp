@@ -93,6 +93,11 @@ const std::vector<MeshFormat>& mesh_formats() {
     return table;
 }
 
+std::string MeshCounts::claims_text() const {
+    return std::string(claims.has_unit() ? "mm" : "unit unknown") + ", " +
+           std::string(claims.has_sides() ? "RAS" : "orientation unknown");
+}
+
 std::string readable_mesh_extensions() { return listed(readable_extensions(mesh_formats())); }
 std::string writable_mesh_extensions() { return listed(writable_extensions(mesh_formats())); }
 std::string streamed_mesh_extensions() {
@@ -139,7 +144,7 @@ Result<void> write_mesh(const mesh::TriangleMesh& mesh, const std::filesystem::p
     }
     const mesh::VertexSpan vertices = vertices_of(mesh);
     file.write(format->header({mesh.positions.size(), mesh.triangles.size(), !mesh.normals.empty(), !mesh.radii.empty(),
-                               !mesh.branches.empty()}));
+                               !mesh.branches.empty(), names.claims}));
     for (const auto write : format->vertices)
         if (write != nullptr) write(vertices, file);
     format->triangles(mesh.triangles, vertices, file);

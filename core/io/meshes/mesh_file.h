@@ -38,6 +38,8 @@ struct PolygonSoup {
 struct MeshCounts {
     std::uint64_t vertices = 0, triangles = 0;
     bool normals = true, radii = true, branches = true;
+    tree::Claims claims = {};                      // of the tree that it is the surface of
+    [[nodiscard]] std::string claims_text() const; // "mm, RAS", as far as that is known
 };
 
 struct MeshFormat : FileFormat {

@@ -29,6 +29,7 @@ struct MeshNames {
     PartsBy by = PartsBy::kNone;
     std::vector<tree::System> systems; // of the tree; empty: none
     std::vector<Branch> branches;      // by branch id; empty: not known
+    tree::Claims claims;               // of the tree that the surface is of
 };
 
 // Whether it names every branch that is in `vertex_branches`, and that has any.

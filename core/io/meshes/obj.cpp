@@ -62,7 +62,7 @@ Result<PolygonSoup> parse_obj(std::string_view text, const std::string& name) {
     return parse_with_assimp(obj_shape(text), "obj", name);
 }
 
-std::string obj_header(const MeshCounts& /*counts*/) { return "# ramus " RAMUS_VERSION ", mm, RAS\n"; }
+std::string obj_header(const MeshCounts& counts) { return "# ramus " RAMUS_VERSION ", " + counts.claims_text() + "\n"; }
 
 void write_obj_positions(const mesh::VertexSpan& vertices, BufferedFile& file) {
     write_vectors("v", vertices.positions, file);

@@ -7,9 +7,9 @@ namespace ramus::io {
 static_assert(std::endian::native == std::endian::little, "PLY and STL are written as they lie in memory");
 
 std::string ply_header(const MeshCounts& counts) {
-    std::string header = "ply\nformat binary_little_endian 1.0\ncomment ramus " RAMUS_VERSION ", mm, RAS\n"
-                         "element vertex " +
-                         std::to_string(counts.vertices) + "\nproperty float x\nproperty float y\nproperty float z\n";
+    std::string header = "ply\nformat binary_little_endian 1.0\ncomment ramus " RAMUS_VERSION ", " +
+                         counts.claims_text() + "\nelement vertex " + std::to_string(counts.vertices) +
+                         "\nproperty float x\nproperty float y\nproperty float z\n";
     if (counts.normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
     if (counts.radii) header += "property float radius\n";
     if (counts.branches) header += "property int branch\n";

@@ -6,7 +6,7 @@ namespace ramus::io {
 
 std::string stl_header(const MeshCounts& counts) {
     // A binary file must not begin with "solid", or programs take it for text.
-    std::string header = "ramus " RAMUS_VERSION ", mm, RAS";
+    std::string header = "ramus " RAMUS_VERSION ", " + counts.claims_text();
     header.resize(80, ' ');
     const auto count = static_cast<std::uint32_t>(counts.triangles);
     header.append(reinterpret_cast<const char*>(&count), sizeof count);

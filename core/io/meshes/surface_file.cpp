@@ -21,7 +21,8 @@ template <class T, class Write> void for_blocks(TemporaryFile& file, const Write
 
 } // namespace
 
-Result<std::unique_ptr<SurfaceFile>> SurfaceFile::create(const std::filesystem::path& path) {
+Result<std::unique_ptr<SurfaceFile>> SurfaceFile::create(const std::filesystem::path& path,
+                                                         const tree::Claims& claims) {
     RAMUS_TRY(format, mesh_format(path));
     if (!is_streamed(*format))
         return fail("the surface is larger than memory, and this format cannot be written in parts", path.string(),
@@ -32,11 +33,14 @@ Result<std::unique_ptr<SurfaceFile>> SurfaceFile::create(const std::filesystem::
         RAMUS_TRY(part, TemporaryFile::create(path));
         parts.push_back(std::move(part));
     }
-    return std::unique_ptr<SurfaceFile>(new SurfaceFile(path, *format, std::move(parts)));
+    return std::unique_ptr<SurfaceFile>(new SurfaceFile(path, *format, std::move(parts), claims));
 }
 
-SurfaceFile::SurfaceFile(std::filesystem::path path, const MeshFormat& format, std::vector<TemporaryFile> parts)
-    : path_(std::move(path)), format_(format), parts_(std::move(parts)) {}
+SurfaceFile::SurfaceFile(std::filesystem::path path, const MeshFormat& format, std::vector<TemporaryFile> parts,
+                         const tree::Claims& claims)
+    : path_(std::move(path)), format_(format), parts_(std::move(parts)) {
+    counts_.claims = claims;
+}
 
 bool SurfaceFile::add_vertices(const mesh::VertexSpan& more) {
     counts_.vertices += more.size();

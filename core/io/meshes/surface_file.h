@@ -14,7 +14,8 @@ namespace ramus::io {
 
 class SurfaceFile final : public mesh::SurfaceSink {
 public:
-    [[nodiscard]] static Result<std::unique_ptr<SurfaceFile>> create(const std::filesystem::path& path);
+    [[nodiscard]] static Result<std::unique_ptr<SurfaceFile>> create(const std::filesystem::path& path,
+                                                                     const tree::Claims& claims = {});
 
     [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override;
     [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override;
@@ -29,7 +30,8 @@ public:
 
 private:
     void write_text(OutputFile& file);
-    SurfaceFile(std::filesystem::path path, const MeshFormat& format, std::vector<TemporaryFile> parts);
+    SurfaceFile(std::filesystem::path path, const MeshFormat& format, std::vector<TemporaryFile> parts,
+                const tree::Claims& claims);
 
     std::filesystem::path path_;
     const MeshFormat& format_;

@@ -52,10 +52,10 @@ private:
     std::vector<std::function<void(BufferedFile&)>> writers_;
 };
 
-void add_field_data(AppendedArrays& arrays, const std::vector<tree::System>& systems) {
+void add_field_data(AppendedArrays& arrays, const std::vector<tree::System>& systems, const tree::Claims& claims) {
     arrays.write_text("<FieldData>\n");
-    arrays.write_text(vtk_text_array(kVtkMark, {"mm", "RAS"}));
-    arrays.write_text(vtk_text_array(kVtkSpace, {"RAS"}));
+    arrays.write_text(vtk_text_array(kVtkMark, {std::string(claims.unit_word()), std::string(claims.axes_word())}));
+    if (claims.has_sides()) arrays.write_text(vtk_text_array(kVtkSpace, {"RAS"}));
     if (!systems.empty()) {
         std::vector<std::string> names;
         for (const tree::System& system : systems) names.push_back(system.name);
@@ -120,8 +120,9 @@ void add_geometry(AppendedArrays& arrays, const mesh::TriangleMesh& mesh) {
 void write_vtp_surface(const mesh::TriangleMesh& mesh, const MeshNames& names, BufferedFile& file) {
     AppendedArrays arrays;
     arrays.write_text("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                      "header_type=\"UInt64\">\n<!-- ramus " RAMUS_VERSION ", mm, RAS -->\n<PolyData>\n");
-    add_field_data(arrays, names.systems);
+                      "header_type=\"UInt64\">\n<!-- ramus " RAMUS_VERSION ", " +
+                      MeshCounts{.claims = names.claims}.claims_text() + " -->\n<PolyData>\n");
+    add_field_data(arrays, names.systems, names.claims);
     arrays.write_text("<Piece NumberOfPoints=\"" + std::to_string(mesh.positions.size()) +
                       "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
                       std::to_string(mesh.triangles.size()) + "\">\n");

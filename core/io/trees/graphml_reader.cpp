@@ -113,10 +113,10 @@ Result<ImportedTree> parse_graphml(const TreeInput& input) {
     if (auto good = add_graphml_nodes(xml, file, input, graph); !good) return tl::unexpected(good.error());
     if (auto good = add_graphml_edges(xml, file, input, graph); !good) return tl::unexpected(good.error());
     const std::string_view space = graph_datum(xml.root(), file, kGraphmlSpace);
-    std::optional<Axes> axes;
-    if (space == "RAS") axes = Axes::kRas;
-    if (space == "LPS") axes = Axes::kLps;
-    graph.state(length_unit(trimmed(graph_datum(xml.root(), file, kGraphmlUnits))), axes);
+    std::optional<Orientation> orientation;
+    if (space == "RAS") orientation = Orientation::ras();
+    if (space == "LPS") orientation = Orientation::lps();
+    graph.state(length_unit(trimmed(graph_datum(xml.root(), file, kGraphmlUnits))), orientation);
     return graph.finish();
 }
 

@@ -47,8 +47,8 @@ public:
         for (const std::string_view name : {"radius_avg", "length"}) key("edge", "e_", name, "double");
         key("edge", "e_", "branch", "int");
         output_.write("<graph id=\"tree\" edgedefault=\"directed\">\n");
-        text("g_", kGraphmlUnits, "mm");
-        text("g_", kGraphmlSpace, "RAS");
+        text("g_", kGraphmlUnits, std::string(tree_.claims.unit_word()));
+        text("g_", kGraphmlSpace, std::string(tree_.claims.axes_word()));
     }
 
     void nodes() {

@@ -51,8 +51,19 @@ constexpr double kNarrowestRadius = 0.6, kNearest = 100.0, kRadiusInMetres = 0.0
 constexpr double kNarrowestHinted = 2.5, kNearestHinted = 60.0;
 constexpr std::size_t kManyPoints = 100; // fewer may all have whole coordinates by hand
 
+// A file that keeps notes may have it already.
+void add_once(ImportedTree& imported, Note note) {
+    if (std::ranges::find(imported.notes, note) == imported.notes.end()) imported.notes.push_back(std::move(note));
+}
+
 void suspect(ImportedTree& imported, std::string text) {
-    imported.notes.push_back({Note::Kind::kSuspect, "units", std::move(text), {}});
+    add_once(imported, {Note::Kind::kSuspect, "units", std::move(text), {}});
+}
+
+// What a file keeps of an assumption that somebody has answered since.
+void forget(ImportedTree& imported, std::string_view topic) {
+    std::erase_if(imported.notes,
+                  [&](const Note& note) { return note.topic == topic && note.kind != Note::Kind::kRepaired; });
 }
 
 std::string sizes_text(double radius, double side) {
@@ -91,10 +102,11 @@ void suspect_sizes(ImportedTree& imported, const LengthUnit& unit) {
 
 void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     if (!imported.unit && !options.unit) {
-        imported.assume("units", "the file names no unit of length: taken as mm");
+        add_once(imported, {Note::Kind::kAssumed, "units", "the file names no unit of length: taken as mm", {}});
         suspect_unit(imported);
         return;
     }
+    if (options.unit && !imported.unit) forget(imported, "units");
     const LengthUnit unit = options.unit ? *options.unit : *imported.unit;
     if (options.unit && imported.unit && *imported.unit != unit)
         imported.assume("units",
@@ -111,14 +123,34 @@ void apply_unit(ImportedTree& imported, const ReadOptions& options) {
     suspect_sizes(imported, unit);
 }
 
-void apply_axes(ImportedTree& imported, const ReadOptions& options) {
-    if (!imported.axes && !options.axes)
-        imported.assume("axes", "the file does not say where its axes lead: taken as right, anterior, superior (RAS)");
-    if (options.axes.value_or(imported.axes.value_or(Axes::kRas)) == Axes::kRas) return;
-    const auto turn = [](glm::dvec3& p) { p.x = -p.x, p.y = -p.y; };
-    for (tree::Point& p : imported.graph.points) turn(p.position);
+void apply_orientation(ImportedTree& imported, const ReadOptions& options) {
+    const std::optional<Orientation>&asked = options.orientation, &stated = imported.orientation;
+    if (!stated && !asked)
+        add_once(imported, {Note::Kind::kAssumed,
+                            "axes",
+                            "the file does not say where its axes lead: taken as " + Orientation::ras().words(),
+                            {}});
+    if (asked && !stated) {
+        forget(imported, "axes");
+        imported.assume("axes", "axes lead to " + asked->words() + " as asked for; the file does not say");
+    }
+    if (asked && stated && *asked != *stated)
+        imported.assume("axes", "axes lead to " + asked->words() + " as asked for; the file says " + stated->letters());
+    const Orientation orientation = asked.value_or(stated.value_or(Orientation::ras()));
+    if (orientation.mirrors())
+        imported.notes.push_back({Note::Kind::kSuspect,
+                                  "axes",
+                                  "axes that lead to " + orientation.words() +
+                                      " are left-handed: the patient is the mirror image of the file's numbers",
+                                  {}});
+    if (orientation == Orientation::ras()) return;
+    for (tree::Point& p : imported.graph.points) p.position = orientation.to_patient(p.position);
     for (Note& note : imported.notes)
-        if (note.at) turn(*note.at);
+        if (note.at) note.at = orientation.to_patient(*note.at);
+}
+
+tree::SaidBy said_by(bool asked, bool stated) {
+    return asked ? tree::SaidBy::kPerson : stated ? tree::SaidBy::kFile : tree::SaidBy::kNobody;
 }
 
 void apply_radius_meaning(ImportedTree& imported, const ReadOptions& options) {
@@ -257,7 +289,9 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
     if (auto moved = move_radii_to_points(imported); !moved) return tl::unexpected(moved.error());
     apply_radius_meaning(imported, options);
     apply_unit(imported, options);
-    apply_axes(imported, options);
+    apply_orientation(imported, options);
+    const tree::Claims claims{said_by(options.unit.has_value(), imported.unit.has_value()),
+                              said_by(options.orientation.has_value(), imported.orientation.has_value())};
     if (auto joined = join(imported, options.repair); !joined) return tl::unexpected(joined.error());
     const tree::Repair repair =
         imported.pieces_are_meant ? tree::without(options.repair, tree::Repair::kOpenEnds) : options.repair;
@@ -267,9 +301,13 @@ Result<tree::VesselTree> tree_of(ImportedTree imported, const ReadOptions& optio
     // What is known already, from a file that keeps notes, is not told twice.
     std::set<std::string> known;
     for (const Note& note : imported.notes) known.insert(note.text);
+    for (std::vector<Note>* notes : {&imported.notes, &tree->notes})
+        for (Note& note : *notes)
+            if (note.topic != "units") note.text = claims.worded(note.text);
     for (Note& note : tree->notes)
         if (!known.contains(note.text)) imported.notes.push_back(std::move(note));
     tree->notes = std::move(imported.notes);
+    tree->claims = claims;
     return tree;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/io/length_unit.h"
+#include "core/io/orientation.h"
 #include "core/tree/build_tree.h"
 
 #include <functional>
@@ -19,7 +20,6 @@
 
 namespace ramus::io {
 
-enum class Axes : std::uint8_t { kRas, kLps };
 enum class RadiusIs : std::uint8_t { kRadius, kDiameter };
 
 // How a segmentation mask becomes a tree; what is none is as usual.
@@ -38,7 +38,7 @@ struct ReadOptions {
     tree::Repair repair = tree::Repair::kUsual;
     std::optional<LengthUnit> unit;
     std::optional<RadiusIs> radius_is;
-    std::optional<Axes> axes;
+    std::optional<Orientation> orientation;     // where the file's axes lead
     std::map<std::string, std::string> columns; // of tables: what is read (x, y, z, radius, from, to) by its column
     MaskReading mask;
     bool operator==(const ReadOptions&) const = default;
@@ -52,10 +52,10 @@ enum class Joining : std::uint8_t {
 };
 
 struct ImportedTree {
-    tree::Graph graph;              // positions, radii and edges as they stand in the file
-    std::vector<double> edge_radii; // where radii belong to edges: one for each of graph.edges; else empty
-    std::optional<LengthUnit> unit; // that the file states
-    std::optional<Axes> axes;       // that the file states
+    tree::Graph graph;                      // positions, radii and edges as they stand in the file
+    std::vector<double> edge_radii;         // where radii belong to edges: one for each of graph.edges; else empty
+    std::optional<LengthUnit> unit;         // that the file states
+    std::optional<Orientation> orientation; // that the file states
     RadiusIs radius_is = RadiusIs::kRadius;
     std::string radius_name; // "thickness": what the file calls it, where that leaves open which of both it is
     Joining joining = Joining::kByIndex;
@@ -71,8 +71,13 @@ struct ImportedTree {
         notes.push_back({tree::Note::Kind::kAssumed, std::move(topic), std::move(text), {}});
     }
 
-    // The file is one that ramus wrote of a tree: nothing is left open.
-    void take_as_written() { unit = LengthUnit{}, axes = Axes::kRas, pieces_are_meant = true; }
+    // The file is one that ramus wrote of a tree: nothing is left open but what was open then. The words are those of
+    // tree::Claims.
+    void take_as_written(std::string_view unit_word = "mm", std::string_view axes_word = "RAS") {
+        unit = unit_word == "mm" ? std::optional(LengthUnit{}) : std::nullopt;
+        orientation = axes_word == "RAS" ? std::optional(Orientation::ras()) : std::nullopt;
+        pieces_are_meant = true;
+    }
 };
 
 // Fails like tree::build_tree, on numbers of the wrong length, and on a radius that no point has.

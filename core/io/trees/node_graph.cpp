@@ -215,9 +215,9 @@ void NodeGraph::take_roots_from_directions() {
         if (in[p] == 0 && out[p] > 0) graph.roots.push_back(p);
 }
 
-void NodeGraph::state(std::optional<LengthUnit> unit, std::optional<Axes> axes) {
+void NodeGraph::state(std::optional<LengthUnit> unit, std::optional<Orientation> orientation) {
     imported_.unit = unit;
-    imported_.axes = axes;
+    imported_.orientation = orientation;
 }
 
 Result<void> NodeGraph::choose_radii() {

@@ -61,7 +61,7 @@ public:
     // Flow runs from the first node of an edge to its second: nodes that no edge leads to are roots, whatever they are
     // called, if no other node has two edges that lead to it.
     void take_roots_from_directions();
-    void state(std::optional<LengthUnit> unit, std::optional<Axes> axes); // as the file does
+    void state(std::optional<LengthUnit> unit, std::optional<Orientation> orientation); // as the file does
 
     [[nodiscard]] Result<ImportedTree> finish();
 

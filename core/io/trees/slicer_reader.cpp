@@ -51,7 +51,9 @@ public:
                    std::to_string(point - firsts[curve]);
         };
         say_what_went();
-        if (const nlohmann::json* own = json_member(document_, "ramus"); own != nullptr && !take_own(*own))
+        const nlohmann::json* own = json_member(document_, "ramus");
+        if (own != nullptr && json_text(*own, "orientation") == tree::kNotSaid) imported_.orientation.reset();
+        if (own != nullptr && !take_own(*own))
             imported_.assume("joining",
                              "the curves are not as ramus wrote them: they are joined where their ends meet");
         return std::move(imported_);
@@ -86,9 +88,9 @@ private:
         const nlohmann::json* rows = json_list(curve, "controlPoints");
         if (rows == nullptr) return fail("the curve has no list of controlPoints", place_, kMrkRemedy);
         if (auto good = read_unit(curve); !good) return good;
-        RAMUS_TRY(axes, axes_of(curve));
-        if (!imported_.axes) imported_.axes = axes;
-        const bool turned = *imported_.axes != axes;
+        RAMUS_TRY(orientation, axes_of(curve));
+        if (!imported_.orientation) imported_.orientation = orientation;
+        const bool turned = *imported_.orientation != orientation;
         RAMUS_TRY(radii, radii_of(curve, rows->size()));
         tree::Graph& graph = imported_.graph;
         const auto first = static_cast<std::uint32_t>(graph.points.size());
@@ -129,12 +131,12 @@ private:
         return {};
     }
 
-    [[nodiscard]] Result<Axes> axes_of(const nlohmann::json& curve) const {
+    [[nodiscard]] Result<Orientation> axes_of(const nlohmann::json& curve) const {
         const nlohmann::json* value = json_member(curve, "coordinateSystem");
-        if (value == nullptr) return Axes::kLps;
+        if (value == nullptr) return Orientation::lps();
         const std::string text = value->is_string() ? value->get<std::string>() : value->dump();
-        if (text == "LPS" || text == "1") return Axes::kLps;
-        if (text == "RAS" || text == "0") return Axes::kRas;
+        if (text == "LPS" || text == "1") return Orientation::lps();
+        if (text == "RAS" || text == "0") return Orientation::ras();
         return fail("its coordinateSystem is " + shown(text), place_, "LPS and RAS are read");
     }
 

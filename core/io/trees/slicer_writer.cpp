@@ -12,7 +12,8 @@ constexpr std::array<std::uint8_t, 3> kPlainVessel = {214, 69, 65};
 
 class MarkupsWriter {
 public:
-    MarkupsWriter(const tree::VesselTree& tree, OutputFile& output) : tree_(tree), output_(output) {}
+    MarkupsWriter(const tree::VesselTree& tree, OutputFile& output)
+        : tree_(tree), output_(output), unit_(tree.claims.has_unit()), sides_(tree.claims.has_sides()) {}
 
     void write() {
         output_.write("{\"@schema\": \"https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
@@ -52,17 +53,18 @@ private:
         const bool has_system = !tree_.systems.empty();
         const auto system = static_cast<std::size_t>(branch.system);
         const std::string name = (has_system ? tree_.systems[system].name : "Branch") + " " + std::to_string(number);
-        output_.write("{\"type\": \"Curve\", \"coordinateSystem\": \"LPS\", \"coordinateUnits\": \"mm\", \"name\": " +
-                      mrk_quoted(name) + ",\n\"controlPoints\": ");
+        output_.write("{\"type\": \"Curve\", \"coordinateSystem\": \"" + std::string(sides_ ? "LPS\"" : "RAS\"") +
+                      (unit_ ? ", \"coordinateUnits\": \"mm\"" : "") + ", \"name\": " + mrk_quoted(name) +
+                      ",\n\"controlPoints\": ");
         std::size_t id = 0;
         mrk_list(branch.points, [&](std::uint32_t point) {
             const glm::dvec3& at = tree_.points[point].position;
             output_.write("\n{\"id\": \"" + std::to_string(++id) + "\", \"label\": \"\", \"position\": ");
-            mrk_numbers(std::array{0.0 - at.x, 0.0 - at.y, at.z});
+            mrk_numbers(sides_ ? std::array{0.0 - at.x, 0.0 - at.y, at.z} : std::array{at.x, at.y, at.z});
             output_.write(", \"positionStatus\": \"defined\"}");
         });
-        output_.write(",\n\"measurements\": [{\"name\": \"Radius\", \"enabled\": true, \"units\": \"mm\", "
-                      "\"controlPointValues\": ");
+        output_.write(",\n\"measurements\": [{\"name\": \"Radius\", \"enabled\": true, \"units\": \"" +
+                      std::string(unit_ ? "mm" : "") + "\", \"controlPointValues\": ");
         mrk_list(branch.points, [&](std::uint32_t point) { output_.write_number(tree_.points[point].radius); });
         output_.write("}],\n\"display\": {\"visibility\": true, \"pointLabelsVisibility\": false, "
                       "\"propertiesLabelVisibility\": false");
@@ -75,7 +77,8 @@ private:
     }
 
     void write_own() {
-        output_.write("\"ramus\": {\"roots\": ");
+        output_.write("\"ramus\": {\"units\": \"" + std::string(tree_.claims.unit_word()) + "\", \"orientation\": \"" +
+                      std::string(tree_.claims.axes_word()) + "\",\n\"roots\": ");
         mrk_numbers(tree_.roots);
         if (!tree_.labels.empty()) {
             output_.write(",\n\"labels\": ");
@@ -101,6 +104,9 @@ private:
 
     const tree::VesselTree& tree_;
     OutputFile& output_;
+    // Slicer takes a file that says nothing for mm. It has no word for axes that lead nowhere known: numbers stand as
+    // they are then, and "ramus" says so.
+    bool unit_, sides_;
 };
 
 } // namespace

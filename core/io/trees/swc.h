@@ -1,6 +1,6 @@
 // SWC: one point a line, `id type x y z radius parent`. Any type code, ids in any order, several roots (parent -1, or
 // any negative number), tabs or blanks, CRLF, a byte order mark, comments after `#` anywhere. The format
-// has no unit; what this program writes says in a comment that it is in mm and RAS.
+// has no unit; what this program writes says in a comment that it is in mm and RAS, or that this is not known.
 #pragma once
 
 #include "core/io/buffered_file.h"
@@ -8,8 +8,13 @@
 
 namespace ramus::io {
 
-// The line that this program writes above the points.
-inline constexpr std::string_view kSwcUnits = "# id type x y z radius parent (mm, RAS)\n";
+// The line that this program writes above the points, with its claims behind: "(mm, RAS)".
+inline constexpr std::string_view kSwcColumns = "# id type x y z radius parent ";
+
+// "(mm, RAS)"; "(unknown, unknown)" of what nobody has said.
+[[nodiscard]] std::string claims_text(const tree::Claims& claims);
+// Takes as written what `claims` says, "(mm, RAS)" and what may follow it; false: it is no such text.
+bool take_claims(std::string_view claims, ImportedTree& imported);
 
 [[nodiscard]] Result<ImportedTree> parse_swc(const TreeInput& input);
 

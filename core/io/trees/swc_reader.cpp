@@ -157,7 +157,8 @@ Result<ImportedTree> parse_swc(const TreeInput& input) {
     if (rows.size() == 1)
         return fail("the tree has a single point", imported.place_of(0), "a vessel needs two points at least");
     imported.graph = std::move(graph);
-    if (text.find(kSwcUnits) != std::string_view::npos) imported.take_as_written();
+    if (const std::size_t at = text.find(kSwcColumns); at != std::string_view::npos)
+        take_claims(text.substr(at + kSwcColumns.size()), imported);
     return imported;
 }
 

@@ -50,6 +50,20 @@ std::vector<std::uint32_t> order_of(const tree::VesselTree& tree, const std::vec
 
 } // namespace
 
+std::string claims_text(const tree::Claims& claims) {
+    return "(" + std::string(claims.unit_word()) + ", " + std::string(claims.axes_word()) + ")";
+}
+
+bool take_claims(std::string_view claims, ImportedTree& imported) {
+    for (const std::string_view unit : {std::string_view("mm"), tree::kNotSaid})
+        for (const std::string_view axes : {std::string_view("RAS"), tree::kNotSaid})
+            if (claims.starts_with("(" + std::string(unit) + ", " + std::string(axes) + ")")) {
+                imported.take_as_written(unit, axes);
+                return true;
+            }
+    return false;
+}
+
 void write_comments(BufferedFile& file, const std::vector<std::string>& comments) {
     for (std::string comment : comments) {
         std::ranges::replace_if(
@@ -71,7 +85,7 @@ Result<void> write_swc(const tree::VesselTree& tree, const std::filesystem::path
 
     RAMUS_TRY(output, OutputFile::create(file));
     write_comments(output, comments);
-    output.write(kSwcUnits);
+    output.write(std::string(kSwcColumns) + claims_text(tree.claims) + "\n");
     for (const std::uint32_t point : order) {
         const tree::Point& at = tree.points[point];
         output.write_number(id[point]);

@@ -41,10 +41,11 @@ public:
         if (version > kVersion)
             refuse("version", "is " + version.dump() + ", and this ramus reads up to " + std::to_string(kVersion),
                    "use a newer ramus");
-        // Every version so far is in mm and RAS; a file that says otherwise would be misread silently.
-        if (const std::string units = text("units"); units != "mm")
+        // Every version so far is in mm and RAS, or does not know; a file that says otherwise would be misread
+        // silently.
+        if (const std::string units = text("units"); units != "mm" && units != tree::kNotSaid)
             refuse("units", "are '" + units + "', not 'mm'", "convert the coordinates to mm");
-        if (const std::string orientation = text("orientation"); orientation != "RAS")
+        if (const std::string orientation = text("orientation"); orientation != "RAS" && orientation != tree::kNotSaid)
             refuse("orientation", "is '" + orientation + "', not 'RAS'", "convert the coordinates to RAS");
     }
 
@@ -74,6 +75,8 @@ public:
         return graph;
     }
 
+    [[nodiscard]] std::string unit_word() const { return text("units"); }
+    [[nodiscard]] std::string axes_word() const { return text("orientation"); }
     [[nodiscard]] std::string source() const { return document_.contains("source") ? text("source") : std::string(); }
 
     [[nodiscard]] std::vector<tree::Note> notes() const {
@@ -253,7 +256,7 @@ Result<ImportedTree> parse_tree_json(const TreeInput& input) {
         reader.check_header();
         ImportedTree imported;
         imported.graph = reader.graph();
-        imported.take_as_written();
+        imported.take_as_written(reader.unit_word(), reader.axes_word());
         imported.notes = reader.notes();
         imported.source = reader.source();
         imported.place_of = [name](std::uint32_t point) { return name + ": points[" + std::to_string(point) + "]"; };
@@ -267,7 +270,8 @@ Result<void> write_tree_json(const tree::VesselTree& tree, const std::filesystem
                              const std::vector<std::string>& /*comments*/) {
     RAMUS_TRY(file, OutputFile::create(path));
     file.write("{\n\"format\": \"" + std::string(kFormat) + "\",\n\"version\": " + std::to_string(kVersion) +
-               ",\n\"units\": \"mm\",\n\"orientation\": \"RAS\",\n");
+               ",\n\"units\": \"" + std::string(tree.claims.unit_word()) + "\",\n\"orientation\": \"" +
+               std::string(tree.claims.axes_word()) + "\",\n");
     if (!tree.source.empty()) file.write("\"source\": " + quoted(tree.source) + ",\n");
     file.write("\"points\": ");
     write_lines(tree.points, file, [&](const tree::Point& point) {

@@ -84,9 +84,9 @@ public:
         }
         if (tubes_.empty()) return fail("there is no tube in the file", input_.name, "choose another file");
         if (auto good = connect(); !good) return tl::unexpected(good.error());
-        if (!input_.options.axes)
+        if (!input_.options.orientation)
             imported_.assume("axes", "axes lead to left, posterior, superior (LPS), as in all files of ITK");
-        imported_.axes = Axes::kLps;
+        imported_.orientation = Orientation::lps();
         make_systems();
         imported_.joining = Joining::kAtCoincidingEnds;
         imported_.place_of = [name = input_.name, places = std::move(places_)](std::uint32_t point) {

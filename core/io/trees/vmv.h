@@ -7,8 +7,9 @@
 
 namespace ramus::io {
 
-// Lines that this program writes above the blocks, where other readers look for nothing.
-inline constexpr std::string_view kVmvUnits = "# index x y z radius (mm, RAS)";
+// Lines that this program writes above the blocks, where other readers look for nothing. Its claims stand behind the
+// first: "(mm, RAS)".
+inline constexpr std::string_view kVmvColumns = "# index x y z radius ";
 inline constexpr std::string_view kVmvRoots = "# roots:"; // and their indices
 
 [[nodiscard]] bool is_vmv(std::string_view head);

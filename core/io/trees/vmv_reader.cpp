@@ -1,4 +1,5 @@
 #include "core/io/text_numbers.h"
+#include "core/io/trees/swc.h"
 #include "core/io/trees/vmv.h"
 
 #include <map>
@@ -48,8 +49,8 @@ private:
     [[nodiscard]] std::string place() const { return name_ + ":" + std::to_string(line_); }
 
     void read_own_words(std::string_view line) {
-        if (line == kVmvUnits) imported_.take_as_written();
-        if (!line.starts_with(kVmvRoots) || !imported_.unit) return;
+        if (line.starts_with(kVmvColumns)) own_ = take_claims(line.substr(kVmvColumns.size()), imported_);
+        if (!line.starts_with(kVmvRoots) || !own_) return;
         WordScanner words(line.substr(kVmvRoots.size()), name_);
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (const auto root = to_whole(word)) roots_.push_back(*root);
@@ -147,6 +148,7 @@ private:
     const std::string& name_;
     WordScanner lines_;
     std::size_t line_ = 1;
+    bool own_ = false;  // this program wrote the file
     std::string block_; // that is open: "VERT_LIST"
     std::int64_t rows_ = 0;
     std::map<std::string, std::int64_t> parameters_;

@@ -10,7 +10,7 @@ namespace ramus::io {
 // Of field data: 3D Slicer's word about the axes, "LPS" or "RAS"; in legacy files it stands in the title, SPACE=LPS.
 inline constexpr std::string_view kVtkSpace = "SPACE";
 // Of field data: files that this program wrote have them.
-inline constexpr std::string_view kVtkMark = "RamusUnits"; // "mm", "RAS"
+inline constexpr std::string_view kVtkMark = "RamusUnits"; // "mm", "RAS"; either may be "unknown"
 inline constexpr std::string_view kVtkRoots = "RamusRoots";
 inline constexpr std::string_view kVtkSystemNames = "SystemNames";
 inline constexpr std::string_view kVtkSystemColours = "SystemColours";

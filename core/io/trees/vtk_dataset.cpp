@@ -110,7 +110,10 @@ void set_widths(const VtkDataset& data, const WidthArray& widths, ImportedTree& 
 Result<void> read_own_arrays(const VtkDataset& data, const std::string& name, ImportedTree& imported) {
     const VtkArray* marks = data.find(VtkOf::kWhole, kVtkMark);
     if (marks == nullptr) return {};
-    imported.take_as_written();
+    if (marks->texts.size() == 2)
+        imported.take_as_written(marks->texts[0], marks->texts[1]);
+    else
+        imported.take_as_written();
     imported.joining = Joining::kByIndex;
     imported.may_repeat_trunks = false;
     imported.unit_hint.clear();
@@ -232,8 +235,8 @@ Result<ImportedTree> tree_of_vtk(const VtkDataset& data, const TreeInput& input)
     imported.may_repeat_trunks = has_any(data, kCenterlineNames) && begins_several_times(imported.graph);
     imported.unit_hint = hint_of_arrays(data);
     if (const VtkArray* space = data.find(VtkOf::kWhole, kVtkSpace); space != nullptr && space->texts.size() == 1) {
-        if (space->texts[0] == "LPS") imported.axes = Axes::kLps;
-        if (space->texts[0] == "RAS") imported.axes = Axes::kRas;
+        if (space->texts[0] == "LPS") imported.orientation = Orientation::lps();
+        if (space->texts[0] == "RAS") imported.orientation = Orientation::ras();
     }
     imported.place_of = [name](std::uint32_t point) { return name + ": point " + std::to_string(point); };
     if (auto own = read_own_arrays(data, name, imported); !own) return tl::unexpected(own.error());

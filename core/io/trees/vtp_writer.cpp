@@ -90,8 +90,8 @@ template <class Value> std::vector<std::int32_t> by_branch(const tree::VesselTre
 }
 
 void write_fields(VtpWriter& vtp, const tree::VesselTree& tree) {
-    vtp.texts(kVtkMark, {"mm", "RAS"});
-    vtp.texts(kVtkSpace, {"RAS"});
+    vtp.texts(kVtkMark, {std::string(tree.claims.unit_word()), std::string(tree.claims.axes_word())});
+    if (tree.claims.has_sides()) vtp.texts(kVtkSpace, {"RAS"});
     vtp.array("Int64", kVtkRoots, std::vector<std::int64_t>(tree.roots.begin(), tree.roots.end()));
     if (tree.systems.empty()) return;
     std::vector<std::string> names;

@@ -125,7 +125,7 @@ Result<glm::dmat3> meta_directions(const HeaderText& header, std::size_t axes, s
     } else if (lettered) {
         directions = *lettered;
     } else {
-        notes.emplace_back("the file does not say how the patient lies: axes taken as left, posterior, superior");
+        notes.push_back(std::string(volume::kLeavesSidesOpen) + ": axes taken as left, posterior, superior");
     }
     return directions;
 }

@@ -215,8 +215,7 @@ Result<volume::Volume> read_nifti(ByteSource& source, const ReadVolumeOptions& o
     volume->type = "NIfTI-" + std::to_string(header.version) + ", " + std::string(name_of(type));
     volume->unit_mm = unit_of(header);
     if (header.sform <= 0 && header.qform <= 0)
-        volume->notes.emplace_back(
-            "the file does not say how the patient lies: axes taken as right, anterior, superior");
+        volume->notes.push_back(std::string(volume::kLeavesSidesOpen) + ": axes taken as right, anterior, superior");
     return volume;
 }
 

@@ -115,7 +115,7 @@ Result<glm::dvec3> signs_of_space(const HeaderText& header, std::vector<std::str
     constexpr std::array<std::string_view, 4> kNoPatient = {"", "scanner-xyz", "3d-right-handed", "3d-left-handed"};
     if (std::ranges::find(kNoPatient, word) == kNoPatient.end())
         return header.refused("space", "is not known: " + *text);
-    notes.emplace_back("the file does not say how the patient lies: axes taken as right, anterior, superior");
+    notes.push_back(std::string(volume::kLeavesSidesOpen) + ": axes taken as right, anterior, superior");
     return glm::dvec3(1, 1, 1);
 }
 

@@ -47,4 +47,12 @@ Result<void> apply_unit(volume::Volume& volume, const std::optional<LengthUnit>&
     return check_affine(volume.to_patient, volume.size, "geometry, in " + name_of(*asked), "correct --units", name);
 }
 
+tree::Claims claims_of(const volume::Volume& volume, const std::optional<LengthUnit>& asked) {
+    using tree::SaidBy;
+    return {asked            ? SaidBy::kPerson
+            : volume.unit_mm ? SaidBy::kFile
+                             : SaidBy::kNobody,
+            volume::says_sides(volume) ? SaidBy::kFile : SaidBy::kNobody};
+}
+
 } // namespace ramus::io

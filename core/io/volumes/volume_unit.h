@@ -17,4 +17,7 @@ namespace ramus::io {
 [[nodiscard]] Result<void> apply_unit(volume::Volume& volume, const std::optional<LengthUnit>& asked,
                                       const std::string& name);
 
+// Of a tree that is made of the volume, read with the unit that a person asked for.
+[[nodiscard]] tree::Claims claims_of(const volume::Volume& volume, const std::optional<LengthUnit>& asked);
+
 } // namespace ramus::io

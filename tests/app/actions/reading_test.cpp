@@ -77,7 +77,7 @@ TEST_CASE("read-as takes several options, takes them back, and refuses what make
     const Opened opened(kInCentimetres);
     opened->good("read-as units cm radius-is diameter axes lps");
     CHECK(opened.tree().points.front().radius == 2.5);
-    CHECK(opened->marks().reading.axes == io::Axes::kLps);
+    CHECK(opened->marks().reading.orientation == io::Orientation::lps());
     opened->good("read-as radius-is auto");
     CHECK(opened.tree().points.front().radius == 5.0);
     opened->good("read-as usual");

@@ -35,7 +35,7 @@ tree::Contact contact(int n, double gap, double radius) {
 TEST_CASE("all contacts have a ring around them, another where they overlap, and their numbers") {
     const std::vector<tree::Contact> list{contact(0, -8.0, 8.0), contact(1, -0.1, 0.1), contact(2, 0.1, 8.0)};
     render::Frame frame = frame_before();
-    mark_contacts(frame, list, ContactMarks::kAll, -1);
+    mark_contacts(frame, list, ContactMarks::kAll, -1, Lengths());
     REQUIRE(frame.lines.size() == 3);
     CHECK(frame.lines[0].colour == frame.lines[1].colour);
     CHECK(frame.lines[0].colour != frame.lines[2].colour);
@@ -52,14 +52,14 @@ TEST_CASE("all contacts have a ring around them, another where they overlap, and
 TEST_CASE("the contact that was gone to is marked stronger and says what it is, with the others and alone") {
     const std::vector<tree::Contact> list{contact(0, -1.0, 4.0), contact(1, 0.5, 4.0)};
     render::Frame all = frame_before(), alone = frame_before(), none = frame_before();
-    mark_contacts(all, list, ContactMarks::kAll, 1);
+    mark_contacts(all, list, ContactMarks::kAll, 1, Lengths());
     REQUIRE(all.lines.size() == 2);
     CHECK(all.lines[1].width > all.lines[0].width);
     CHECK(all.labels[1].text == "2: gap 0.500 mm");
-    mark_contacts(alone, list, ContactMarks::kCurrent, 1);
+    mark_contacts(alone, list, ContactMarks::kCurrent, 1, Lengths());
     REQUIRE(alone.lines.size() == 1);
     CHECK(alone.lines[0] == all.lines[1]);
-    mark_contacts(none, list, ContactMarks::kCurrent, -1);
+    mark_contacts(none, list, ContactMarks::kCurrent, -1, Lengths());
     CHECK(none == frame_before());
 }
 
@@ -69,11 +69,12 @@ TEST_CASE("contacts of hidden branches are not marked, and many are not numbered
     render::Frame frame = frame_before();
     frame.states.assign(4, render::BranchState::kNormal);
     frame.states[1] = render::BranchState::kHidden;
-    mark_contacts(frame, list, ContactMarks::kAll, -1);
+    mark_contacts(frame, list, ContactMarks::kAll, -1, Lengths());
     CHECK(frame.lines.size() == kMostContactMarks - 1);
     CHECK(frame.labels.empty());
     render::Frame last = frame_before();
-    mark_contacts(last, list, ContactMarks::kAll, static_cast<int>(list.size()) - 1); // though it is beyond them
+    mark_contacts(last, list, ContactMarks::kAll, static_cast<int>(list.size()) - 1,
+                  Lengths()); // though it is beyond them
     CHECK(last.lines.size() == kMostContactMarks + 1);
     CHECK(last.labels.size() == 1);
 }

@@ -15,10 +15,11 @@ namespace {
 constexpr const char* kFork = "1 0 0 0 0 5 -1\n2 0 0 0 40 5 1\n3 0 30 0 60 3 2\n4 0 -30 0 60 3 2\n";
 constexpr const char* kOrphan = "5 0 0 90 0 2 77\n6 0 0 99 0 2 5\n";
 
-tree::VesselTree read(const std::string& swc, const char* unit = nullptr, io::Axes axes = io::Axes::kRas) {
+tree::VesselTree read(const std::string& swc, const char* unit = nullptr,
+                      io::Orientation orientation = io::Orientation::ras()) {
     io::ReadOptions options;
     options.repair = tree::Repair::kAll;
-    options.axes = axes;
+    options.orientation = orientation;
     if (unit != nullptr) options.unit = io::length_unit(unit);
     auto tree = io::parse_tree(swc, "t.swc", options);
     REQUIRE(tree);
@@ -111,7 +112,7 @@ TEST_CASE("a mask that tree and isosurface are made of has one unit") {
 }
 
 TEST_CASE("the camera sees the same of a tree in another unit, and along other axes") {
-    const auto fork = read(kFork), in_cm = read(kFork, "cm"), turned = read(kFork, nullptr, io::Axes::kLps);
+    const auto fork = read(kFork), in_cm = read(kFork, "cm"), turned = read(kFork, nullptr, io::Orientation::lps());
     const render::Camera camera = camera_at_work();
     const glm::ivec2 size(400, 300);
     const render::Camera scaled = carried_over(camera, fork, in_cm);
@@ -123,7 +124,13 @@ TEST_CASE("the camera sees the same of a tree in another unit, and along other a
         CHECK(before->y == doctest::Approx(after->y));
     }
     CHECK(scaled.scale == doctest::Approx(500.0));
-    const render::Camera beside = carried_over(camera, fork, turned);
-    CHECK(beside.focal_point - beside.position == camera.focal_point - camera.position); // from the same side
+    const render::Camera behind = carried_over(camera, fork, turned);
+    for (std::size_t p = 0; p < fork.points.size(); ++p) {
+        const auto before = render::project(camera, size, fork.points[p].position);
+        const auto after = render::project(behind, size, turned.points[p].position);
+        REQUIRE((before && after));
+        CHECK(before->x == doctest::Approx(after->x));
+        CHECK(before->y == doctest::Approx(after->y));
+    }
     CHECK(carried_over(camera, fork, fork) == camera);
 }

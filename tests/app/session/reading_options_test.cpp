@@ -28,7 +28,7 @@ TEST_CASE("an option is changed, taken back, or refused with what it takes") {
     CHECK(cm->unit->mm.x == 10.0);
     CHECK(with(*cm, "units", "auto") == io::ReadOptions{});
     CHECK(with({}, "radius-is", "diameter")->radius_is == io::RadiusIs::kDiameter);
-    CHECK(with({}, "axes", "lps")->axes == io::Axes::kLps);
+    CHECK(with({}, "axes", "lps")->orientation == io::Orientation::lps());
     CHECK(with({}, "repair", "none")->repair == tree::Repair::kNone);
     for (const auto& [key, word] :
          {std::pair("units", "um"), std::pair("radius-is", "diameter"), std::pair("axes", "lps"),

@@ -112,7 +112,7 @@ TEST_CASE("an aorta in cm is suspected, and where it belongs once that is said")
     if (!centerline) return;
     io::ReadOptions options;
     options.unit = io::length_unit("cm");
-    options.axes = io::Axes::kLps; // as the mask's, which its file leaves open, too
+    options.orientation = io::Orientation::lps(); // as the mask's, which its file leaves open, too
     const auto tree = io::read_tree(*centerline, options);
     REQUIRE(tree);
     const glm::dmat4 to_voxel = glm::inverse(in_cm->to_patient);

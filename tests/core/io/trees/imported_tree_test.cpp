@@ -112,9 +112,9 @@ TEST_CASE("axes and widths are as the file has them, as assumed, or as asked for
     io::ImportedTree imported = straight(3, 10.0, 2.0);
     CHECK(says(told(read(imported), Note::Kind::kAssumed, "axes"), "RAS"));
     io::ReadOptions lps;
-    lps.axes = io::Axes::kLps;
+    lps.orientation = io::Orientation::lps();
     CHECK(read(imported, lps).points[2].position == glm::dvec3(-20.0, 0.0, 0.0));
-    CHECK(told(read(imported, lps), Note::Kind::kAssumed, "axes").empty());
+    CHECK(says(told(read(imported, lps), Note::Kind::kAssumed, "axes"), "as asked for"));
     io::ReadOptions wide;
     wide.radius_is = io::RadiusIs::kDiameter;
     CHECK(read(imported, wide).points[0].radius == 1.0);

@@ -46,7 +46,7 @@ TEST_CASE("tubes are scaled as ITK scales them, turned to RAS, and connected to 
         says_axes = says_axes || text.find("LPS") != std::string::npos;
     CHECK(says_axes);
     io::ReadOptions ras;
-    ras.axes = io::Axes::kRas;
+    ras.orientation = io::Orientation::ras();
     CHECK(io::parse_tree(two_tubes(), "t.tre", ras)->points[4].position.x == 6.0);
 }
 

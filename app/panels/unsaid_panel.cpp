@@ -1,0 +1,185 @@
+// "What this file does not say": a small panel over the picture's left edge that asks for the unit of the file's
+// numbers and for the sides of the patient that its axes lead to. The cube in the picture shows a choice before it is
+// taken.
+#include "app/panels/choice_row.h"
+#include "app/panels/interface.h"
+#include "app/panels/left_panel.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+#include "app/session/numbers.h"
+#include "app/session/reading_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <imgui.h>
+
+namespace ramus::app {
+
+namespace {
+
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+constexpr const char *kOpen = "open", *kVoxelSize = "voxels";
+
+std::string side_words(io::Side side) {
+    return std::string(io::name_of(side)) + " (" + std::string(1, io::letter_of(side)) + ")";
+}
+
+void draw_unit_row(Unsaid& unsaid, const tree::Claims& claims) {
+    const char* by_itself = claims.unit == tree::SaidBy::kFile ? "As the file says" : "Not known";
+    if (const auto unit = widgets::choice_row("Unit", "What one unit of the file's numbers is", unsaid.unit,
+                                              {{kOpen, by_itself},
+                                               {"mm", "Millimetres (mm)"},
+                                               {"cm", "Centimetres (cm)"},
+                                               {"um", "Micrometres (um)"},
+                                               {"m", "Metres (m)"},
+                                               {kVoxelSize, "Voxels\xE2\x80\xA6"}}))
+        unsaid.unit = *unit;
+    if (unsaid.unit != kVoxelSize) return;
+    widgets::begin_row("Voxel", "The size of a voxel in mm, or three");
+    ImGui::InputTextWithHint("##size", "mm: 0.62 or 0.3x0.3x0.6", unsaid.voxel.data(), unsaid.voxel.size());
+    ImGui::PopID();
+}
+
+// Sides on a line that another axis has taken are not offered: the choice is possible whatever is chosen.
+void draw_axis_row(Unsaid& unsaid, std::size_t axis, const tree::Claims& claims) {
+    constexpr std::array kNames{"x", "y", "z"};
+    Entries entries{{kOpen, claims.orientation == tree::SaidBy::kFile ? "As the file says" : "Not known"}};
+    for (const io::Side side : io::kSides) {
+        const bool taken = [&] {
+            for (std::size_t other = 0; other < unsaid.sides.size(); ++other)
+                if (other != axis && unsaid.sides.at(other) &&
+                    io::line_of(*unsaid.sides.at(other)) == io::line_of(side))
+                    return true;
+            return false;
+        }();
+        if (!taken) entries.emplace_back(std::string(1, io::letter_of(side)), side_words(side));
+    }
+    std::optional<io::Side>& mine = unsaid.sides.at(axis);
+    const std::string now = mine ? std::string(1, io::letter_of(*mine)) : kOpen;
+    const std::string help = "Which side of the patient " + std::string(kNames.at(axis)) + " leads to";
+    const auto chosen = widgets::choice_row(kNames.at(axis), help.c_str(), now, entries);
+    if (!chosen) return;
+    const auto* const side = std::ranges::find(io::kSides, chosen->front(), io::letter_of);
+    mine = *chosen == kOpen || side == io::kSides.end() ? std::nullopt : std::optional(*side);
+}
+
+void draw_axes(Unsaid& unsaid, const tree::Claims& claims) {
+    for (std::size_t axis = 0; axis < unsaid.sides.size(); ++axis) draw_axis_row(unsaid, axis, claims);
+    const auto chosen = unsaid.orientation();
+    if (!chosen) {
+        const bool none = std::ranges::none_of(unsaid.sides, [](const auto& side) { return side.has_value(); });
+        widgets::quiet_wrapped(none ? "Without sides the cube shows the axes x, y, z."
+                                    : "Choose a side for each of the three axes.");
+    } else if (chosen->mirrors()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kHighlight);
+        ImGui::TextWrapped(
+            "%s leads to a left-handed patient: the tree becomes the mirror image of the file's numbers. "
+            "That is right only where the program that wrote the file counts so.",
+            chosen->letters().c_str());
+        ImGui::PopStyleColor();
+    } else {
+        widgets::quiet_wrapped("The cube in the picture shows this choice.");
+    }
+}
+
+// The words of read-as; none: nothing is to be changed.
+std::vector<std::string> answers(const Unsaid& unsaid, const io::ReadOptions& options) {
+    std::vector<std::string> words;
+    const auto add = [&](const char* key, std::string value) { words.insert(words.end(), {key, std::move(value)}); };
+    const std::string unit = unsaid.unit == kVoxelSize ? std::string(unsaid.voxel.data())
+                             : unsaid.unit == kOpen    ? "auto"
+                                                       : unsaid.unit;
+    if (unit != (options.unit ? spelled(*options.unit) : "auto")) add("units", unit);
+    const auto orientation = unsaid.orientation();
+    if (orientation && orientation != options.orientation) add("orientation", orientation->letters());
+    if (!orientation && options.orientation) add("orientation", "auto");
+    return words;
+}
+
+bool is_whole(const Unsaid& unsaid) {
+    const auto chosen = std::ranges::count_if(unsaid.sides, [](const auto& side) { return side.has_value(); });
+    return (chosen == 0 || chosen == 3) && (unsaid.unit != kVoxelSize || io::length_unit(unsaid.voxel.data()));
+}
+
+} // namespace
+
+std::optional<io::Orientation> Unsaid::orientation() const {
+    if (!sides[0] || !sides[1] || !sides[2]) return std::nullopt;
+    return io::Orientation::leading_to({*sides[0], *sides[1], *sides[2]});
+}
+
+void Unsaid::show(const io::ReadOptions& options) {
+    open = true;
+    unit = options.unit ? spelled(*options.unit) : kOpen;
+    voxel = {};
+    if (options.unit && !io::named_unit_mm(unit)) {
+        std::copy_n(unit.begin(), std::min(unit.size(), voxel.size() - 1), voxel.begin());
+        unit = kVoxelSize;
+    }
+    sides = {};
+    for (int axis = 0; axis < 3 && options.orientation; ++axis)
+        sides.at(static_cast<std::size_t>(axis)) = options.orientation->side(axis);
+}
+
+std::optional<render::AxisNames> Unsaid::axes(const tree::Claims& claims, const io::ReadOptions& options) const {
+    const auto chosen = orientation();
+    if (!open || !chosen || claims.orientation == tree::SaidBy::kFile) return std::nullopt;
+    const io::Orientation now = options.orientation.value_or(io::Orientation::ras());
+    render::AxisNames names;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int way = 0; way < 2; ++way) {
+            glm::dvec3 direction(0.0);
+            direction[axis] = way == 0 ? 1.0 : -1.0;
+            const glm::dvec3 there = chosen->to_patient(now.to_file(direction));
+            for (int line = 0; line < 3; ++line)
+                if (there[line] != 0.0)
+                    names.at(static_cast<std::size_t>(2 * axis + way)) =
+                        render::side_letters().at(static_cast<std::size_t>(2 * line + (there[line] < 0.0 ? 1 : 0)));
+        }
+    return names;
+}
+
+void draw_unsaid(InterfaceContext& context) {
+    Unsaid& unsaid = context.interface.unsaid;
+    const Document& document = context.workspace.document;
+    if (!unsaid.open || !document.tree()) return;
+    const tree::Claims claims = document.tree()->claims;
+    const io::ReadOptions options = document.marks().reading;
+    begin_left_panel("what the file does not say", context.layout, document.marks().comparison);
+    ImGui::TextUnformatted(claims.complete() ? "Orientation and unit" : "What this file does not say");
+    ImGui::Dummy({0.0F, 2.0F * theme::scale()});
+    ImGui::BeginDisabled(context.commands.busy());
+    draw_unit_row(unsaid, claims);
+    for (const tree::Note& note : document.tree()->notes)
+        if (note.kind == tree::Note::Kind::kSuspect && note.topic == "units" && !claims.has_unit())
+            widgets::quiet_wrapped(note.text.c_str());
+    if (context.interface.doctor.of_mask)
+        widgets::quiet_wrapped("The axes of a mask are those of its file.");
+    else
+        draw_axes(unsaid, claims);
+    ImGui::Dummy({0.0F, 4.0F * theme::scale()});
+    const float width = 104.0F * theme::scale();
+    widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
+    const std::vector<std::string> words = answers(unsaid, options);
+    const bool later = ImGui::Button(words.empty() ? "Close" : "Leave open", {width, 0.0F});
+    widgets::note_item("Leave open");
+    widgets::tooltip("Nothing is claimed that nobody has said; View, Orientation and unit asks again", "Escape");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(words.empty() || !is_whole(unsaid));
+    const auto chosen = unsaid.orientation();
+    const bool mirrored = chosen && chosen->mirrors() && chosen != options.orientation;
+    const bool taken = widgets::button(mirrored ? "Take mirrored" : "Take", {width, 0.0F}, theme::kAccentDim);
+    widgets::note_item("Take");
+    widgets::tooltip("Reads the file so; one step of undo, and part of the session");
+    ImGui::EndDisabled();
+    ImGui::EndDisabled();
+    ImGui::End();
+    if (!later && !taken) return;
+    unsaid.open = false;
+    context.interface.doctor.open = could_mislead(*document.tree(), options);
+    if (taken) context.perform("read-as", words);
+}
+
+} // namespace ramus::app
