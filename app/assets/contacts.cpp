@@ -1,6 +1,7 @@
 #include "app/assets/contacts.h"
 
 #include "app/session/numbers.h"
+#include "core/field/kernel.h"
 
 #include <cmath>
 #include <utility>
@@ -8,8 +9,8 @@
 namespace ramus::app {
 
 TreeContacts contacts_of(const tree::VesselTree& tree, const mesh::SurfaceOptions& options) {
-    tree::Contacts found = tree::find_contacts(mesh::prepare_tree(tree, options), options.width);
-    return {options.smooth_passes, options.prune_ratio, options.width,
+    tree::Contacts found = tree::find_contacts(mesh::prepare_tree(tree, options), mesh::kernel_of(options).limits);
+    return {options.smooth_passes, options.prune_ratio, options.width, options.kernel,
             std::make_shared<const std::vector<tree::Contact>>(std::move(found.list))};
 }
 

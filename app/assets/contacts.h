@@ -15,10 +15,11 @@ namespace ramus::app {
 struct TreeContacts {
     int smooth_passes = 0;
     double prune_ratio = 0.0, width = 0.0;
+    field::KernelKind kernel = field::KernelKind::kGaussian;
     std::shared_ptr<const std::vector<tree::Contact>> list; // the closest first; null: not looked for yet
     [[nodiscard]] bool fits(const mesh::SurfaceOptions& options) const {
         return list && smooth_passes == options.smooth_passes && prune_ratio == options.prune_ratio &&
-               width == options.width;
+               width == options.width && kernel == options.kernel;
     }
 };
 

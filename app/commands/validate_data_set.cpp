@@ -3,6 +3,7 @@
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
 #include "app/session/of_file.h"
+#include "core/field/kernel.h"
 #include "core/io/checksum.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/validate/validation.h"
@@ -26,7 +27,7 @@ Result<mesh::TriangleMesh> surface_to_validate(const ValidateFlags& flags, std::
 
 validate::ValidationOptions validation_options(const ValidateFlags& flags) {
     const mesh::SurfaceOptions& options = flags.surface.surface;
-    return {options.smooth_passes, options.width, options.threads};
+    return {options.smooth_passes, mesh::kernel_of(options).limits, options.threads};
 }
 
 // One surface against others.

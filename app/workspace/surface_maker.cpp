@@ -2,6 +2,7 @@
 
 #include "core/base/bounded.h"
 #include "core/base/stopwatch.h"
+#include "core/mesh/check_kernel.h"
 #include "core/mesh/systems.h"
 #include "core/tree/prepare.h"
 #include "render/scene/bounds.h"
@@ -97,6 +98,7 @@ bool SurfaceMaker::changes_much(const SurfaceRequest& request) const {
 
 Result<ReadySurface> SurfaceMaker::next_surface(const SurfaceRequest& request, Job& job) {
     const Stopwatch watch;
+    if (auto takes = mesh::check_kernel(request.options); !takes) return tl::unexpected(takes.error());
     if (!field_ || field_options_ != request.options) {
         field_ = mesh::make_field(*tree_, request.options, {});
         field_options_ = request.options;

@@ -8,6 +8,7 @@
 
 #include "core/field/brick_field.h"
 #include "core/field/skeleton.h"
+#include "core/tree/contacts/contacts.h"
 
 #include <array>
 #include <cstddef>
@@ -76,6 +77,17 @@ struct PlainSum {
     void (*find_terms)(const Kernel& kernel, SegmentTerms& terms);
 };
 
+// What an endless straight vessel makes of a kernel's field, by the distance from its axis in radii; of one kernel.
+struct LongVessel {
+    double (*value)(const Kernel& kernel, double radii2); // of the squared distance: 1 on the axis, the isovalue at 1
+    // From a value of the field, wherever it was found: a measure of how far out that is, nearly linear in the
+    // distance, and what the value falls by where the measure grows.
+    struct Place {
+        double measure, fall;
+    };
+    Place (*place)(const Kernel& kernel, double value);
+};
+
 struct Kernel {
     double width = 0.0; // how steep: the larger, the closer the surface stays to the radius where vessels meet
     double isovalue = 0.0;
@@ -83,8 +95,21 @@ struct Kernel {
     // an end, along the axis, beyond which that end changes nothing to the last bit.
     double support_radii = 0.0, ends_radii = 0.0;
     const PlainSum* sum = nullptr; // of the instruction set in use when the kernel was made
+    const LongVessel* long_vessel = nullptr;
+    // At which closenesses its vessels meet; and how many radii from its axis no point is inside a vessel, four of
+    // whose kind meet there.
+    tree::ContactLimits limits;
+    double claim_radii = 0.0;
+    std::array<double, 8> numbers{}; // whatever else its profile is made of
 
     bool operator==(const Kernel&) const = default;
 };
+
+// The distance from a long vessel's axis, in radii, at which its field is `value`.
+[[nodiscard]] double radii_at(const Kernel& kernel, double value);
+
+// Fills in limits and claim_radii from the rest: two parallel vessels merge where each adds half the isovalue between
+// them, four where each adds a quarter, and one changes nothing at the other's surface where its support has ended.
+void find_reaches(Kernel& kernel);
 
 } // namespace ramus::field

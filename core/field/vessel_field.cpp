@@ -11,7 +11,7 @@ namespace ramus::field {
 
 VesselField::VesselField(ConvolutionField sum, std::shared_ptr<const tree::Contacts> contacts)
     : sum_(std::move(sum)), contacts_(std::move(contacts)),
-      pieces_(std::make_shared<const Pieces>(*contacts_, sum_.skeleton(), sum_.support_radii())) {}
+      pieces_(std::make_shared<const Pieces>(*contacts_, sum_.skeleton(), sum_.kernel())) {}
 
 VesselField VesselField::without(std::span<const std::uint8_t> hidden) const {
     return {sum_.without(hidden), contacts_};

@@ -3,8 +3,9 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
-#include "core/field/kernels/gaussian.h"
+#include "core/field/kernel.h"
 #include "core/field/vessel_field.h"
+#include "core/mesh/check_kernel.h"
 #include "core/mesh/cones.h"
 #include "core/mesh/polygonize/feasible.h"
 #include "core/mesh/polygonize/polygonize.h"
@@ -120,8 +121,8 @@ field::Frame frame_of_all_parts(const tree::VesselTree& source, SurfaceOptions o
 
 field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceOptions& options,
                                   const PreparedTree& prepared) {
-    if (!(options.prune_ratio > 0.0)) return {prepared, options.width};
-    const field::Kernel kernel = field::gaussian(options.width);
+    const field::Kernel kernel = kernel_of(options);
+    if (!(options.prune_ratio > 0.0)) return {field::Skeleton(prepared, kernel.support_radii), kernel};
     const field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii);
     return {field::Skeleton(prepared, kernel.support_radii, frame), kernel};
 }
@@ -140,8 +141,8 @@ Result<field::VesselField> feasible_field(const tree::VesselTree& source, const 
             return tl::unexpected(possible.error());
     }
     if (options.blend != Blend::kTree) return merged;
-    return field::VesselField(sum,
-                              std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, options.width)));
+    return field::VesselField(
+        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, kernel_of(options).limits)));
 }
 
 Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
@@ -169,11 +170,13 @@ Result<Surface> make(const tree::VesselTree& source, const SurfaceOptions& optio
 
 } // namespace
 
+field::Kernel kernel_of(const SurfaceOptions& options) { return field::make_kernel(options.kernel, options.width); }
+
 field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
                               std::span<const std::uint8_t> hidden) {
     const PreparedTree prepared = prepare_tree(source, options);
     auto contacts = std::make_shared<tree::Contacts>();
-    if (options.blend == Blend::kTree) *contacts = tree::find_contacts(prepared, options.width);
+    if (options.blend == Blend::kTree) *contacts = tree::find_contacts(prepared, kernel_of(options).limits);
     field::VesselField field(plain_sum(source, options, prepared), std::move(contacts));
     return hidden.empty() ? field : field.without(hidden);
 }
@@ -187,6 +190,7 @@ tl::unexpected<Error> empty_surface(double cell_mm) {
 
 Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                              std::span<const std::uint8_t> hidden) {
+    if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
     return bounded(options.threads, at_memory_end, [&] { return make(source, options, job, hidden); });
 }
 
@@ -201,6 +205,7 @@ bool asks_for_streaming(const tree::VesselTree& source, SurfaceOptions options, 
 
 Result<SurfaceStatistics> stream_surface(const tree::VesselTree& source, const SurfaceOptions& options,
                                          SurfaceSink& sink, Job& job, std::span<const std::uint8_t> hidden) {
+    if (auto takes = check_kernel(options); !takes) return tl::unexpected(takes.error());
     return bounded(options.threads, at_memory_end, [&]() -> Result<SurfaceStatistics> {
         const Stopwatch watch;
         std::uint64_t evaluations = 0;

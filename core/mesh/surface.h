@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job.h"
+#include "core/field/kernels/kernel_kind.h"
 #include "core/mesh/blend.h"
 #include "core/mesh/method.h"
 #include "core/mesh/surface_sink.h"
@@ -20,8 +21,9 @@ namespace ramus::mesh {
 struct SurfaceOptions {
     Method method = Method::kConvolutionSurface; // of a tree
     int smooth_passes = 1;                       // binomial passes over points and radii (core/tree/prepare.h)
-    double prune_ratio = 0.0;   // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
-    double width = 5.0;         // kernel width; 5 is the paper's, 1 is Bloomenthal's
+    double prune_ratio = 0.0; // leaf branches shorter than ratio x parent go (core/tree/prepare.h); 0 keeps all
+    double width = 5.0;       // kernel width; 5 is the paper's, 1 is Bloomenthal's
+    field::KernelKind kernel = field::KernelKind::kGaussian;
     Blend blend = Blend::kTree; // where vessels blend
     tree::Centerline centerline = tree::Centerline::kSmooth;
     int detail = 16;                // triangles around a vessel
@@ -47,6 +49,9 @@ using tree::PreparedTree;
 // The tree as the surface sees it: pruned first, then smoothed.
 [[nodiscard]] PreparedTree prepare_tree(const tree::VesselTree& source, const SurfaceOptions& options);
 
+// The kernel that is asked for.
+[[nodiscard]] field::Kernel kernel_of(const SurfaceOptions& options);
+
 // The field of the tree as prepared, without the hidden branches (by id in `source`, not 0: hidden). Its frame is that
 // of the whole tree, so that hiding and pruning leave everything else as it is, to the last bit.
 [[nodiscard]] field::VesselField make_field(const tree::VesselTree& source, const SurfaceOptions& options,
@@ -54,8 +59,8 @@ using tree::PreparedTree;
 
 // Surface of `source` under `options`, closed where hidden branches were; vertex branch ids are those of `source`. Of
 // several systems each has a surface of its own, one after the other (core/mesh/systems.h).
-// Fails when the options cannot be met (more triangles than memory holds), when every branch is hidden, when nothing
-// has a surface, or when `job` is cancelled (what == "cancelled").
+// Fails when the options cannot be met (more triangles than memory holds, a kernel that does not take the width), when
+// every branch is hidden, when nothing has a surface, or when `job` is cancelled (what == "cancelled").
 [[nodiscard]] Result<Surface> make_surface(const tree::VesselTree& source, const SurfaceOptions& options, Job& job,
                                            std::span<const std::uint8_t> hidden = {});
 

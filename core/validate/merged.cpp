@@ -40,8 +40,8 @@ bool third_between(const Reference& reference, const PassingPair& pair) {
     return false;
 }
 
-std::vector<PassingPair> passing_pairs(const Reference& reference, double width) {
-    const tree::Contacts contacts = tree::find_contacts(reference.prepared(), width);
+std::vector<PassingPair> passing_pairs(const Reference& reference, const tree::ContactLimits& limits) {
+    const tree::Contacts contacts = tree::find_contacts(reference.prepared(), limits);
     const tree::Links& links = reference.links();
     std::vector<PassingPair> pairs;
     for (std::uint32_t a = 0; a < links.all().size(); ++a)
@@ -96,9 +96,9 @@ bool is_lost(const Reference& reference, int branch, const glm::dvec3& at, std::
 
 } // namespace
 
-std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width,
+std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, const tree::ContactLimits& limits,
                                    std::span<const LostStretch> lost) {
-    std::vector<PassingPair> pairs = passing_pairs(reference, width);
+    std::vector<PassingPair> pairs = passing_pairs(reference, limits);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 64), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             PassingPair& pair = pairs[i];

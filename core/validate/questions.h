@@ -34,8 +34,8 @@ struct MovedJoint {
                                                  std::span<const LostStretch> lost);
 
 // `lost`: a vessel that is not there is merged with no other.
-[[nodiscard]] std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe, double width,
-                                                 std::span<const LostStretch> lost);
+[[nodiscard]] std::vector<Merged> merged_vessels(const Reference& reference, const Probe& probe,
+                                                 const tree::ContactLimits& limits, std::span<const LostStretch> lost);
 
 // Narrow places by `expected(place)`, where `actual(place)` is another radius; places by number.
 using RadiusAt = std::function<double(std::size_t)>;

@@ -106,7 +106,7 @@ Result<Validation> run(const tree::VesselTree& source, const mesh::TriangleMesh&
     found.false_parts = false_parts(reference, surface, lost);
     if (job.cancelled()) return fail("cancelled");
     job.report(0.8F);
-    found.merged = merged_vessels(reference, probe, options.width, lost);
+    found.merged = merged_vessels(reference, probe, options.limits, lost);
     job.report(0.95F);
     const auto smoothed = [&](std::size_t i) { return places[i].radius; };
     found.constrictions = changed_constrictions(reference, smoothed, [&](std::size_t i) { return sections[i].radius; });

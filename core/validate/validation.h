@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/tree/contacts/contacts.h"
 #include "core/tree/vessel_tree.h"
 
 #include <array>
@@ -82,8 +83,9 @@ struct Validation {
 
 struct ValidationOptions {
     int smooth_passes = 1;
-    double width = 5.0; // of the kernel: says how close vessels have to come to count as passing each other
-    int threads = 0;    // 0: all cores
+    // Of the kernel: how close vessels have to come to count as passing each other.
+    tree::ContactLimits limits = tree::limits_of_gaussian(5.0);
+    int threads = 0; // 0: all cores
 };
 
 // The surface has a triangle at least. Fails when `job` is cancelled (what == "cancelled").

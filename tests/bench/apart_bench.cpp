@@ -201,7 +201,7 @@ void print_intersections(Row& row, int most) {
 bool look_at(const std::string& name, const tree::VesselTree& tree, const ApartOptions& options) {
     const tree::PreparedTree prepared = mesh::prepare_tree(tree, options.surface);
     Row row;
-    row.contacts = tree::find_contacts(prepared, options.surface.width);
+    row.contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.surface.width));
     Result<mesh::Surface> surface;
     Job job;
     row.seconds = seconds_of([&] { surface = mesh::make_surface(tree, options.surface, job); });
@@ -249,7 +249,8 @@ bool look_at_tubes(bool across, double other, double closeness, int detail) {
     add_branch(prepared, straight({-12, 0.03, 0}, {12, 0.01, 0}, 1.0));
     add_branch(prepared, across ? straight({0.02, -half, distance}, {-0.05, half, distance}, other)
                                 : straight({-half, 0.02, distance}, {half, -0.05, distance}, other));
-    const auto contacts = std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0));
+    const auto contacts =
+        std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, tree::limits_of_gaussian(5.0)));
     mesh::PolygonizeOptions options;
     options.detail = detail;
     Job job;
@@ -294,7 +295,8 @@ int time_contacts(int branches, const mesh::SurfaceOptions& options) {
     for (int run = 0; run < 3; ++run) {
         tree::Contacts contacts;
         const std::clock_t start = std::clock();
-        const double seconds = seconds_of([&] { contacts = tree::find_contacts(prepared, options.width); });
+        const double seconds =
+            seconds_of([&] { contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.width)); });
         std::printf("%zu branches, %zu segments: %zu contacts, %zu partners in %.3f s (%.3f s of all cores)\n",
                     tree.branches.size(), tree.segment_count(), contacts.list.size(), contacts.partners.size(), seconds,
                     static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);

@@ -22,25 +22,26 @@ double distance_between(const PieceShape& a, const PieceShape& b) {
 // How an obstacle lies to a vessel.
 enum class Shade : std::uint8_t { kNone, kCasts, kPierces };
 
-// A point that is a vessel's is within kClaimRadii of its axis. One that is behind an obstacle is less than the
+// A point that is a vessel's is within claim_radii of its axis. One that is behind an obstacle is less than the
 // obstacle's radius R beside the way through its axis. Where it is in the obstacle's tube it is the obstacle's anyway,
 // which is nearer; so the vessel has to go on as far as where it is not. If the obstacle does not even reach it, it is
 // farther from there by the root of support_radii^2 - 1 of R along the way.
-Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, double support_radii) {
+Shade shade_of(const PieceShape& obstacle, const PieceShape& vessel, const Kernel& kernel) {
     constexpr double kSlack = 0.1; // radii, for what vessel and obstacle are bent
     const double r = std::max(vessel.start_radius, vessel.end_radius);
     const double thin = std::min(obstacle.start_radius, obstacle.end_radius);
     const double thick = std::max(obstacle.start_radius, obstacle.end_radius);
     const double moved = vessel.move.most();
-    const double reach = (kClaimRadii + kSlack) * r + moved, distance = distance_between(obstacle, vessel) - moved;
+    const double reach = (kernel.claim_radii + kSlack) * r + moved,
+                 distance = distance_between(obstacle, vessel) - moved;
     if (distance >= std::hypot(reach, thick)) return Shade::kNone;
-    const double beyond = reach - std::sqrt(support_radii * support_radii - 1.0) * thin;
+    const double beyond = reach - std::sqrt(kernel.support_radii * kernel.support_radii - 1.0) * thin;
     return beyond > 0.0 && distance < std::hypot(beyond, thick) ? Shade::kPierces : Shade::kCasts;
 }
 
 } // namespace
 
-Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, double support_radii) : contacts_(contacts) {
+Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const Kernel& kernel) : contacts_(contacts) {
     if (contacts_.empty()) return;
     shape_of_piece_.assign(contacts_.first_partner.size() - 1, kNone);
     for (const std::uint32_t segment : skeleton.present()) { // those of a piece follow each other
@@ -57,7 +58,7 @@ Pieces::Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, double 
         shape.end = start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz);
         shape.end_radius = static_cast<double>(s.end_radius());
     }
-    list_obstacles(support_radii);
+    list_obstacles(kernel);
 }
 
 void Pieces::put_obstacle(std::size_t at, const PieceShape& shape, double apart_from) {
@@ -75,7 +76,7 @@ void Pieces::put_obstacle(std::size_t at, const PieceShape& shape, double apart_
     obstacles_.row(kApartFrom)[at] = apart_from;
 }
 
-void Pieces::list_obstacles(double support_radii) {
+void Pieces::list_obstacles(const Kernel& kernel) {
     using Partner = tree::Contacts::Partner;
     std::vector<std::vector<const Partner*>> pierce(shapes_.size()), cast(shapes_.size());
     std::size_t total = 0;
@@ -83,7 +84,7 @@ void Pieces::list_obstacles(double support_radii) {
         for (const Partner& partner : contacts_.partners_of(piece_of_shape_[n])) {
             const PieceShape* const other = shape(partner.piece);
             if (!(partner.apart_from > 0.0F) || other == nullptr) continue;
-            const Shade shade = shade_of(*other, shapes_[n], support_radii);
+            const Shade shade = shade_of(*other, shapes_[n], kernel);
             if (shade != Shade::kNone) (shade == Shade::kPierces ? pierce : cast)[n].push_back(&partner);
         }
         const std::size_t first = ObstacleRows::padded(pierce[n].size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/field/apart/axes.h"
+#include "core/field/kernel.h"
 #include "core/field/skeleton.h"
 #include "core/tree/contacts/contacts.h"
 
@@ -20,13 +21,10 @@ struct PieceShape {
     bool operator==(const PieceShape&) const = default;
 };
 
-// Beyond this many radii from its axis no point is inside a vessel, four of whose kind meet there.
-inline constexpr double kClaimRadii = 1.25;
-
 class Pieces {
 public:
-    // Refers to the contacts, which must outlive it. `support_radii`: how far a segment reaches, in its radii.
-    Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, double support_radii);
+    // Refers to the contacts, which must outlive it.
+    Pieces(const tree::Contacts& contacts, const Skeleton& skeleton, const Kernel& kernel);
 
     [[nodiscard]] const tree::Contacts& contacts() const { return contacts_; }
     [[nodiscard]] std::uint32_t of_segment(std::uint32_t segment) const { return contacts_.piece_of_segment[segment]; }
@@ -52,7 +50,7 @@ private:
         const std::uint32_t at = shape_of_piece_.empty() ? kNone : shape_of_piece_[piece];
         return at == kNone ? Ranges{} : ranges_[at];
     }
-    void list_obstacles(double support_radii);
+    void list_obstacles(const Kernel& kernel);
     void put_obstacle(std::size_t at, const PieceShape& shape, double apart_from);
 
     const tree::Contacts& contacts_;

@@ -31,9 +31,8 @@ Bounds<glm::dvec3> box_around(const ObstacleRows& obstacles, std::size_t n, doub
 } // namespace
 
 VesselViews::VesselViews(const Kernel& kernel, const FieldSegment* segments, const Pieces& pieces)
-    : kernel_(kernel), surface_phi_(std::sqrt(-std::log(kernel.isovalue))),
-      merged_(tree::ContactLimits(kernel.width).merged), reach_radii_(kernel.support_radii), segments_(segments),
-      contacts_(pieces) {}
+    : kernel_(kernel), surface_measure_(kernel.long_vessel->place(kernel, kernel.isovalue).measure),
+      reach_radii_(kernel.support_radii), segments_(segments), contacts_(pieces) {}
 
 bool VesselViews::enter(SegmentIndices list, const GridAxes& axes) {
     list_ = list;
@@ -62,7 +61,7 @@ void VesselViews::find_zone(const GridAxes& axes) {
         for (const auto& [end, r] :
              {std::pair(start, s.radius), std::pair(start + static_cast<double>(s.length) * along, s.end_radius())}) {
             const auto radius = static_cast<double>(r);
-            const double claims = kClaimRadii * radius + cell;
+            const double claims = kernel_.claim_radii * radius + cell;
             reach.claims.hold(end, claims);
             reach.near.hold(end, std::max(claims, reach_radii_ * radius));
             reach.radius = std::max(reach.radius, radius);
@@ -77,7 +76,7 @@ void VesselViews::find_zone(const GridAxes& axes) {
             else if (from == 0.0F)
                 zone_.add(own.claims.common(other.claims));
         }
-        const double most = (kClaimRadii + 1.0) * own.radius + contacts_.shape(a).move.most();
+        const double most = (kernel_.claim_radii + 1.0) * own.radius + contacts_.shape(a).move.most();
         const ObstacleRange range = contacts_.piercing(a);
         for (std::size_t n = range.first; n < range.first + range.count; ++n)
             zone_.add(own.claims.common(box_around(contacts_.all().obstacles(), n, most)));
@@ -126,8 +125,8 @@ const ApartAxes& VesselViews::apart_from(int piece) {
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const auto from = static_cast<double>(contacts_.apart_from(piece, this->piece(n)));
         if (!(from > 0.0)) continue;
-        const double whole = 0.5 * (std::min(merged_, from) + from);
-        const double begin = std::min(whole, 1.12 * merged_); // a little above, for more than two vessels
+        const double whole = 0.5 * (std::min(kernel_.limits.merged, from) + from);
+        const double begin = std::min(whole, 1.12 * kernel_.limits.merged); // a little above, for more than two vessels
         apart.row(kApart)[n] = from;
         apart.row(kFade)[n] = 1.0 / std::max(from - begin, 1e-9);
     }
@@ -145,7 +144,7 @@ VesselViews::Sight VesselViews::look(const glm::dvec3& point) {
     if (kept_apart_.empty()) return Sight::kPlain;
     if (any_left_out()) return Sight::kParted;
     const std::uint32_t own = nearest_in_radii(kept_apart_);
-    if (feet_.of(own, kFootRelative2) > kClaimRadii * kClaimRadii) return Sight::kPlain;
+    if (feet_.of(own, kFootRelative2) > claim_radii2()) return Sight::kPlain;
     const double spare = shadow_on(own, contacts_.piercing(piece(own))).spare;
     beside_contact_ = spare < kBesideRadii * radius(own);
     return spare < 0.0 && nearest() == own ? Sight::kCut : Sight::kPlain;
@@ -196,9 +195,8 @@ bool VesselViews::is_undisputed(float plain) {
     double other2 = std::numeric_limits<double>::infinity();
     for (const std::uint32_t n : kept_apart_)
         if (feet_.of(n, kFootRelative2) < other2 && apart(own, n)) other2 = feet_.of(n, kFootRelative2);
-    if (other2 < kClaimRadii * kClaimRadii) return false;
-    const double most =
-        kVessels * std::pow(kernel_.isovalue, other2); // Gaussian: isovalue to the power of radii squared
+    if (other2 < claim_radii2()) return false;
+    const double most = kVessels * kernel_.long_vessel->value(kernel_, other2);
     return static_cast<double>(plain) - most >= kernel_.isovalue && !(shadow_on(own).spare < 0.0);
 }
 
@@ -328,7 +326,7 @@ VesselViews::Verdict VesselViews::judge() {
     const auto isovalue = static_cast<float>(kernel_.isovalue);
     const auto below = static_cast<double>(std::nextafter(isovalue, 0.0F));
     for (const std::uint32_t vessel : vessels_) {
-        if (feet_.of(vessel, kFootRelative2) > kClaimRadii * kClaimRadii) break;
+        if (feet_.of(vessel, kFootRelative2) > claim_radii2()) break;
         double value = view(vessel).value;
         if (shadow_on(vessel).spare < 0.0) value = std::min(value, below);
         const bool claims = static_cast<float>(value) >= isovalue;

@@ -38,7 +38,9 @@ public:
     [[nodiscard]] const LocalContacts& contacts() const { return contacts_; }
     [[nodiscard]] SegmentIndices list() const { return list_; }
     [[nodiscard]] float isovalue() const { return static_cast<float>(kernel_.isovalue); }
-    [[nodiscard]] double surface_phi() const { return surface_phi_; } // sqrt(-ln isovalue)
+    // From a value of the field how far out that is, and on the surface (LongVessel).
+    [[nodiscard]] LongVessel::Place place_of(double value) const { return kernel_.long_vessel->place(kernel_, value); }
+    [[nodiscard]] double surface_measure() const { return surface_measure_; }
 
     // The plain sum holds; it holds, but the point is behind another vessel, which takes it away; or parts of the sum
     // are left out.
@@ -120,8 +122,10 @@ private:
     [[nodiscard]] bool any_left_out(); // of what is near
     [[nodiscard]] bool leaves_out(std::uint32_t a, std::uint32_t b) const;
 
+    [[nodiscard]] double claim_radii2() const { return kernel_.claim_radii * kernel_.claim_radii; }
+
     Kernel kernel_;
-    double surface_phi_, merged_;
+    double surface_measure_;
     // In radii at the foot, what is looked at. So far each segment is in the list of every brick around a point; what
     // it may reach beyond its ends, where radii go on growing, is next to nothing.
     double reach_radii_;

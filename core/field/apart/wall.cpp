@@ -20,14 +20,14 @@ struct Depth {
     glm::dvec3 outward{0.0};
 };
 
-// To first order, from the field: phi = sqrt(-ln F) is linear in the distance from a straight vessel's axis.
+// To first order, from the field, by a measure that is linear in the distance from a straight vessel's axis.
 Depth depth_within(const VesselViews& views, const VesselView& view) {
-    const double f = std::clamp(view.value, 1e-12, 0.999);
-    const double phi = std::sqrt(-std::log(f));
+    const LongVessel::Place place = views.place_of(view.value);
     const double slope = glm::length(view.gradient);
-    const double steepness = slope / (2.0 * f * phi); // of phi, per mm
+    const double steepness = slope / place.fall; // of the measure, per mm
     const double radius = views.radius(view.place);
-    if (steepness > 1e-6 / radius) return {(views.surface_phi() - phi) / steepness, -view.gradient / slope};
+    if (steepness > 1e-6 / radius)
+        return {(views.surface_measure() - place.measure) / steepness, -view.gradient / slope};
     const double distance = views.distance(view.place);
     return {radius - distance, (views.point() - views.foot(view.place)) / std::max(distance, 1e-9 * radius)};
 }

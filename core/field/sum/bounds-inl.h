@@ -150,8 +150,8 @@ ChildBounds bound_children(const Kernel& kernel, const CullingSegment* segments,
             seen.finish(d, bound_scale, corner2);
             // Where it is certain that the field may reach the isovalue, by how much does not matter.
             if (!hn::AllFalse(d, hn::And(reaches, hn::Lt(upper, isovalue))))
-                upper = hn::Add(upper, hn::IfThenElseZero(reaches, Profile::upper_bound(d, s, seen.box)));
-            lower = hn::Add(lower, hn::IfThenElseZero(reaches, Profile::lower_bound(d, s, seen.box, reaches)));
+                upper = hn::Add(upper, hn::IfThenElseZero(reaches, profile.upper_bound(d, s, seen.box)));
+            lower = hn::Add(lower, hn::IfThenElseZero(reaches, profile.lower_bound(d, s, seen.box, reaches)));
         }
         hn::StoreU(lower, d, bounds.lower.data() + first);
         hn::StoreU(upper, d, bounds.upper.data() + first);

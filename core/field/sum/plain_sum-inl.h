@@ -1,7 +1,8 @@
 // Makes of a kernel's profile all that summing it over segments takes (PlainSum), for one instruction set.
 // Included once per instruction set, by the kernel's source file.
 //
-// A profile is a struct that is made from a Kernel and has (as Gaussian in kernels/gaussian-inl.h):
+// A profile is a struct that is made from a Kernel and has, static or not (as Gaussian in kernels/gaussian-inl.h; for
+// line integrals of compact kernels in closed form see kernels/compact_line-inl.h):
 //     scale, bound_scale           of lengths, times 1 / radius, in Foot and in BoxView
 //     value<Near>(segments, foot)  the kernel, for a pack of segments (Near: whether their ends matter)
 //     gradient<Near>(segments, foot, growth)
@@ -51,12 +52,12 @@ public:
         return project_onto_surface(profile_, local_, guesses, to);
     }
     void find_depths(const GridValues& values, GridValues& depths) const override {
-        HWY_NAMESPACE::find_depths<Profile>(static_cast<float>(local_.kernel->isovalue), values, depths);
+        HWY_NAMESPACE::find_depths(profile_, static_cast<float>(local_.kernel->isovalue), values, depths);
     }
     [[nodiscard]] float crossing(float from, float to) const override {
-        const float start = Profile::along_edge(from);
-        const float surface = Profile::along_edge(static_cast<float>(local_.kernel->isovalue));
-        return (surface - start) / (Profile::along_edge(to) - start);
+        const float start = profile_.along_edge(from);
+        const float surface = profile_.along_edge(static_cast<float>(local_.kernel->isovalue));
+        return (surface - start) / (profile_.along_edge(to) - start);
     }
 
 private:

@@ -73,7 +73,7 @@ HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local
             const Foot foot =
                 find_foot<near.value>(one, scale, sub(One{p.x}, ax), sub(One{p.y}, ay), sub(One{p.z}, az));
             const KernelGradient g =
-                Profile::template gradient<near.value>(one, foot, growth_of(one, foot, inverse_scale));
+                profile.template gradient<near.value>(one, foot, growth_of(one, foot, inverse_scale));
             const auto value = g.value.v[0], radial = g.radial.v[0], axial = g.axial.v[0];
             p.sum = hn::Add(p.sum, value);
             p.gx = hn::MulAdd(radial, foot.qx.v[0], hn::MulAdd(axial, one.ux.v[0], p.gx));

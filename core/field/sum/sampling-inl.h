@@ -89,7 +89,7 @@ HWY_INLINE void sample_group(const Profile& profile, const LocalSegments& local,
             for_ends(at.near_ends, [&](auto near) {
                 const Foot foot = find_foot<near.value>(pack, set(PackTag<kPack>(), profile.scale), coordinate(0, i),
                                                         coordinate(1, j), coordinate(2, k));
-                const Pack value = Profile::template value<near.value>(pack, foot);
+                const Pack value = profile.template value<near.value>(pack, foot);
                 for (const V& of : value.v) sum = hn::Add(sum, of);
             });
         };
@@ -180,7 +180,7 @@ std::uint64_t sample_lattice(const Profile& profile, LocalSegments& local, const
                     };
                     const Foot foot = find_foot<near.value>(one, set(PackTag<1>(), profile.scale), coordinate(0, pi),
                                                             coordinate(1, pj), coordinate(2, pk));
-                    const Pack value = Profile::template value<near.value>(one, foot);
+                    const Pack value = profile.template value<near.value>(one, foot);
                     hn::Store(hn::Add(hn::Load(d, sum + n), value.v[0]), d, sum + n);
                 }
             });
@@ -190,13 +190,14 @@ std::uint64_t sample_lattice(const Profile& profile, LocalSegments& local, const
     return kernels;
 }
 
-template <class Profile> void find_depths(float isovalue, const GridValues& values, GridValues& depths) {
+template <class Profile>
+void find_depths(const Profile& profile, float isovalue, const GridValues& values, GridValues& depths) {
     const D d;
     const V iso = hn::Set(d, isovalue);
-    const V surface = Profile::rough_distance(d, iso);
+    const V surface = profile.rough_distance(d, iso);
     for (std::size_t n = 0; n < kGridStride; n += hn::Lanes(d)) {
         const V value = hn::Load(d, values.data() + n);
-        const V inward = hn::Sub(surface, Profile::rough_distance(d, value));
+        const V inward = hn::Sub(surface, profile.rough_distance(d, value));
         const V inside = hn::Max(inward, hn::Zero(d));
         const V outside = hn::Min(inward, hn::Set(d, -1e-6F));
         hn::Store(hn::IfThenElse(hn::Ge(value, iso), inside, outside), d, depths.data() + n);

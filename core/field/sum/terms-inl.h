@@ -35,7 +35,7 @@ template <class Profile> void find_terms(const Kernel& kernel, SegmentTerms& ter
         const Foot<1, T> foot = find_foot<Ends::kSome>(s, scale, load(SegmentTerms::kX, n), load(SegmentTerms::kY, n),
                                                        load(SegmentTerms::kZ, n));
         const KernelGradient<1, T> g =
-            Profile::template gradient<Ends::kSome>(s, foot, growth_of(s, foot, inverse_scale));
+            profile.template gradient<Ends::kSome>(s, foot, growth_of(s, foot, inverse_scale));
         const auto store = [&](SegmentTerms::Numbers numbers, hn::Vec<T> v) {
             hn::StoreU(v, d, terms.row(numbers) + n);
         };

@@ -75,12 +75,11 @@ Contact describe(const Links& links, const Island& island, const Contacts& conta
 
 } // namespace
 
-ContactLimits::ContactLimits(double width)
-    : merged(std::sqrt(1.0 + 1.0 / width)), bundled(std::sqrt(1.0 + 2.0 / width)),
-      reach(1.0 + 0.45 * std::sqrt(5.0 / width)) {}
+ContactLimits limits_of_gaussian(double width) {
+    return {std::sqrt(1.0 + 1.0 / width), std::sqrt(1.0 + 2.0 / width), 1.0 + 0.45 * std::sqrt(5.0 / width)};
+}
 
-Contacts find_contacts(const PreparedTree& prepared, double width) {
-    const ContactLimits limits(width);
+Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits) {
     const Links links(prepared);
     const TouchingLinks touching(links, limits.reach, limits.merged);
     const Islands islands = find_islands(links, touching, limits);

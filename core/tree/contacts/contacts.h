@@ -81,14 +81,16 @@ struct Contacts {
     [[nodiscard]] bool empty() const { return partners.empty(); }
 };
 
-// Closenesses that depend on the kernel's width (core/field/kernels/gaussian.h): the lower, the farther it blends.
+// Closenesses that depend on the kernel: the higher, the farther it blends.
 struct ContactLimits {
-    double merged;  // two equal parallel vessels merge below this: sqrt(1 + 1 / width), 1.0954 at width 5
-    double bundled; // four of them
-    double reach;   // beyond, one changes nothing at the other's surface
-    explicit ContactLimits(double width);
+    double merged = 0.0;  // two equal parallel vessels merge below this
+    double bundled = 0.0; // four of them
+    double reach = 0.0;   // beyond, one changes nothing at the other's surface
+    bool operator==(const ContactLimits&) const = default;
 };
+// Of the Gaussian (core/field/kernels/gaussian.h): sqrt(1 + 1 / width) and so on, 1.0954 at width 5.
+[[nodiscard]] ContactLimits limits_of_gaussian(double width);
 
-[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, double width);
+[[nodiscard]] Contacts find_contacts(const PreparedTree& prepared, const ContactLimits& limits);
 
 } // namespace ramus::tree

@@ -74,7 +74,7 @@ static const PlainSum* soft_sum_in_use() { return HWY_DYNAMIC_DISPATCH(soft_sum)
 
 field::Kernel test::soft_kernel() {
     const double isovalue = std::pow(1.0 - 1.0 / (kSoftSupport * kSoftSupport), 3.0);
-    return {1.0, isovalue, kSoftSupport, 0.0, field::soft_sum_in_use()};
+    return {1.0, isovalue, kSoftSupport, 0.0, field::soft_sum_in_use(), nullptr, {}, 0.0, {}};
 }
 
 } // namespace ramus

@@ -161,7 +161,8 @@ tree::VesselTree fork_with_gap(double least, std::mt19937& random) {
 TEST_CASE("a grown tree without contacts has the plain sum's surface, to the bit") {
     const tree::VesselTree tree = test::grown(101);
     SurfaceOptions options;
-    const tree::Contacts contacts = tree::find_contacts(prepare_tree(tree, options), options.width);
+    const tree::Contacts contacts =
+        tree::find_contacts(prepare_tree(tree, options), tree::limits_of_gaussian(options.width));
     REQUIRE(contacts.list.empty());
     const TriangleMesh apart = surface_with(tree, options);
     options.blend = Blend::kPaper;
@@ -181,7 +182,7 @@ TEST_CASE("away from contacts the surface is the plain sum's, to the bit") {
         CAPTURE(name);
         SurfaceOptions options;
         const tree::PreparedTree prepared = prepare_tree(tree, options);
-        const tree::Contacts contacts = tree::find_contacts(prepared, options.width);
+        const tree::Contacts contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.width));
         REQUIRE_FALSE(contacts.list.empty());
         const auto segments = test::kept_apart(prepared, contacts, true);
         const TriangleMesh apart = surface_with(tree, options);
@@ -201,7 +202,7 @@ TEST_CASE("where one side of a contact is hidden the other is the plain sum's, t
     const tree::VesselTree tree = test::packed_trees(5);
     SurfaceOptions options;
     const tree::PreparedTree prepared = prepare_tree(tree, options);
-    const tree::Contacts contacts = tree::find_contacts(prepared, options.width);
+    const tree::Contacts contacts = tree::find_contacts(prepared, tree::limits_of_gaussian(options.width));
     const auto all = test::kept_apart(prepared, contacts, true);
     int whole = 0;
     for (std::size_t n = 0; n < std::min<std::size_t>(contacts.list.size(), 6); ++n) {
@@ -248,7 +249,7 @@ TEST_CASE("with contacts too, threads, streams and a second run give the same bi
 TEST_CASE("with contacts too, what follows the tree is what is made from nothing, bit for bit") {
     const tree::VesselTree tree = test::packed_trees(5);
     SurfaceOptions surface;
-    REQUIRE(tree::find_contacts(prepare_tree(tree, surface), surface.width).list.size() > 4);
+    REQUIRE(tree::find_contacts(prepare_tree(tree, surface), tree::limits_of_gaussian(surface.width)).list.size() > 4);
     Polygonizer polygonizer;
     Job job;
     std::mt19937 random(7);
@@ -312,7 +313,7 @@ TEST_CASE("the thin gap between daughters of a fork is not bridged by cells that
             options.detail = 8;
             options.smooth_passes = 0;
             const tree::PreparedTree prepared = prepare_tree(tree, options);
-            CHECK(tree::find_contacts(prepared, options.width).list.empty());
+            CHECK(tree::find_contacts(prepared, tree::limits_of_gaussian(options.width)).list.empty());
             const TriangleMesh mesh = surface_with(tree, options);
             CHECK(test::topology(mesh).closed_manifold());
             CHECK(has_shape_of(mesh, prepared));

@@ -31,7 +31,8 @@ std::vector<tree::Point> straight(glm::dvec3 from, glm::dvec3 to, double radius,
 TriangleMesh blended_surface(const std::vector<std::vector<tree::Point>>& vessels, int detail = 16) {
     tree::PreparedTree prepared;
     for (const auto& vessel : vessels) test::add_branch(prepared, vessel);
-    auto contacts = std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0));
+    auto contacts =
+        std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, tree::limits_of_gaussian(5.0)));
     PolygonizeOptions options;
     options.detail = detail;
     Job job;
@@ -123,7 +124,8 @@ TEST_CASE("without contacts the surface is that of the plain sum, to the bit") {
     test::add_branch(prepared, straight({-12, 0, 0}, {12, 0, 0}, 1.0));
     test::add_branch(prepared, straight({0, -12, 3.2}, {0, 12, 3.2}, 1.0));
     const field::ConvolutionField sum(prepared, 5.0);
-    const auto contacts = std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0));
+    const auto contacts =
+        std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, tree::limits_of_gaussian(5.0)));
     Job job;
     const auto plain = polygonize(sum, {}, job);
     const auto apart = polygonize(field::VesselField(sum, contacts), {}, job);
@@ -138,7 +140,8 @@ TEST_CASE("where one of two vessels is hidden the other is whole again, and both
     test::add_branch(prepared, straight({-12, 0, 0}, {12, 0, 0}, 1.0));
     test::add_branch(prepared, straight({0, -12, 1.2}, {0, 12, 1.2}, 1.0));
     const field::ConvolutionField sum(prepared, 5.0);
-    const field::VesselField both(sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, 5.0)));
+    const field::VesselField both(
+        sum, std::make_shared<const tree::Contacts>(tree::find_contacts(prepared, tree::limits_of_gaussian(5.0))));
     const std::vector<std::uint8_t> second{0, 1};
     Polygonizer polygonizer;
     Job job;
@@ -166,7 +169,7 @@ Shape shape_of(const tree::VesselTree& tree, const SurfaceOptions& options) {
 constexpr double kAsGoodAsCrossing = 0.06;
 
 bool any_crossing(const tree::VesselTree& tree, const SurfaceOptions& options) {
-    const auto contacts = tree::find_contacts(prepare_tree(tree, options), options.width);
+    const auto contacts = tree::find_contacts(prepare_tree(tree, options), tree::limits_of_gaussian(options.width));
     return !contacts.list.empty() && contacts.list.front().closeness < kAsGoodAsCrossing;
 }
 

@@ -110,7 +110,8 @@ TEST_CASE("no triangles of the airways intersect, where branches touch and where
         const auto tree = io::read_tree(path);
         REQUIRE(tree.has_value());
         const mesh::SurfaceOptions options;
-        REQUIRE(tree::find_contacts(mesh::prepare_tree(*tree, options), options.width).list.size() > 40);
+        REQUIRE(tree::find_contacts(mesh::prepare_tree(*tree, options), tree::limits_of_gaussian(options.width))
+                    .list.size() > 40);
         CHECK(test::intersecting_triangles(surface_of(*tree, options)).empty());
     }
 }

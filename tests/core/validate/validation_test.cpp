@@ -96,7 +96,7 @@ mesh::TriangleMesh surface_of(const VesselTree& tree, mesh::Blend blend = mesh::
 
 validate::Validation validated(const VesselTree& tree, const mesh::TriangleMesh& surface, int smooth_passes = 1) {
     Job job;
-    auto found = validate::validate(tree, surface, {smooth_passes, 5.0, 0}, job);
+    auto found = validate::validate(tree, surface, {smooth_passes, tree::limits_of_gaussian(5.0), 0}, job);
     REQUIRE(found);
     return std::move(*found);
 }

@@ -24,7 +24,7 @@ std::vector<Point> straight(glm::dvec3 from, glm::dvec3 to, double radius, int s
 Contacts contacts_of(const std::vector<std::vector<Point>>& vessels) {
     PreparedTree prepared;
     for (const auto& vessel : vessels) test::add_branch(prepared, vessel);
-    return find_contacts(prepared, kWidth);
+    return find_contacts(prepared, limits_of_gaussian(kWidth));
 }
 
 // Two that cross at a right angle, their axes `distance` apart.
@@ -110,7 +110,7 @@ TEST_CASE("daughters of a fork that stay together for a while are no contact, bu
                                  const double off = x < 1.0 ? 0.25 * x : std::max(0.25, std::abs(apart));
                                  return back && x > 12.0 ? std::max(0.8, std::abs(apart)) : off;
                              }),
-                             kWidth);
+                             limits_of_gaussian(kWidth));
     };
     CHECK(contacts_of_fork(false).list.empty());
     const Contacts again = contacts_of_fork(true);
@@ -119,7 +119,7 @@ TEST_CASE("daughters of a fork that stay together for a while are no contact, bu
 }
 
 TEST_CASE("daughters of a fork with a thin open gap between them are a near miss, from where they part") {
-    const ContactLimits limits(kWidth);
+    const ContactLimits limits = limits_of_gaussian(kWidth);
     // They part, come close again without touching, and part for good; never farther than one reaches on the way.
     const auto back = [](double least) {
         return fork([=](double x) {
@@ -133,7 +133,7 @@ TEST_CASE("daughters of a fork with a thin open gap between them are a near miss
     for (const double least : {1.13, 1.2, 1.28}) {
         CAPTURE(least);
         const PreparedTree prepared = back(least);
-        const Contacts contacts = find_contacts(prepared, kWidth);
+        const Contacts contacts = find_contacts(prepared, limits_of_gaussian(kWidth));
         CHECK(contacts.list.empty());
         const std::vector<double> places = near_misses(prepared, contacts);
         CHECK(std::ranges::count_if(places, [](double x) { return x > 11.0 && x < 13.0; }) == 2 * 4);
@@ -146,7 +146,7 @@ TEST_CASE("daughters of a fork with a thin open gap between them are a near miss
     // The steeper they part the sooner they are out of reach, and there is no thin gap at wide angles.
     const auto straight_daughters = [](double slope) {
         const PreparedTree prepared = fork([=](double x) { return slope * x; });
-        const Contacts contacts = find_contacts(prepared, kWidth);
+        const Contacts contacts = find_contacts(prepared, limits_of_gaussian(kWidth));
         CHECK(contacts.list.empty());
         return near_misses(prepared, contacts).size();
     };
