@@ -179,7 +179,7 @@ CLI::Option* add_surface_flag(CLI::App& command, const SurfaceOption& option, me
 } // namespace
 
 void add_preparing_flags(CLI::App& command, SurfaceFlags& flags, CLI::Option* needing) {
-    for (const char* key : {"smooth", "prune", "centerline", "width"})
+    for (const char* key : {"smooth", "prune", "centerline", "width", "kernel"})
         add_surface_flag(command, *surface_option(key), flags.surface)->needs(needing);
 }
 
@@ -190,6 +190,14 @@ void add_surface_flags(CLI::App& command, SurfaceFlags& flags) {
         CLI::Option* flag = add_surface_flag(command, option, surface);
         if (!option.instead.empty()) flag->excludes(command.get_option(flag_of(option.instead)));
     }
+    command.parse_complete_callback([&command, &surface] {
+        if (command.get_option("--kernel")->count() == 0 || command.get_option("--width")->count() == 0) return;
+        const field::KernelRow& row = field::row_of(surface.kernel);
+        if (row.most_width == 0.0)
+            throw CLI::ValidationError("--width", "has no meaning with --kernel " + std::string(row.key));
+        if (const auto takes = field::check_width(surface.kernel, surface.width); !takes)
+            throw CLI::ValidationError("--width", takes.error().message());
+    });
     add_memory_option(command, "--memory", surface.memory_bytes,
                       "Most memory to use, as 800M or 4G (default 0: half of the machine's); ramus mesh streams larger "
                       "surfaces to the disk");

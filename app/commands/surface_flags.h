@@ -27,8 +27,8 @@ struct SurfaceFlags {
 // Adds the options to `command`; parsing writes to `flags`, which must live as long as the command.
 void add_surface_flags(CLI::App& command, SurfaceFlags& flags);
 
-// Only those that say how a tree is prepared for its surface and how it blends, --smooth, --prune, --centerline and
-// --width, for `needing`, an option of the same command.
+// Only those that say how a tree is prepared for its surface and how it blends, --smooth, --prune, --centerline,
+// --width and --kernel, for `needing`, an option of the same command.
 void add_preparing_flags(CLI::App& command, SurfaceFlags& flags, CLI::Option* needing);
 
 // --units, of a command that reads nothing but a mask.

@@ -91,6 +91,7 @@ void draw_options(InterfaceContext& context) {
     auto& sliders = context.interface.editing.options;
     for (const SurfaceOption& option : surface_options()) {
         if (option.label.empty()) continue;
+        if (option.only_when_set && option.value(options) == option.value({})) continue;
         if (!option.words.empty()) {
             draw_words(context, option, options);
             continue;

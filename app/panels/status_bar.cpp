@@ -111,7 +111,10 @@ float draw_facts(InterfaceContext& context) {
     std::string text;
     if (shown.mesh) {
         const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
-        const std::string kind(cones ? "Cones" : "Convolution surface");
+        const field::KernelKind kernel = shown.request.options.kernel;
+        std::string kind(cones ? "Cones" : "Convolution surface");
+        if (!cones && kernel != field::KernelKind::kGaussian)
+            kind.append(" (").append(field::row_of(kernel).label).append(")");
         const std::string count = grouped(shown.mesh->triangle_count()) + " triangles";
         for (const std::string& fitting :
              {kind + "   " + count + "   " + seconds_text(shown.seconds), kind + "   " + count, count}) {

@@ -121,8 +121,10 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.centerlines = assets.centerlines.lines;
     if (marks.skeleton) frame.skeleton = frame.centerlines;
     const bool cones = viewing.method.value_or(options.method) == mesh::Method::kTruncatedCones;
-    frame.width = cones ? 0.0F : static_cast<float>(options.width);
-    frame.beyond_ends = cones ? 1.0F : static_cast<float>(field::reach_beyond_end(options.width));
+    const bool gaussian = !cones && options.kernel == field::KernelKind::kGaussian;
+    frame.width = gaussian ? static_cast<float>(options.width) : 0.0F;
+    frame.beyond_ends = gaussian ? static_cast<float>(field::reach_beyond_end(options.width)) : 1.0F;
+    frame.only_mesh = !cones && !gaussian; // what is drawn while the view moves knows the Gaussian
     draw_cuts(frame, marks, plan);
     if (assets.measurements) draw_measurements(frame, assets.measurements->found);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);

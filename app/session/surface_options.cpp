@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace ramus::app {
 
@@ -35,7 +36,14 @@ constexpr std::array<OptionWord, 2> kCenterlineWords = {{
     {tree::name_of(tree::Centerline::kLines), "Lines"},
 }};
 
-constexpr std::array<SurfaceOption, 8> kSurfaceOptions = {{
+// In the order of field::KernelKind.
+const std::vector<OptionWord> kKernelWords = [] {
+    std::vector<OptionWord> words;
+    for (const field::KernelRow& row : field::kernel_rows()) words.push_back({row.key, row.label});
+    return words;
+}();
+
+const std::array<SurfaceOption, 9> kSurfaceOptions = {{
     {.key = "smooth",
      .unit = "N",
      .help = "Smoothing passes over points and radii (default 1)",
@@ -76,6 +84,22 @@ constexpr std::array<SurfaceOption, 8> kSurfaceOptions = {{
      .tooltip = "Kernel width: 5 follows the vessels closely, 1 blends them broadly",
      .slider_least = 1.0,
      .slider_most = 10.0},
+    {.key = "kernel",
+     .unit = "KERNEL",
+     .help = "What the centerline is convolved with: gaussian (default), or, to compare with it, inverse-cubic, "
+             "inverse-square (both without a --width), cauchy or polynomial (--width to 10)",
+     .domain = "gaussian, inverse-cubic, inverse-square, cauchy or polynomial",
+     .least = 0,
+     .most = 4,
+     .whole = true,
+     .of_session = true,
+     .value = value_of<&Options::kernel>,
+     .set = set_to<&Options::kernel>,
+     .label = "Kernel",
+     .tooltip = "What the centerline is convolved with: the Gaussian is the paper's choice",
+     .slider_most = 4,
+     .only_when_set = true,
+     .words = kKernelWords},
     {.key = "blend",
      .unit = "tree|paper",
      .help =

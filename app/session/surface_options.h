@@ -34,7 +34,7 @@ struct SurfaceOption {
     double slider_least = 0.0, slider_most = 0.0;
     bool zero_is_off = false;            // shown as "off"
     std::string_view instead{};          // the option that this one replaces on the command line
-    bool only_when_set = false;          // in sessions: left out at its default
+    bool only_when_set = false;          // in sessions and in the window: left out at its default
     std::span<const OptionWord> words{}; // its values, from 0, have names; empty: it is a number
     // What surfaces were made with before there was the option: of sessions that have options, but not this one. None:
     // they were made as by default.

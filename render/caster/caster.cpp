@@ -69,6 +69,7 @@ Records Caster::KeptRecords::view() {
 }
 
 bool Caster::draws(const Frame& frame) {
+    if (frame.only_mesh) return false;
     // A point of a vessel has one value: its diameter cannot go with where it is cut.
     const bool whole = std::ranges::all_of(frame.lost, &LostPart::whole);
     if (frame.scale.value == ColourScale::Value::kSurface) return false; // cones have no vertices

@@ -148,6 +148,22 @@ TEST_CASE("a commands file is read as people write it") {
     CHECK(read_script("/nowhere/c.txt").error().where == "/nowhere/c.txt");
 }
 
+TEST_CASE("only the Gaussian's surface is told by centerlines and a width; that of another kernel by its mesh") {
+    CommandStage stage;
+    refresh(stage.assets, stage.document);
+    const auto frame = [&] { return compose(stage.document.session(), stage.assets, nullptr, {}); };
+    CHECK_FALSE(frame().only_mesh);
+    CHECK(frame().width == 5.0F);
+    stage.good("surface kernel cauchy");
+    CHECK(frame().only_mesh);
+    CHECK(frame().width == 0.0F);
+    stage.good("surface method cones"); // have no kernel
+    CHECK_FALSE(frame().only_mesh);
+    CHECK(frame().width == 0.0F);
+    stage.good("surface method cs\nsurface kernel gaussian");
+    CHECK(frame().width == 5.0F);
+}
+
 TEST_CASE("compose carries the session into the frame") {
     CommandStage stage;
     stage.good("select 3\nhide\nselect 1\ncolour-by generation");

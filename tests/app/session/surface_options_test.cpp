@@ -88,6 +88,23 @@ TEST_CASE("a session from before there was a choice shows the plain sum, as it d
     CHECK(by_hand->session.marks.options == mesh::SurfaceOptions{});
 }
 
+TEST_CASE("a session names a kernel where it is not the Gaussian, and is refused where nobody knows it") {
+    Session session;
+    CHECK_FALSE(to_json(session, "/")["options"].contains("kernel")); // as sessions were before there was a choice
+    for (const field::KernelRow& row : field::kernel_rows()) {
+        CAPTURE(row.key);
+        session.marks.options.kernel = row.kind;
+        CHECK(surface_option("kernel")->domain.find(row.key) != std::string_view::npos);
+        const auto read = session_from_json(to_json(session, "/"), "/", "s.json");
+        REQUIRE(read);
+        CHECK(read->session.marks.options.kernel == row.kind);
+    }
+    nlohmann::json value = to_json(session, "/");
+    CHECK(value["options"]["kernel"] == "polynomial");
+    value["options"]["kernel"] = "quintic";
+    CHECK_FALSE(session_from_json(value, "/", "s.json"));
+}
+
 TEST_CASE("options of the session are saved under their keys and read back, the machine's are not") {
     for (const SurfaceOption& option : surface_options()) {
         CAPTURE(option.key);

@@ -133,6 +133,23 @@ TEST_CASE("cones stand in for the surface while the view moves, and look like it
     }
 }
 
+TEST_CASE("a surface that only its mesh can tell is drawn by that while the view moves, too") {
+    Scene moving(false);
+    moving.frame.only_mesh = true;
+    CHECK(moving.draw().cones == 0);
+    moving.frame.camera = turned(moving.frame.camera, 30.0, 20.0);
+    const DrawStatistics turned_by = moving.draw();
+    CHECK(turned_by.cones == 0);
+    CHECK(turned_by.triangles > 100'000);
+    moving.frame.surface_awaited = true; // the surface before stays
+    moving.frame.camera = turned(moving.frame.camera, 5.0, 0.0);
+    CHECK(moving.draw().cones == 0);
+    moving.frame.surface_awaited = false;
+    moving.frame.only_mesh = false;
+    moving.frame.camera = turned(moving.frame.camera, 5.0, 0.0);
+    CHECK(moving.draw().cones == kVessels.size());
+}
+
 TEST_CASE("of a convolution surface the cones have the field's normals") {
     const ramus::tree::VesselTree tree = ramus::test::built_tree(
         {{{0, 0, -30}, 5}, {{0, 0, 10}, 5}, {{-25, 0, 30}, 4}, {{22, 10, 28}, 2}}, {{0, 1}, {1, 2}, {1, 3}});
