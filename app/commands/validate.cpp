@@ -4,9 +4,11 @@
 #include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/validate_data_set.h"
+#include "app/commands/validate_kernels.h"
 #include "app/commands/validate_report.h"
 #include "app/commands/validate_text.h"
 #include "app/session/numbers.h"
+#include "app/session/of_file.h"
 #include "core/io/json_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
@@ -29,7 +31,17 @@ void check_count(const std::string& name, std::size_t count, std::size_t trees) 
                                          "; give one for each tree, in the same order, or none");
 }
 
+Result<int> run_kernels(const ValidateFlags& flags) {
+    RAMUS_TRY(trees, read_all(flags));
+    if (auto printed =
+            of_file(print_kernels(flags.trees[0], trees[0], flags.surface.surface, flags.json), flags.trees[0]);
+        !printed)
+        return tl::unexpected(printed.error());
+    return kDone;
+}
+
 Result<int> run_validate(const ValidateFlags& flags) {
+    if (flags.kernels) return run_kernels(flags);
     Job whole; // what an interrupt cancels between the steps, which have jobs of their own
     const CancelOnInterrupt cancel(whole);
     std::unique_ptr<ReportFolder> report;
@@ -88,8 +100,14 @@ void register_validate(CLI::App& app, Action& chosen) {
     command->add_flag("--json", flags->json,
                       "Print what was found as one JSON object; of several trees {\"data_sets\": [...], "
                       "\"averages\": {...}}");
+    CLI::Option* kernels = command->add_flag(
+        "--kernels", flags->kernels,
+        "Instead, of one tree: a table of what each kernel, at some widths, makes of joints and of the tree");
     add_surface_flags(*command, flags->surface);
+    for (const char* other : {"--surface", "--mask", "--report", "--kernel", "--width", "--blend"})
+        kernels->excludes(command->get_option(other));
     command->callback([flags, &chosen] {
+        if (flags->kernels && flags->count() != 1) throw CLI::ValidationError("--kernels", "takes one tree");
         check_count("--mask", flags->masks.size(), flags->count());
         check_count("--surface", flags->meshes.size(), flags->count());
         chosen = [flags] { return run_validate(*flags); };

@@ -156,6 +156,32 @@ class Validate(CommandLineTest):
         self.assertEqual(page.count["svg"], 5)
         self.assertIn("mask", page.words)
 
+    def test_kernels_compared(self):
+        self.write("crossing.swc", CROSSING)
+        found = self.json("validate", "crossing.swc", "--kernels", "--detail", "8", "--json")
+        self.assertEqual(found["graph"], {"pieces": 2, "loops": 0})
+        kinds = {(one["kernel"], one["width"]) for one in found["kernels"]}
+        self.assertEqual(len(kinds), len(found["kernels"]))
+        self.assertEqual({kind for kind, _ in kinds}, {"gaussian", "inverse-square", "inverse-cubic", "cauchy", "polynomial"})
+        for one in found["kernels"]:
+            self.assertLess(one["joints"]["straight_percent"], 0.1)
+            self.assertEqual(one["width"] is None, one["kernel"].startswith("inverse"))
+            self.assertEqual((one["pieces"], one["merged"]), (1, 1))  # their tubes overlap
+        text = self.expect_done("validate", "crossing.swc", "--kernels", "--detail", "8").stdout
+        self.assertIn("inverse-cubic", text)
+        self.assertIn("The tree has 2 pieces and 0 loops", text)
+        for words in (("--kernel", "cauchy"), ("--width", "3"), ("--report", "folder"), ("--blend", "tree")):
+            self.assertEqual(self.run_ramus("validate", "crossing.swc", "--kernels", *words).returncode, 2)
+
+    def test_another_kernel(self):
+        gaussian, cubic = (self.json("validate", "fork.swc", "--json", "--kernel", kernel)
+                           for kernel in ("gaussian", "inverse-cubic"))
+        self.assertGreater(cubic["distances"]["to_cones"]["mean"], gaussian["distances"]["to_cones"]["mean"])
+        self.expect_failure("validate", "fork.swc", "--kernel", "inverse-square", says=["inverse-square", "--blend paper"])
+        self.expect_done("validate", "fork.swc", "--kernel", "inverse-square", "--blend", "paper")
+        for words in (("cubic",), ("inverse-cubic", "--width", "2"), ("polynomial", "--width", "20")):
+            self.assertEqual(self.run_ramus("validate", "fork.swc", "--kernel", *words).returncode, 2)
+
     def test_what_cannot_be(self):
         self.expect_failure("validate", "fork.swc", "--surface", "missing.ply", says=["missing.ply"])
         self.expect_failure("validate", "fork.swc", "--mask", "fork.swc", says=["fork.swc"])

@@ -1,0 +1,78 @@
+#include "core/validate/kernels.h"
+
+#include "core/field/kernel.h"
+#include "core/measure/deviation/deviation.h"
+#include "core/measure/mesh_components.h"
+
+#include <array>
+#include <utility>
+
+namespace ramus::validate {
+
+namespace {
+
+using field::KernelKind;
+
+// Of the polynomial width 3 blends about as far as the Gaussian's 5, Cauchy's never blends so little.
+constexpr std::array<std::pair<KernelKind, double>, 11> kCompared = {{{KernelKind::kGaussian, 1.0},
+                                                                      {KernelKind::kGaussian, 2.0},
+                                                                      {KernelKind::kGaussian, 5.0},
+                                                                      {KernelKind::kGaussian, 8.0},
+                                                                      {KernelKind::kInverseSquare, 0.0},
+                                                                      {KernelKind::kInverseCubic, 0.0},
+                                                                      {KernelKind::kCauchy, 1.0},
+                                                                      {KernelKind::kCauchy, 5.0},
+                                                                      {KernelKind::kPolynomial, 1.0},
+                                                                      {KernelKind::kPolynomial, 3.0},
+                                                                      {KernelKind::kPolynomial, 5.0}}};
+
+// Loops of a closed surface: its Euler number is twice its pieces less twice these.
+long loops_of(const mesh::TriangleMesh& mesh, long pieces) {
+    const auto vertices = static_cast<long>(mesh.positions.size()),
+               triangles = static_cast<long>(mesh.triangles.size());
+    return pieces - (vertices - triangles / 2) / 2; // V - E + F with E = 3/2 F
+}
+
+Result<KernelFigures> figures_of(std::pair<KernelKind, double> kernel, const tree::VesselTree& source,
+                                 mesh::SurfaceOptions options, const mesh::TriangleMesh& cones, Job& job) {
+    options.kernel = kernel.first;
+    options.width = kernel.second > 0.0 ? kernel.second : options.width;
+    options.blend = mesh::Blend::kPaper; // keeping vessels apart would hide what a kernel merges
+    KernelFigures found;
+    found.kind = kernel.first, found.width = kernel.second;
+    const field::Kernel made = mesh::kernel_of(options);
+    found.support_radii = made.support_radii;
+    found.joints = joint_figures(made);
+    RAMUS_TRY(surface, mesh::make_surface(source, options, job));
+    RAMUS_TRY(validation, validate(source, surface.mesh, {options.smooth_passes, made.limits, options.threads}, job));
+    found.radius_error = validation.radius_error;
+    found.merged = validation.merged.size();
+    LargeArray<double> distances = measure::deviations(surface.mesh, cones, options.threads);
+    const measure::DeviationStatistics to_cones = measure::statistics_of(distances, {});
+    found.to_cones_mean_mm = to_cones.mean, found.to_cones_max_mm = to_cones.max;
+    found.pieces = measure::component_count(surface.mesh);
+    found.loops = loops_of(surface.mesh, found.pieces);
+    found.evaluations = surface.statistics.evaluations, found.triangles = surface.mesh.triangles.size();
+    found.mesh_s = surface.statistics.seconds;
+    return found;
+}
+
+} // namespace
+
+Result<ComparedKernels> compare_kernels(const tree::VesselTree& source, const mesh::SurfaceOptions& options, Job& job) {
+    mesh::SurfaceOptions of_cones = options;
+    of_cones.method = mesh::Method::kTruncatedCones;
+    RAMUS_TRY(cones, mesh::make_surface(source, of_cones, job));
+    ComparedKernels compared;
+    compared.graph_loops = source.loop_count;
+    compared.graph_pieces = static_cast<long>(source.roots.size());
+    for (const auto& kernel : kCompared) {
+        job.report(static_cast<float>(compared.kernels.size()) / static_cast<float>(kCompared.size()));
+        if (job.cancelled()) return fail("cancelled");
+        RAMUS_TRY(figures, figures_of(kernel, source, options, cones.mesh, job));
+        compared.kernels.push_back(std::move(figures));
+    }
+    return compared;
+}
+
+} // namespace ramus::validate
