@@ -45,7 +45,7 @@ template <class X> HWY_INLINE X arc_tangent(X a) {
 template <class Tag, class Vec = hn::Vec<Tag>> struct LongVesselPlace { Vec distance, fall; };
 
 template <class Shape> struct CompactLine {
-    static constexpr float scale = 1.0F, bound_scale = 1.0F;
+    float scale = 1.0F, bound_scale = 1.0F;
     static constexpr float kShortStep = 0.05F; // of a radius; as short as the Gaussian's
     Shape shape;
 
