@@ -36,7 +36,7 @@ public:
     Comparing(const ValidateFlags& flags, const mesh::TriangleMesh& surface, ValidatedDataSet& set, bool for_report)
         : flags_(flags), surface_(surface), set_(set), for_report_(for_report) {}
 
-    Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other) const {
+    [[nodiscard]] Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other) const {
         return with_progress("distances", [&](Job&) -> Result<SurfaceDistances> {
             SurfaceDistances found;
             LargeArray<double> distances = measure::deviations(surface_, other, flags_.surface.surface.threads);
@@ -50,7 +50,7 @@ public:
             return found;
         });
     }
-    Result<std::vector<double>> radii_in(const mesh::TriangleMesh& other) const {
+    [[nodiscard]] Result<std::vector<double>> radii_in(const mesh::TriangleMesh& other) const {
         if (!for_report_) return std::vector<double>();
         return with_progress("radii", [&](Job& job) {
             return validate::radii_in(other, set_.validation.radii, validation_options(flags_), job);
