@@ -1,9 +1,11 @@
 #include "app/actions/arguments.h"
 
+#include "app/assets/assets.h"
 #include "app/storage/user_folders.h"
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 namespace ramus::app::actions {
@@ -73,11 +75,36 @@ std::optional<bool> switched(Arguments arguments, bool now) {
     return arguments[0] == "on";
 }
 
+namespace {
+
+// Spheres by the corners of the cubes in them and around them: as round as a fitted camera can tell.
+void add_lesions(std::vector<glm::vec3>& positions, const ActionContext& context) {
+    const Marks& marks = context.document.marks();
+    for (const auto& [x, y, z, radius] : marks.lesions)
+        for (int k = 0; k < 27; ++k) {
+            const glm::dvec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+            const double length = std::max(glm::length(way), 1.0);
+            positions.emplace_back(glm::dvec3(x, y, z) + radius / length * way);
+        }
+    for (const std::string& file : marks.lesion_meshes)
+        if (const auto lesion = context.assets.lesion_mesh(file))
+            positions.insert(positions.end(), lesion->mesh.positions.begin(), lesion->mesh.positions.end());
+}
+
+} // namespace
+
 std::vector<glm::vec3> visible_positions(const ActionContext& context) {
     const auto mesh = context.picture.picture_mesh();
     if (!mesh) return {};
     const Marks& marks = context.document.marks();
-    return mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+    auto positions =
+        mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+    add_lesions(positions, context);
+    for (const ContextItem& item : marks.context)
+        if (const auto shape = item.visible ? context.assets.context_shape(source_of(item)) : nullptr;
+            shape && item.opacity > 0.0)
+            positions.insert(positions.end(), shape->mesh->positions.begin(), shape->mesh->positions.end());
+    return positions;
 }
 
 Result<void> move_camera(ActionContext& context, const render::Camera& camera) {

@@ -26,7 +26,8 @@ namespace ramus::app::actions {
 [[nodiscard]] Result<void> ask_for_file(ActionContext& context, FilePurpose purpose, tl::unexpected<Error> without);
 // "on" or "off"; without a word, the other than now. None: it is something else.
 [[nodiscard]] std::optional<bool> switched(Arguments arguments, bool now);
-// Vertices of the surface in the picture, but for branches that were hidden since it was made. Empty: there are none.
+// Points of all that is in the picture: the surface but for branches that were hidden since it was made, lesions,
+// context that is shown. Empty: there is no surface.
 [[nodiscard]] std::vector<glm::vec3> visible_positions(const ActionContext& context);
 // The camera leaps there. Succeeds.
 Result<void> move_camera(ActionContext& context, const render::Camera& camera);

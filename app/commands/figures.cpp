@@ -153,6 +153,14 @@ void label(render::Sheet& sheet, std::size_t view, bool table) {
     if (view > 0) sheet.heading.clear();
 }
 
+// The bar that pictures have in common.
+void keep_common(std::optional<render::ScaleBar>& common, const std::optional<render::ScaleBar>& next, bool first) {
+    if (first)
+        common = next;
+    else if (common != next)
+        common.reset();
+}
+
 } // namespace
 
 void add_figure_flags(CLI::App& command, FigureFlags& flags) {
@@ -191,7 +199,7 @@ void dress(render::Sheet& sheet, const FigureFlags& flags) {
     }
 }
 
-Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureFlags& flags) {
+Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureFlags& flags) {
     sheet.size *= flags.supersample;
     sheet.heading_top *= flags.supersample;
     for (render::Sheet::Viewport& viewport : sheet.viewports) {
@@ -200,14 +208,16 @@ Result<render::Image> draw_figure(render::SheetRenderer& renderer, render::Sheet
     }
     make_room_for_caption(sheet);
     if (auto fits = check_enlarged(sheet.size, flags); !fits) return tl::unexpected(fits.error());
-    if (const auto drawn = renderer.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    if (const auto drawn = renderer.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
     if (flags.samples > 4 && flags.supersample == 1)
         if (const auto finer = renderer.refine(sheet); !finer) return tl::unexpected(finer.error());
-    return render::reduced(renderer.read_image(), flags.supersample);
+    Figure figure{render::reduced(renderer.read_image(), flags.supersample), renderer.scale_bar()};
+    if (figure.scale_bar) figure.scale_bar->pixels /= flags.supersample;
+    return figure;
 }
 
-Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
-                                      const FigureFlags& flags) {
+Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
+                               const FigureFlags& flags) {
     RAMUS_TRY(whole, compose(size));
     const Grid grid = grid_for(whole, size);
     const glm::ivec2 part = grid.part();
@@ -225,41 +235,42 @@ Result<render::Image> draw_four_views(render::SheetRenderer& renderer, const Com
     // Views in one direction and surfaces in the other, unless the picture is so long that both go the same way.
     const bool below = composed.viewports.back().at.y > 0;
     const bool table = side_by_side(composed) && below == (grid.count.x > 1);
-    render::Image picture(size.x, size.y);
+    Figure picture{render::Image(size.x, size.y), {}};
     if (side_by_side(composed) && !composed.viewports.front().frame.background.transparent)
-        picture.fill(composed.divider);
+        picture.image.fill(composed.divider);
     for (std::size_t i = 0; i < kViews.size(); ++i) {
         render::Sheet one = composed;
         look_from(one, cameras[i]);
         label(one, i, table);
-        auto image = draw_figure(renderer, std::move(one), flags);
-        if (!image) return image;
-        picture.put(*image, grid.at(static_cast<int>(i)));
+        auto part_of_it = draw_figure(renderer, std::move(one), flags);
+        if (!part_of_it) return part_of_it;
+        picture.image.put(part_of_it->image, grid.at(static_cast<int>(i)));
+        keep_common(picture.scale_bar, part_of_it->scale_bar, i == 0);
     }
     return picture;
 }
 
-Result<std::vector<std::filesystem::path>> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
-                                                           const FigureFlags& flags, bool keep_camera,
-                                                           const std::filesystem::path& output) {
+Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet, const FigureFlags& flags,
+                                  bool keep_camera, const std::filesystem::path& output) {
     const render::Frame& first = sheet.viewports.front().frame;
     std::vector<render::Camera> cameras;
     for (int i = 0; i < flags.turntable; ++i)
         cameras.push_back(render::turned(first.camera, 360.0 * i / flags.turntable, 0.0));
     if (!keep_camera) cameras = at_one_scale(std::move(cameras), visible_box(sheet), first.size);
     const std::size_t digits = std::max<std::size_t>(3, std::to_string(flags.turntable).size());
-    std::vector<std::filesystem::path> files;
+    Turntable table;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         render::Sheet one = sheet;
         look_from(one, cameras[i]);
-        RAMUS_TRY(image, draw_figure(renderer, std::move(one), flags));
+        RAMUS_TRY(figure, draw_figure(renderer, std::move(one), flags));
         std::string number = std::to_string(i + 1);
         number.insert(0, digits - number.size(), '0');
         const auto file = output.parent_path() / (output.stem().string() + "_" + number + output.extension().string());
-        if (auto written = render::write_png(image, file); !written) return tl::unexpected(written.error());
-        files.push_back(file);
+        if (auto written = render::write_png(figure.image, file); !written) return tl::unexpected(written.error());
+        table.files.push_back(file);
+        keep_common(table.scale_bar, figure.scale_bar, i == 0);
     }
-    return files;
+    return table;
 }
 
 } // namespace ramus::app

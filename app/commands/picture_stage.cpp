@@ -103,7 +103,7 @@ Result<render::BranchPicture> PictureStage::branch_picture() {
 
 Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
     RAMUS_TRY(requested, sheet());
-    if (const auto drawn = sheet_renderer_->draw(requested); !drawn) return tl::unexpected(drawn.error());
+    if (const auto drawn = sheet_renderer_->draw_with_scale(requested); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = sheet_renderer_->refine(requested); !finer) return tl::unexpected(finer.error());
     return render::write_png(sheet_renderer_->read_image(), path);
 }
@@ -112,9 +112,11 @@ Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, g
     RAMUS_TRY(requested, frame());
     requested.camera = camera;
     requested.size = size;
-    if (const auto drawn = renderer_->draw(requested); !drawn) return tl::unexpected(drawn.error());
-    (void)renderer_->refine();
-    return renderer_->read_image();
+    const render::Sheet sheet = render::sheet_of(std::move(requested));
+    render::SheetRenderer alone(*renderer_); // those of other viewports keep what they have
+    if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
+    (void)alone.refine(sheet);
+    return alone.read_image();
 }
 
 } // namespace ramus::app

@@ -113,9 +113,8 @@ Result<bool> open_document(const RenderFlags& flags, Document& document) {
 }
 
 // The window with all that is around the picture.
-Result<render::Image> draw_interface(const RenderFlags& flags, const Document& document, const PictureStage& stage,
-                                     render::Renderer& renderer,
-                                     const std::function<Result<void>(ActionContext&)>& run) {
+Result<Figure> draw_interface(const RenderFlags& flags, const Document& document, const PictureStage& stage,
+                              render::Renderer& renderer, const std::function<Result<void>(ActionContext&)>& run) {
     Workspace workspace({});
     LoadedTree loaded;
     loaded.assets = stage.assets;
@@ -125,7 +124,8 @@ Result<render::Image> draw_interface(const RenderFlags& flags, const Document& d
     loaded.cones = stage.surface();
     loaded.cones.request = surface_request(document.marks());
     workspace.adopt(std::move(loaded), document.session().tree.path);
-    return picture_with_interface(workspace, renderer, flags.size, 1.0F, run);
+    RAMUS_TRY(shown, picture_with_interface(workspace, renderer, flags.size, 1.0F, run));
+    return Figure{std::move(shown.image), shown.scale_bar};
 }
 
 // OpenGL from the backend that was asked for; current.
@@ -148,6 +148,15 @@ nlohmann::json description_of(render::Backend backend) {
     return {{"backend", render::name_of(backend)},
             {"renderer", render::gl_renderer()},
             {"version", render::gl_version().text()}};
+}
+
+// null: the picture has none.
+nlohmann::json description_of(const std::optional<render::ScaleBar>& bar) {
+    if (!bar) return nullptr;
+    return {{bar->unit_known ? "mm" : "units", bar->length_mm},
+            {"pixels", bar->pixels},
+            {"at", render::name_of_place(bar->at)},
+            {"percent", bar->percent}};
 }
 
 // What is read beside the tree.
@@ -181,10 +190,13 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
 // Pictures once around the tree, as files.
 Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheets, const render::Sheet& sheet,
                           bool keep_camera) {
-    RAMUS_TRY(files, write_turntable(sheets, sheet, flags.figure, keep_camera, flags.output));
-    say(flags.common, "wrote " + counted(files.size(), "picture", "pictures") + " from " + files.front().string());
-    nlohmann::json report{{"pictures", nlohmann::json::array()}, {"gl", description_of(flags.backend)}};
-    for (const auto& file : files) report["pictures"].push_back(file.string());
+    RAMUS_TRY(table, write_turntable(sheets, sheet, flags.figure, keep_camera, flags.output));
+    say(flags.common,
+        "wrote " + counted(table.files.size(), "picture", "pictures") + " from " + table.files.front().string());
+    nlohmann::json report{{"pictures", nlohmann::json::array()},
+                          {"scale_bar", description_of(table.scale_bar)},
+                          {"gl", description_of(flags.backend)}};
+    for (const auto& file : table.files) report["pictures"].push_back(file.string());
     if (flags.json) std::cout << io::printed_json(report) << '\n';
     return kDone;
 }
@@ -259,20 +271,23 @@ Result<int> run_render(const RenderFlags& flags) {
     if (flags.figure.turntable > 0)
         return run_turntable(flags, sheets, sheet, inputs.camera || (has_camera && !flags.view_given));
     const Stopwatch watch;
-    RAMUS_TRY(done, sheets.draw(sheet));
+    RAMUS_TRY(done, sheets.draw_with_scale(sheet));
     render::SheetRenderer::finish();
     const double draw_seconds = watch.seconds();
     // A plain picture is the one that is there: drawing an equal frame again draws nothing.
     const auto compose_sized = [&](glm::ivec2 size) { return stage.sheet(size); };
-    RAMUS_TRY(image, flags.interface      ? draw_interface(flags, document, stage, *renderer, run)
-                     : flags.figure.sheet ? draw_four_views(sheets, compose_sized, flags.size, flags.figure)
-                                          : draw_figure(sheets, sheet, flags.figure));
+    RAMUS_TRY(figure, flags.interface      ? draw_interface(flags, document, stage, *renderer, run)
+                      : flags.figure.sheet ? draw_four_views(sheets, compose_sized, flags.size, flags.figure)
+                                           : draw_figure(sheets, sheet, flags.figure));
 
-    nlohmann::json report{
-        {"size", {image.width, image.height}}, {"triangles", done.triangles},
-        {"mesh_s", stage.surface().seconds},   {"draw_s", draw_seconds},
-        {"gl", description_of(flags.backend)}, {"camera", render::to_json(document.session().camera)}};
-    auto status = finish_picture(image, flags, report);
+    nlohmann::json report{{"size", {figure.image.width, figure.image.height}},
+                          {"triangles", done.triangles},
+                          {"mesh_s", stage.surface().seconds},
+                          {"draw_s", draw_seconds},
+                          {"gl", description_of(flags.backend)},
+                          {"camera", render::to_json(document.session().camera)},
+                          {"scale_bar", description_of(figure.scale_bar)}};
+    auto status = finish_picture(figure.image, flags, report);
     if (!status) return status;
     if (flags.benchmark > 0) {
         const bool hurry = draw_seconds > Pace::kSlowSeconds && !flags.benchmark_full;

@@ -18,6 +18,7 @@
 #include "core/io/volumes/volume_file.h"
 #include "core/tree/part_of_tree.h"
 #include "render/gl/headless_context.h"
+#include "render/overlay/scale_bar.h"
 #include "render/renderer/renderer.h"
 
 #include <algorithm>
@@ -29,6 +30,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -159,7 +161,16 @@ public:
         show_claims(frame, claims_);
         return frame;
     }
-    Result<render::Image> draw(const render::Frame& frame) {
+    // Pictures from one eye have one scale bar, that of the first of them: it tells no surface from another.
+    Result<render::Image> draw(render::Frame frame) {
+        if (scale_of_ != frame.camera) {
+            if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
+            const auto depths = renderer_.read_depths();
+            const auto visible = depths ? render::visible_in({&*depths, 1}) : std::nullopt;
+            scale_ = visible ? render::scale_of(frame.camera, frame.size, *visible) : std::nullopt;
+            scale_of_ = frame.camera;
+        }
+        frame.overlays.scale = scale_;
         if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
         (void)renderer_.refine();
         return renderer_.read_image();
@@ -177,7 +188,9 @@ public:
 private:
     render::Renderer& renderer_;
     const StudyFlags& flags_;
-    tree::Claims claims_; // of the tree
+    tree::Claims claims_;                    // of the tree
+    std::optional<render::Camera> scale_of_; // where it was measured
+    std::optional<render::Scale> scale_;
     std::vector<std::string> files_;
 };
 

@@ -39,6 +39,31 @@ void draw_empty_view(InterfaceContext& context) {
                   ImGui::GetColorU32(theme::kQuiet), hint);
 }
 
+// The way back, where the picture shows nothing of what there is.
+void draw_way_back(InterfaceContext& context) {
+    if (!context.interface.nothing_in_view) return;
+    const float scale = theme::scale(), width = 190.0F * scale, height = 84.0F * scale;
+    const Layout& layout = context.layout;
+    const glm::vec2 corner =
+        glm::vec2(layout.view_at) + 0.5F * (glm::vec2(layout.view_size) - glm::vec2(width, height));
+    ImVec4 ground = theme::kBar;
+    ground.w = 0.82F;
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16.0F * scale, 12.0F * scale});
+    widgets::begin_fixed("nothing in view", std::round(corner.x), std::round(corner.y), width, height,
+                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const char* words = "Nothing is in view";
+    ImGui::SetCursorPosX(std::round(0.5F * (width - ImGui::CalcTextSize(words).x)));
+    ImGui::TextUnformatted(words);
+    ImGui::Dummy({1.0F, 2.0F * scale});
+    if (widgets::button("Fit", {ImGui::GetContentRegionAvail().x, 28.0F * scale}, theme::kAccentDim))
+        context.perform("fit", {});
+    widgets::tooltip("Brings all of it back into the picture", "F");
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
 } // namespace
 
 Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview_points, float panel_points) {
@@ -86,6 +111,7 @@ bool Interface::dismiss() {
 
 void Interface::forget_tree() {
     hovered = tree::kNoBranch;
+    nothing_in_view = false;
     list.of = nullptr;
     list.shown = list.cursor = list.anchor = tree::kNoBranch;
     overview.shown_selection = tree::kNoBranch;
@@ -123,6 +149,7 @@ void draw_interface(InterfaceContext& context) {
     flags = interface.menu_keys > 0 ? flags | ImGuiConfigFlags_NavEnableKeyboard
                                     : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
     draw_empty_view(context);
+    draw_way_back(context);
     draw_tool_drawing(context);
     draw_menu_bar(context);
     draw_tool_bar(context);

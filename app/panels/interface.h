@@ -179,6 +179,7 @@ struct Interface {
     std::deque<Error> errors; // of files, shown one after the other in a dialog
     Notice notice;
     int hovered = tree::kNoBranch; // under the pointer in the picture
+    bool nothing_in_view = false;  // of all that there is
     bool tooltip = false;          // the pointer rests on the picture
     int listed = tree::kNoBranch;  // under the pointer in the list of branches
     BranchList list;

@@ -24,7 +24,7 @@ float begin_left_panel(const char* name, const Layout& layout, const Comparison&
     const std::size_t viewport = viewport_below(layout, comparison);
     const float heading = layout.viewports_at.size() > 1 ? 28.0F : 0.0F;
     const float top = (56.0F + heading) * scale, margin = 10.0F * scale;
-    const float below = (viewport > 0 ? 128.0F : 52.0F) * scale;
+    const float below = (viewport > 0 ? 128.0F : 68.0F) * scale;
     // The middle of the picture, where places are looked at, stays free where there is room for both.
     const auto view_width = static_cast<float>(viewport > 0 ? layout.viewport_size.x : layout.view_size.x);
     const float free_width = viewport > 0 ? view_width : 0.5F * view_width - margin;

@@ -35,6 +35,23 @@ void draw_button(InterfaceContext& context, const ToolKind& kind, float side) {
     widgets::tooltip(kind.label.c_str(), kind.keys.empty() ? nullptr : kind.keys.front().c_str());
 }
 
+// What parallel lines look like: side by side, or as rails that meet far away.
+void draw_projection_button(InterfaceContext& context, float side) {
+    const bool parallel = context.workspace.document.session().camera.orthographic;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (widgets::button("##projection", {side, side}, theme::kNothing)) context.perform("orthographic", {});
+    const ImU32 colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? theme::kText : theme::kQuiet);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (const float x : {0.26F, 0.5F, 0.74F}) {
+        const float far = parallel ? x : 0.5F + 0.3F * (x - 0.5F);
+        list->AddLine({at.x + far * side, at.y + 0.24F * side}, {at.x + x * side, at.y + 0.76F * side}, colour,
+                      1.5F * theme::scale());
+    }
+    widgets::tooltip(parallel ? "Perspective: what is nearer looks larger"
+                              : "Parallel projection: one scale for all of the picture",
+                     "O");
+}
+
 // Entries of the command table as texts side by side; the one in use is marked.
 void draw_switch(InterfaceContext& context, std::string_view name, std::initializer_list<const char*> texts,
                  float height) {
@@ -87,6 +104,9 @@ void draw_tool_bar(InterfaceContext& context) {
         draw_button(context, kind, side);
         ImGui::SameLine();
     }
+    draw_divider(side);
+    draw_projection_button(context, side);
+    ImGui::SameLine();
     if (context.interface.tool_kind->name.starts_with("lasso")) {
         draw_divider(side);
         draw_switch(context, "lasso-mode", {"Half", "Any part"}, side);

@@ -1,6 +1,7 @@
 #include "app/picture/fit.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace ramus::app {
 
@@ -13,6 +14,22 @@ render::Camera with_room(render::Camera camera, const Comparison& comparison) {
     camera.position = camera.focal_point + kRoom * (camera.position - camera.focal_point);
     camera.scale *= kRoom;
     return camera;
+}
+
+bool context_in_view(const render::Frame& frame) {
+    return std::ranges::any_of(frame.context, [&](const render::ContextMesh& item) {
+        if (!item.shown()) return false;
+        const render::Box box = render::bounds_of(*item.mesh);
+        glm::dvec2 least(1e300), most(-1e300);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 high((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+            const auto pixel = render::project(frame.camera, frame.size, glm::mix(box.lower, box.upper, high));
+            if (!pixel) return true; // around the eye
+            least = glm::min(least, glm::dvec2(*pixel));
+            most = glm::max(most, glm::dvec2(*pixel));
+        }
+        return most.x >= 0.0 && most.y >= 0.0 && least.x < frame.size.x && least.y < frame.size.y;
+    });
 }
 
 render::Camera looking_at(const render::Camera& camera, const glm::dvec3& at, double radius_mm, glm::ivec2 size) {

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "app/session/session.h"
+#include "render/scene/frame.h"
 
 namespace ramus::app {
 
 // `camera`, that a tree's own surface fills the picture of, farther away where the isosurface stands beside it: a mask
 // reaches beyond the ends of its centerlines.
 [[nodiscard]] render::Camera with_room(render::Camera camera, const Comparison& comparison);
+
+// Whether anything of the context that is shown may be in the picture, as far as boxes tell.
+[[nodiscard]] bool context_in_view(const render::Frame& frame);
 
 // `camera` from the same side, near enough to see what is around `at`, where vessels have this radius; never farther
 // than it is. `size`: of the picture.

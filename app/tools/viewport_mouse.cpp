@@ -5,10 +5,11 @@
 
 namespace ramus::app {
 
-void ViewportMouse::press(MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+void ViewportMouse::press(MouseButton button, Modifiers modifiers, glm::dvec2 at, const Grip& grip) {
     if (held_) return; // one button at a time: the first one decides
     held_ = button;
     modifiers_ = modifiers;
+    grip_ = grip;
     pressed_at_ = last_ = at;
     dragging_ = false;
 }
@@ -39,13 +40,14 @@ std::optional<render::Camera> ViewportMouse::move(const render::Camera& camera, 
     }
     const glm::dvec2 from = last_;
     last_ = to;
-    if (*held_ == MouseButton::kRight) return render::zoomed_by_drag(camera, size, from, to);
-    if (*held_ == MouseButton::kMiddle || modifiers_.shift) return render::panned(camera, size, from, to);
-    return render::rotated(camera, size, from, to);
+    if (*held_ == MouseButton::kRight)
+        return render::zoomed_about(camera, grip_.goal, render::zoom_of_drag(size, from, to), grip_.least_mm);
+    if (*held_ == MouseButton::kMiddle || modifiers_.shift) return render::panned(camera, size, grip_.about, from, to);
+    return render::rotated(camera, size, grip_.about, from, to);
 }
 
-render::Camera ViewportMouse::wheel(const render::Camera& camera, glm::ivec2 size, glm::dvec2 at, double notches) {
-    return render::zoomed_to(camera, size, at, std::pow(kWheelStep, notches));
+render::Camera ViewportMouse::wheel(const render::Camera& camera, const Grip& grip, double notches) {
+    return render::zoomed_about(camera, grip.goal, std::pow(kWheelStep, notches), grip.least_mm);
 }
 
 } // namespace ramus::app

@@ -10,7 +10,7 @@
 
 namespace ramus::app {
 
-Result<render::Image> picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size,
+Result<WindowPicture> picture_with_interface(Workspace& workspace, render::Renderer& renderer, glm::ivec2 size,
                                              float scale, const std::function<Result<void>(ActionContext&)>& prepare) {
     const ImguiContext imgui;
     if (auto possible = render::check_size(size.x, size.y); !possible) return tl::unexpected(possible.error());
@@ -43,7 +43,7 @@ Result<render::Image> picture_with_interface(Workspace& workspace, render::Rende
     if (prepare)
         if (auto done = prepare(viewer->actions()); !done) return tl::unexpected(done.error());
     settle();
-    return target.read_premultiplied();
+    return WindowPicture{target.read_premultiplied(), viewer->picture().scale_bar()};
 }
 
 } // namespace ramus::app

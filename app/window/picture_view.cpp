@@ -1,6 +1,7 @@
 #include "app/window/picture_view.h"
 
 #include "app/picture/deviation_colours.h"
+#include "app/picture/fit.h"
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ render::Camera PictureView::camera_on_its_way() {
 
 bool PictureView::draw(bool dragging) {
     state_.follow_tree();
+    take_depths();
     const std::vector<Viewport> viewports = state_.viewports();
     const ShownSurfaces surfaces = state_.workspace.surfaces();
     compose_window(viewports, surfaces);
@@ -67,7 +69,51 @@ bool PictureView::draw(bool dragging) {
     tell_panels(viewports);
     const auto drawn = sheets_.draw(sheet_, kUploadBudget, state_.watched() ? kDrawingSeconds : render::kUntilDone);
     take(drawn, quality);
+    ask_depths(drawn && drawn->geometry);
+    tell_nothing_in_view();
     return drawn && drawn->shaded;
+}
+
+void PictureView::point(glm::dvec2 at, glm::dvec2 in_viewport) {
+    if (sheet_.viewports.empty()) return aim_.point_nowhere();
+    aim_.point(render::SheetRenderer::viewport_at(sheet_, at), in_viewport,
+               render::kPickRadius * std::max(1.0, double(state_.scale)));
+}
+
+void PictureView::take_depths() {
+    if (!depths_pending_) return;
+    auto maps = sheets_.poll_depths();
+    if (!maps) return;
+    depths_pending_ = false;
+    aim_.see(std::move(*maps), state_.workspace.document.session().camera);
+}
+
+// Those on their way are waited for: while the view moves some picture's depths come.
+void PictureView::ask_depths(bool drawn) {
+    depths_wanted_ |= drawn;
+    if (!depths_wanted_ || depths_pending_) return;
+    depths_pending_ = sheets_.request_depths();
+    depths_wanted_ = !depths_pending_;
+}
+
+// Clear context is seen and not pointed at.
+void PictureView::tell_nothing_in_view() {
+    const render::Frame& frame = sheet_.viewports.front().frame;
+    const bool nothing =
+        resting() && frame.mesh && frame.mesh->triangle_count() > 0 && aim_.sees_nothing() && !context_in_view(frame);
+    if (nothing != state_.interface.nothing_in_view) state_.redraw();
+    state_.interface.nothing_in_view = nothing;
+}
+
+// In perspective a length holds at one depth: what the view turns about, what is pointed at, or the visible middle.
+std::optional<render::Scale> PictureView::scale_now() const {
+    const glm::ivec2 size = state_.viewport_size();
+    if (pivot_) return render::scale_at(shown_camera_, size, *pivot_, render::Scale::At::kPivot);
+    const auto target = aim_.target(shown_camera_);
+    if (!target) return {};
+    if (target->on == Aim::On::kPointer)
+        return render::scale_at(shown_camera_, size, target->at, render::Scale::At::kPointer);
+    return render::scale_of(shown_camera_, size, *aim_.visible());
 }
 
 // The first viewport decides how quickly the others are seen.
@@ -100,9 +146,11 @@ render::Quality PictureView::quality_now(bool dragging) {
 void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces,
                         render::Quality quality) {
     const ReadySurface& shown = state_.workspace.shown();
+    const auto scale = scale_now();
     for (std::size_t i = 0; i < sheet_.viewports.size(); ++i) {
         render::Frame& frame = sheet_.viewports[i].frame;
         frame.camera = shown_camera_;
+        frame.overlays.scale = scale;
         frame.quality = quality;
         frame.preview = surfaces.preview_of(viewports[i].surface);
         if (!shows_own(viewports[i])) continue;
@@ -139,6 +187,7 @@ void PictureView::take(const Result<render::DrawStatistics>& drawn, render::Qual
         state_.warn(Warning{"The surface is more than graphics memory holds: a coarser one is shown",
                             {},
                             "lower the detail, or hide what is not needed; files that are exported have all of it"});
+    scale_bar_ = sheets_.scale_bar();
     upload_pending_ = done.pending;
     unfinished_ = done.unfinished;
     if (done.geometry && !cast_ && quality == render::Quality::kFull) full_seconds_ = done.seconds;
@@ -163,18 +212,19 @@ double PictureView::wait_seconds(double now) const {
     double wait = std::numeric_limits<double>::infinity();
     if (quality_ != render::Quality::kFull && !awaits_)
         wait = std::min(wait, std::max(0.0, pace_.rests_at() - now) + 1e-3);
+    if (depths_pending_) wait = std::min(wait, kPollSeconds);
     if (refines_) wait = std::min(wait, std::max(0.0, stirred_at_ + kRefiningRest - now));
     return wait;
 }
 
 bool PictureView::resting() const {
-    return !upload_pending_ && !unfinished_ && !glide_ && quality_ == render::Quality::kFull;
+    return !upload_pending_ && !unfinished_ && !glide_ && !depths_pending_ && quality_ == render::Quality::kFull;
 }
 
 std::shared_ptr<const render::PagedMesh> PictureView::picture_mesh() const { return state_.workspace.shown().mesh; }
 
 // As `ramus render` draws the session: without what the pointer is doing.
-Result<void> PictureView::draw_for_keeping(const render::Camera& camera, glm::ivec2 size) {
+render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::ivec2 size) {
     state_.follow_tree();
     Workspace& workspace = state_.workspace;
     Job job;
@@ -182,9 +232,8 @@ Result<void> PictureView::draw_for_keeping(const render::Camera& camera, glm::iv
     render::Frame frame = compose(workspace.document.session(), workspace.current_assets(), picture_mesh(),
                                   {.size = size, .pixel_ratio = state_.scale});
     frame.camera = camera;
-    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     state_.present_again();
-    return {};
+    return frame;
 }
 
 Result<void> PictureView::write_picture(const std::filesystem::path& path) {
@@ -195,21 +244,23 @@ Result<void> PictureView::write_picture(const std::filesystem::path& path) {
     const render::Sheet sheet =
         compose_sheet(workspace.document.session(), workspace.current_assets(), workspace.surfaces(),
                       {.size = state_.layout.view_size, .pixel_ratio = state_.scale});
-    if (const auto drawn = sheets_.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    if (const auto drawn = sheets_.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = sheets_.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
     state_.present_again();
     return render::write_png(sheets_.read_image(), path);
 }
 
 Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size) {
-    if (auto drawn = draw_for_keeping(camera, size); !drawn) return tl::unexpected(drawn.error());
-    (void)renderer_.refine(keeping_seconds());
-    return renderer_.read_image();
+    const render::Sheet sheet = render::sheet_of(frame_for_keeping(camera, size));
+    render::SheetRenderer alone(renderer_); // those of other viewports keep what they have
+    if (const auto drawn = alone.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
+    (void)alone.refine(sheet, keeping_seconds());
+    return alone.read_image();
 }
 
 Result<render::BranchPicture> PictureView::branch_picture() {
-    if (auto drawn = draw_for_keeping(state_.workspace.document.session().camera, picture_size()); !drawn)
-        return tl::unexpected(drawn.error());
+    const render::Frame frame = frame_for_keeping(state_.workspace.document.session().camera, picture_size());
+    if (const auto drawn = renderer_.draw(frame); !drawn) return tl::unexpected(drawn.error());
     return renderer_.read_branches();
 }
 

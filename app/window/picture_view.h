@@ -2,6 +2,7 @@
 // as soon as it rests, and then finer while nothing happens; and it answers what a pixel shows.
 #pragma once
 
+#include "app/tools/aim.h"
 #include "app/window/pace.h"
 #include "app/window/viewer_state.h"
 #include "render/renderer/sheet.h"
@@ -32,6 +33,13 @@ public:
     void request_pick(glm::dvec2 at) { sheets_.request_pick(at); }
     [[nodiscard]] std::optional<render::Pick> poll_pick() { return sheets_.poll_pick(); }
 
+    // What is pointed at, and a pixel of the picture that the pointer is on, which is `in_viewport` of its viewport.
+    [[nodiscard]] Aim& aim() { return aim_; }
+    void point(glm::dvec2 at, glm::dvec2 in_viewport);
+    // A drag turns the view about this point, or comes nearer to it; none: none does.
+    void hold_pivot(const std::optional<glm::dvec3>& pivot) { pivot_ = pivot; }
+    [[nodiscard]] const std::optional<render::ScaleBar>& scale_bar() const { return scale_bar_; } // of the last picture
+
     [[nodiscard]] double wait_seconds(double now) const; // until it wants to be drawn again; infinite: not by itself
     [[nodiscard]] bool resting() const;                  // full, and of what is known now
     [[nodiscard]] bool refines() const { return refines_; }
@@ -54,6 +62,7 @@ private:
     static constexpr double kDrawingSeconds = 0.03; // a frame may take for a picture at rest, and a part more
     static constexpr double kSlowToRefine = 3.0;    // seconds of a full picture; one that takes more is fine enough
     static constexpr double kRefiningRest = 0.5;    // seconds that nothing happens before the picture gets finer
+    static constexpr double kPollSeconds = 0.004;   // between looks for depths that are on their way
     static constexpr std::size_t kUploadBudget = std::size_t{24} << 20; // bytes a frame: a few milliseconds
 
     // A picture that is kept may take so long to get finer while the window waits; of a large surface it stays coarser.
@@ -68,7 +77,11 @@ private:
     void dress(const std::vector<Viewport>& viewports, const ShownSurfaces& surfaces, render::Quality quality);
     void tell_panels(const std::vector<Viewport>& viewports);
     void take(const Result<render::DrawStatistics>& drawn, render::Quality quality);
-    Result<void> draw_for_keeping(const render::Camera& camera, glm::ivec2 size);
+    void take_depths();
+    void ask_depths(bool drawn);
+    void tell_nothing_in_view();
+    [[nodiscard]] std::optional<render::Scale> scale_now() const;
+    [[nodiscard]] render::Frame frame_for_keeping(const render::Camera& camera, glm::ivec2 size);
 
     ViewerState& state_;
     render::Renderer& renderer_;
@@ -81,6 +94,10 @@ private:
     };
     std::optional<Glide> glide_;
     render::Camera shown_camera_;
+    Aim aim_;
+    std::optional<glm::dvec3> pivot_;
+    std::optional<render::ScaleBar> scale_bar_;
+    bool depths_wanted_ = false, depths_pending_ = false; // of a picture that has been drawn; they are on their way
     Pace pace_;
     render::Quality quality_ = render::Quality::kFull; // of the last picture
     bool cast_ = false;                                // it was made along centerlines, not of a mesh

@@ -101,6 +101,11 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["problem"] = workspace.surface_problem();
     status["resting"] = viewer.resting();
     status["hovered"] = interface.hovered;
+    status["nothing_in_view"] = interface.nothing_in_view;
+    if (const auto& bar = viewer.picture().scale_bar())
+        status["scale_bar"] = {{"mm", bar->length_mm}, {"pixels", bar->pixels}, {"at", render::name_of_place(bar->at)}};
+    else
+        status["scale_bar"] = nullptr;
     status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
     status["tool"] = interface.tool_kind->name;
     status["tool_busy"] = interface.tool && interface.tool->busy();

@@ -33,6 +33,52 @@ void ViewerInput::enter_viewport() {
             viewport_ = i;
 }
 
+void ViewerInput::aim() {
+    if (over_picture(pointer_))
+        picture_.point(in_picture(pointer_), in_viewport(pointer_));
+    else
+        picture_.aim().point_nowhere();
+}
+
+void ViewerInput::settle() {
+    if (picture_.gliding()) picture_.move_camera(render::Camera(picture_.shown_camera()));
+}
+
+// Where nothing is in view the focal point is all that there is, at some distance from which one gets anywhere.
+Grip ViewerInput::grip() {
+    const render::Camera& camera = state_.workspace.document.session().camera;
+    const auto mesh = picture_.picture_mesh();
+    const double scene = mesh ? mesh->bounds().radius() : 1.0;
+    const auto target = picture_.aim().target(camera);
+    if (!target) {
+        const glm::dvec3 forward = render::axes_of(camera).forward;
+        const double away = std::max(render::depth_of(camera, camera.focal_point), 0.2 * scene);
+        return Grip::at(camera.position + away * forward);
+    }
+    Grip grip{target->at, picture_.aim().goal(camera).value_or(target->at)};
+    const bool vessel = target->on == Aim::On::kPointer && state_.interface.hovered != tree::kNoBranch;
+    grip.least_mm = least_distance_mm(state_.workspace.document.tree().get(),
+                                      vessel ? state_.interface.hovered : tree::kNoBranch, grip.goal, scene);
+    return grip;
+}
+
+// What was under the pointer moves with it; about what it turns, and what it comes nearer to, stays where it is.
+void ViewerInput::drag_view(glm::dvec2 at) {
+    const auto camera = mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), at);
+    if (mouse_.dragging()) {
+        state_.interface.hovered = tree::kNoBranch;
+        state_.interface.tooltip = false;
+    }
+    if (!camera) return;
+    picture_.move_camera(*camera);
+    if (mouse_.turning() || mouse_.zooming()) {
+        picture_.hold_pivot(mouse_.turning() ? mouse_.grip().about : mouse_.grip().goal);
+        aim();
+    } else {
+        picture_.aim().carry(*camera, at);
+    }
+}
+
 void ViewerInput::take_pick() {
     if (!pick_pending_) return;
     const auto pick = picture_.poll_pick();
@@ -66,23 +112,19 @@ void ViewerInput::mouse_moved(glm::dvec2 at) {
     if (state_.interface.wipe_held) {
         drag_wipe_line();
     } else if (mouse_.held()) {
-        const auto camera =
-            mouse_.move(state_.workspace.document.session().camera, picture_.picture_size(), in_viewport(at));
-        if (camera) picture_.move_camera(*camera);
-        if (mouse_.dragging()) {
-            state_.interface.hovered = tree::kNoBranch;
-            state_.interface.tooltip = false;
-        }
+        drag_view(in_viewport(at));
     } else if (state_.interface.tool && (tool_mouse_.held() || over_picture(at))) {
         tool_mouse_.move(*state_.interface.tool, pointing({}));
         perform_tool();
     }
+    if (!mouse_.held()) aim();
     pick_wanted_ = true;
     state_.redraw();
 }
 
 void ViewerInput::mouse_left() {
     pointer_ = {-1.0, -1.0};
+    picture_.aim().point_nowhere();
     input_.leave();
     pick_wanted_ = true;
     state_.redraw();
@@ -90,9 +132,7 @@ void ViewerInput::mouse_left() {
 
 void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifiers, double now) {
     state_.now = now;
-    // What is pressed is what is seen.
-    if (down && picture_.gliding() && over_picture(pointer_))
-        picture_.move_camera(render::Camera(picture_.shown_camera()));
+    if (down && over_picture(pointer_)) settle();
     const int index = button == MouseButton::kLeft ? 0 : button == MouseButton::kRight ? 1 : 2;
     if (state_.interface.wipe_held) { // one button at a time
         if (!down && button == MouseButton::kLeft) drop_wipe_line();
@@ -113,8 +153,9 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
         tool_mouse_.press(*state_.interface.tool, pointing(modifiers), now);
         perform_tool();
     } else if (down && over_picture(pointer_))
-        mouse_.press(button, modifiers, in_viewport(pointer_));
+        mouse_.press(button, modifiers, in_viewport(pointer_), grip());
     else if (!down && mouse_.held()) {
+        picture_.hold_pivot({});
         if (const auto click = mouse_.release(button, in_viewport(pointer_), now)) clicked(*click);
         pick_wanted_ = true;
     }
@@ -125,10 +166,16 @@ void ViewerInput::mouse_button(MouseButton button, bool down, Modifiers modifier
 }
 
 void ViewerInput::mouse_wheel(glm::dvec2 notches) {
-    if (over_picture(pointer_) && notches.y != 0.0)
-        picture_.move_camera(ViewportMouse::wheel(state_.workspace.document.session().camera, picture_.picture_size(),
-                                                  in_viewport(pointer_), notches.y));
-    else
+    if (over_picture(pointer_) && notches.y != 0.0) {
+        settle();
+        // Into empty space there is no way, only out of it.
+        if (notches.y < 0.0 || !picture_.aim().sees_nothing()) {
+            const render::Camera camera =
+                ViewportMouse::wheel(state_.workspace.document.session().camera, grip(), notches.y);
+            picture_.move_camera(camera);
+            picture_.aim().carry(camera);
+        }
+    } else
         input_.wheel(static_cast<float>(notches.x), static_cast<float>(notches.y));
     pick_wanted_ = true;
     state_.redraw();

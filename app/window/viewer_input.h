@@ -37,7 +37,8 @@ public:
     void look_again() { pick_wanted_ = true; }
     void ask_pick();
     void take_pick();
-    [[nodiscard]] bool pick_wanted() const { return pick_wanted_; }
+    // While a button is held nobody asks: the window waits for the mouse.
+    [[nodiscard]] bool pick_wanted() const { return pick_wanted_ && !mouse_.held() && !state_.interface.wipe_held; }
     [[nodiscard]] bool pick_pending() const { return pick_pending_; }
 
     // ToolHost
@@ -52,6 +53,11 @@ private:
     [[nodiscard]] glm::dvec2 in_viewport(glm::dvec2 at) const;
     [[nodiscard]] glm::dvec2 from_viewport(glm::dvec2 at) const; // to the picture's corner
     void enter_viewport();
+    // Tells what is pointed at of the pointer, and of what a drag turns about.
+    void aim();
+    void settle(); // what is pressed is what is seen, should the view be on its way
+    [[nodiscard]] Grip grip();
+    void drag_view(glm::dvec2 at);
     [[nodiscard]] bool points_at_branches() const;
     // The line between two surfaces that are wiped: whether the pointer is on it; it follows the pointer, and stays.
     [[nodiscard]] bool on_wipe_line() const;

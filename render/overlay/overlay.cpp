@@ -6,65 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <sstream>
 
 namespace ramus::render {
 
 namespace {
 
-// "0.002", "20": a step of the scale bar, whatever its power of ten.
-std::string plain_number(double value) {
-    std::ostringstream text;
-    text << value; // six digits, of which a step has one
-    return text.str();
-}
-
 int rounded(double value) { return static_cast<int>(std::lround(value)); }
 
 } // namespace
-
-double scale_bar_length_mm(double longest_mm) {
-    const double power = std::pow(10.0, std::floor(std::log10(longest_mm)));
-    for (const double step : {5.0, 2.0})
-        if (step * power <= longest_mm) return step * power;
-    return power;
-}
-
-std::string scale_bar_label(double length_mm, bool unit_known) {
-    const auto text = [](double value) {
-        std::string digits = std::to_string(value);
-        while (digits.back() == '0') digits.pop_back();
-        if (digits.back() == '.') digits.pop_back();
-        return digits;
-    };
-    if (!unit_known) return plain_number(length_mm) + (length_mm == 1.0 ? " unit" : " units");
-    if (length_mm < 0.99e-3) return text(1e6 * length_mm) + " nm";
-    if (length_mm < 0.99) return text(1e3 * length_mm) + " \xb5m";
-    if (length_mm > 150.0) return text(0.1 * length_mm) + " cm";
-    return text(length_mm) + " mm";
-}
-
-Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, bool unit_known) {
-    const int line = std::max(1, rounded(1.5 * pixel_ratio)), tick = std::max(3, rounded(5.0 * pixel_ratio));
-    const int halo = std::max(1, rounded(pixel_ratio));
-    const int length = std::max(line, rounded(length_pixels));
-    const Coverage label = draw_text(scale_bar_label(length_mm, unit_known), 9.5 * pixel_ratio);
-    const int gap = rounded(2.0 * pixel_ratio);
-    const int width = std::max(length, label.width) + 2 * halo, height = label.height + gap + tick + line + 2 * halo;
-
-    Coverage ink(width, height);
-    const int label_left = (width - label.width) / 2, bar_left = (width - length) / 2, bar_top = height - halo - line;
-    ink.put(label_left, halo, label);
-    for (int x = 0; x < length; ++x)
-        for (int y = 0; y < line; ++y) ink.put(bar_left + x, bar_top + y, 255);
-    for (int y = 0; y < tick; ++y)
-        for (int x = 0; x < line; ++x) {
-            ink.put(bar_left + x, bar_top - y, 255);
-            ink.put(bar_left + length - 1 - x, bar_top - y, 255);
-        }
-
-    return haloed(ink, halo);
-}
 
 // What sprites have to keep to: smaller pictures have smaller ones, nearer to the edge.
 struct OverlayPainter::Space {
@@ -102,17 +51,30 @@ Image OverlayPainter::heading(const std::string& text, const SpriteSource& frame
     return paint_caption(text, 0.9 * space.ratio, space.free.x - 2 * space.margin);
 }
 
-void OverlayPainter::add_cube(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
+void OverlayPainter::add_cube(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) {
     const int side = rounded(std::min(96.0 * space.ratio, 0.22 * std::min(space.free.x, space.free.y)));
-    sprites.push_back({cube_.paint(frame.camera, side, frame.overlays.axes),
-                       {space.corner.x + space.free.x - space.margin - side, space.bottom - side}});
+    if (cube_image_.width != side || cube_of_ != frame.camera || cube_axes_ != frame.overlays.axes) {
+        cube_image_ = cube_.paint(frame.camera, side, frame.overlays.axes);
+        cube_of_ = frame.camera;
+        cube_axes_ = frame.overlays.axes;
+    }
+    sprites.push_back({cube_image_, {space.corner.x + space.free.x - space.margin - side, space.bottom - side}});
 }
 
-void OverlayPainter::add_scale_bar(Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
-    const double mm = mm_per_pixel(frame.camera, frame.size);
-    if (!(std::isfinite(mm) && mm > 1e-9 && mm < 1e9)) return;
-    const double length = scale_bar_length_mm(mm * std::min(150.0 * space.ratio, 0.30 * space.free.x));
-    Image bar = paint_scale_bar(length, length / mm, space.ratio, frame.overlays.unit_known);
+std::optional<ScaleBar> OverlayPainter::scale_bar(const Space& space, const SpriteSource& frame) {
+    if (!frame.overlays.scale_bar || !space.readable) return {};
+    auto bar = scale_bar_of(frame.camera, frame.size, frame.overlays.scale,
+                            std::min(150.0 * space.ratio, 0.30 * space.free.x));
+    if (bar) bar->unit_known = frame.overlays.unit_known;
+    return bar;
+}
+
+std::optional<ScaleBar> OverlayPainter::scale_bar(const SpriteSource& frame) { return scale_bar(Space(frame), frame); }
+
+void OverlayPainter::add_scale_bar(Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) {
+    const auto found = scale_bar(space, frame);
+    if (!found) return;
+    Image bar = paint_scale_bar(*found, space.ratio);
     const glm::ivec2 corner(space.corner.x + space.margin, space.bottom - bar.height);
     space.bottom = corner.y - rounded(10.0 * space.ratio);
     sprites.push_back({std::move(bar), corner});
@@ -169,13 +131,13 @@ void OverlayPainter::add_label(const Space& space, const SpriteSource& frame, co
     sprites.push_back({std::move(plate), corner});
 }
 
-std::vector<Sprite> OverlayPainter::paint(const SpriteSource& frame) const {
+std::vector<Sprite> OverlayPainter::paint(const SpriteSource& frame) {
     std::vector<Sprite> sprites;
     const Overlays& o = frame.overlays;
     Space space(frame);
     if (!space.readable) return sprites;
     if (o.orientation_cube) add_cube(space, frame, sprites);
-    if (o.scale_bar) add_scale_bar(space, frame, sprites);
+    add_scale_bar(space, frame, sprites);
     add_words(space, frame, sprites);
     if (o.orientation_letters) add_letters(space, frame, sprites);
     add_legend(space, o.legend, sprites);

@@ -6,6 +6,7 @@
 #include "render/image/image.h"
 #include "render/image/text.h"
 #include "render/overlay/orientation_cube.h"
+#include "render/overlay/scale_bar.h"
 #include "render/scene/camera.h"
 #include "render/scene/frame.h"
 
@@ -19,13 +20,6 @@ struct Sprite {
     Image image;
     glm::ivec2 corner{0}; // top left, in pixels of the picture
 };
-
-// A length of 1, 2 or 5 times a power of ten, at most `longest_mm`.
-[[nodiscard]] double scale_bar_length_mm(double longest_mm);
-// "500 um" (with the micro sign in Latin-1), "20 mm", "20 cm"; "20 units" where nobody has said what a unit is.
-[[nodiscard]] std::string scale_bar_label(double length_mm, bool unit_known = true);
-
-[[nodiscard]] Image paint_scale_bar(double length_mm, double length_pixels, double pixel_ratio, bool unit_known = true);
 
 // All of a frame that its sprites depend on: while it stays, they do, and need not be painted again.
 struct SpriteSource {
@@ -42,10 +36,13 @@ struct SpriteSource {
 
 class OverlayPainter {
 public:
-    // What `frame` shows over the tree; nothing where the picture is too small to read it.
-    [[nodiscard]] std::vector<Sprite> paint(const SpriteSource& frame) const;
+    // What `frame` shows over the tree; nothing where the picture is too small to read it. Of the same view the cube is
+    // painted once: it takes longest, and other sprites change while a pointer moves.
+    [[nodiscard]] std::vector<Sprite> paint(const SpriteSource& frame);
     // Words for the middle of the top (Latin-1), as large and as wide as such a picture has room for.
     [[nodiscard]] Image heading(const std::string& text, const SpriteSource& frame) const;
+    // The scale bar that it has; none: none is wanted, no length holds, or the picture is too small.
+    [[nodiscard]] static std::optional<ScaleBar> scale_bar(const SpriteSource& frame);
     // Where the caption ends, pixels from the top; 0 where there is none.
     [[nodiscard]] int caption_bottom(const SpriteSource& frame) const;
 
@@ -53,14 +50,18 @@ private:
     struct Space;
     using Sprites = std::vector<Sprite>;
     [[nodiscard]] std::optional<Sprite> caption(const SpriteSource& frame, const Space& space) const;
-    void add_cube(const Space& space, const SpriteSource& frame, Sprites& sprites) const;
-    void add_scale_bar(Space& space, const SpriteSource& frame, Sprites& sprites) const;
+    void add_cube(const Space& space, const SpriteSource& frame, Sprites& sprites);
+    static std::optional<ScaleBar> scale_bar(const Space& space, const SpriteSource& frame);
+    static void add_scale_bar(Space& space, const SpriteSource& frame, Sprites& sprites);
     void add_words(Space& space, const SpriteSource& frame, Sprites& sprites) const;
     void add_letters(const Space& space, const SpriteSource& frame, Sprites& sprites) const;
     void add_legend(const Space& space, const Legend& legend, Sprites& sprites) const;
     void add_label(const Space& space, const SpriteSource& frame, const MarkLabel& label, Sprites& sprites) const;
 
     OrientationCube cube_;
+    Camera cube_of_; // what it was painted of last, and that
+    AxisNames cube_axes_ = side_letters();
+    Image cube_image_;
 };
 
 } // namespace ramus::render

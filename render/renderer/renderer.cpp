@@ -91,6 +91,28 @@ void Renderer::request_pick(double x, double y) {
     }
 }
 
+bool Renderer::request_depths() {
+    depths_.drop();
+    if (!last_ || !state_.answers()) return false;
+    const ViewSetup view = shown_view();
+    try {
+        if (state_.by_caster()) {
+            const caster::Caster& caster = card_.passes.cast.caster();
+            depths_.answer(depth_map_of(*last_, caster.depths(), view.size, caster.stride()));
+        } else {
+            depths_.ask(*last_, view, card_.targets.resolved);
+        }
+    } catch (const OutOfGraphicsMemory&) {
+        return false;
+    }
+    return true;
+}
+
+std::optional<DepthMap> Renderer::read_depths() {
+    if (!state_.answers()) finish();
+    return request_depths() ? depths_.poll(kUntilDone) : std::nullopt;
+}
+
 std::optional<Pick> Renderer::poll_pick() {
     const auto found = request_.poll(shown_view());
     return found && !last_ ? Pick{} : found;

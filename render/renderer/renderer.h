@@ -7,6 +7,7 @@
 #pragma once
 
 #include "render/renderer/card.h"
+#include "render/renderer/depth_request.h"
 #include "render/renderer/drawn.h"
 #include "render/renderer/picking.h"
 #include "render/renderer/picture_state.h"
@@ -56,6 +57,11 @@ public:
     void request_pick(double x, double y);
     [[nodiscard]] std::optional<Pick> poll_pick();
 
+    // How far away all is that the current picture shows. False: it cannot tell now; ask again after the next draw().
+    bool request_depths();
+    [[nodiscard]] std::optional<DepthMap> poll_depths() { return depths_.poll(); }
+    [[nodiscard]] std::optional<DepthMap> read_depths(); // waits for the GPU
+
 private:
     Renderer(std::size_t glass_bytes, std::size_t surface_bytes) : card_(glass_bytes, surface_bytes) {}
 
@@ -70,6 +76,7 @@ private:
         kNothing, // it is the one that is shown
         kGoOn,    // the one that is on its way
         kCast,    // the caster
+        kShow,    // what is there, with other pictures over it
         kShade,   // the passes, from the shading on
         kDraw,    // all passes
     };
@@ -101,6 +108,7 @@ private:
     std::vector<Layer> last_layers_;
     std::shared_ptr<const PagedMesh> wanted_mesh_; // of the last frame that triangles were drawn for, there or not
     PickRequest request_;
+    DepthRequest depths_;
 };
 
 } // namespace ramus::render

@@ -24,8 +24,16 @@ std::vector<Layer> layers_of(const std::vector<BranchState>& states) {
     return layers;
 }
 
-bool differs_in_hover_only(const Frame& before, const Frame& after) {
+// What lies over a picture is painted anew, and nothing under it.
+bool differs_in_overlays_only(const Frame& before, const Frame& after) {
     Frame same = before;
+    same.overlays = after.overlays;
+    return same == after;
+}
+
+bool differs_in_hover_and_overlays_only(const Frame& before, const Frame& after) {
+    Frame same = before;
+    same.overlays = after.overlays;
     same.hovered = after.hovered;
     same.hovered_dependents = after.hovered_dependents;
     return same == after;
@@ -80,6 +88,7 @@ Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const
     if (unfinished_ && unfinished_->view.layers() == layers &&
         same_geometry(unfinished_->view.frame(), frame, unfinished_->view.subject().has_glass()))
         return Plan::kGoOn;
+    if (last_ && state_.answers() && differs_in_overlays_only(*last_, frame)) return Plan::kShow;
     const bool may_cast = frame.quality == Quality::kInteractive && card_.scene.mesh().shown() != nullptr &&
                           (moves(wanted, frame) || (state_.by_caster() && last_));
     if (frame.surface_awaited || (may_cast && card_.scene.casts(frame))) return Plan::kCast;
@@ -150,7 +159,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
     if (plan == Plan::kGoOn) {
         unfinished_->wanted = wanted;
         unfinished_->view.shade_as(frame);
-    } else if (plan != Plan::kNothing || state_.partial()) {
+    } else if ((plan != Plan::kNothing && plan != Plan::kShow) || state_.partial()) {
         give_up();
     }
     if (plan == Plan::kNothing) return done;
@@ -167,7 +176,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         done.cones = cast(subject);
         done.geometry = true;
         state_.cast();
-    } else {
+    } else if (plan != Plan::kShow) {
         if (unfinished_) {
             const auto whole = draw_parts(seconds - watch.seconds(), done);
             if (!whole) return failed(whole.error());
@@ -181,7 +190,7 @@ Result<DrawStatistics> Renderer::draw_all(const Frame& wanted, std::size_t uploa
         }
         const auto shaded = shade(subject, plan);
         if (!shaded) return failed(shaded.error());
-        region = *shaded;
+        if (last_ && last_->overlays == frame.overlays) region = *shaded;
     }
     show(subject, region);
     done.shaded = true;
@@ -204,7 +213,7 @@ Result<Region> Renderer::shade(const Subject& subject, Plan plan) {
     // Pointing elsewhere changes what few pixels show; a software rasteriser takes its time for all. Layers of glass
     // are not kept.
     const bool can_change_parts = plan == Plan::kShade && (!card_.targets.has_glass || gl_has_lists());
-    const bool part = can_change_parts && differs_in_hover_only(*last_, subject.frame);
+    const bool part = can_change_parts && differs_in_hover_and_overlays_only(*last_, subject.frame);
     const auto extent = part ? ShadePass::Extent::kChanged : ShadePass::Extent::kAll;
     auto shaded = card_.passes.shade.draw(subject, card_.targets, extent);
     note_gl_errors("shading");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <glad/gl.h>
+#include <utility>
 
 namespace ramus::render {
 
@@ -23,7 +24,24 @@ Sheet outline_of(const Sheet& sheet) {
     return outline;
 }
 
+bool wants_scale(const Sheet::Viewport& viewport) {
+    return viewport.frame.overlays.scale_bar && !viewport.frame.camera.orthographic;
+}
+
+std::optional<ScaleBar> scale_bar_in(const Sheet& sheet) {
+    for (const Sheet::Viewport& viewport : sheet.viewports)
+        if (auto bar = OverlayPainter::scale_bar(SpriteSource(viewport.frame))) return bar;
+    return {};
+}
+
 } // namespace
+
+Sheet sheet_of(Frame frame) {
+    Sheet sheet;
+    sheet.size = frame.size;
+    sheet.viewports.push_back({glm::ivec2(0), std::move(frame)});
+    return sheet;
+}
 
 Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t upload_budget, double seconds) {
     if (auto fits = check_size(sheet.size.x, sheet.size.y); !fits) return tl::unexpected(fits.error());
@@ -48,6 +66,7 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
         sum.seconds += done->seconds;
         if (i == 0 || done->quality == Quality::kInteractive) sum.quality = done->quality;
     }
+    scale_bar_ = scale_bar_in(sheet);
     Sheet outline = outline_of(sheet);
     const bool arranged = outline != shown_;
     if (!sheet.mixed()) {
@@ -58,6 +77,21 @@ Result<DrawStatistics> SheetRenderer::draw(const Sheet& sheet, std::size_t uploa
     shown_ = std::move(outline);
     sum.shaded |= arranged;
     return sum;
+}
+
+Result<DrawStatistics> SheetRenderer::draw_with_scale(Sheet sheet) {
+    auto done = draw(sheet);
+    if (!done || std::ranges::none_of(sheet.viewports, wants_scale)) return done;
+    std::vector<DepthMap> maps;
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i)
+        if (auto map = renderer(i).read_depths()) maps.push_back(std::move(*map));
+    const auto visible = visible_in(maps);
+    if (!visible) return done;
+    for (Sheet::Viewport& viewport : sheet.viewports)
+        if (wants_scale(viewport))
+            viewport.frame.overlays.scale = scale_of(viewport.frame.camera, viewport.frame.size, *visible);
+    const auto again = draw(sheet);
+    return again ? done : again;
 }
 
 Result<void> SheetRenderer::blend(const Sheet& sheet) {
@@ -177,6 +211,22 @@ std::optional<Pick> SheetRenderer::poll_pick() {
     const auto pick = renderer(asked_).poll_pick();
     if (!pick) return pick;
     return without_branch(asked_, *pick);
+}
+
+bool SheetRenderer::request_depths() {
+    depths_.clear();
+    for (std::size_t i = 0; i < shown_.viewports.size(); ++i)
+        if (!renderer(i).request_depths()) return false;
+    return !shown_.viewports.empty();
+}
+
+std::optional<std::vector<DepthMap>> SheetRenderer::poll_depths() {
+    while (depths_.size() < shown_.viewports.size()) {
+        auto map = renderer(depths_.size()).poll_depths();
+        if (!map) return {};
+        depths_.push_back(std::move(*map));
+    }
+    return std::exchange(depths_, {});
 }
 
 Result<void> Blend::make() {

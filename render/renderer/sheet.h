@@ -65,6 +65,9 @@ struct Sheet {
     bool operator==(const Sheet&) const = default;
 };
 
+// Of one frame.
+[[nodiscard]] Sheet sheet_of(Frame frame);
+
 class SheetRenderer {
 public:
     // `first` outlives it. Others are made as sheets need them, and let go.
@@ -73,6 +76,11 @@ public:
     // Statistics are sums over the viewports.
     [[nodiscard]] Result<DrawStatistics> draw(const Sheet& sheet, std::size_t upload_budget = kUploadAll,
                                               double seconds = kUntilDone);
+    // The same for pictures that are kept: scale bars of perspective viewports get the scale at the middle of what all
+    // of them show. Waits for that.
+    [[nodiscard]] Result<DrawStatistics> draw_with_scale(Sheet sheet);
+    // The bar of the picture that was drawn last, of any of its viewports; none: it has none. Pixels are the picture's.
+    [[nodiscard]] std::optional<ScaleBar> scale_bar() const { return scale_bar_; }
     // As Renderer::refine(), of one viewport after the other; `sheet` is the last one drawn.
     [[nodiscard]] Result<Refined> refine(const Sheet& sheet, double seconds = kUntilDone);
     static void finish(); // waits until all that was drawn is there
@@ -86,6 +94,9 @@ public:
     [[nodiscard]] Pick pick(glm::dvec2 at);
     void request_pick(glm::dvec2 at);
     [[nodiscard]] std::optional<Pick> poll_pick();
+    // How far away all is that each viewport shows. False: ask again after the next draw().
+    bool request_depths();
+    [[nodiscard]] std::optional<std::vector<DepthMap>> poll_depths();
     // The viewport that a pixel lies in; the nearest of them between viewports.
     [[nodiscard]] static std::size_t viewport_at(const Sheet& sheet, glm::dvec2 at);
 
@@ -100,6 +111,8 @@ private:
     std::optional<OverlayPainter> painter_; // of its heading
     Sheet shown_;                           // of its frames only what tells where they are
     std::size_t asked_ = 0;                 // the viewport of request_pick()
+    std::vector<DepthMap> depths_;          // of viewports, from the first on, that have answered request_depths()
+    std::optional<ScaleBar> scale_bar_;
 };
 
 } // namespace ramus::render

@@ -1,5 +1,7 @@
 #include "render/scene/camera.h"
 
+#include "render/scene/camera_moves.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -12,9 +14,8 @@ namespace ramus::render {
 
 namespace {
 
-constexpr double kMargin = 1.06;             // of fitted(): room around the tree
-constexpr double kDegreesPerPicture = 200.0; // 3D Slicer's rotation, over one picture width
-constexpr double kSmallestDistance = 1e-6;   // mm, eye to focal point
+constexpr double kMargin = 1.06;           // of fitted(): room around the tree
+constexpr double kSmallestDistance = 1e-6; // mm, eye to focal point
 
 double tan_half_angle(const Camera& camera) { return std::tan(glm::radians(0.5 * camera.view_angle)); }
 
@@ -25,21 +26,6 @@ double half_height_mm(const Camera& camera) {
 }
 
 double aspect(glm::ivec2 size) { return double(std::max(size.x, 1)) / double(std::max(size.y, 1)); }
-
-glm::dvec3 rotate_about(const glm::dvec3& v, const glm::dvec3& axis, double angle_deg) {
-    return glm::angleAxis(glm::radians(angle_deg), axis) * v;
-}
-
-// The point under `pixel` in the plane through the focal point.
-glm::dvec3 focal_plane_point(const Camera& camera, glm::ivec2 size, glm::dvec2 pixel) {
-    return unproject(camera, size, pixel, glm::distance(camera.position, camera.focal_point));
-}
-
-Camera moved(Camera camera, const glm::dvec3& by) {
-    camera.position += by;
-    camera.focal_point += by;
-    return camera;
-}
 
 // RAS: +x is the patient's right, +y anterior, +z superior.
 struct NamedView {
@@ -219,24 +205,9 @@ Camera with_projection(const Camera& camera, bool orthographic) {
 }
 
 Camera turned(const Camera& camera, double azimuth_deg, double elevation_deg) {
-    const CameraAxes axes = axes_of(camera);
-    glm::dvec3 offset = camera.position - camera.focal_point;
-    offset = rotate_about(offset, axes.up, azimuth_deg);
-    const glm::dvec3 right = rotate_about(axes.right, axes.up, azimuth_deg);
-    Camera result = camera;
-    result.position = camera.focal_point + rotate_about(offset, right, -elevation_deg);
-    result.view_up = glm::normalize(rotate_about(axes.up, right, -elevation_deg));
+    Camera result = turned_about(camera, camera.focal_point, azimuth_deg, elevation_deg);
+    result.focal_point = camera.focal_point; // to the last bit
     return result;
-}
-
-Camera rotated(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
-    const glm::dvec2 moved = to - from;
-    return turned(camera, -kDegreesPerPicture * moved.x / std::max(size.x, 1),
-                  kDegreesPerPicture * moved.y / std::max(size.y, 1));
-}
-
-Camera panned(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
-    return moved(camera, focal_plane_point(camera, size, from) - focal_plane_point(camera, size, to));
 }
 
 Camera zoomed(const Camera& camera, double factor) {
@@ -249,15 +220,6 @@ Camera zoomed(const Camera& camera, double factor) {
     else
         result.position = camera.focal_point - std::max(distance / factor, kSmallestDistance) * axes.forward;
     return result;
-}
-
-Camera zoomed_by_drag(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to) {
-    return zoomed(camera, std::pow(1.1, 10.0 * (from.y - to.y) / std::max(0.5 * size.y, 1.0)));
-}
-
-Camera zoomed_to(const Camera& camera, glm::ivec2 size, glm::dvec2 cursor, double factor) {
-    const Camera nearer = zoomed(camera, factor);
-    return moved(nearer, focal_plane_point(camera, size, cursor) - focal_plane_point(nearer, size, cursor));
 }
 
 Camera centred_on(const Camera& camera, const glm::dvec3& point) {

@@ -1,9 +1,9 @@
 // Camera: where the viewer stands, as a plain value in mm (RAS) without a window or GL. "Did the view change?" is a
 // comparison of two cameras. Near and far planes are not part of it: the renderer fits them to what it draws.
 //
-// The functions below are the mouse's mathematics; pixels have their origin at the top left of a picture of `size`.
-// None of them leaves a camera that cannot be drawn: the distance to the focal point stays positive, the view-up vector
-// stays away from the line of sight. The JSON names are those of a session file.
+// Pixels have their origin at the top left of a picture of `size`. No function leaves a camera that cannot be drawn:
+// the distance to the focal point stays positive, the view-up vector stays away from the line of sight. What the mouse
+// makes of a camera is in camera_moves.h. The JSON names are those of a session file.
 #pragma once
 
 #include "core/base/error.h"
@@ -97,19 +97,10 @@ using AxisNames = std::array<std::string, 6>;
 // Switches the projection and keeps the picture's size at the focal point.
 [[nodiscard]] Camera with_projection(const Camera& camera, bool orthographic);
 
-// Mouse: `from` and `to` are cursor positions in pixels.
-// Turns around the focal point as in 3D Slicer: 200 degrees per picture width, azimuth about view-up, then elevation.
-[[nodiscard]] Camera rotated(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to);
 // Turns around the focal point by angles in degrees (azimuth moves the viewer to the right, elevation upward).
 [[nodiscard]] Camera turned(const Camera& camera, double azimuth_deg, double elevation_deg);
-// Moves so that what lay under `from` in the focal plane lies under `to`.
-[[nodiscard]] Camera panned(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to);
-// Right-drag as in 3D Slicer: upward comes nearer.
-[[nodiscard]] Camera zoomed_by_drag(const Camera& camera, glm::ivec2 size, glm::dvec2 from, glm::dvec2 to);
 // Comes nearer by `factor` (> 1 magnifies).
 [[nodiscard]] Camera zoomed(const Camera& camera, double factor);
-// The same, and what lies under `cursor` in the focal plane stays under it.
-[[nodiscard]] Camera zoomed_to(const Camera& camera, glm::ivec2 size, glm::dvec2 cursor, double factor);
 // `point` becomes the focal point, direction and distance stay.
 [[nodiscard]] Camera centred_on(const Camera& camera, const glm::dvec3& point);
 

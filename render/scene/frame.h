@@ -13,6 +13,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ramus::render {
@@ -58,10 +60,25 @@ struct Appearance {
     bool operator==(const Appearance&) const = default;
 };
 
+// How long a pixel is in a perspective picture, and where that holds. In parallel projection it holds everywhere, and
+// the camera says it.
+struct Scale {
+    enum class At : std::uint8_t {
+        kPointer, // what lies under it
+        kPivot,   // what the view is being turned about
+        kMiddle,  // of what is visible
+    };
+    At at = At::kMiddle;
+    double mm_per_pixel = 0.0;
+    double share = 0.0; // by which lengths of what is visible differ from that at most; kMiddle only
+    bool operator==(const Scale&) const = default;
+};
+
 // What is drawn over the tree. Insets keep the overlays clear of the window's panels (pixels).
 struct Overlays {
     bool orientation_cube = true;
-    bool scale_bar = true;
+    bool scale_bar = true;            // where a length holds: see `scale`
+    std::optional<Scale> scale;       // of a perspective picture; none: no bar. render/overlay/scale_bar.h finds it
     bool orientation_letters = false; // the names of axes at the edges, R L A P S I as in radiology
     AxisNames axes = side_letters();  // on the cube and at the edges
     bool unit_known = true;           // that lengths are mm; else they are units

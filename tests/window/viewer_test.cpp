@@ -1,4 +1,5 @@
 // The window without a window: what it does where graphics memory runs out, and with several viewports.
+#include "render/scene/camera_moves.h"
 #include "tests/support/viewer_stage.h"
 
 #include <doctest/doctest.h>
@@ -84,6 +85,19 @@ TEST_CASE("viewports beside each other show the tree, and each is pointed at by 
         stage.settle();
         CHECK(stage.viewer->interface().hovered == (viewport == 0 ? tree::kNoBranch : 0)); // a mask has no branches
     }
+    // They share the bar, which is of what is pointed at, in whichever it is.
+    stage.point(stage.middle(1));
+    stage.settle();
+    REQUIRE(stage.viewer->picture().scale_bar());
+    CHECK(stage.viewer->picture().scale_bar()->at == render::Scale::At::kPointer);
+    // The vessel of 6 mm lies along z, its wall is 6 mm before its middle.
+    const render::Camera& camera = stage.workspace.document.session().camera;
+    const double wall = mm_per_pixel_at(camera, stage.layout.viewport_size, camera.position.y - 6.0);
+    const render::ScaleBar bar = *stage.viewer->picture().scale_bar();
+    CHECK(bar.length_mm / bar.pixels == doctest::Approx(wall).epsilon(0.01));
+    stage.viewer->input().mouse_left();
+    stage.settle();
+    CHECK(stage.viewer->picture().scale_bar()->at == render::Scale::At::kMiddle);
     // A click on the mask selects nothing, one on the cones the branch.
     for (const std::size_t viewport : {0U, 1U}) {
         stage.point(stage.middle(viewport));
@@ -113,7 +127,10 @@ TEST_CASE("a drag in any of several viewports turns the one camera, as far in ea
         stage.button(false, 0.05);
         turned.push_back(document.session().camera);
         CHECK(turned.back() != start);
-        CHECK(glm::distance(turned.back().position, turned.front().position) < 1e-6);
+        // About what is under the pointer there, which is on another surface in each.
+        const render::CameraAxes axes = axes_of(turned.back()), first = axes_of(turned.front());
+        CHECK(glm::distance(axes.forward, first.forward) < 1e-9);
+        CHECK(glm::distance(axes.up, first.up) < 1e-9);
         stage.settle();
     }
 }

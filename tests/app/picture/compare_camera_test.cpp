@@ -54,6 +54,20 @@ double distance(const render::Camera& camera) { return glm::distance(camera.posi
 
 } // namespace
 
+TEST_CASE("fit takes in what is beside the tree") {
+    CameraStage stage;
+    const auto in_picture = [&](const glm::dvec3& point) {
+        const auto at = render::project(stage.camera(), stage.host.picture_size(), point);
+        return at && at->x >= 0.0 && at->y >= 0.0 && at->x <= 800.0 && at->y <= 400.0;
+    };
+    CHECK_FALSE(in_picture({0, 0, 90}));
+    stage.run("lesion 0,0,80,10\nfit");
+    for (const glm::dvec3& edge : {glm::dvec3(0, 0, 90), {10, 0, 80}, {-10, 0, 80}, {-30, 0, 0}, {30, 0, 0}})
+        CHECK(in_picture(edge));
+    // And no more than that.
+    CHECK_FALSE(in_picture({0, 0, 120}));
+}
+
 TEST_CASE("undo takes the camera of compare back, exactly, and redo brings it again") {
     CameraStage stage;
     const render::Camera whole = stage.camera();

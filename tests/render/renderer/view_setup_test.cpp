@@ -62,6 +62,26 @@ TEST_CASE("from a pixel and its depth passes find the point that the camera sees
         }
 }
 
+TEST_CASE("the near plane is nearer than what is looked at, however close") {
+    Box box; // 200 mm of tree around the eye
+    box.lower = box.upper = glm::dvec3(-100.0);
+    box.include({100.0, 100.0, 100.0});
+    Frame frame;
+    frame.camera.view_up = {0.0, 0.0, 1.0};
+    frame.camera.position = {0.0, 0.0, 0.0};
+    for (const double away : {10.0, 0.5, 0.02, 0.002}) {
+        CAPTURE(away);
+        frame.camera.focal_point = {0.0, -away, 0.0};
+        const ViewSetup view = looking_at(frame, box, 0);
+        for (const double at : {0.1 * away, away, 90.0}) {
+            const glm::dvec4 clip = view.to_clip * glm::dvec4(0.0, -at, 0.0, 1.0);
+            CHECK(clip.z > 0.0);
+            CHECK(clip.z < clip.w);
+            CHECK(eye_depth(view.block, static_cast<float>(clip.z / clip.w)) == doctest::Approx(at).epsilon(1e-3));
+        }
+    }
+}
+
 TEST_CASE("the planes enclose what is beside the tree as well") {
     Box box;
     box.lower = box.upper = glm::dvec3(-1.0);

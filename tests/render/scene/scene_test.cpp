@@ -275,6 +275,7 @@ TEST_CASE("a legend is as sharp as the picture, above the scale bar, and its bar
     Frame frame;
     frame.size = {900, 700};
     frame.overlays.legend = legend;
+    frame.overlays.scale = Scale{Scale::At::kMiddle, 0.1, 0.0};
     const auto sprites = OverlayPainter().paint(SpriteSource(frame));
     REQUIRE(sprites.size() == 3);
     CHECK(sprites[2].corner.x == sprites[1].corner.x);
