@@ -30,7 +30,8 @@ Result<SurfaceInput> load_mesh(const std::string& file) {
 }
 
 Result<SurfaceInput> surface_of_mask(const std::string& file, const SurfaceFlags& flags, const MaskInput& mask) {
-    RAMUS_TRY(volume, load_volume(file, with_units(flags, mask)));
+    const SurfaceFlags reading = with_units(flags, mask);
+    RAMUS_TRY(volume, load_volume(file, reading));
     warn_about(file, volume);
     SurfaceInput made;
     made.claims = io::claims_of(volume, reading.read.unit);

@@ -205,7 +205,7 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
         if (found.lost.empty() && found.false_parts.empty() && found.merged.empty() && found.constrictions.empty())
             continue; // the table says so
         std::cout << set.tree << '\n';
-        print_questions(found);
+        print_questions(found, Lengths(set.claims));
     }
     print_table(questions_table(sets));
     for (const HeldAgainst other : {HeldAgainst::kCones, HeldAgainst::kMask})

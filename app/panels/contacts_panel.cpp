@@ -38,7 +38,7 @@ std::string side_text(const Document& document, const ContactSide& side) {
 std::string whole_text(const Document& document, const Contact& contact) {
     std::string text = gap_text(contact, document.lengths());
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    for (const ContactSide& side : contact.sides) text += "\n" + side_text(document, side);
+    for (const ContactSide& side : contact.sides) text.append("\n").append(side_text(document, side));
     return text + "\nClick to look at the place and to select both";
 }
 

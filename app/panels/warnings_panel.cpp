@@ -38,7 +38,7 @@ void draw_warning(const Warning& warning, std::size_t index, Pressed& pressed) {
     }
     if (!warning.remedy.empty()) widgets::quiet_wrapped(("What to do: " + warning.remedy).c_str());
     ImGui::PopFont();
-    const std::string number = " " + std::to_string(index + 1);
+    const std::string number = std::string(" ").append(std::to_string(index + 1));
     if (!warning.command.empty()) {
         if (widgets::small_button("Go there", "Shows where it can be looked at and changed"))
             pressed.command = warning.command;

@@ -85,10 +85,10 @@ TEST_CASE("an undone step that selected selects again; other looks stay as they 
     at.select({1});
     at.select({4});
     REQUIRE(at.document.undo());
-    at.change([](Marks& marks) { marks.colour_by = ColourBy::kGeneration, marks.skeleton = true; });
+    at.change([](Marks& marks) { marks.colour_by = Quantity::kGeneration, marks.skeleton = true; });
     REQUIRE(at.document.redo());
     CHECK(at.document.marks().selection == std::vector<int>{4});
-    CHECK(at.document.marks().colour_by == ColourBy::kGeneration);
+    CHECK(at.document.marks().colour_by == Quantity::kGeneration);
     CHECK(at.document.marks().skeleton);
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("an undone edit of the tree is redone with the selection that it made,
 TEST_CASE("looking is no work that closing would lose") {
     Session7 at;
     at.select({1});
-    at.change([](Marks& marks) { marks.colour_by = ColourBy::kGeneration, marks.contact_marks = true; });
+    at.change([](Marks& marks) { marks.colour_by = Quantity::kGeneration, marks.contact_marks = true; });
     CHECK_FALSE(at.document.has_unsaved_work());
     CHECK(at.document.unsaved_changes() == 0);
     at.state(1, BranchState::kHidden);
@@ -188,7 +188,7 @@ TEST_CASE("whatever is looked at in between, redo makes the same work, and undo 
             if (what == 2)
                 at.change([&](Marks& marks) {
                     marks.selection = below(2) == 0 ? std::vector<int>{} : std::vector<int>{below(7)};
-                    if (below(3) == 0) marks.colour_by = below(2) == 0 ? ColourBy::kGeneration : ColourBy::kState;
+                    if (below(3) == 0) marks.colour_by = below(2) == 0 ? ColourBy(Quantity::kGeneration) : ColourBy(ColourBy::kState);
                 });
             CHECK(std::ranges::find(work, work_of(at.document.marks())) != work.end());
         }

@@ -34,7 +34,7 @@ mesh::TriangleMesh damaged_surface(const VesselTree& tree, mesh::Blend blend = m
 
 validate::Validation look_at(const VesselTree& tree, const mesh::TriangleMesh& surface) {
     Job job;
-    auto found = validate::validate(tree, surface, {1, 5.0, 0}, job);
+    auto found = validate::validate(tree, surface, {1, tree::limits_of_gaussian(5.0), 0}, job);
     REQUIRE(found);
     return std::move(*found);
 }
@@ -275,7 +275,7 @@ TEST_CASE("validation: damage of a real tree is found where it is") {
     CHECK(check_stenoses(*tree, 55) >= 2);
     // The paper's sum fuses what the tree keeps apart: all contacts whose tubes overlap clearly, and only contacts.
     const VesselTree smooth = tree::smooth(*tree, 1);
-    const tree::Contacts contacts = tree::find_contacts(tree::prune(smooth, 0.0), 5.0);
+    const tree::Contacts contacts = tree::find_contacts(tree::prune(smooth, 0.0), tree::limits_of_gaussian(5.0));
     const validate::Validation found = look_at(*tree, damaged_surface(*tree, mesh::Blend::kPaper));
     REQUIRE(found.merged.size() > 5);
     for (const validate::Merged& one : found.merged) {
