@@ -70,7 +70,7 @@ Result<ComparedKernels> compare_kernels(const tree::VesselTree& source, const me
         job.report(static_cast<float>(compared.kernels.size()) / static_cast<float>(kCompared.size()));
         if (job.cancelled()) return fail("cancelled");
         RAMUS_TRY(figures, figures_of(kernel, source, options, cones.mesh, job));
-        compared.kernels.push_back(std::move(figures));
+        compared.kernels.push_back(figures);
     }
     return compared;
 }
