@@ -44,7 +44,8 @@ class Scale(CommandLineTest):
     def test_in_parallel_projection_it_holds_everywhere(self):
         for y in (-30, 0, 30):
             self.write("tube.swc", TUBE.format(y=y))
-            report = self.render("tube.swc", "--camera", camera(200, orthographic=True, scale=40), "--transparent")
+            report = self.render("tube.swc", "--camera", camera(200, orthographic=True, scale=40), "--transparent",
+                                 "--overlays", "scale")
             bar = report["scale_bar"]
             self.assertEqual((bar["at"], bar["percent"]), ("everywhere", 0))
             self.assertAlmostEqual(bar["mm"] / bar["pixels"], 80 / SIZE, places=9)

@@ -146,7 +146,7 @@ def reaching(program, screen, folder):
         check(status["camera"]["position"][1] > front[1] + 0.5, "sixty notches of the wheel end before the vessel")
         check(status["scale_bar"]["at"] == "pointer" and not status["nothing_in_view"], "and it is still under the pointer")
         x, y, width, height = status["viewport"]
-        seen = window.pixels(x + 20, y + 80, 280, 280)  # without the tooltip
+        seen = window.pixels(x + 20, y + 310, 260, 260)  # below the panel, and beside the tooltip
         ground = sum(1 for i in range(0, len(seen), 3) if max(seen[i:i + 3]) < 40)
         check(ground == 0, "its wall has no hole though the eye is that near")
 
