@@ -49,7 +49,7 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     clear_samples();
     const bool has_lines = scene.lines().shown() != nullptr;
     const bool as_cones = moving && subject.has_mesh() && has_lines && !subject.has_glass_vessels() &&
-                          !subject.has_values() &&
+                          !subject.has_values() && !frame.only_mesh &&
                           subject.mesh.triangles_in_picture(subject.mesh_to_clip(view)) > kMostMovingTriangles;
     if (as_cones) {
         triangles += centerlines.draw_cones(subject);

@@ -138,7 +138,7 @@ class Validate(CommandLineTest):
                          ["boxes_to_cones.svg", "boxes_to_mask.svg", *sorted([*TEXT_FILES, "index.html"])])
         self.assertEqual(json.loads((report / "validation.json").read_text()), found)
         # What scripts know of one tree.
-        self.assertEqual(list(found), ["tree", "surface", "distances", "radius_error", "questions", "smoothed_away"])
+        self.assertEqual(list(found), ["tree", "units", "surface", "distances", "radius_error", "questions", "smoothed_away"])
         self.assertIsNone(found["distances"]["to_cones"]["above_percent"])
         self.assertNotIn("threshold_mm", found["distances"]["to_cones"])
         text = (report / "radii.csv").read_text()
@@ -310,7 +310,7 @@ class Validate(CommandLineTest):
         for name in ("index.html", "radii.csv"):
             target = self.folder / "report" / name
             target.symlink_to(self.folder / "fork.swc")
-            self.expect_failure("validate", "fork.swc", "--report", "report", says=[name, "that is read"])
+            self.expect_failure("validate", "fork.swc", "--report", "report", says=[name, "this run reads it"])
             self.assertTrue(target.is_symlink())
             target.unlink()
         self.assertEqual((self.folder / "fork.swc").read_text(), fork(True))

@@ -17,7 +17,7 @@ namespace {
 
 std::shared_ptr<const tree::VesselTree> small_tree() {
     return std::make_shared<const tree::VesselTree>(
-        *io::parse_tree("1 0 0 0 0 2 -1\n2 0 0 0 9 1 1\n3 0 3 0 12 0.5 2\n4 0 -3 0 15 0.5 2\n", "small.swc"));
+        *io::parse_tree("# (mm, RAS)\n1 0 0 0 0 2 -1\n2 0 0 0 9 1 1\n3 0 3 0 12 0.5 2\n4 0 -3 0 15 0.5 2\n", "small.swc"));
 }
 
 } // namespace

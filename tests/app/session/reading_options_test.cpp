@@ -31,7 +31,7 @@ TEST_CASE("an option is changed, taken back, or refused with what it takes") {
     CHECK(with({}, "axes", "lps")->orientation == io::Orientation::lps());
     CHECK(with({}, "repair", "none")->repair == tree::Repair::kNone);
     for (const auto& [key, word] :
-         {std::pair("units", "um"), std::pair("radius-is", "diameter"), std::pair("axes", "lps"),
+         {std::pair("units", "um"), std::pair("radius-is", "diameter"), std::pair("axes", "sides"),
           std::pair("repair", "zero-radii"), std::pair("colour", "units")}) {
         const auto refused = with({}, key, "wrong");
         REQUIRE_FALSE(refused);

@@ -85,12 +85,6 @@ TEST_CASE("a session file that is none is refused with its name and a reason") {
     CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "cuts": [[1]]})") == "a cut is not [branch id, fraction]");
     CHECK(message(R"({"version": 1, "tree": {"path": "a"}, "names": {"one": "x"}})") ==
           "\"one\" in names is not a branch id");
-    // Lists in lists, deeper than the stack.
-    const std::string deep = std::string(300'000, '[') + std::string(300'000, ']');
-    CHECK(message((R"({"version": 1, "tree": {"path": "a"}, "lesions": )" + deep + "}").c_str()) ==
-          "lists stand in lists, deeper than in any session");
-    CHECK(message((R"({"version": 1, "tree": {"path": "a"}, "comparison": {"labels": [)" + deep + "]}}").c_str()) ==
-          "lists stand in lists, deeper than in any session");
 }
 
 TEST_CASE("what a surgeon plans with is refused when it makes no sense") {
@@ -199,7 +193,7 @@ TEST_CASE("undo brings back every earlier value, and redo every later one") {
 
     REQUIRE(document.undo());
     Marks other = document.marks();
-    other.selection = {9};
+    other.lesions.push_back({0.0, 0.0, 0.0, 1.0}); // work, not a look alone
     document.change(other);
     CHECK_FALSE(document.can_redo());
 }
