@@ -89,6 +89,9 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
 bool Interface::dismiss() {
     if (menu_open) {
         close_menu = true;
+        menu_by_keys = false;
+    } else if (menu_by_keys && menu_focused) {
+        menu_by_keys = false;
     } else if (context_menu.open) {
         context_menu.close = true;
     } else if (!errors.empty()) {
@@ -143,8 +146,11 @@ void draw_interface(InterfaceContext& context) {
     // Arrows and Enter work in menus alone: elsewhere they turn the view, or are the list's.
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
     // From one menu to the next none is open for a frame.
-    constexpr int kFramesBetweenMenus = 3;
-    const bool in_menu = interface.want_menu || interface.menu_open || interface.context_menu.open;
+    constexpr int kFramesBetweenMenus = 6;
+    if (interface.want_menu) interface.menu_by_keys = true;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) interface.menu_by_keys = false;
+    const bool in_menu = interface.want_menu || interface.menu_open || interface.context_menu.open ||
+                         (interface.menu_by_keys && interface.menu_focused);
     interface.menu_keys = in_menu ? kFramesBetweenMenus : std::max(0, interface.menu_keys - 1);
     flags = interface.menu_keys > 0 ? flags | ImGuiConfigFlags_NavEnableKeyboard
                                     : flags & ~ImGuiConfigFlags_NavEnableKeyboard;

@@ -164,6 +164,8 @@ struct Interface {
     // A menu of the bar: it shall come; it is there; it shall go.
     bool want_menu = false, menu_open = false, close_menu = false;
     int menu_keys = 0;           // frames for which menus have the arrow keys
+    bool menu_by_keys = false;   // F10 has opened them: the arrows stay theirs between two menus
+    bool menu_focused = false;   // the bar has the keyboard
     bool planning = false;       // the side panel shows its planning half
     float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;
@@ -218,6 +220,7 @@ struct Interface {
         for (bool* each : {&doctor.open, &contacts.open, &unsaid.open, &warnings.open}) *each = each == panel;
     }
     [[nodiscard]] bool menus_have_keys() const { return want_menu || menu_keys > 0; }
+    [[nodiscard]] bool between_menus() const { return menu_keys > 0 && !menu_open && !context_menu.open; }
     [[nodiscard]] bool dialog_open() const {
         return help_open || palette.open || rename.open || radius.open || open_dialog.open || recovery.open ||
                unsaved.open() || drop.open() || !errors.empty();

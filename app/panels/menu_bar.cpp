@@ -148,6 +148,7 @@ void draw_menu_bar(InterfaceContext& context) {
     ImGui::PopStyleVar(2);
     if (!shown) return;
     draw_menus(context);
+    context.interface.menu_focused = ImGui::IsWindowFocused();
     draw_views(context);
     ImGui::EndMainMenuBar();
 }

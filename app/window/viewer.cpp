@@ -135,7 +135,7 @@ void Viewer::build_interface() {
     draw_interface(context);
     widgets::note_controls(nullptr);
     ImGui::Render();
-    if (listed != interface.listed) state_.redraw();
+    if (listed != interface.listed || interface.between_menus()) state_.redraw();
     if (state_.frames_left > 0) --state_.frames_left;
     if (std::exchange(dialog_was_open_, interface.dialog_open()) == interface.dialog_open()) return;
     state_.frames_left = kDialogFrames;

@@ -72,7 +72,7 @@ std::vector<Orientation> all_orientations() {
         for (const Side y : kSides)
             for (const Side z : kSides)
                 if (const auto one = Orientation::leading_to({x, y, z})) all.push_back(*one);
-    std::ranges::stable_partition(all, [](const Orientation& one) { return !one.mirrors(); });
+    std::stable_partition(all.begin(), all.end(), [](const Orientation& one) { return !one.mirrors(); });
     return all;
 }
 

@@ -1,10 +1,10 @@
 #include "core/io/run_inputs.h"
 
-#include <compare>
 #include <fcntl.h>
 #include <map>
 #include <mutex>
 #include <sys/stat.h>
+#include <tuple>
 
 namespace ramus::io {
 
@@ -15,7 +15,9 @@ namespace fs = std::filesystem;
 struct Identity {
     std::uint64_t device = 0, inode = 0;
     std::int64_t born_ns = 0; // 0 where the file system does not tell
-    auto operator<=>(const Identity&) const = default;
+    bool operator<(const Identity& other) const {
+        return std::tie(device, inode, born_ns) < std::tie(other.device, other.inode, other.born_ns);
+    }
 };
 
 struct Input {

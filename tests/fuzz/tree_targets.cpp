@@ -4,6 +4,8 @@
 #include "core/io/trees/tree_file.h"
 #include "tests/fuzz/target.h"
 
+#include <filesystem>
+
 namespace ramus::fuzz {
 
 namespace {
@@ -21,6 +23,7 @@ io::ReadOptions options_for(std::string_view bytes) {
 
 void check_own_format(const tree::VesselTree& tree) {
     const std::string path = written_file("again.json", {});
+    std::filesystem::remove(path); // the one before was read, and would not be written over
     const auto written = io::write_tree(tree, path);
     must(written.has_value(), written ? "" : written.error().message());
     const auto read = io::read_tree(path);

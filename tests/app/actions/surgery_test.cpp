@@ -18,7 +18,8 @@ namespace {
 // Branch 0: a stem of 10 mm, r 3, along z. At its end 1: 8 mm along x, r 2, and 2: 6 mm along y, r 1. At the end of 1,
 // 3 and 4: 5 mm, r 0.5 along z and y.
 constexpr const char* kTree =
-    "# (mm, RAS)\n1 0 0 0 0 3 -1\n2 0 0 0 10 3 1\n3 0 1 0 10 2 2\n4 0 8 0 10 2 3\n5 0 0 1 10 1 2\n"
+    "# id type x y z radius parent (mm, RAS)\n1 0 0 0 0 3 -1\n2 0 0 0 10 3 1\n3 0 1 0 10 2 2\n4 0 8 0 10 2 3\n5 0 0 1 "
+    "10 1 2\n"
     "6 0 0 6 10 1 5\n7 0 8 0 11 0.5 4\n8 0 8 0 15 0.5 7\n9 0 8 1 10 0.5 4\n10 0 8 5 10 0.5 9\n";
 
 tree::VesselTree surgery_tree() {

@@ -13,8 +13,8 @@ using namespace ramus::app;
 
 namespace {
 
-constexpr const char* kTree =
-    "# (mm, RAS)\n1 0 0 0 0 3 -1\n2 0 0 0 10 3 1\n3 0 1 0 10 2 2\n4 0 8 0 10 2 3\n5 0 0 1 10 1 2\n6 0 0 6 10 1 5\n";
+constexpr const char* kTree = "# id type x y z radius parent (mm, RAS)\n1 0 0 0 0 3 -1\n2 0 0 0 10 3 1\n3 0 1 0 10 2 "
+                              "2\n4 0 8 0 10 2 3\n5 0 0 1 10 1 2\n6 0 0 6 10 1 5\n";
 
 struct Stage : test::CommandStage {
     TemporaryFolder folder;

@@ -16,8 +16,9 @@ using namespace ramus::app;
 namespace {
 
 std::shared_ptr<const tree::VesselTree> small_tree() {
-    return std::make_shared<const tree::VesselTree>(
-        *io::parse_tree("# (mm, RAS)\n1 0 0 0 0 2 -1\n2 0 0 0 9 1 1\n3 0 3 0 12 0.5 2\n4 0 -3 0 15 0.5 2\n", "small.swc"));
+    return std::make_shared<const tree::VesselTree>(*io::parse_tree(
+        "# id type x y z radius parent (mm, RAS)\n1 0 0 0 0 2 -1\n2 0 0 0 9 1 1\n3 0 3 0 12 0.5 2\n4 0 -3 0 15 0.5 2\n",
+        "small.swc"));
 }
 
 } // namespace

@@ -188,7 +188,8 @@ TEST_CASE("whatever is looked at in between, redo makes the same work, and undo 
             if (what == 2)
                 at.change([&](Marks& marks) {
                     marks.selection = below(2) == 0 ? std::vector<int>{} : std::vector<int>{below(7)};
-                    if (below(3) == 0) marks.colour_by = below(2) == 0 ? ColourBy(Quantity::kGeneration) : ColourBy(ColourBy::kState);
+                    if (below(3) == 0)
+                        marks.colour_by = below(2) == 0 ? ColourBy(Quantity::kGeneration) : ColourBy(ColourBy::kState);
                 });
             CHECK(std::ranges::find(work, work_of(at.document.marks())) != work.end());
         }

@@ -17,7 +17,8 @@ using ramus::test::SmallTree;
 namespace {
 
 constexpr glm::vec3 kLow{0.1F, 0.2F, 0.9F}, kHigh{0.9F, 0.7F, 0.1F}, kNeutral{0.6F, 0.6F, 0.6F};
-constexpr int kRounding = 3; // of a byte: the scale goes through half floats, and both to linear light in ways of their own
+constexpr int kRounding =
+    3; // of a byte: the scale goes through half floats, and both to linear light in ways of their own
 
 std::shared_ptr<const PagedMesh> valued(const PagedMesh& mesh, const std::function<float(glm::vec3)>& value) {
     std::vector<float> values;
