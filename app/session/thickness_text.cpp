@@ -15,9 +15,10 @@ std::string place_text(const Thickness& thickness) {
 }
 
 std::string printing_text(std::span<const Thickness> thicknesses, const Lengths& lengths) {
-    const std::string closed = lengths.known() ? "closed, in mm" : "closed; nobody has said what its unit is";
-    if (thicknesses.empty()) return closed;
-    return closed + "; thinnest place " + lengths.text(thicknesses.front().mm) + ", " + place_text(thicknesses.front());
+    std::string text = lengths.known() ? "closed, in mm" : "closed; nobody has said what its unit is";
+    if (!thicknesses.empty())
+        text += "; thinnest place " + lengths.text(thicknesses.front().mm) + ", " + place_text(thicknesses.front());
+    return text;
 }
 
 std::span<const Thickness> thinner_than(std::span<const Thickness> thicknesses, double least_mm) {
