@@ -49,12 +49,13 @@ Image in_one_colour(SmallTree& scene, const glm::vec3& colour) {
 TEST_CASE("a surface of one value has the colour of the scale there, and values beyond an end have the end's") {
     SmallTree scene;
     const auto plain = scene.frame.mesh;
-    for (const auto& [value, colour] : {std::pair(0.0F, kLow), std::pair(1.0F, 0.5F * (kLow + kHigh)),
-                                        std::pair(2.0F, kHigh), std::pair(7.5F, kHigh), std::pair(-3.0F, kLow)}) {
+    for (const auto& one : {std::pair(0.0F, kLow), std::pair(1.0F, 0.5F * (kLow + kHigh)), std::pair(2.0F, kHigh),
+                            std::pair(7.5F, kHigh), std::pair(-3.0F, kLow)}) {
+        const float value = one.first;
         CAPTURE(value);
         scene.frame.mesh = plain;
-        show_values(scene.frame, [&, v = value](glm::vec3) { return v; });
-        CHECK(largest_difference(scene.draw(), in_one_colour(scene, colour)) <= kRounding);
+        show_values(scene.frame, [&](glm::vec3) { return value; });
+        CHECK(largest_difference(scene.draw(), in_one_colour(scene, one.second)) <= kRounding);
     }
 }
 
