@@ -132,8 +132,14 @@ def click(window, words):
 
 
 def choose(window, words, entry):
-    """An entry of the list that opens there."""
-    click(window, words)
+    """An entry of the list that opens there. A list is pressed again where a panel moved it under the pointer."""
+    for _ in range(5):
+        click(window, words)
+        end = time.monotonic() + PATIENCE / 10
+        while time.monotonic() < end and entry not in (window.status() or {"controls": {}})["controls"]:
+            time.sleep(0.05)
+        if entry in window.status()["controls"]:
+            break
     click(window, entry)
 
 
