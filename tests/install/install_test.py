@@ -7,24 +7,15 @@ Usage: install_test.py CMAKE BUILD_FOLDER
 import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
 from pathlib import Path
 
+from checks import check, run
+
 sys.path.insert(0, str(Path(__file__).parent.parent / "journey"))
 from screen import Screen, Window, missing_tools
-
-
-def check(truth, what):
-    if not truth:
-        raise SystemExit("FAILED: " + what)
-    print("ok:", what, flush=True)
-
-
-def run(*words, **options):
-    return subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
 
 
 def main():

@@ -6,20 +6,11 @@ Usage: package_test.py CPACK BUILD_FOLDER
 import gzip
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-
-def check(truth, what):
-    if not truth:
-        raise SystemExit("FAILED: " + what)
-    print("ok:", what, flush=True)
-
-
-def run(*words, **options):
-    return subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+from checks import check, run
 
 
 def main():
