@@ -1,5 +1,6 @@
 // What the mouse makes of a camera: what is pointed at stays where it is in the picture.
 #include "render/scene/camera_moves.h"
+#include "tests/support/aslant_camera.h"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -11,17 +12,6 @@ using namespace ramus::render;
 namespace {
 
 const glm::ivec2 kView(800, 600);
-
-// From the side, and not straight.
-Camera aslant(bool orthographic = false) {
-    Camera camera;
-    camera.position = {120.0, 340.0, -70.0};
-    camera.focal_point = {10.0, -20.0, 30.0};
-    camera.view_up = {0.1, 0.2, 0.97};
-    camera.orthographic = orthographic;
-    camera.scale = 55.0;
-    return camera;
-}
 
 double apart(const Camera& camera, const glm::dvec3& point, glm::dvec2 pixel) {
     const auto at = project(camera, kView, point);
@@ -35,7 +25,7 @@ TEST_CASE("what is under the pointer stays under it while zooming and panning, a
         for (const double depth : {40.0, 380.0, 900.0}) {
             CAPTURE(orthographic);
             CAPTURE(depth);
-            Camera camera = aslant(orthographic);
+            Camera camera = ramus::test::aslant_camera(orthographic);
             glm::dvec2 pixel(130, 520);
             const glm::dvec3 held = unproject(camera, kView, pixel, depth);
             for (int i = 0; i < 40; ++i) {
@@ -54,7 +44,7 @@ TEST_CASE("what is under the pointer stays under it while zooming and panning, a
 
 TEST_CASE("sixty notches of the wheel end before the surface, however it is looked at") {
     for (const bool orthographic : {false, true}) {
-        const Camera start = aslant(orthographic);
+        const Camera start = ramus::test::aslant_camera(orthographic);
         const glm::dvec2 pixel(640, 90);
         const glm::dvec3 wall = unproject(start, kView, pixel, 200.0);
         constexpr double kLeast = 0.25;
@@ -79,7 +69,7 @@ TEST_CASE("sixty notches of the wheel end before the surface, however it is look
 }
 
 TEST_CASE("nearer than the limit already: in changes nothing, out goes") {
-    const Camera camera = aslant();
+    const Camera camera = ramus::test::aslant_camera();
     const glm::dvec3 wall = unproject(camera, kView, {400, 300}, 0.1);
     CHECK(zoomed_about(camera, wall, 1.15, 0.25) == camera);
     CHECK(depth_of(zoomed_about(camera, wall, 1.0 / 1.15, 0.25), wall) == doctest::Approx(0.115));
@@ -97,7 +87,7 @@ TEST_CASE("nearer than the limit already: in changes nothing, out goes") {
 
 TEST_CASE("the view turns about the point that is held, which stays where it is on the screen") {
     for (const bool orthographic : {false, true}) {
-        Camera camera = aslant(orthographic);
+        Camera camera = ramus::test::aslant_camera(orthographic);
         const glm::dvec2 pixel(610, 140);
         const double depth = 260.0;
         const glm::dvec3 held = unproject(camera, kView, pixel, depth);
@@ -109,7 +99,7 @@ TEST_CASE("the view turns about the point that is held, which stays where it is 
         const CameraAxes axes = axes_of(camera);
         CHECK(glm::dot(axes.up, axes.forward) == doctest::Approx(0.0));
         CHECK(glm::distance(axes.up, camera.view_up) < 1e-9);
-        CHECK(camera.scale == aslant().scale);
+        CHECK(camera.scale == ramus::test::aslant_camera().scale);
     }
 }
 

@@ -1,4 +1,5 @@
 #include "render/scene/camera.h"
+#include "tests/support/aslant_camera.h"
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -14,16 +15,6 @@ const glm::ivec2 kSize(800, 600);
 
 bool near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-9) {
     return glm::distance(a, b) <= tolerance;
-}
-
-Camera some_camera(bool orthographic = false) {
-    Camera camera;
-    camera.position = {120.0, 340.0, -70.0};
-    camera.focal_point = {10.0, -20.0, 30.0};
-    camera.view_up = {0.1, 0.2, 0.97};
-    camera.orthographic = orthographic;
-    camera.scale = 55.0;
-    return camera;
 }
 
 } // namespace
@@ -42,7 +33,7 @@ TEST_CASE("anatomical views show the patient as a radiologist expects") {
                               {View::kSuperior, s, r, a},
                               {View::kInferior, i, l, a}}) {
         CAPTURE(name_of(e.view));
-        const CameraAxes axes = axes_of(looking(some_camera(), e.view));
+        const CameraAxes axes = axes_of(looking(ramus::test::aslant_camera(), e.view));
         CHECK(near(-axes.forward, e.toward_viewer));
         CHECK(near(axes.right, e.at_right));
         CHECK(near(axes.up, e.at_top));
@@ -53,7 +44,7 @@ TEST_CASE("anatomical views show the patient as a radiologist expects") {
 
 TEST_CASE("projecting and unprojecting are each other's inverse, and agree with the matrices") {
     for (const bool orthographic : {false, true}) {
-        const Camera camera = some_camera(orthographic);
+        const Camera camera = ramus::test::aslant_camera(orthographic);
         const glm::dvec3 point(25.0, -4.0, 41.0);
         const auto pixel = project(camera, kSize, point);
         REQUIRE(pixel.has_value());
@@ -63,7 +54,9 @@ TEST_CASE("projecting and unprojecting are each other's inverse, and agree with 
         CHECK((0.5 + 0.5 * clip.x / clip.w) * kSize.x == doctest::Approx(pixel->x));
         CHECK((0.5 - 0.5 * clip.y / clip.w) * kSize.y == doctest::Approx(pixel->y));
     }
-    CHECK_FALSE(project(some_camera(), kSize, some_camera().position - axes_of(some_camera()).forward).has_value());
+    CHECK_FALSE(project(ramus::test::aslant_camera(), kSize,
+                        ramus::test::aslant_camera().position - axes_of(ramus::test::aslant_camera()).forward)
+                    .has_value());
 }
 
 TEST_CASE("a fitted camera shows all points, touching the margin on one axis") {
@@ -100,34 +93,36 @@ TEST_CASE("an empty or flat scene still has a camera") {
 }
 
 TEST_CASE("turning keeps the distance and the focal point, and the axes stay orthonormal") {
-    Camera camera = some_camera();
+    Camera camera = ramus::test::aslant_camera();
     const double distance = glm::distance(camera.position, camera.focal_point);
     for (int i = 0; i < 500; ++i) camera = turned(camera, 4.25, -3.7);
     CHECK(glm::distance(camera.position, camera.focal_point) == doctest::Approx(distance));
-    CHECK(camera.focal_point == some_camera().focal_point);
+    CHECK(camera.focal_point == ramus::test::aslant_camera().focal_point);
     const CameraAxes axes = axes_of(camera);
     CHECK(glm::dot(axes.up, axes.forward) == doctest::Approx(0.0));
     CHECK(near(axes.up, camera.view_up));
 }
 
 TEST_CASE("zooming never reaches the focal point, whatever the factor") {
-    Camera camera = some_camera();
+    Camera camera = ramus::test::aslant_camera();
     for (int i = 0; i < 2000; ++i) camera = zoomed(camera, 1.5);
     CHECK(glm::distance(camera.position, camera.focal_point) > 0.0);
-    CHECK(zoomed(some_camera(), 0.0) == some_camera());
-    CHECK(zoomed(some_camera(), -1.0) == some_camera());
-    CHECK(zoomed(some_camera(), std::numeric_limits<double>::quiet_NaN()) == some_camera());
+    CHECK(zoomed(ramus::test::aslant_camera(), 0.0) == ramus::test::aslant_camera());
+    CHECK(zoomed(ramus::test::aslant_camera(), -1.0) == ramus::test::aslant_camera());
+    CHECK(zoomed(ramus::test::aslant_camera(), std::numeric_limits<double>::quiet_NaN()) ==
+          ramus::test::aslant_camera());
 }
 
 TEST_CASE("changing the projection keeps the size at the focal point") {
-    const Camera camera = some_camera();
+    const Camera camera = ramus::test::aslant_camera();
     const Camera parallel = with_projection(camera, true);
     CHECK(mm_per_pixel(parallel, kSize) == doctest::Approx(mm_per_pixel(camera, kSize)));
     CHECK(near(with_projection(zoomed(parallel, 2.0), false).position, zoomed(camera, 2.0).position, 1e-6));
 }
 
 TEST_CASE("between two cameras the ends are exact and the way is smooth") {
-    const Camera from = looking(some_camera(), View::kAnterior), to = looking(some_camera(), View::kLeft);
+    const Camera from = looking(ramus::test::aslant_camera(), View::kAnterior),
+                 to = looking(ramus::test::aslant_camera(), View::kLeft);
     CHECK(interpolated(from, to, 0.0) == from);
     CHECK(interpolated(from, to, 1.0) == to);
     const Camera middle = interpolated(from, to, 0.5);
@@ -137,7 +132,7 @@ TEST_CASE("between two cameras the ends are exact and the way is smooth") {
 }
 
 TEST_CASE("a camera survives its JSON to the last bit") {
-    Camera camera = some_camera(true);
+    Camera camera = ramus::test::aslant_camera(true);
     camera.position.x = 0.1 + 0.2;
     camera.view_angle = 29.999999999999996;
     const auto again = parse_camera(to_json(camera).dump(), "test");
