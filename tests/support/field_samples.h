@@ -86,6 +86,14 @@ struct PointsAround {
     }
 };
 
+// The grid of a brick that begins two cells farther along x.
+inline field::GridAxes two_cells_on(const field::GridAxes& grid) {
+    field::GridAxes beside = grid;
+    const double step = grid.x[4] - grid.x[3];
+    beside.x = {grid.x[2], grid.x[3], grid.x[4], grid.x[4] + step, grid.x[4] + 2.0 * step};
+    return beside;
+}
+
 inline glm::dvec3 near_the_vessels(const field::ConvolutionField& field, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     const field::FieldSegment& s = field.segments()[random() % field.segments().size()];

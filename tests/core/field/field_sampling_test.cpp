@@ -102,11 +102,7 @@ TEST_CASE("a point has the same bits in every call that has its segments") {
             brick->sample_lattice(around.lattice, points, again);
             CHECK(std::ranges::equal(again, samples.value));
             // From another corner, as a neighbouring brick sees them.
-            field::GridAxes beside = around.grid;
-            const double step = around.grid.x[4] - around.grid.x[3];
-            beside.x = {around.grid.x[2], around.grid.x[3], around.grid.x[4], around.grid.x[4] + step,
-                        around.grid.x[4] + 2.0 * step};
-            const Samples seen = sample(field, all, beside);
+            const Samples seen = sample(field, all, two_cells_on(around.grid));
             for (std::size_t n = 0; n < field::kGridPoints; n += 5)
                 for (std::size_t i = 0; i < 3; ++i) CHECK(seen.value[n + i] == samples.value[n + 2 + i]);
         }

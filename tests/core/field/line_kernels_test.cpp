@@ -231,11 +231,7 @@ TEST_CASE("a point of a line integral has the same bits whichever brick asks, an
                         CHECK(groups.value[group][n] == samples.value[at.x + 5 * at.y + 25 * at.z]);
                     }
                 // From another corner, as a neighbouring brick sees them.
-                field::GridAxes beside = around.grid;
-                const double step = around.grid.x[4] - around.grid.x[3];
-                beside.x = {around.grid.x[2], around.grid.x[3], around.grid.x[4], around.grid.x[4] + step,
-                            around.grid.x[4] + 2.0 * step};
-                const Samples seen = sample(field, all, beside);
+                const Samples seen = sample(field, all, two_cells_on(around.grid));
                 for (std::size_t n = 0; n < field::kGridPoints; n += 5)
                     for (std::size_t i = 0; i < 3; ++i) CHECK(seen.value[n + i] == samples.value[n + 2 + i]);
             }
