@@ -6,9 +6,8 @@ Usage: contacts_journey.py PROGRAM
 
 import json
 import sys
-from pathlib import Path
 
-from screen import Window, check, choose, click, project, run_journeys, slide
+from screen import Window, check, choose, click, project, run_journeys, saved_session, slide
 
 # Tubes of radius 1. The first has a bend of 1 mm, 0.5 after one pass of smoothing, under one that is 2.5 mm high: they
 # touch, or overlap by 0.5 without smoothing. The last two overlap by 0.2.
@@ -125,9 +124,7 @@ def contacts(program, screen, folder):
         blends(window)
         wiped(window)
         follows(window)
-        window.xdotool("key", "ctrl+s")
-        status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
-        session = Path(status["notice"].split("Session saved: ")[1])
+        session = saved_session(window)
         options = json.loads(session.read_text())["options"]
         check(options["blend"] == "paper" and options["contact_marks"], "the session keeps the blend and the marks")
         check(window.quit() == 0, "Ctrl+Q closes the window")

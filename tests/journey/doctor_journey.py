@@ -8,9 +8,8 @@ Usage: doctor_journey.py PROGRAM
 import json
 import subprocess
 import sys
-from pathlib import Path
 
-from screen import Window, check, choose, click, info_of, project, run_journeys
+from screen import Window, check, choose, click, info_of, project, run_journeys, saved_session
 
 UNIT = "What one unit of the file's coordinates is"
 REPAIRS = "What may be mended when the file is read"
@@ -125,9 +124,7 @@ def doctor(program, screen, folder):
         places(window, notes)
         repairs(window)
         panel(window)
-        window.xdotool("key", "ctrl+s")
-        status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
-        session = Path(status["notice"].split("Session saved: ")[1])
+        session = saved_session(window)
         check(json.loads(session.read_text())["reading"] == {"units": "cm"}, "the session keeps the unit")
         subprocess.run([program, "convert", "--session", session, "-o", folder / "mm.swc"], check=True)
         written = info_of(program, folder / "mm.swc")

@@ -13,7 +13,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
 from nifti import nifti, voxels
-from screen import Window, check, choose, click, differing, info_of, project, run_journeys, slide
+from screen import Window, check, choose, click, differing, info_of, project, run_journeys, saved_session, slide
 
 PICTURES = Path(sys.argv[2]) if len(sys.argv) > 2 else None
 SIZE, VOXEL_MM = (46, 36, 44), 2.0
@@ -189,9 +189,7 @@ def journey(program, screen, folder):
         options(window, hidden)
         cut(window)
         exports(program, window, folder)
-        window.xdotool("key", "ctrl+s")
-        status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
-        session = Path(status["notice"].split("Session saved: ")[1])
+        session = saved_session(window)
         before = kept(status)
         away(window)
         seen = window.pixels(*status["viewport"])

@@ -7,9 +7,8 @@ Usage: orientation_journey.py PROGRAM
 
 import json
 import sys
-from pathlib import Path
 
-from screen import SMALL_TREE, Window, check, choose, click, run_journeys
+from screen import SMALL_TREE, Window, check, choose, click, run_journeys, saved_session
 
 SIDES = {"x": "Which side of the patient x leads to", "y": "Which side of the patient y leads to",
          "z": "Which side of the patient z leads to"}
@@ -93,9 +92,7 @@ def orientation(program, screen, folder):
         question(window)
         undo_survives(window)
         warnings(window)
-        window.xdotool("key", "ctrl+s")
-        status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
-        session = Path(status["notice"].split("Session saved: ")[1])
+        session = saved_session(window)
         check(json.loads(session.read_text())["reading"] == {"orientation": "PIR", "units": "cm"}, "the session keeps both")
         check(window.quit() == 0, "Ctrl+Q closes the window")
     finally:

@@ -143,6 +143,13 @@ def choose(window, words, entry):
     click(window, entry)
 
 
+def saved_session(window):
+    """Saves the session with Ctrl+S; its file."""
+    window.xdotool("key", "ctrl+s")
+    status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
+    return Path(status["notice"].split("Session saved: ")[1])
+
+
 def slide(window, words, share):
     """A slider to this share of its length."""
     left, top, width, height = window.status()["controls"][words]
