@@ -190,6 +190,7 @@ def journey(program, screen, folder):
         cut(window)
         exports(program, window, folder)
         session = saved_session(window)
+        status = window.status()
         before = kept(status)
         away(window)
         seen = window.pixels(*status["viewport"])
