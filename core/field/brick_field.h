@@ -75,6 +75,7 @@ struct LatticeAxes {
 };
 struct LatticePoint {
     std::uint8_t i, j, k;
+    friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
 };
 
 // What goes into projecting points onto the surface, and what comes out: first guesses, and for each its point on the
@@ -202,8 +203,6 @@ public:
     // surface crosses it.
     [[nodiscard]] virtual float crossing(float from, float to) const = 0;
 
-    // Whether vessels may be kept apart in some brick.
-    [[nodiscard]] virtual bool knows_contacts() const { return false; }
     // Whether vessels are kept apart somewhere in this brick. Where they are not, nothing of what follows is asked.
     [[nodiscard]] virtual bool parts_vessels() const { return false; }
     // Owners of points that are inside; the same ones whichever brick is asked.

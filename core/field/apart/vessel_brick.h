@@ -23,7 +23,6 @@ public:
     void find_depths(const GridValues& values, GridValues& depths) const override { sum_->find_depths(values, depths); }
     [[nodiscard]] float crossing(float from, float to) const override { return sum_->crossing(from, to); }
 
-    [[nodiscard]] bool knows_contacts() const override { return true; }
     [[nodiscard]] bool parts_vessels() const override { return parts_; }
     std::uint64_t find_owners(const LatticeAxes& lattice, std::span<const LatticePoint> points,
                               std::span<Owner> owners) override;

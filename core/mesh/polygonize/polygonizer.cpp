@@ -167,16 +167,20 @@ bool Polygonizer::follow(std::unique_ptr<State> state, const field::SegmentChang
         live_bricks_ -= octree_.subtrees[subtree].brick_count;
     }
     for (const std::uint32_t subtree : changes.added) live_bricks_ += octree_.subtrees[subtree].brick_count;
-    const std::vector<std::uint32_t> resized = find_new_neighbours(changes);
-    const std::vector<std::uint32_t> refill = merged(changes.added, resized);
-    statistics_.bricks_s = watch.lap();
-    statistics_.bricks = octree_.bricks.size();
-
-    for (const std::uint32_t subtree : resized) {
+    std::vector<std::uint32_t> refill = find_new_neighbours(changes);
+    const auto take_for_new = [&](std::uint32_t subtree) {
         slots_.remove(subtree);
         changes.subtrees[subtree] = 1;
         changes.mark(octree_, octree_.subtrees[subtree].parent);
-    }
+    };
+    std::ranges::for_each(refill, take_for_new);
+    std::vector<std::uint32_t> lookers = bricks::subtrees_beside(octree_, changes);
+    std::erase_if(lookers, [&](std::uint32_t subtree) { return !cells_.subtrees[subtree].looked_beyond; });
+    std::ranges::for_each(lookers, take_for_new);
+    refill = merged(changes.added, merged(refill, lookers));
+    statistics_.bricks_s = watch.lap();
+    statistics_.bricks = octree_.bricks.size();
+
     bricks::fill_subtrees(state_->field, octree_, refill, cells_, JobRange(job, 0.15F, 0.8F));
     if (job.cancelled()) return false;
     count(refill);

@@ -232,8 +232,10 @@ TEST_CASE("where one side of a contact is hidden the other is the plain sum's, t
 }
 
 TEST_CASE("with contacts too, threads, streams and a second run give the same bits") {
-    const tree::VesselTree tree = test::packed_trees(5);
+    const tree::VesselTree tree = test::packed_trees(40); // with specks across subtrees
     SurfaceOptions options;
+    options.detail = 8;
+    options.smooth_passes = 0;
     options.threads = 1;
     const TriangleMesh one = surface_with(tree, options);
     options.threads = 2;
@@ -247,36 +249,47 @@ TEST_CASE("with contacts too, threads, streams and a second run give the same bi
 }
 
 TEST_CASE("with contacts too, what follows the tree is what is made from nothing, bit for bit") {
-    const tree::VesselTree tree = test::packed_trees(5);
-    SurfaceOptions surface;
-    REQUIRE(tree::find_contacts(prepare_tree(tree, surface), tree::limits_of_gaussian(surface.width)).list.size() > 4);
-    Polygonizer polygonizer;
-    Job job;
-    std::mt19937 random(7);
-    std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
-    const auto check = [&](const field::VesselField& field) {
-        REQUIRE(polygonizer.update(field, {}, job));
-        const auto anew = polygonize(field, {}, job);
-        REQUIRE(anew.has_value());
-        CHECK(polygonizer.compact() == *anew);
-        CHECK(test::topology(*anew).closed_manifold());
+    struct Case {
+        std::uint64_t seed;
+        int detail, smooth_passes;
     };
-    check(make_field(tree, surface, hidden));
-    for (int round = 0; round < 8; ++round) {
-        CAPTURE(round);
-        const int branch = static_cast<int>(random() % tree.branches.size());
-        const auto value = static_cast<std::uint8_t>(1 - hidden[static_cast<std::size_t>(branch)]);
-        for (const int below : tree::subtree(tree, branch)) hidden[static_cast<std::size_t>(below)] = value;
-        if (std::ranges::count(hidden, 1) == static_cast<long>(hidden.size())) hidden.assign(hidden.size(), 0);
+    for (const Case& one : {Case{5, 16, 1}, Case{40, 8, 0}}) { // the second has specks across subtrees
+        CAPTURE(one.seed);
+        const tree::VesselTree tree = test::packed_trees(one.seed);
+        SurfaceOptions surface;
+        surface.smooth_passes = one.smooth_passes;
+        PolygonizeOptions options;
+        options.detail = one.detail;
+        const tree::ContactLimits limits = tree::limits_of_gaussian(surface.width);
+        REQUIRE(tree::find_contacts(prepare_tree(tree, surface), limits).list.size() > 2);
+        Polygonizer polygonizer;
+        Job job;
+        std::mt19937 random(7);
+        std::vector<std::uint8_t> hidden(tree.branches.size(), 0);
+        const auto check = [&](const field::VesselField& field) {
+            REQUIRE(polygonizer.update(field, options, job));
+            const auto anew = polygonize(field, options, job);
+            REQUIRE(anew.has_value());
+            CHECK(polygonizer.compact() == *anew);
+            CHECK(test::topology(*anew).closed_manifold());
+        };
         check(make_field(tree, surface, hidden));
+        for (int round = 0; round < 8; ++round) {
+            CAPTURE(round);
+            const int branch = static_cast<int>(random() % tree.branches.size());
+            const auto value = static_cast<std::uint8_t>(1 - hidden[static_cast<std::size_t>(branch)]);
+            for (const int below : tree::subtree(tree, branch)) hidden[static_cast<std::size_t>(below)] = value;
+            if (std::ranges::count(hidden, 1) == static_cast<long>(hidden.size())) hidden.assign(hidden.size(), 0);
+            check(make_field(tree, surface, hidden));
+        }
+        surface.smooth_passes = 3;
+        check(make_field(tree, surface, hidden));
+        surface.blend = Blend::kPaper;
+        check(make_field(tree, surface, hidden));
+        surface.blend = Blend::kTree;
+        surface.prune_ratio = 0.3;
+        check(make_field(tree, surface, {}));
     }
-    surface.smooth_passes = 3;
-    check(make_field(tree, surface, hidden));
-    surface.blend = Blend::kPaper;
-    check(make_field(tree, surface, hidden));
-    surface.blend = Blend::kTree;
-    surface.prune_ratio = 0.3;
-    check(make_field(tree, surface, {}));
 }
 
 TEST_CASE("contacts are apart at other widths, at one cell size, smoothed and pruned") {
@@ -331,7 +344,7 @@ TEST_CASE("contacts of many vessels at one place leave closed surfaces, and no s
         int detail;
         int smooth_passes;
     };
-    for (const Case& one : {Case{11, 24, 0}, Case{2, 24, 0}}) {
+    for (const Case& one : {Case{11, 24, 0}, Case{2, 24, 0}, Case{20, 24, 0}, Case{40, 8, 0}}) {
         CAPTURE(one.seed);
         const tree::VesselTree tree = test::packed_trees(one.seed);
         SurfaceOptions options;

@@ -2,6 +2,7 @@
 
 #include "core/mesh/polygonize/cells/brick_sampler.h"
 #include "core/mesh/polygonize/cells/hanging_corners.h"
+#include "core/mesh/polygonize/cells/specks.h"
 
 #include <atomic>
 #include <bit>
@@ -13,9 +14,7 @@
 namespace ramus::mesh::bricks {
 
 const CellRecord& SurfaceCells::record(const Brick& brick, std::uint32_t index, int cell) const {
-    const BrickCells& b = cells[index];
-    const int before = std::popcount(b.recorded & ((std::uint64_t{1} << cell) - 1));
-    return subtrees[brick.subtree].records[b.first_record + static_cast<std::uint32_t>(before)];
+    return record_of(cells[index], subtrees[brick.subtree], cell);
 }
 
 const KnownEnds* SurfaceCells::ends(const Octree& octree, std::uint32_t index, const glm::ivec3& middle) const {
@@ -31,12 +30,7 @@ std::uint32_t SurfaceCells::vertex(const Brick& brick, std::uint32_t index, int 
     if (in_brick == kNoVertex) return kAbsent;
     const std::uint32_t first = cells[index].first_vertex + in_brick;
     if (!is_recorded(index, cell)) return first;
-    const CellRecord& r = record(brick, index, cell);
-    std::uint8_t loop = kNoLoop;
-    if (crossing < kUpperEnd)
-        loop = r.loop_of[static_cast<std::size_t>(crossing)];
-    else if (r.walls != kNoWalls)
-        loop = subtrees[brick.subtree].upper_loops[r.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
+    const std::uint8_t loop = loop_of(record(brick, index, cell), subtrees[brick.subtree], crossing);
     return loop == kNoLoop ? kAbsent : first + loop;
 }
 
@@ -190,6 +184,7 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
     surface.subtrees.resize(octree.subtrees.size());
     VertexBlocks blocks(surface);
     tbb::enumerable_thread_specific<BrickSampler> samplers([&] { return BrickSampler(field); });
+    tbb::enumerable_thread_specific<Specks> specks([&] { return Specks(field); });
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t t) {
         if (job.cancelled()) return;
@@ -199,7 +194,8 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
         SurfaceVertices& vertices = blocks.block();
         made.vertices = &vertices;
         made.first_vertex = vertices.count;
-        sampler.begin(octree, subtree, surface.neighbours, vertices);
+        sampler.begin(octree, subtree.first_brick, subtree.brick_count, vertices);
+        std::vector<std::uint32_t> parted;
         // Backwards, so that a brick finds its upper neighbours' samples there.
         for (std::uint32_t n = subtree.brick_count; n-- > 0;) {
             const std::uint32_t index = subtree.first_brick + n;
@@ -208,8 +204,11 @@ void fill_subtrees(const field::Field& field, const Octree& octree, std::span<co
                 fetch_ahead(surface.cells[index - 1]);
                 fetch_ahead(octree.lists[octree.bricks[index - 1].list_begin]);
             }
-            sampler.fill(index, surface.cells[index], made);
+            sampler.fill(index, surface.neighbours[index], surface.cells[index], made);
+            if (sampler.parts_vessels()) parted.push_back(index);
         }
+        if (!parted.empty())
+            specks.local().leave_out(octree, subtrees[t], surface.neighbours, parted, surface.cells, made, vertices);
         std::ranges::sort(made.edge_ends, {}, &KnownEnds::edge);
         made.vertex_count = vertices.count - made.first_vertex;
         surface.subtrees[subtrees[t]] = std::move(made);

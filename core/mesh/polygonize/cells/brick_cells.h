@@ -77,7 +77,7 @@ struct BrickCells {
     std::uint64_t recorded;                          // bit per cell: described by a record; others have one vertex
     std::uint32_t first_record;                      // in the subtree
     std::uint32_t first_vertex;                      // in the subtree, later in the mesh
-    std::uint32_t walls;                             // into SubtreeCells::walls, or kNoWalls
+    std::uint32_t walls;                             // into SubtreeCells::walls, or kNoWalls: neither of the two
     bool crossed;                                    // if not, all but this is left unset
 
     [[nodiscard]] GridBits grid_bits() const { return GridBits{inside[1]} << 64 | inside[0]; }
@@ -106,22 +106,42 @@ struct SampleCounts {
     std::uint64_t samples = 0;     // points at which the field was taken
 };
 
+// Of a brick's edges, by their first points: those that walls go through, by axis; and those where the surface is a
+// speck's (specks.h), which is left out: by axis, then by axis that of a wall's upper end.
+struct BrickWalls {
+    std::array<GridBits, 3> edges{};
+    std::array<GridBits, 6> left_out{};
+};
+
 // What the bricks of one subtree make.
 struct SubtreeCells {
     const SurfaceVertices* vertices = nullptr; // in which the subtree's are, until they are copied to the mesh
     std::size_t first_vertex = 0, vertex_count = 0;
     std::vector<CellRecord> records;
     std::vector<ArcVertex> arc_vertices;
-    std::vector<std::array<GridBits, 3>> walls; // by axis: first points of edges that a wall goes through
+    std::vector<BrickWalls> walls;
     std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
     std::vector<KnownEnds> edge_ends;                                  // of cells placed as in walled_cells.h, by edge
     SampleCounts counts;
+    bool looked_beyond = false; // it may be another one when bricks beside the subtree change
 
     void add_arc(const FaceArc& arc, std::size_t vertex) {
         arc_vertices.push_back({arc.face, arc.first, static_cast<std::uint16_t>(vertex)});
         arc_vertices.push_back({arc.face, arc.second, static_cast<std::uint16_t>(vertex)});
     }
 };
+
+// What describes a cell that has a record.
+inline const CellRecord& record_of(const BrickCells& brick, const SubtreeCells& subtree, int cell) {
+    const int before = std::popcount(brick.recorded & ((std::uint64_t{1} << cell) - 1));
+    return subtree.records[brick.first_record + static_cast<std::uint32_t>(before)];
+}
+// The loop of such a cell through a crossing, or kNoLoop.
+inline std::uint8_t loop_of(const CellRecord& record, const SubtreeCells& subtree, int crossing) {
+    if (crossing < kUpperEnd) return record.loop_of[static_cast<std::size_t>(crossing)];
+    return record.walls == kNoWalls ? kNoLoop
+                                    : subtree.upper_loops[record.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
+}
 
 struct SurfaceCells {
     ChunkedArray<Neighbourhood> neighbours;                        // by brick
@@ -140,8 +160,8 @@ struct SurfaceCells {
     [[nodiscard]] std::uint32_t vertex(const Brick& brick, std::uint32_t index, int cell, int crossing) const;
     // Where the surface goes through an edge of a brick beside a wall (by its middle in quarter cells), if it is known.
     [[nodiscard]] const KnownEnds* ends(const Octree& octree, std::uint32_t index, const glm::ivec3& middle) const;
-    // Edges of a brick that walls go through, by axis.
-    [[nodiscard]] const std::array<GridBits, 3>& walls(const Brick& brick, std::uint32_t index) const {
+    // Of a brick that has them.
+    [[nodiscard]] const BrickWalls& walls(const Brick& brick, std::uint32_t index) const {
         return subtrees[brick.subtree].walls[cells[index].walls];
     }
 };

@@ -49,25 +49,6 @@ void BrickGrid::sample(unsigned groups, field::BrickField& field, SampleCounts& 
     counts.samples += field::kGroupPoints * static_cast<std::uint64_t>(std::popcount(groups));
 }
 
-void BrickGrid::drop(GridBits points, float below) {
-    for (std::size_t group = 0; group < field::kGroups; ++group) {
-        const bool own = (field::kOwnGroups >> group & 1U) != 0;
-        for (std::size_t n = 0; n < field::points_in_group(group); ++n) {
-            const auto [x, y, z] = field::kGridPlaces[group][n];
-            if ((points >> (x + 5 * y + 25 * z) & 1U) == 0) continue;
-            if (own) {
-                const std::size_t at = field::kGroupPoints * group + n;
-                own_[index_].value[at] = below;
-                own_[index_].inside &= ~(std::uint64_t{1} << at);
-            } else {
-                samples_.value[group][n] = below;
-                samples_.inside[group] = static_cast<std::uint16_t>(samples_.inside[group] & ~(1U << n));
-            }
-        }
-    }
-    assemble_bits();
-}
-
 BrickGrid::UpperPart BrickGrid::upper_part(int x, int y, int z) const {
     const int direction = direction_index(x, y, z);
     UpperPart part;

@@ -19,9 +19,6 @@ public:
     // `field` is in the brick.
     void sample(std::uint32_t brick, const Neighbourhood& neighbours, field::BrickField& field, SampleCounts& counts);
 
-    // Takes points for outside that are inside: x + 5 y + 25 z. `below`: a value below the isovalue.
-    void drop(GridBits points, float below);
-
     [[nodiscard]] GridBits inside() const { return inside_; } // at or above the isovalue
     // Puts the values in the order of values(), which few bricks need.
     void assemble_values();

@@ -18,15 +18,6 @@ void BrickOwners::find(field::BrickField& field, const field::LatticeAxes& latti
     find_walls(field, inside, hanging);
 }
 
-void BrickOwners::change(const field::BrickField& field, GridBits inside, std::span<const field::LatticePoint> hanging,
-                         std::span<const Speck> specks) {
-    for (const Speck& speck : specks) {
-        const glm::ivec3 p = 2 * grid_point(speck.point);
-        owner_[static_cast<std::size_t>(fine_index(p.x, p.y, p.z))] = speck.owner;
-    }
-    find_walls(field, inside, hanging);
-}
-
 void BrickOwners::find_walls(const field::BrickField& field, GridBits inside,
                              std::span<const field::LatticePoint> hanging) {
     cells_ = hanging_ = 0;

@@ -14,12 +14,6 @@
 
 namespace ramus::mesh::bricks {
 
-// A grid point that its own vessel cannot hold (specks.h), and who gets it: kNoOwner, it is outside.
-struct Speck {
-    int point = 0; // x + 5 y + 25 z
-    field::Owner owner = field::kNoOwner;
-};
-
 class BrickOwners {
 public:
     // The brick's points at half-cell spacing, 9 a side.
@@ -29,9 +23,6 @@ public:
     // `field` is in the brick; `hanging`: points of the lattice that are inside, besides those of the grid.
     void find(field::BrickField& field, const field::LatticeAxes& lattice, GridBits inside,
               std::span<const field::LatticePoint> hanging, SampleCounts& counts);
-    // The same once more, with other owners of some points.
-    void change(const field::BrickField& field, GridBits inside, std::span<const field::LatticePoint> hanging,
-                std::span<const Speck> specks);
 
     [[nodiscard]] const std::array<GridBits, 3>& walls() const { return walls_; } // by axis, first points of the edges
     [[nodiscard]] bool any_walls() const { return walls_[0] != 0 || walls_[1] != 0 || walls_[2] != 0 || hanging_ != 0; }

@@ -26,18 +26,18 @@ constexpr glm::ivec3 low_corner_of(int cell) { return {cell & 3, cell >> 2 & 3, 
 
 } // namespace
 
-void BrickSampler::begin(const Octree& octree, const Subtree& subtree, const ChunkedArray<Neighbourhood>& neighbours,
+void BrickSampler::begin(const Octree& octree, std::uint32_t first_brick, std::uint32_t brick_count,
                          SurfaceVertices& vertices) {
     octree_ = &octree;
-    all_neighbours_ = &neighbours;
     vertices_ = &vertices;
     first_vertex_ = vertices.count;
-    grid_.begin(subtree.first_brick, subtree.brick_count);
+    grid_.begin(first_brick, brick_count);
 }
 
-void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& subtree) {
+void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, BrickCells& cells,
+                        SubtreeCells& subtree) {
     brick_ = &octree_->bricks[index];
-    neighbours_ = &(*all_neighbours_)[index];
+    neighbours_ = &neighbours;
     cell_mm_ = static_cast<float>(octree_->lattice.cell_mm(brick_->level));
     lattice_ready_ = false;
     field_->enter(octree_->segments_of(*brick_), grid_axes(octree_->lattice, *brick_));
@@ -50,7 +50,6 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);
-    if (field_->knows_contacts()) give_away_specks(index, subtree);
 
     constexpr GridBits kAll = (GridBits{1} << field::kGridPoints) - 1;
     const GridBits inside = grid_.inside();
@@ -58,7 +57,7 @@ void BrickSampler::fill(std::uint32_t index, BrickCells& cells, SubtreeCells& su
     cells.crossed = (inside != 0 && inside != kAll) || half_crossed_ != 0 || walled;
     if (!cells.crossed) return;
     cells.walls = walled ? static_cast<std::uint32_t>(subtree.walls.size()) : kNoWalls;
-    if (walled) subtree.walls.push_back(owners_.walls());
+    if (walled) subtree.walls.push_back({owners_.walls(), {}});
     if (neighbours_->finer == 0) grid_.assemble_values();
     cells.inside = {static_cast<std::uint64_t>(inside), static_cast<std::uint64_t>(inside >> 64)};
     cells.first.fill(kNoVertex);
@@ -114,20 +113,6 @@ void BrickSampler::find_owners(SubtreeCells& subtree) {
     prepare_lattice();
     owners_.find(*field_, lattice_axes_, grid_.inside(), hanging_inside_, subtree.counts);
     apart_points_.clear();
-}
-
-void BrickSampler::give_away_specks(std::uint32_t index, SubtreeCells& subtree) {
-    const bool parts = field_->parts_vessels();
-    static constexpr std::array<GridBits, 3> kNone{};
-    const std::vector<Speck>& specks = specks_.find(*octree_, *all_neighbours_, index, grid_.inside(),
-                                                    parts ? owners_.walls() : kNone, subtree.counts);
-    if (specks.empty()) return;
-    GridBits outside = 0;
-    for (const Speck& speck : specks)
-        if (speck.owner == field::kNoOwner) outside |= GridBits{1} << speck.point;
-    grid_.drop(outside, std::nextafter(isovalue_, 0.0F));
-    if (neighbours_->finer != 0) grid_.assemble_values();
-    if (parts) owners_.change(*field_, grid_.inside(), hanging_inside_, specks);
 }
 
 // Guesses the vertices of plain cells and traces the others, as far as that goes without their faces' centres.

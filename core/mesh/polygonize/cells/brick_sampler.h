@@ -7,7 +7,6 @@
 #include "core/mesh/polygonize/cells/brick_grid.h"
 #include "core/mesh/polygonize/cells/brick_owners.h"
 #include "core/mesh/polygonize/cells/contact_cells.h"
-#include "core/mesh/polygonize/cells/specks.h"
 #include "core/mesh/polygonize/cells/vertex_guesses.h"
 #include "core/mesh/polygonize/cells/walled_cells.h"
 
@@ -18,14 +17,15 @@ namespace ramus::mesh::bricks {
 class BrickSampler {
 public:
     // The field must outlive it.
-    explicit BrickSampler(const field::Field& field)
-        : field_(field.in_brick()), isovalue_(field.isovalue()), specks_(field) {}
+    explicit BrickSampler(const field::Field& field) : field_(field.in_brick()), isovalue_(field.isovalue()) {}
 
-    void begin(const Octree& octree, const Subtree& subtree, const ChunkedArray<Neighbourhood>& neighbours,
-               SurfaceVertices& vertices);
-    // Bricks from the last of the subtree to the first. Appends their vertices to what begin() was given; leaves the
-    // indices in `cells` relative to the subtree.
-    void fill(std::uint32_t index, BrickCells& cells, SubtreeCells& subtree);
+    // Bricks come next that follow each other in a subtree.
+    void begin(const Octree& octree, std::uint32_t first_brick, std::uint32_t brick_count, SurfaceVertices& vertices);
+    // From the last of these bricks to the first. Appends their vertices to what begin() was given; leaves the
+    // indices in `cells` relative to where that ended then.
+    void fill(std::uint32_t index, const Neighbourhood& neighbours, BrickCells& cells, SubtreeCells& subtree);
+    // Whether vessels are kept apart in the brick filled last.
+    [[nodiscard]] bool parts_vessels() const { return field_->parts_vessels(); }
 
 private:
     // Of the brick's points at half-cell spacing only those that are hanging corners are sampled.
@@ -47,7 +47,6 @@ private:
     void prepare_lattice();
     void sample_hanging(SubtreeCells& subtree);
     void find_owners(SubtreeCells& subtree);
-    void give_away_specks(std::uint32_t index, SubtreeCells& subtree);
     void sample_points(SubtreeCells& subtree);
     void sort_cells(BrickCells& cells);
     void trace(int cell, unsigned corner_signs, std::uint32_t finer);
@@ -72,7 +71,6 @@ private:
 
     // Of the subtree.
     const Octree* octree_ = nullptr;
-    const ChunkedArray<Neighbourhood>* all_neighbours_ = nullptr;
     SurfaceVertices* vertices_ = nullptr; // to which the subtree's are appended
     std::size_t first_vertex_ = 0;        // of the subtree
 
@@ -92,7 +90,6 @@ private:
     field::Projection guesses_;
 
     // Where vessels are kept apart.
-    Specks specks_;
     BrickOwners owners_;
     std::vector<field::LatticePoint> hanging_inside_;
     std::vector<ApartPoints> apart_points_; // of traced cells

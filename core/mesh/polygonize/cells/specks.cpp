@@ -1,87 +1,189 @@
 #include "core/mesh/polygonize/cells/specks.h"
 
+#include "core/mesh/polygonize/cells/hanging_corners.h"
+#include "core/mesh/polygonize/cells/leave_out_loops.h"
+
+#include <algorithm>
+
 namespace ramus::mesh::bricks {
 
 namespace {
 
-// Points with another one beside them that is inside too and has no wall before it.
-GridBits connected_points(GridBits inside, const std::array<GridBits, 3>& walls) {
-    GridBits connected = 0;
+constexpr GridBits kAllPoints = (GridBits{1} << field::kGridPoints) - 1;
+
+// The points of a set, and those of `of` beside them without a wall between.
+GridBits grown(GridBits points, GridBits of, const std::array<GridBits, 3>& walls) {
+    GridBits beside = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const GridBits pairs = inside & inside >> kGridStep[axis] & kEdgeStarts[axis] & ~walls[axis];
-        connected |= pairs | pairs << kGridStep[axis];
+        const GridBits open = kEdgeStarts[axis] & ~walls[axis];
+        beside |= (points & open) << kGridStep[axis] | (points >> kGridStep[axis] & open);
     }
-    return connected;
+    return points | (beside & of);
 }
 
-} // namespace
-
-const std::vector<Speck>& Specks::find(const Octree& octree, const ChunkedArray<Neighbourhood>& neighbours,
-                                       std::uint32_t index, GridBits inside, const std::array<GridBits, 3>& walls,
-                                       SampleCounts& counts) {
-    specks_.clear();
-    for (GridBits left = inside & ~connected_points(inside, walls); left != 0; left &= left - 1) {
-        const int n = lowest_bit(left);
-        if (!list_bricks(octree, neighbours[index], index, grid_point(n))) continue;
-        Beside beside;
-        for (const Holder& in : bricks_) look_beside(octree, in, beside, counts);
-        if (beside.parted && !beside.connected) specks_.push_back({n, beside.outside ? field::kNoOwner : beside.owner});
-    }
-    return specks_;
-}
-
-// Lists the bricks that a point belongs to. False where some are of another size, or of another subtree: those
-// are not always made anew together.
-bool Specks::list_bricks(const Octree& octree, const Neighbourhood& neighbours, std::uint32_t index, glm::ivec3 point) {
-    bricks_.clear();
-    const auto beyond = [&](int axis) { return point[axis] == 0 ? -1 : point[axis] == kBrickCells ? 1 : 0; };
-    bricks_.push_back({index, point});
-    for (int sides = 1; sides < 8; ++sides) {
-        glm::ivec3 d(0);
-        bool is_one = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            if ((sides >> axis & 1) == 0) continue;
-            d[axis] = beyond(axis);
-            is_one = is_one && d[axis] != 0;
-        }
-        if (!is_one) continue;
-        const int direction = direction_index(d.x, d.y, d.z);
-        if (neighbours.kind(direction) != Neighbour::kSame) return false;
-        const std::uint32_t brick = neighbours.brick[static_cast<std::size_t>(direction)];
-        if (octree.bricks[brick].subtree != octree.bricks[index].subtree) return false;
-        bricks_.push_back({brick, point - kBrickCells * d});
+// Whether no point of a set is far from any other one: kMostCells - 2 steps along every axis, as a speck fits into
+// kMostCells cells with those around it.
+bool is_small(GridBits points) {
+    constexpr int kMost = LoopWalk::kMostCells - 2;
+    glm::ivec3 low(field::kGridSide), high(-1);
+    for (GridBits left = points; left != 0; left &= left - 1) {
+        const glm::ivec3 p = grid_point(lowest_bit(left));
+        low = glm::min(low, p), high = glm::max(high, p);
+        const glm::ivec3 size = high - low;
+        if (size.x > kMost || size.y > kMost || size.z > kMost) return false;
     }
     return true;
 }
 
-void Specks::look_beside(const Octree& octree, const Holder& in, Beside& beside, SampleCounts& counts) {
-    const Brick& brick = octree.bricks[in.brick];
-    if (in_brick_ == nullptr) in_brick_ = field_.in_brick();
-    in_brick_->enter(octree.segments_of(brick), grid_axes(octree.lattice, brick));
-    const bool parts_here = in_brick_->parts_vessels();
-    beside.parted = beside.parted || parts_here;
-    points_.clear();
-    points_.push_back(lattice_point(in.point));
-    for (int axis = 0; axis < 3; ++axis)
-        for (const int step : {-1, 1}) {
-            glm::ivec3 p = in.point;
-            p[axis] += step;
-            if (p[axis] >= 0 && p[axis] <= kBrickCells) points_.push_back(lattice_point(p));
-        }
-    const field::LatticeAxes lattice = lattice_axes(octree.lattice, brick);
-    values_.resize(points_.size());
-    counts.evaluations += in_brick_->sample_lattice(lattice, points_, values_);
-    counts.samples += points_.size();
-    owners_.assign(points_.size(), field::kNoOwner);
-    if (parts_here) counts.evaluations += in_brick_->find_owners(lattice, points_, owners_);
-    for (std::size_t n = 1; n < points_.size(); ++n) {
-        if (values_[n] < isovalue_)
-            beside.outside = true;
-        else if (!parts_here || !in_brick_->apart(owners_[0], owners_[n]))
-            beside.connected = true;
-        else if (beside.owner == field::kNoOwner || owners_[n] < beside.owner)
-            beside.owner = owners_[n];
+// Calls visit(points) for each connected set of the points given that is small.
+template <class Visit> void for_small_parts(GridBits all, const std::array<GridBits, 3>& walls, const Visit& visit) {
+    for (GridBits left = all; left != 0;) {
+        GridBits part = left & -left;
+        for (GridBits before = 0; before != part;) before = std::exchange(part, grown(part, all, walls));
+        left &= ~part;
+        if (is_small(part)) visit(part);
     }
+}
+
+} // namespace
+
+// Whether from one of some points on a brick's sides a straight line leads on through the next brick along connected
+// points, so far that what is around them is no speck. Most of what is small in a brick is cut off from a vessel beside
+// it, which is found so with less work than by its loops.
+bool Specks::goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits points, bool inside) {
+    const Neighbourhood& around = in.neighbours[brick];
+    for (GridBits left = points; left != 0; left &= left - 1) {
+        const glm::ivec3 p = grid_point(lowest_bit(left));
+        for (int axis = 0; axis < 3; ++axis) {
+            if (p[axis] % kBrickCells != 0) continue;
+            glm::ivec3 step(0);
+            step[axis] = p[axis] == 0 ? -1 : 1;
+            const int direction = direction_index(step.x, step.y, step.z);
+            if (around.kind(direction) == Neighbour::kAbsent && inside == ((around.full >> direction & 1U) != 0))
+                return true;
+            if (around.kind(direction) != Neighbour::kSame) continue;
+            const std::uint32_t next = around.brick[static_cast<std::size_t>(direction)];
+            std::array<glm::ivec3, 4> line;
+            for (int n = 0; n < 4; ++n) line[static_cast<std::size_t>(n)] = p + (n - kBrickCells) * step;
+            const Brick& there = in.octree.bricks[next];
+            if (there.subtree == in.index && !in.cells[next].crossed) return true;
+            if (goes_on_in(in.octree, there, line, inside)) return true;
+        }
+    }
+    return false;
+}
+
+// Whether all points of a line in a brick are connected: inside, and of one vessel, or outside.
+bool Specks::goes_on_in(const Octree& octree, const Brick& brick, const std::array<glm::ivec3, 4>& line, bool inside) {
+    std::array<field::LatticePoint, 4> points;
+    std::array<float, 4> values;
+    for (std::size_t n = 0; n < 4; ++n) points[n] = lattice_point(line[n]);
+    looked_beyond_ = true;
+    beyond_->enter(octree.segments_of(brick), grid_axes(octree.lattice, brick));
+    const field::LatticeAxes lattice = lattice_axes(octree.lattice, brick);
+    (void)beyond_->sample_lattice(lattice, points, values);
+    if (std::ranges::any_of(values, [&](float value) { return (value >= isovalue_) != inside; })) return false;
+    if (!inside || !beyond_->parts_vessels()) return true;
+    std::array<field::Owner, 4> owners;
+    (void)beyond_->find_owners(lattice, points, owners);
+    for (std::size_t n = 1; n < 4; ++n)
+        if (beyond_->apart(owners[n - 1], owners[n])) return false;
+    return true;
+}
+
+// A speck is around points inside that are connected to no others, or around such points outside; or it is that of a
+// wall which ends on all sides, where loops cross an edge for both of its ends.
+void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick) {
+    const BrickCells& cells = in.cells[brick];
+    const SubtreeCells& made = in.made;
+    candidates_.clear();
+    const auto add_all_of = [&](int cell) {
+        if (cells.first[static_cast<std::size_t>(cell)] == kNoVertex) return;
+        if ((cells.recorded >> cell & 1U) == 0) return candidates_.push_back({brick, cell, 0});
+        const CellRecord& record = record_of(cells, made, cell);
+        std::uint64_t seen = 0;
+        for (int m = 0; m < kCrossings; ++m) {
+            const std::uint8_t loop = loop_of(record, made, m);
+            if (loop == kNoLoop || (seen >> loop & 1U) != 0) continue;
+            seen |= std::uint64_t{1} << loop;
+            candidates_.push_back({brick, cell, loop});
+        }
+    };
+    const auto add_around = [&](GridBits points, bool inside) {
+        if (goes_on(in, brick, points, inside)) return;
+        std::uint64_t touching = 0;
+        for (GridBits left = points; left != 0; left &= left - 1) {
+            const glm::ivec3 p = 2 * grid_point(lowest_bit(left));
+            touching |= cells_touching(p.x, p.y, p.z);
+        }
+        for (; touching != 0; touching &= touching - 1) add_all_of(std::countr_zero(touching));
+    };
+    static constexpr std::array<GridBits, 3> kNone{};
+    const GridBits inside = cells.grid_bits();
+    for_small_parts(inside, cells.walls == kNoWalls ? kNone : made.walls[cells.walls].edges,
+                    [&](GridBits points) { add_around(points, true); });
+    for_small_parts(kAllPoints & ~inside, kNone, [&](GridBits points) { add_around(points, false); });
+    if (cells.walls == kNoWalls) return;
+    for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
+        const int cell = std::countr_zero(left);
+        const CellRecord& record = record_of(cells, made, cell);
+        if (record.walls == kNoWalls) continue;
+        const auto& upper = made.upper_loops[record.walls];
+        for (std::size_t m = 0; m < kQuarterPoints; ++m)
+            if (upper[m] != kNoLoop && upper[m] == record.loop_of[m]) candidates_.push_back({brick, cell, upper[m]});
+    }
+}
+
+void Specks::find(const FilledSubtree& in) {
+    constexpr float kThinCells = 2.0F; // radius of a vessel that may be as small as a speck
+    loops_.clear(), edges_.clear();
+    walk_.begin(in);
+    for (const std::uint32_t brick : in.parted) {
+        if (!in.cells[brick].crossed) continue;
+        list_candidates(in, brick);
+        for (const LoopPlace& candidate : candidates_) {
+            if (std::ranges::find(loops_, candidate) != loops_.end()) continue;
+            const LoopWalk::Part* const part = walk_.part_of(candidate);
+            if (part == nullptr || !part->parted) continue;
+            const auto cell_mm = static_cast<float>(in.octree.lattice.cell_mm(part->most_level));
+            if (part->most_radius < kThinCells * cell_mm) continue;
+            loops_.insert(loops_.end(), part->loops.begin(), part->loops.end());
+            edges_.insert(edges_.end(), part->edges.begin(), part->edges.end());
+        }
+    }
+}
+
+// Every brick that has an edge knows of it, also where none of its own cells has a loop there.
+void Specks::mark_edges(const Octree& octree, std::uint32_t subtree, ChunkedArray<BrickCells>& cells,
+                        SubtreeCells& made) const {
+    for (const LoopEdge& edge : edges_)
+        for (int n = 0; n < 4; ++n) {
+            const std::uint32_t index = brick_at(octree, unit_beside(edge, n));
+            if (index == kNoBrick || octree.bricks[index].subtree != subtree) continue;
+            const Brick& brick = octree.bricks[index];
+            if (brick.level != edge.level || !cells[index].crossed) continue;
+            glm::ivec3 first = edge.middle - brick.corner;
+            first[edge.axis] -= cell_units(edge.level) / 2;
+            first /= cell_units(edge.level);
+            if (cells[index].walls == kNoWalls) {
+                cells[index].walls = static_cast<std::uint32_t>(made.walls.size());
+                made.walls.emplace_back();
+            }
+            const auto row = static_cast<std::size_t>(edge.axis + (edge.upper ? 3 : 0));
+            made.walls[cells[index].walls].left_out[row] |= GridBits{1} << (first.x + 5 * first.y + 25 * first.z);
+        }
+}
+
+void Specks::leave_out(const Octree& octree, std::uint32_t subtree, const ChunkedArray<Neighbourhood>& neighbours,
+                       std::span<const std::uint32_t> parted, ChunkedArray<BrickCells>& cells, SubtreeCells& made,
+                       SurfaceVertices& vertices) {
+    looked_beyond_ = false;
+    find({octree, subtree, neighbours, cells, made, parted});
+    made.looked_beyond = looked_beyond_ || walk_.looked_beyond();
+    if (loops_.empty()) return;
+    mark_edges(octree, subtree, cells, made);
+    std::erase_if(loops_, [&](const LoopPlace& loop) { return octree.bricks[loop.brick].subtree != subtree; });
+    leave_out_loops(octree.subtrees[subtree], loops_, cells, made, vertices);
 }
 
 } // namespace ramus::mesh::bricks

@@ -1,56 +1,47 @@
-// Specks: single grid points inside the surface that are connected to no other one of their vessel. Beside a wall the
-// region of a vessel may end in a ridge thinner than a cell; where its edge runs past a grid point this would become a
-// piece of surface of its own.
+// Specks: parts of the surface of a few cells that are closed by themselves. Beside a wall the region of a vessel may
+// end in a ridge thinner than a cell; where its edge runs past a grid point, or a wall past a single edge, this would
+// become a piece of surface of its own, or a hole in the inside. They are left out.
 //
-// Such a point is taken for outside; where only other vessels are beside it, for a part of one of these.
+// Only where vessels are kept apart in every brick that a speck is in; and no part of a vessel that is itself as thin
+// as a few cells.
 #pragma once
 
-#include "core/field/field.h"
-#include "core/mesh/polygonize/cells/brick_cells.h"
-#include "core/mesh/polygonize/cells/brick_owners.h"
+#include "core/mesh/polygonize/cells/loop_walk.h"
 
 #include <array>
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 namespace ramus::mesh::bricks {
 
-// Finds the specks of bricks where vessels are kept apart. Holds scratch memory only: one per thread.
+// Holds scratch memory only: one per thread.
 class Specks {
 public:
     // The field must outlive it.
-    explicit Specks(const field::Field& field) : field_(field), isovalue_(field.isovalue()) {}
+    explicit Specks(const field::Field& field) : beyond_(field.in_brick()), isovalue_(field.isovalue()), walk_(field) {}
 
-    // What is to become of the specks of a brick: all bricks that a point belongs to find the same. `walls`: by axis
-    // the first points of edges that a wall goes through, where any are.
-    [[nodiscard]] const std::vector<Speck>& find(const Octree& octree, const ChunkedArray<Neighbourhood>& neighbours,
-                                                 std::uint32_t index, GridBits inside,
-                                                 const std::array<GridBits, 3>& walls, SampleCounts& counts);
+    // Takes the specks of a subtree away, which has just been filled: `vertices` ends with its own. `parted`: bricks of
+    // it in which vessels are kept apart, descending.
+    void leave_out(const Octree& octree, std::uint32_t subtree, const ChunkedArray<Neighbourhood>& neighbours,
+                   std::span<const std::uint32_t> parted, ChunkedArray<BrickCells>& cells, SubtreeCells& made,
+                   SurfaceVertices& vertices);
 
 private:
-    struct Holder { // a brick that a point belongs to
-        std::uint32_t brick = 0;
-        glm::ivec3 point{0}; // the grid point, as the brick has it
-    };
-    [[nodiscard]] bool list_bricks(const Octree& octree, const Neighbourhood& neighbours, std::uint32_t index,
-                                   glm::ivec3 point);
-    // What is next to a point.
-    struct Beside {
-        bool connected = false;               // another one of its vessel
-        bool parted = false;                  // vessels are kept apart in some brick that it belongs to
-        bool outside = false;                 // a point outside of all
-        field::Owner owner = field::kNoOwner; // of those inside, the first
-    };
-    void look_beside(const Octree& octree, const Holder& in, Beside& beside, SampleCounts& counts);
+    void list_candidates(const FilledSubtree& in, std::uint32_t brick);
+    [[nodiscard]] bool goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits points, bool inside);
+    [[nodiscard]] bool goes_on_in(const Octree& octree, const Brick& brick, const std::array<glm::ivec3, 4>& line,
+                                  bool inside);
+    void find(const FilledSubtree& in);
+    void mark_edges(const Octree& octree, std::uint32_t subtree, ChunkedArray<BrickCells>& cells,
+                    SubtreeCells& made) const;
 
-    const field::Field& field_;
+    std::unique_ptr<field::BrickField> beyond_; // in bricks beyond the subtree
     float isovalue_;
-    std::unique_ptr<field::BrickField> in_brick_; // where it is asked
-    std::vector<Speck> specks_;
-    std::vector<Holder> bricks_;              // scratch: those that a point belongs to
-    std::vector<field::LatticePoint> points_; // scratch: the point and those next to it
-    std::vector<float> values_;
-    std::vector<field::Owner> owners_;
+    bool looked_beyond_ = false;
+    LoopWalk walk_;
+    std::vector<LoopPlace> candidates_; // of a brick: one loop or more of all specks that it may have
+    std::vector<LoopPlace> loops_;      // of specks, in the subtree's bricks or beyond
+    std::vector<LoopEdge> edges_;       // of them
 };
 
 } // namespace ramus::mesh::bricks

@@ -46,19 +46,20 @@ void EdgePolygons::add(std::uint32_t index, int axis, glm::ivec3 point, bool fir
         emit(ring.span(), edge, out);
 }
 
-void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, JoinedSubtree& out) const {
+void EdgePolygons::add_wall(std::uint32_t index, int axis, glm::ivec3 point, unsigned left_out,
+                            JoinedSubtree& out) const {
     const Edge lower{index, axis, point, false, true};
     const Edge upper{index, axis, point, true, true};
-    const Ring first = ring_around(lower);
-    if (first.count < 2) return;
-    Ring second = ring_around(upper);
-    assert(second.count == first.count);
+    const Ring first = (left_out & 1U) == 0 ? ring_around(lower) : Ring{};
+    Ring second = (left_out & 2U) == 0 ? ring_around(upper) : Ring{};
     std::ranges::reverse(std::span(second.cells).first(second.count));
-    const Polygon one = polygon_of(first.span(), first.open), other = polygon_of(second.span(), second.open);
+    const std::uint32_t centre = first.count < 2 ? 0 : add_fan(first, lower, out);
+    if (second.count < 2) return;
     // Where the wall ends at the edge its two sides meet there.
-    const std::uint32_t centre = add_centre(one, lower, out);
-    emit_fan(centre, one, first.open, out);
-    emit_fan(first.open ? centre : add_centre(other, upper, out), other, first.open, out);
+    if (first.count >= 2 && first.open)
+        emit_fan(centre, polygon_of(second.span(), true), true, out);
+    else
+        add_fan(second, upper, out);
 }
 
 EdgePolygons::Ring EdgePolygons::ring_around(const Edge& edge) const {
@@ -265,8 +266,17 @@ std::uint32_t EdgePolygons::add_centre(const Polygon& polygon, const Edge& edge,
     glm::ivec3 upper = edge.point;
     ++upper[edge.axis];
     const EdgeKind kind = edge.walled ? EdgeKind::kWall : edge.upper ? EdgeKind::kUpperInside : EdgeKind::kLowerInside;
-    out.edges.push_back({{lattice_point(edge.point), lattice_point(upper)}, kind, edge.upper, polygon.walled});
+    const std::array<field::LatticePoint, 2> ends{lattice_point(edge.point), lattice_point(upper)};
+    const bool second = edge.walled && edge.upper && !out.edges.empty() && out.edges.back().ends == ends;
+    out.edges.push_back({ends, kind, edge.upper, polygon.walled, second});
     return kAddedBit | static_cast<std::uint32_t>(out.added.count + whose.guess);
+}
+
+std::uint32_t EdgePolygons::add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const {
+    const Polygon polygon = polygon_of(ring.span(), ring.open);
+    const std::uint32_t centre = add_centre(polygon, edge, out);
+    emit_fan(centre, polygon, ring.open, out);
+    return centre;
 }
 
 void EdgePolygons::emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out) {
@@ -282,14 +292,14 @@ void EdgePolygons::find_centres(field::BrickField& field, std::uint32_t index, J
         field::OwnedGuess& whose = out.owned[n];
         const JoinedSubtree::GuessEdge& edge = out.edges[n];
         const bool wall = edge.kind == EdgeKind::kWall;
-        if (!(wall && edge.upper)) { // else found with the lower side
+        if (!edge.second) { // else found with the lower end's
             const auto [low, high] = edge.ends;
             const glm::ivec3 middle = (glm::ivec3(low.i, low.j, low.k) + glm::ivec3(high.i, high.j, high.k)) / 2;
             const KnownEnds* const known = edge.exact ? surface_.ends(octree_, index, middle) : nullptr;
             if (known != nullptr) {
                 found = *known;
             } else {
-                const std::size_t begin = edge.upper ? 1 : 0, count = wall ? 2 : 1;
+                const std::size_t begin = edge.upper && !wall ? 1 : 0, count = wall ? 2 : 1;
                 (void)field.find_owners(lattice, std::span(edge.ends).subspan(begin, count),
                                         std::span(found.owner).subspan(begin, count));
                 if (edge.exact)

@@ -28,8 +28,9 @@ struct JoinedSubtree {
     struct GuessEdge {
         std::array<field::LatticePoint, 2> ends;
         EdgeKind kind = EdgeKind::kLowerInside;
-        bool upper = false; // the vertex is of the upper end; of a wall's two sides that follows the lower one
-        bool exact = false; // the vertex is on the edge
+        bool upper = false;  // the vertex is of the upper end
+        bool exact = false;  // the vertex is on the edge
+        bool second = false; // of a wall, after that of the lower end
     };
     std::vector<GuessEdge> edges; // by guess
 
@@ -52,13 +53,13 @@ public:
     // The edge of brick `index` from grid point `point` along `axis`, whose first end is inside or not. Adds nothing
     // when the edge is another brick's to join.
     void add(std::uint32_t index, int axis, glm::ivec3 point, bool first_inside, JoinedSubtree& out) const;
-    // The same of an edge that a wall goes through: one polygon for each vessel.
-    void add_wall(std::uint32_t index, int axis, glm::ivec3 point, JoinedSubtree& out) const;
+    // The same of an edge that a wall goes through: one polygon for each vessel, that of its lower end and that of its
+    // upper one. Without those left out, a bit each.
+    void add_wall(std::uint32_t index, int axis, glm::ivec3 point, unsigned left_out, JoinedSubtree& out) const;
     // After the edges of a brick, moves the vertices that polygons got on edges onto the surface.
     void finish(std::uint32_t index, JoinedSubtree& out) const;
 
-    // Edges of a brick that walls go through, by axis: first points.
-    [[nodiscard]] const std::array<GridBits, 3>& walls(std::uint32_t index) const {
+    [[nodiscard]] const BrickWalls& walls(std::uint32_t index) const {
         return surface_.walls(octree_.bricks[index], index);
     }
 
@@ -108,6 +109,7 @@ private:
     void emit(std::span<const Around> ring, const Edge& edge, JoinedSubtree& out) const;
     std::uint32_t add_centre(const Polygon& polygon, const Edge& edge, JoinedSubtree& out) const;
     void find_centres(field::BrickField& field, std::uint32_t index, JoinedSubtree& out) const;
+    std::uint32_t add_fan(const Ring& ring, const Edge& edge, JoinedSubtree& out) const; // its centre
     static void emit_fan(std::uint32_t centre, const Polygon& polygon, bool open, JoinedSubtree& out);
 
     field::Field field_;

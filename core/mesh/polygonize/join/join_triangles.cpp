@@ -84,6 +84,7 @@ public:
         number<0>(cells);
         look_beyond(around, std::make_integer_sequence<int, 8>());
         const GridBits inside = cells.grid_bits();
+        if (HWY_UNLIKELY(cells.walls != kNoWalls)) left_out_ = general_.walls(index).left_out;
         glm::uvec4* next = quads_.data();
         std::array<GridBits, 3> special;
         next = add_quads<0>(inside, around, next, special[0]);
@@ -96,19 +97,24 @@ public:
                 general_.add(index, axis, grid_point(n), (inside >> n & 1) != 0, out);
             }
         }
-        if (HWY_UNLIKELY(cells.walls != kNoWalls)) add_walls(index, around, out);
+        if (HWY_UNLIKELY(cells.walls != kNoWalls)) {
+            add_walls(index, around, out);
+            left_out_ = {};
+        }
         general_.finish(index, out);
     }
 
 private:
     void add_walls(std::uint32_t index, const Neighbourhood& around, JoinedSubtree& out) const {
-        const std::array<GridBits, 3>& walls = general_.walls(index);
+        const std::array<GridBits, 3>& walls = general_.walls(index).edges;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             // On the lower sides an edge is another brick's, unless that is larger.
             const GridBits own = around.coarser == 0 ? kOwnEdges[axis] : kEdgeStarts[axis];
             for (GridBits left = walls[axis] & own; left != 0; left &= left - 1) {
                 const int n = lowest_bit(left);
-                general_.add_wall(index, static_cast<int>(axis), grid_point(n), out);
+                const auto bits =
+                    static_cast<unsigned>((left_out_[axis] >> n & 1) | (left_out_[axis + 3] >> n & 1) << 1);
+                general_.add_wall(index, static_cast<int>(axis), grid_point(n), bits, out);
             }
         }
     }
@@ -159,7 +165,7 @@ private:
                                      GridBits& special) const {
         constexpr int kU = (Axis + 1) % 3;
         constexpr int kV = (Axis + 2) % 3;
-        const GridBits crossed = (inside ^ (inside >> kGridStep[Axis])) & kEdgeStarts[Axis];
+        const GridBits crossed = (inside ^ (inside >> kGridStep[Axis])) & kEdgeStarts[Axis] & ~left_out_[Axis];
         const GridBits touched = special_ | special_ << kGridStep[kU] | special_ << kGridStep[kV] |
                                  special_ << (kGridStep[kU] + kGridStep[kV]);
         const std::uint64_t from_inside = own_edges<Axis>(inside);
@@ -186,7 +192,8 @@ private:
     const EdgePolygons& general_;
     std::array<std::uint32_t, 128> vertices_{}; // of the cells seen, by coordinates
     std::array<glm::uvec4, 3 * kEdgesPerAxis> quads_;
-    GridBits special_ = 0; // cells that need the general way
+    GridBits special_ = 0;               // cells that need the general way
+    std::array<GridBits, 6> left_out_{}; // edges, as in BrickWalls
 };
 
 // The polygons of the bricks from `first` up to `end` are appended. Edges whose cells are all of one size and have one

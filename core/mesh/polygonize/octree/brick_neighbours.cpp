@@ -54,6 +54,8 @@ void describe_below(const Octree& octree, const EntriesAround& around, ChunkedAr
             describe_below(octree, entries_around_child(children, child), found);
 }
 
+void describe_brick(const EntriesAround& around, Neighbourhood& described) { describe(around, described); }
+
 } // namespace ramus::mesh::bricks::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -61,6 +63,43 @@ HWY_AFTER_NAMESPACE();
 namespace ramus::mesh::bricks {
 
 HWY_EXPORT(describe_below);
+HWY_EXPORT(describe_brick);
+
+namespace {
+
+// Calls enter(child) for the way from the root down to the brick, or to nothing, that has a cube of one unit; returns
+// the entry at its end.
+template <class Enter> OctreeEntry descend(const Octree& octree, const glm::ivec3& unit, const Enter& enter) {
+    OctreeEntry entry = OctreeEntry::node(octree.upper[0].node);
+    for (int level = octree.top_level - 1; entry.is_node(); --level) {
+        const glm::ivec3 half = unit / brick_units(level) & 1;
+        const auto child = static_cast<std::size_t>(half.x | half.y << 1 | half.z << 2);
+        entry = octree.nodes[entry.index()][child];
+        enter(child);
+    }
+    return entry;
+}
+
+} // namespace
+
+Neighbourhood neighbourhood_of(const Octree& octree, std::uint32_t brick) {
+    EntriesAround around;
+    around.at[kSelf] = OctreeEntry::node(octree.upper[0].node);
+    (void)descend(octree, octree.bricks[brick].corner, [&](std::size_t child) {
+        around = entries_around_child(entries_around_children(octree, around), child);
+    });
+    Neighbourhood described;
+    HWY_DYNAMIC_DISPATCH(describe_brick)(around, described);
+    return described;
+}
+
+std::uint32_t brick_at(const Octree& octree, const glm::ivec3& unit) {
+    const int size = brick_units(octree.top_level);
+    for (int axis = 0; axis < 3; ++axis)
+        if (unit[axis] < 0 || unit[axis] >= size) return kNoBrick;
+    const OctreeEntry entry = descend(octree, unit, [](std::size_t) {});
+    return entry.is_brick() ? entry.index() : kNoBrick;
+}
 
 void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found) {
     HWY_DYNAMIC_DISPATCH(describe_below)(octree, around, found);

@@ -110,7 +110,14 @@ struct Neighbourhood {
 // children of the entries around its parent.
 void find_neighbours(const Octree& octree, std::span<const std::uint32_t> subtrees, ChunkedArray<Neighbourhood>& found);
 
-// One step of it: the bricks at and below the entry in the middle of `around`. There is memory for them in `found`.
+// What lies around one brick of the octree.
+[[nodiscard]] Neighbourhood neighbourhood_of(const Octree& octree, std::uint32_t brick);
+// The brick that has a cube of one lattice unit, by the cube's lower corner; kNoBrick where there is none.
+inline constexpr std::uint32_t kNoBrick = 0xFFFFFFFFU;
+[[nodiscard]] std::uint32_t brick_at(const Octree& octree, const glm::ivec3& unit);
+
+// One step of finding them: the bricks at and below the entry in the middle of `around`. There is memory for them in
+// `found`.
 void describe_bricks(const Octree& octree, const EntriesAround& around, ChunkedArray<Neighbourhood>& found);
 
 // Pairs of subtrees that touch each other, in no order; a pair may come twice.

@@ -1,0 +1,139 @@
+#include "core/mesh/polygonize/cells/loop_walk.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+namespace ramus::mesh::bricks {
+
+namespace {
+
+constexpr std::size_t kMostLoopsOfPart = 160; // more than fit into so few cells, but for cells of many loops
+
+constexpr std::uint64_t key_of(const LoopPlace& loop) {
+    return std::uint64_t{loop.brick} << 16 | static_cast<std::uint64_t>(loop.cell) << 8 | loop.loop;
+}
+
+glm::ivec3 low_corner_of(const Brick& brick, int cell) {
+    return brick.corner + glm::ivec3(cell & 3, cell >> 2 & 3, cell >> 4) * cell_units(brick.level);
+}
+
+} // namespace
+
+void LoopWalk::begin(const FilledSubtree& in) {
+    in_ = &in;
+    beyond_.clear();
+    large_.clear();
+}
+
+LoopWalk::Filled LoopWalk::filled(std::uint32_t brick) {
+    const Octree& octree = in_->octree;
+    const auto from = [](const BrickCells& cells, const SubtreeCells& made, bool parted) {
+        const std::size_t first = made.first_vertex + (cells.crossed ? cells.first_vertex : 0);
+        return Filled{&cells, &made, std::span(made.vertices->radii).subspan(first), parted};
+    };
+    if (octree.bricks[brick].subtree == in_->index) {
+        const bool parted = std::ranges::binary_search(in_->parted, brick, std::greater());
+        return from(in_->cells[brick], in_->made, parted);
+    }
+    std::unique_ptr<Beyond>& there = beyond_[brick];
+    if (there == nullptr) {
+        there = std::make_unique<Beyond>();
+        if (sampler_ == nullptr) sampler_ = std::make_unique<BrickSampler>(field_);
+        there->made.vertices = &there->vertices;
+        sampler_->begin(octree, brick, 1, there->vertices);
+        sampler_->fill(brick, neighbourhood_of(octree, brick), there->cells, there->made);
+        there->parted = sampler_->parts_vessels();
+    }
+    return from(there->cells, there->made, there->parted);
+}
+
+std::vector<LoopEdge> LoopWalk::edges_of(const LoopPlace& loop) {
+    const Brick& brick = in_->octree.bricks[loop.brick];
+    const Filled there = filled(loop.brick);
+    const glm::ivec3 low = low_corner_of(brick, loop.cell);
+    std::vector<LoopEdge> edges;
+    const auto add = [&](int crossing) {
+        const int quarter = crossing % kQuarterPoints;
+        const auto [a, b] = ends_of_edge(crossing);
+        LoopEdge edge;
+        edge.middle = low + (glm::ivec3(quarter % 5, quarter / 5 % 5, quarter / 25) << brick.level);
+        const glm::ivec3 along = b - a;
+        edge.axis = along.x != 0 ? 0 : along.y != 0 ? 1 : 2;
+        edge.level = along[edge.axis] == 4 ? brick.level : brick.level - 1;
+        edge.upper = crossing >= kUpperEnd;
+        edges.push_back(edge);
+    };
+    if ((there.cells->recorded >> loop.cell & 1U) != 0) {
+        const CellRecord& record = record_of(*there.cells, *there.made, loop.cell);
+        for (int m = 0; m < kCrossings; ++m)
+            if (loop_of(record, *there.made, m) == loop.loop) add(m);
+        return edges;
+    }
+    const GridBits inside = there.cells->grid_bits();
+    const int corner = (loop.cell & 3) + 5 * (loop.cell >> 2 & 3) + 25 * (loop.cell >> 4);
+    for (int edge = 0; edge < 12; ++edge) {
+        const auto [a, b] = ends_of_edge(edge_midpoint(edge));
+        const auto is_inside = [&](const glm::ivec3& quarter) {
+            const glm::ivec3 p = quarter / 4;
+            return (inside >> (corner + p.x + 5 * p.y + 25 * p.z) & 1) != 0;
+        };
+        if (is_inside(a) != is_inside(b)) add(edge_midpoint(edge));
+    }
+    return edges;
+}
+
+// The loop through an edge of the cell that has a unit.
+std::optional<LoopPlace> LoopWalk::loop_at(std::uint32_t brick, const glm::ivec3& unit, const LoopEdge& edge) {
+    const Filled there = filled(brick);
+    if (!there.cells->crossed) return std::nullopt;
+    const Brick& in = in_->octree.bricks[brick];
+    const glm::ivec3 cell = (unit - in.corner) / cell_units(in.level);
+    LoopPlace place{brick, cell_index(cell.x, cell.y, cell.z), 0};
+    if (there.cells->first[static_cast<std::size_t>(place.cell)] == kNoVertex) return std::nullopt;
+    if ((there.cells->recorded >> place.cell & 1U) == 0) return place;
+    const glm::ivec3 quarter = (edge.middle - low_corner_of(in, place.cell)) >> glm::ivec3(in.level);
+    const int crossing = quarter_index(quarter.x, quarter.y, quarter.z) + (edge.upper ? kUpperEnd : 0);
+    place.loop = loop_of(record_of(*there.cells, *there.made, place.cell), *there.made, crossing);
+    return place.loop == kNoLoop ? std::nullopt : std::optional(place);
+}
+
+bool LoopWalk::add(const LoopPlace& loop) {
+    const Brick& brick = in_->octree.bricks[loop.brick];
+    const glm::ivec3 low = low_corner_of(brick, loop.cell), high = low + cell_units(brick.level);
+    low_ = part_.loops.empty() ? low : glm::min(low_, low);
+    high_ = part_.loops.empty() ? high : glm::max(high_, high);
+    least_level_ = part_.loops.empty() ? brick.level : std::min(least_level_, brick.level);
+    part_.most_level = std::max(part_.most_level, brick.level);
+    part_.loops.push_back(loop);
+    const glm::ivec3 size = high_ - low_;
+    if (std::max({size.x, size.y, size.z}) > kMostCells * cell_units(least_level_)) return false;
+    if (part_.loops.size() > kMostLoopsOfPart || large_.contains(key_of(loop))) return false;
+    const Filled there = filled(loop.brick);
+    part_.parted = part_.parted && there.parted;
+    const std::size_t vertex = std::size_t{there.cells->first[static_cast<std::size_t>(loop.cell)]} + loop.loop;
+    part_.most_radius = std::max(part_.most_radius, there.radii[vertex]);
+    return true;
+}
+
+const LoopWalk::Part* LoopWalk::part_of(const LoopPlace& loop) {
+    part_ = {};
+    bool fits = add(loop);
+    for (std::size_t next = 0; fits && next < part_.loops.size(); ++next) {
+        for (const LoopEdge& edge : edges_of(part_.loops[next])) {
+            if (std::ranges::find(part_.edges, edge) != part_.edges.end()) continue;
+            part_.edges.push_back(edge);
+            for (int n = 0; n < 4 && fits; ++n) {
+                const glm::ivec3 unit = unit_beside(edge, n);
+                const std::uint32_t brick = brick_at(in_->octree, unit);
+                const auto there = brick == kNoBrick ? std::nullopt : loop_at(brick, unit, edge);
+                if (there && std::ranges::find(part_.loops, *there) == part_.loops.end()) fits = add(*there);
+            }
+            if (!fits) break;
+        }
+    }
+    if (fits) return &part_;
+    for (const LoopPlace& of : part_.loops) large_.insert(key_of(of));
+    return nullptr;
+}
+
+} // namespace ramus::mesh::bricks
