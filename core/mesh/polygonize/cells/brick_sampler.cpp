@@ -46,7 +46,7 @@ void BrickSampler::fill(std::uint32_t index, const Neighbourhood& neighbours, Br
     hanging_inside_.clear();
     owned_.clear();
     walled_.begin(cell_mm_);
-    contact_.begin(*field_, *neighbours_, cell_mm_);
+    contact_.begin(*field_, *octree_, index, *neighbours_);
     if (neighbours_->finer != 0) sample_hanging(subtree);
     const bool parts = field_->parts_vessels();
     if (parts) find_owners(subtree);

@@ -17,7 +17,8 @@ namespace ramus::mesh::bricks {
 class BrickSampler {
 public:
     // The field must outlive it.
-    explicit BrickSampler(const field::Field& field) : field_(field.in_brick()), isovalue_(field.isovalue()) {}
+    explicit BrickSampler(const field::Field& field)
+        : field_(field.in_brick()), isovalue_(field.isovalue()), contact_(field.in_brick()) {}
 
     // Bricks come next that follow each other in a subtree.
     void begin(const Octree& octree, std::uint32_t first_brick, std::uint32_t brick_count, SurfaceVertices& vertices);

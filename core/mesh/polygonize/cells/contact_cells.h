@@ -9,13 +9,18 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace ramus::mesh::bricks {
 
 class ContactCells {
 public:
-    // The field is in the brick; it and the neighbours outlive the stay there.
-    void begin(field::BrickField& field, const Neighbourhood& neighbours, float cell_mm);
+    // `coarser`: the field in coarser bricks.
+    explicit ContactCells(std::unique_ptr<field::BrickField> coarser) : coarser_(std::move(coarser)) {}
+    // The field is in the brick; it, the octree and the neighbours outlive the stay there.
+    void begin(field::BrickField& field, const Octree& octree, std::uint32_t brick, const Neighbourhood& neighbours);
 
     // Whether something near a cell's middle is kept apart. Cells by their place in the brick, or one beyond it.
     [[nodiscard]] bool is_beside_contact(const glm::ivec3& cell);
@@ -27,13 +32,25 @@ public:
     [[nodiscard]] std::uint8_t fanned_coarser_faces(const glm::ivec3& cell);
 
 private:
-    [[nodiscard]] bool is_fanned_at_change(const glm::ivec3& low, int size);
+    // A cell of the coarser brick in some direction.
+    struct CoarserCell {
+        int direction = 0;
+        glm::ivec3 cell{0};
+        bool fanned = false;
+    };
+    [[nodiscard]] static bool is_fanned_at_change(field::BrickField& field, const glm::ivec3& cell, float cell_mm);
+    [[nodiscard]] bool is_coarser_fanned(int direction, const glm::ivec3& cell);
 
     static constexpr int kSide = 6; // cells of the brick, and one more all around
+    std::unique_ptr<field::BrickField> coarser_;
     field::BrickField* field_ = nullptr;
+    const Octree* octree_ = nullptr;
+    const Brick* brick_ = nullptr;
     const Neighbourhood* neighbours_ = nullptr;
     float cell_mm_ = 0.0F;
     std::array<std::int8_t, kSide * kSide * kSide> beside_{}; // -1: not known
+    int coarser_in_ = -1;                                     // the direction of the brick that `coarser_` is in
+    std::vector<CoarserCell> coarser_cells_;                  // those that are known
 };
 
 } // namespace ramus::mesh::bricks
