@@ -268,7 +268,7 @@ bool look_at_tubes(bool across, double other, double closeness, int detail) {
     const test::Gap gap = pairs.empty() ? test::least_gap(mesh, piece, 0.5) : test::Gap{};
     const glm::vec3 at = mesh.positions[mesh.triangles[gap.triangles.x].x];
     const test::Shape shape = test::shape_of(pieces);
-    const bool right = shape == test::Shape{2, 0} && pairs.empty() && gap.mm >= field::kLeastGapRadii;
+    const bool right = shape == test::Shape{2, 0} && pairs.empty() && gap.mm >= 0.05 * field::kWallRadii;
     std::printf("%-8s 1:%g  closeness %.2f  detail %2d: %ld pieces, %ld loops, %4zu pairs intersect, %4ld between the "
                 "two, gap %.4f at %.2f %.2f %.2f%s\n",
                 across ? "crossing" : "parallel", other, closeness, detail, shape.pieces, shape.loops, pairs.size(),

@@ -6,6 +6,7 @@
 #include "core/mesh/polygonize/polygonizer.h"
 #include "core/mesh/surface.h"
 #include "tests/support/built_tree.h"
+#include "tests/support/mesh_gap.h"
 #include "tests/support/mesh_intersections.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/packed_trees.h"
@@ -53,6 +54,15 @@ Shape shape_of(const TriangleMesh& mesh) {
     return {pieces, pieces - topology.euler / 2};
 }
 
+// The least distance between triangles of different pieces; no more than 0.05 mm.
+double gap_between_pieces(const TriangleMesh& mesh) {
+    DisjointSets sets(mesh.positions.size());
+    for (const glm::uvec3& t : mesh.triangles) sets.join(t.x, t.y), sets.join(t.y, t.z);
+    std::vector<std::uint32_t> piece(mesh.positions.size());
+    for (std::uint32_t v = 0; v < piece.size(); ++v) piece[v] = sets.find(v);
+    return test::least_gap(mesh, piece, 0.05).mm;
+}
+
 } // namespace
 
 TEST_CASE("two vessels that cross stay two closed pieces however much they overlap") {
@@ -68,6 +78,7 @@ TEST_CASE("two vessels that cross stay two closed pieces however much they overl
             // A thin vessel that lies wholly within a thick one leaves a groove in it, no tunnel.
             CHECK(shape.loops == 0);
             CHECK(test::intersecting_triangles(mesh).empty());
+            CHECK(gap_between_pieces(mesh) >= 0.05 * field::kWallRadii); // the thinner radius is 1 mm
         }
     }
 }
@@ -84,6 +95,7 @@ TEST_CASE("two vessels side by side for long stay two closed pieces") {
             CHECK(shape.pieces == 2);
             CHECK(shape.loops == 0);
             CHECK(test::intersecting_triangles(mesh).empty());
+            CHECK(gap_between_pieces(mesh) >= 0.05 * field::kWallRadii); // the thinner radius is 1 mm
         }
 }
 
