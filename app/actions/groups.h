@@ -27,6 +27,7 @@ namespace ramus::app::actions {
 [[nodiscard]] std::vector<Command> depth_commands();
 [[nodiscard]] std::vector<Command> compare_commands();
 [[nodiscard]] std::vector<Command> contact_commands();
+[[nodiscard]] std::vector<Command> validation_commands();
 [[nodiscard]] std::vector<Command> glass_commands();
 [[nodiscard]] std::vector<Command> surface_commands();
 [[nodiscard]] std::vector<Command> tool_commands();

@@ -60,8 +60,8 @@ public:
 class WindowHost {
 public:
     virtual ~WindowHost() = default;
-    // "help", "palette", "menu", "overview", "doctor", "orientation", "warnings", "contacts", "panel"; "explore",
-    // "plan" and "other" open a half of the panel.
+    // "help", "palette", "menu", "overview", "doctor", "orientation", "warnings", "contacts", "validation", "panel";
+    // "explore", "plan" and "other" open a half of the panel.
     virtual void toggle(std::string_view part) = 0;
     [[nodiscard]] virtual bool shows(std::string_view part) const = 0; // those, and "fly-along"
     virtual void set_overview(std::string_view setting) = 0;           // "on", "off", "generation", "distance"
@@ -72,6 +72,7 @@ public:
     virtual void show_note(int /*note*/) {}                 // in the import doctor's list, and in the picture
     virtual void show_contact(int /*contact*/) {}           // in the list of contacts, and in the picture
     virtual void read_warnings() {}                         // all of them
+    virtual void show_finding(int /*finding*/) {}           // in the validation's list
     virtual bool dismiss() = 0;                             // closes what lies on top; false: nothing does
     virtual void set_ui_scale(double pixels_per_point) = 0; // 0: what the display says
     [[nodiscard]] virtual double ui_scale() const = 0;      // pixels per point

@@ -20,16 +20,19 @@ struct Kind {
 };
 
 // In the order of what is written when no kind is named.
-constexpr std::array<Kind, 6> kKinds{
+constexpr std::array<Kind, 7> kKinds{
     {{"cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
      {"bands", bands_table, [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
      {"selection", selection_table, [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
      {"measurements", measurements_table,
       [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }},
      {"systems", systems_table, [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
-     {"contacts", contacts_table, [](const Document& d, const Assets& a) {
+     {"contacts", contacts_table,
+      [](const Document& d, const Assets& a) {
           return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
-      }}}};
+      }},
+     {"validation", validation_table,
+      [](const Document& d, const Assets& a) { return a.validation.fits(validation_of(d.tree(), d.marks())); }}}};
 
 Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
     const Document& document = context.document;
@@ -38,8 +41,9 @@ Result<void> write_csv(ActionContext& context, const std::filesystem::path& path
     const auto* kind =
         std::ranges::find_if(kKinds, [&](const Kind& k) { return wanted.empty() ? there(k) : k.name == wanted; });
     if (kind == kKinds.end())
-        return wanted.empty() ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
-                              : fail("a report is of selection, cuts, bands, measurements, systems or contacts");
+        return wanted.empty()
+                   ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
+                   : fail("a report is of selection, cuts, bands, measurements, systems, contacts or validation");
     if (!there(*kind))
         return fail("there is nothing to report of " + std::string(kind->name), {},
                     "cut, place a lesion, select or measure first");
@@ -97,10 +101,12 @@ Result<void> report(ActionContext& context, Arguments arguments) {
 
 std::vector<Command> report_commands() {
     return {
-        Command("report", "[FILE [KIND]]",
-                "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
-                "measurements, systems, contacts, the first of them that there is unless told.",
-                report)
+        Command(
+            "report", "[FILE [KIND]]",
+            "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
+            "measurements, systems, contacts, validation (once there is one), the first of them that there is unless "
+            "told.",
+            report)
             .in_menu("Plan", "Save report")
             .when(has_tree),
     };

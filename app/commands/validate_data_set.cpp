@@ -6,7 +6,7 @@
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
 #include "core/measure/deviation/deviation.h"
-#include "core/validate/validation.h"
+#include "core/validate/worst_radii.h"
 
 #include <utility>
 
@@ -43,7 +43,7 @@ public:
             if (for_report_)
                 for (const std::size_t vertex : measure::farthest_vertices(surface_, distances, kFarthest)) {
                     const glm::dvec3 at(surface_.positions[vertex]);
-                    const validate::RadiusPlace* place = nearest_place(set_.validation, at);
+                    const validate::RadiusPlace* place = validate::nearest_place(set_.validation, at);
                     found.farthest.push_back({at, distances[vertex], place != nullptr ? place->branch : 0});
                 }
             found.statistics = measure::statistics_of(distances, set_.half_voxel_mm);

@@ -4,11 +4,11 @@
 #include "app/picture/place_marks.h"
 #include "app/reports/validation/validation_tables.h"
 #include "app/workspace/surface_maker.h"
+#include "core/validate/worst_radii.h"
 #include "render/gl/headless_context.h"
 #include "render/image/image.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <span>
 #include <string>
 #include <utility>
@@ -52,7 +52,7 @@ void mark(render::Frame& frame, const ValidatedDataSet& set) {
     for (const MarkKind& kind : marks_of(set)) {
         frame.overlays.legend.swatches.push_back({kind.colour, std::string(1, kind.letter) + ": " + kind.words, false});
         for (std::size_t i = 0; i < std::min(kind.places.size(), kMostMarked); ++i) {
-            const validate::RadiusPlace* vessel = nearest_place(set.validation, kind.places[i]);
+            const validate::RadiusPlace* vessel = validate::nearest_place(set.validation, kind.places[i]);
             frame.lines.push_back(ring_facing_eye(frame, kind.places[i],
                                                   vessel != nullptr ? kAroundVessel * vessel->expected_mm : 0.0,
                                                   kind.colour, false));
@@ -69,14 +69,6 @@ void complete_arrays(mesh::TriangleMesh& mesh) {
 }
 
 } // namespace
-
-const validate::RadiusPlace* nearest_place(const validate::Validation& found, const glm::dvec3& at) {
-    const auto nearest = std::ranges::min_element(found.radii, {}, [&](const validate::RadiusPlace& place) {
-        const glm::dvec3 way = place.at - at;
-        return glm::dot(way, way);
-    });
-    return nearest == found.radii.end() ? nullptr : &*nearest;
-}
 
 Result<std::unique_ptr<ValidationPainter>> ValidationPainter::create(bool few) {
     std::unique_ptr<ValidationPainter> painter(new ValidationPainter);

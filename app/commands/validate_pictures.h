@@ -15,9 +15,6 @@
 
 namespace ramus::app {
 
-// The place on a centerline that is nearest; null: there is none.
-[[nodiscard]] const validate::RadiusPlace* nearest_place(const validate::Validation& found, const glm::dvec3& at);
-
 class ValidationPainter {
 public:
     // `few`: there are few data sets, whose pictures are worth more time and bytes.

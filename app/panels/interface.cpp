@@ -103,7 +103,7 @@ bool Interface::dismiss() {
     } else {
         const std::array below{&palette.open,  &recovery.open, &open_dialog.open, &help_open,
                                &rename.open,   &radius.open,   &fly.open,         &unsaid.open,
-                               &warnings.open, &doctor.open,   &contacts.open};
+                               &warnings.open, &doctor.open,   &contacts.open,    &validation.open};
         const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
         if (top == below.end()) return false;
         **top = false;
@@ -120,7 +120,7 @@ void Interface::forget_tree() {
     overview.shown_selection = tree::kNoBranch;
     overview.layout_of = nullptr;
     rename.open = radius.open = fly.open = fly.playing = false;
-    doctor.current = contacts.current = -1;
+    doctor.current = contacts.current = validation.current = -1;
 }
 
 void InterfaceContext::perform(const Command& command) {
@@ -164,6 +164,7 @@ void draw_interface(InterfaceContext& context) {
     draw_unsaid(context);
     draw_warnings(context);
     draw_contacts(context);
+    draw_validation(context);
     draw_overview(context);
     draw_fly(context);
     draw_status_bar(context);

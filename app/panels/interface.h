@@ -159,6 +159,13 @@ struct ContactList {
     std::shared_ptr<const std::vector<tree::Contact>> of; // what `current` counts in
 };
 
+// What the validation's panel remembers.
+struct ValidationList {
+    bool open = false;
+    int current = -1;                               // the finding that was gone to; -1: none
+    std::shared_ptr<const std::vector<Finding>> of; // what `current` counts in
+};
+
 struct Interface {
     bool panel_open = true;
     // A menu of the bar: it shall come; it is there; it shall go.
@@ -188,10 +195,12 @@ struct Interface {
     Rename rename;
     RadiusDialog radius;
     Fly fly;
+    // Of these five one is open at the most.
     Doctor doctor;
-    WarningsPanel warnings;                                // likewise
-    Unsaid unsaid;                                         // open: neither of the other two is
-    ContactList contacts;                                  // open: the doctor is not, and the other way about
+    WarningsPanel warnings;
+    Unsaid unsaid;
+    ContactList contacts;
+    ValidationList validation;
     std::optional<GlassLook> tried_glass;                  // while a slider is held
     std::optional<std::vector<ContextItem>> tried_context; // likewise
     std::optional<double> tried_blend, tried_wipe;         // likewise
@@ -217,7 +226,8 @@ struct Interface {
     }
     // One panel lies over the picture's left edge at a time; null: none.
     void open_left_panel(bool* panel) {
-        for (bool* each : {&doctor.open, &contacts.open, &unsaid.open, &warnings.open}) *each = each == panel;
+        for (bool* each : {&doctor.open, &contacts.open, &unsaid.open, &warnings.open, &validation.open})
+            *each = each == panel;
     }
     [[nodiscard]] bool menus_have_keys() const { return want_menu || menu_keys > 0; }
     [[nodiscard]] bool between_menus() const { return menu_keys > 0 && !menu_open && !context_menu.open; }
@@ -269,6 +279,7 @@ void draw_warnings(InterfaceContext& context);
 // The mark in the status bar, left of what begins at `right_edge`; returns where it begins itself.
 [[nodiscard]] float draw_warning_mark(InterfaceContext& context, float right_edge);
 void draw_contacts(InterfaceContext& context);
+void draw_validation(InterfaceContext& context);
 void draw_contacts_line(InterfaceContext& context); // in the side panel: how many there are, and the way there
 void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask); // in the import doctor's panel
 void draw_doctor_line(InterfaceContext& context); // in the side panel: what there is to see, and the way there

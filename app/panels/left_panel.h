@@ -1,4 +1,5 @@
-// The panel over the picture's left edge, of which there is one at a time: the import doctor, or the list of contacts.
+// The panel over the picture's left edge, of which there is one at a time: the import doctor, the list of contacts, or
+// the validation.
 #pragma once
 
 #include "app/panels/interface.h"

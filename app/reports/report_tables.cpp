@@ -238,6 +238,32 @@ Table contacts_table(const Document& document, const Assets& assets) {
     return table;
 }
 
+Table validation_table(const Document& document, const Assets& assets) {
+    Table table{"Validation",
+                {{"finding", "No."},
+                 {"kind", "What"},
+                 {"branch", "Branch"},
+                 {"other_branch", "Other branch"},
+                 {"value_mm", "Value, mm"},
+                 {"expected_mm", "Expected, mm"},
+                 {"text", "In words"},
+                 {"x", "x, mm"},
+                 {"y", "y, mm"},
+                 {"z", "z, mm"}},
+                {}};
+    use_unit(table, document.lengths());
+    if (!assets.validation.fits(validation_of(document.tree(), document.marks()))) return table;
+    const auto cell_of = [](const std::vector<int>& branches, std::size_t index) {
+        return index < branches.size() ? Cell(branches[index]) : Cell("");
+    };
+    for (const Finding& finding : *assets.validation.findings)
+        table.rows.push_back({static_cast<int>(table.rows.size() + 1), std::string(name_of(finding.kind)),
+                              cell_of(finding.branches, 0), cell_of(finding.branches, 1), finding.value_mm,
+                              finding.expected_mm > 0.0 ? Cell(finding.expected_mm) : Cell(""),
+                              text_of(finding, document.lengths()), finding.at.x, finding.at.y, finding.at.z});
+    return table;
+}
+
 namespace {
 
 // What spreadsheets would work out. A number is none, nor is a sign alone.

@@ -49,6 +49,9 @@ struct Table {
 // A row for each contact, the closest first; none where they were not looked for.
 [[nodiscard]] Table contacts_table(const Document& document, const Assets& assets);
 
+// A row for each finding of the validation, as its panel lists them; none where nobody looked.
+[[nodiscard]] Table validation_table(const Document& document, const Assets& assets);
+
 // Names and headings of columns that say mm say so of what is in mm only.
 void use_unit(Table& table, const Lengths& lengths);
 

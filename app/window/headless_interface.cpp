@@ -29,7 +29,8 @@ Result<WindowPicture> picture_with_interface(Workspace& workspace, render::Rende
         (void)complete(workspace.assets, workspace.document, job); // waits for what a window leaves to a worker
         const auto more_to_come = [&] {
             workspace.update();
-            return workspace.comparing() || workspace.seeking_contacts() || workspace.measuring_deviation();
+            return workspace.comparing() || workspace.seeking_contacts() || workspace.measuring_deviation() ||
+                   workspace.validating();
         };
         while (more_to_come()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         constexpr int kMostFrames = 20; // five are enough; a waiting worker must not keep a picture from being made

@@ -53,6 +53,10 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
     status["contacts"] = {{"open", interface.contacts.open},
                           {"contact", interface.contacts.current + 1},
                           {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
+    const auto& findings = workspace.assets.validation.findings;
+    status["validation"] = {{"open", interface.validation.open},
+                            {"finding", interface.validation.current + 1},
+                            {"count", findings && !workspace.validating() ? static_cast<int>(findings->size()) : -1}};
     const SurfaceDeviation& deviation = workspace.assets.deviation;
     status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.measuring_deviation();
     status["deviation_most_mm"] = deviation.most_mm;

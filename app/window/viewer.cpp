@@ -116,7 +116,7 @@ void Viewer::begin_tree(const Workspace::Opened& opened) {
         state_.interface.doctor.open = false;
     }
     if (state_.interface.doctor.open || state_.interface.unsaid.open)
-        state_.interface.contacts.open = state_.interface.warnings.open = false;
+        state_.interface.contacts.open = state_.interface.warnings.open = state_.interface.validation.open = false;
     state_.interface.doctor.of_mask = state_.tree && io::is_volume(document.session().tree.path);
 }
 

@@ -22,6 +22,8 @@ void WindowParts::toggle(std::string_view part) {
         show_unsaid(!interface.unsaid.open);
     else if (part == "contacts")
         show_contacts(!interface.contacts.open);
+    else if (part == "validation")
+        show_validation(!interface.validation.open);
     else if (part == "panel")
         interface.panel_open = !interface.panel_open;
     else
@@ -39,6 +41,7 @@ bool WindowParts::shows(std::string_view part) const {
            : part == "orientation" ? interface.unsaid.open
            : part == "warnings"    ? interface.warnings.open
            : part == "contacts"    ? interface.contacts.open
+           : part == "validation"  ? interface.validation.open
                                    : interface.panel_open;
 }
 
@@ -105,6 +108,20 @@ void WindowParts::show_contact(int contact) {
     show_contacts(true);
     state_.interface.contacts.current = contact;
     state_.interface.contacts.of = state_.workspace.assets.contacts.list;
+    state_.redraw();
+}
+
+void WindowParts::show_validation(bool open) {
+    Interface& interface = state_.interface;
+    interface.validation.open = open;
+    if (open) interface.open_left_panel(&interface.validation.open);
+    state_.workspace.want_validation(open);
+}
+
+void WindowParts::show_finding(int finding) {
+    show_validation(true);
+    state_.interface.validation.current = finding;
+    state_.interface.validation.of = state_.workspace.assets.validation.findings;
     state_.redraw();
 }
 

@@ -19,6 +19,7 @@ public:
     void show_note(int note) override;
     void show_contact(int contact) override;
     void read_warnings() override;
+    void show_finding(int finding) override;
     bool dismiss() override;
     void set_ui_scale(double pixels_per_point) override;
     [[nodiscard]] double ui_scale() const override { return state_.scale; }
@@ -29,6 +30,7 @@ public:
 private:
     void show_contacts(bool open);
     void show_unsaid(bool open);
+    void show_validation(bool open);
 
     ViewerState& state_;
 };

@@ -7,8 +7,8 @@
 namespace ramus::app {
 
 Workspace::Workspace(const std::function<void()>& wake)
-    : context(wake), loader_(wake), surface_(wake), comparison_(wake), deviation_(wake), lesions_(wake),
-      contacts_(wake) {}
+    : context(wake), loader_(wake), surface_(wake), comparison_(wake), deviation_(wake), validation_(wake),
+      lesions_(wake), contacts_(wake) {}
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
@@ -61,6 +61,7 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     context.forget();
     comparison_.forget();
     deviation_.forget();
+    validation_.forget();
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
     tried_.reset();
@@ -177,6 +178,23 @@ void Workspace::follow_deviation() {
     deviation_.follow(missing_deviation(), something_else_first);
 }
 
+std::optional<ValidationOf> Workspace::missing_validation() const {
+    if (!validation_wanted_ || !document.tree() || tree_shown_ != document.tree() || tried_) return {};
+    ValidationOf of = validation_of(document.tree(), document.marks());
+    if (assets.validation.fits(of)) return {};
+    return of;
+}
+
+// After the surface that is shown, which it makes again with all branches.
+void Workspace::follow_validation() {
+    validation_.drain();
+    if (auto news = validation_.take_news()) {
+        assets.validation = std::move(*news);
+        changed_ = true;
+    }
+    validation_.follow(missing_validation(), surface_.worker().busy() || loader_.worker().busy());
+}
+
 ShownSurfaces Workspace::surfaces() const {
     ShownSurfaces surfaces;
     for (const ComparedSurface& one : comparison_.surfaces()) show(surfaces, one);
@@ -194,6 +212,8 @@ void Workspace::cancel_work() {
         comparison_.cancel();
     } else if (deviation_.worker().busy()) {
         deviation_.cancel();
+    } else if (validation_.worker().busy()) {
+        validation_.cancel();
     }
     context.cancel();
     changed_ = true;
@@ -219,6 +239,7 @@ void Workspace::take_failures() {
     tell(comparison_.take_failure(), comparison_.worker());
     tell(deviation_.take_failure(), deviation_.worker());
     tell(contacts_.take_failure(), contacts_);
+    tell(validation_.take_failure(), validation_.worker());
 }
 
 bool Workspace::update() {
@@ -236,6 +257,7 @@ bool Workspace::update() {
     if (!surface_.take_just_shown()) follow_surface();
     follow_contacts();
     follow_deviation();
+    follow_validation();
     if (document.tree())
         comparison_.follow(document.tree(), document.marks(), surface_.worker().busy() || loader_.worker().busy());
     changed_ |= surface_.take_changed();
@@ -253,6 +275,7 @@ std::string Workspace::activity() const {
     if (!meshing && context.busy()) return context.title();
     if (!meshing && !loading && comparison_.worker().busy()) return comparison_.worker().title();
     if (!meshing && !loading && deviation_.worker().busy()) return deviation_.worker().title();
+    if (!meshing && !loading && validation_.worker().busy()) return validation_.worker().title();
     return busy() ? kComputing : std::string{};
 }
 

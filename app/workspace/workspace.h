@@ -5,7 +5,7 @@
 //
 // Each kind of work has its own object and thread: loading a tree, following with the surface, making surfaces to
 // compare with, reading context, reading lesions and measuring distances to them, measuring how far the surface lies
-// from another one, and looking for contacts.
+// from another one, holding it against its tree, and looking for contacts.
 #pragma once
 
 #include "app/assets/assets.h"
@@ -16,6 +16,7 @@
 #include "app/workspace/deviation_maker.h"
 #include "app/workspace/loaded_tree.h"
 #include "app/workspace/surface_maker.h"
+#include "app/workspace/validation_maker.h"
 #include "core/io/trees/tree_file.h"
 
 #include <array>
@@ -74,6 +75,15 @@ public:
     [[nodiscard]] const std::string& comparison_problem() const { return comparison_.problem(); }
     // Whether the distances that colours shall show are being measured, or about to be.
     [[nodiscard]] bool measuring_deviation() const { return missing_deviation().has_value(); }
+    // The surface is held against its tree (app/assets/validation.h) where that is wanted: in its panel.
+    void want_validation(bool wanted) { validation_wanted_ = wanted; }
+    [[nodiscard]] bool validating() const {
+        return validation_.worker().busy() || validation_.awaits(missing_validation());
+    }
+    // Why it cannot be, or that it was cancelled; empty: it can. And: it is tried again.
+    [[nodiscard]] const std::string& validation_problem() const { return validation_.problem(); }
+    [[nodiscard]] float validation_progress() const { return validation_.worker().progress(); }
+    void retry_validation() { validation_.retry(); }
     // The tree's contacts are looked for when there is nothing better to do, and at once where they are wanted: listed,
     // or marked in the picture. Those of large trees only then.
     void want_contacts(bool wanted) { contacts_wanted_ = wanted; }
@@ -114,12 +124,15 @@ private:
     void follow_lesions();
     void follow_contacts();
     void follow_deviation();
+    void follow_validation();
+    [[nodiscard]] std::optional<ValidationOf> missing_validation() const;
     [[nodiscard]] std::optional<DeviationMaker::Wanted> missing_deviation() const;
     [[nodiscard]] bool contacts_due() const;
     static constexpr std::size_t kMostSoughtUnasked = 1'000'000; // points of the tree
     // Of the work that shows its progress, in the order in which it is named.
-    [[nodiscard]] std::array<const Worker*, 5> workers() const {
-        return {&loader_.worker(), &surface_.worker(), &lesions_, &comparison_.worker(), &deviation_.worker()};
+    [[nodiscard]] std::array<const Worker*, 6> workers() const {
+        return {&loader_.worker(),     &surface_.worker(),   &lesions_,
+                &comparison_.worker(), &deviation_.worker(), &validation_.worker()};
     }
 
     std::shared_ptr<const tree::VesselTree> tree_shown_; // that the surfaces are of
@@ -132,7 +145,7 @@ private:
     std::optional<PlannedMarks> lesions_failed_; // not tried again
     // Of what contacts are being looked for, or could not be.
     std::pair<std::shared_ptr<const tree::VesselTree>, mesh::SurfaceOptions> contacts_of_;
-    bool contacts_wanted_ = false;
+    bool contacts_wanted_ = false, validation_wanted_ = false;
     bool changed_ = false;
     bool first_is_coming_ = false; // the loader, which read the tree, is at its first surface
     // Last: their threads end first.
@@ -140,6 +153,7 @@ private:
     SurfaceFollower surface_;
     ComparisonMaker comparison_;
     DeviationMaker deviation_;
+    ValidationMaker validation_;
     Worker lesions_;
     Worker contacts_;
 };

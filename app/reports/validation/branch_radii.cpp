@@ -1,41 +1,13 @@
 #include "app/reports/validation/branch_radii.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace ramus::app {
 
-namespace {
-
-using validate::RadiusPlace;
-
-double error_at(const RadiusPlace& place) { return std::abs(place.surface_mm - place.input_mm) / place.input_mm; }
-
-} // namespace
-
-std::vector<BranchError> worst_branches(const validate::Validation& found, std::size_t most) {
-    std::vector<BranchError> branches;
-    const std::vector<RadiusPlace>& places = found.radii;
-    for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
-        BranchError branch{places[first].branch, first, 0, places.size(), -1.0};
-        for (end = first; end < places.size() && places[end].branch == branch.branch; ++end) {
-            if (!places[end].alone || error_at(places[end]) <= branch.error) continue;
-            branch.worst = end;
-            branch.error = error_at(places[end]);
-        }
-        branch.count = end - first;
-        if (branch.worst < places.size()) branches.push_back(branch);
-    }
-    std::ranges::stable_sort(branches, std::greater<>(), &BranchError::error);
-    if (branches.size() > most) branches.resize(most);
-    return branches;
-}
-
-RadiusCurves curves_of(const ValidatedDataSet& set, const BranchError& branch) {
+RadiusCurves curves_of(const ValidatedDataSet& set, const validate::BranchError& branch) {
     RadiusCurves curves;
     for (std::size_t i = branch.first; i < branch.first + branch.count; ++i) {
-        const RadiusPlace& place = set.validation.radii[i];
+        const validate::RadiusPlace& place = set.validation.radii[i];
         curves.along_mm.push_back(place.along_mm);
         curves.input_mm.push_back(place.input_mm);
         curves.surface_mm.push_back(place.surface_mm);
@@ -53,7 +25,7 @@ void write_radii(io::BufferedFile& file, std::span<const ValidatedDataSet> sets,
     for (std::size_t n = 0; n < sets.size(); ++n) {
         const ValidatedDataSet& set = sets[n];
         for (std::size_t i = 0; i < set.validation.radii.size(); ++i) {
-            const RadiusPlace& place = set.validation.radii[i];
+            const validate::RadiusPlace& place = set.validation.radii[i];
             if (numbered) {
                 file.write_number(n + 1);
                 file.write(",");

@@ -94,7 +94,7 @@ std::string radii_html(const ValidatedDataSet& set, std::size_t most) {
                              digits(100.0 * error.median) + " %, the 95th percentile " + digits(100.0 * error.p95) +
                              " %. radii.csv has all branches.";
     std::string text = table_html(table, {.note = note, .is_part = true}) + "<div class=\"plots\">\n";
-    for (const BranchError& branch : worst_branches(set.validation, most))
+    for (const validate::BranchError& branch : validate::worst_branches(set.validation, most))
         text += figure_html(radius_plot("Branch " + std::to_string(branch.branch), curves_of(set, branch)));
     return text + "</div>\n";
 }

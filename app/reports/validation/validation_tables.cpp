@@ -200,7 +200,7 @@ Table worst_branches_table(const ValidatedDataSet& set, std::size_t most) {
                 {}};
     if (!set.mask_radii_mm.empty()) table.columns.push_back({"mask_radius_mm", "Mask, mm"});
     add_place_columns(table);
-    for (const BranchError& branch : worst_branches(set.validation, most)) {
+    for (const validate::BranchError& branch : validate::worst_branches(set.validation, most)) {
         const validate::RadiusPlace& place = set.validation.radii[branch.worst];
         std::vector<Cell> row{
             id_of(branch.branch), 100.0 * branch.error,

@@ -95,14 +95,14 @@ TEST_CASE("the table of distances ends with the average where there are several 
 
 TEST_CASE("the worst branches are those whose radius is most off where they are alone") {
     const ValidatedDataSet set = data_set("a.swc", {1.0});
-    const std::vector<BranchError> worst = worst_branches(set.validation, 9);
+    const std::vector<validate::BranchError> worst = validate::worst_branches(set.validation, 9);
     REQUIRE(worst.size() == 2); // nothing of branch 2 is alone
     CHECK(worst[0].branch == 1);
     CHECK(worst[0].error == doctest::Approx(0.3)); // 1.4 in place of 2
     CHECK(worst[0].worst == 2);
     CHECK(worst[1].branch == 0);
     CHECK(worst[1].error == doctest::Approx(0.1)); // not 3 in place of 1, beside a joint
-    CHECK(worst_branches(set.validation, 1).size() == 1);
+    CHECK(validate::worst_branches(set.validation, 1).size() == 1);
     const RadiusCurves curves = curves_of(set, worst[0]);
     CHECK(curves.surface_mm == std::vector<double>{1.4, 2.0});
     CHECK(curves.cones_mm == std::vector<double>{2.0, 2.0});

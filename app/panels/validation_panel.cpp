@@ -1,0 +1,164 @@
+// What holding the surface against its tree has found: a panel over the picture's left edge with the paper's four
+// questions, a row for each place, the error of the radius, and the radius along the selected branch. A click goes to
+// the place and selects the branches.
+#include "app/panels/interface.h"
+#include "app/panels/left_panel.h"
+#include "app/panels/theme.h"
+#include "app/panels/validation_plot.h"
+#include "app/panels/widgets.h"
+#include "app/session/numbers.h"
+#include "core/base/words.h"
+
+#include <algorithm>
+#include <array>
+#include <imgui.h>
+#include <string>
+
+namespace ramus::app {
+
+namespace {
+
+using Kind = Finding::Kind;
+
+const ImVec4 kAnswerNone{0.55F, 0.83F, 0.62F, 1.00F}; // nothing is wrong
+
+struct Question {
+    Kind kind;
+    const char* text;
+    const char* of_one; // in the list
+    const char* help;
+};
+constexpr std::array<Question, kFindingKinds> kQuestions{
+    {{Kind::kLost, "Lost branches", "lost", "Stretches of centerlines that the surface leaves out"},
+     {Kind::kFalse, "False branches", "false", "Parts of the surface that are of no vessel"},
+     {Kind::kMerged, "Merged branches", "merged", "Vessels that pass each other, and are one in the surface"},
+     {Kind::kConstriction, "Changed constrictions", "narrow", "Narrow places whose radius is off by more than 10 %"},
+     {Kind::kRadius, "Worst radii", "radius", "Where the radius is farthest off: ten branches at the most"}}};
+
+void draw_answers(const std::vector<Finding>& findings) {
+    for (const Question& question : kQuestions) {
+        if (question.kind == Kind::kRadius) continue; // no question of the paper's
+        const auto count = std::ranges::count(findings, question.kind, &Finding::kind);
+        ImGui::TextUnformatted(question.text);
+        widgets::tooltip(question.help);
+        ImGui::SameLine();
+        const std::string answer = count == 0 ? "none" : grouped(static_cast<std::uint64_t>(count));
+        widgets::align_right(ImGui::CalcTextSize(answer.c_str()).x);
+        ImGui::TextColored(count == 0 ? kAnswerNone : theme::kHighlight, "%s", answer.c_str());
+    }
+}
+
+std::string percent(double share) { return digits(100.0 * share, 2) + " %"; }
+
+void draw_errors(const validate::RadiusError& error) {
+    if (error.places == 0) return widgets::quiet("No place is alone enough to compare radii.");
+    widgets::fact("Error of the radius, median", percent(error.median));
+    widgets::fact("    95 % below", percent(error.p95));
+}
+
+std::string branches_text(const Finding& finding) {
+    return finding.branches.empty() ? "\xE2\x80\x93"
+                                    : joined(finding.branches, " \xC2\xB7 ", [](int id) { return std::to_string(id); });
+}
+
+void draw_finding(InterfaceContext& context, const Finding& finding, std::size_t index) {
+    const std::string number = std::to_string(index + 1), name = "Finding " + number;
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    const bool current = context.interface.validation.current == static_cast<int>(index);
+    if (ImGui::Selectable((number + "##" + name).c_str(), current, ImGuiSelectableFlags_SpanAllColumns))
+        context.perform("finding", {number});
+    widgets::note_item(name.c_str());
+    const Question& question = kQuestions[static_cast<std::size_t>(finding.kind)];
+    if (ImGui::IsItemHovered()) {
+        if (!finding.branches.empty()) context.interface.listed = finding.branches.front();
+        widgets::tooltip((std::string(question.help) + "\n" + text_of(finding, context.workspace.document.lengths()) +
+                          "\nClick to look at the place and to select its branches")
+                             .c_str());
+    }
+    ImGui::TableSetColumnIndex(1);
+    ImGui::TextUnformatted(question.of_one);
+    ImGui::TableSetColumnIndex(2);
+    ImGui::TextUnformatted(branches_text(finding).c_str());
+    ImGui::TableSetColumnIndex(3);
+    ImGui::TextUnformatted(text_of(finding, context.workspace.document.lengths()).c_str());
+}
+
+void draw_findings(InterfaceContext& context, const std::vector<Finding>& list, float bottom) {
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
+    constexpr std::size_t kMostRows = 12; // more are scrolled to
+    ImGui::PushFont(theme::small_font());
+    const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const float wanted = static_cast<float>(std::min(list.size(), kMostRows) + 1) * row_height + 2.0F * theme::scale();
+    const float most = std::max(bottom - ImGui::GetCursorScreenPos().y, 3.0F * row_height);
+    if (ImGui::BeginTable("findings", 4, kFlags, {0.0F, std::min(wanted, most)})) {
+        ImGui::TableSetupScrollFreeze(0, 1);
+        constexpr std::array<std::pair<const char*, float>, 4> kColumns{
+            {{"No.", 0.28F}, {"What", 0.62F}, {"Branches", 1.0F}, {"", 2.1F}}};
+        for (const auto& [heading, weight] : kColumns) ImGui::TableSetupColumn(heading, 0, weight);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+        ImGui::TableHeadersRow();
+        ImGui::PopStyleColor();
+        widgets::clipped(list.size(), [&](std::size_t n) { draw_finding(context, list[n], n); });
+        ImGui::EndTable();
+    }
+    ImGui::PopFont();
+}
+
+// Whether what is listed is of the tree and the surface as they are; and if it is not, what becomes of it.
+void draw_state(InterfaceContext& context, bool anything, bool fits) {
+    Workspace& workspace = context.workspace;
+    if (fits) return;
+    if (anything) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kHighlight);
+        ImGui::TextWrapped("Out of date: the tree or its surface has changed since.");
+        ImGui::PopStyleColor();
+        widgets::note_item("Out of date");
+    }
+    if (!workspace.validation_problem().empty()) {
+        widgets::trouble(("Not validated: " + workspace.validation_problem()).c_str());
+        if (widgets::small_button("Try again", "Holds the surface against the tree again"))
+            workspace.retry_validation();
+        return;
+    }
+    const std::string done = workspace.validating() ? " " + widgets::percent_text(workspace.validation_progress()) : "";
+    widgets::quiet(("Holding the surface against the tree\xE2\x80\xA6" + done).c_str());
+}
+
+} // namespace
+
+void draw_validation(InterfaceContext& context) {
+    ValidationList& panel = context.interface.validation;
+    context.workspace.want_validation(panel.open);
+    if (!panel.open || !context.workspace.document.tree()) return;
+    const float bottom = begin_left_panel("validation", context.layout, context.workspace.document.marks().comparison);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Validation");
+    widgets::tooltip("The surface of all branches, held against the tree that it is made of");
+    ImGui::SameLine();
+    widgets::align_right(ImGui::CalcTextSize("Close").x + 14.0F * theme::scale());
+    if (widgets::small_button("Close", "Hides the validation; Shift+V shows it again")) panel.open = false;
+    widgets::rule();
+    const TreeValidation now = context.workspace.current_assets().validation; // kept: what is done here may change it
+    if (panel.of != now.findings) panel.current = -1;                         // others are counted in it
+    panel.of = now.findings;
+    const Document& document = context.workspace.document;
+    const bool fits = now.fits(validation_of(document.tree(), document.marks()));
+    draw_state(context, now.found != nullptr, fits);
+    if (now.found) {
+        ImGui::BeginDisabled(!fits);
+        draw_answers(*now.findings);
+        draw_errors(now.found->radius_error);
+        widgets::rule();
+        draw_radius_plot(document, now, fits, panel.current);
+        if (!now.findings->empty()) {
+            widgets::rule();
+            draw_findings(context, *now.findings, bottom);
+        }
+        ImGui::EndDisabled();
+    }
+    ImGui::End();
+}
+
+} // namespace ramus::app

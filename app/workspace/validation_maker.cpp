@@ -1,0 +1,107 @@
+#include "app/workspace/validation_maker.h"
+
+#include "app/workspace/compared_surfaces.h"
+#include "core/field/kernel.h"
+
+#include <memory>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+validate::ValidationOptions how_to_validate(const mesh::SurfaceOptions& options) {
+    return {options.smooth_passes, mesh::kernel_of(options).limits, options.threads};
+}
+
+Result<std::vector<double>> radii_of(const ValidationOf& of, const validate::Validation& found, Compared kind,
+                                     Job& job) {
+    ComparedRequest request;
+    request.kind = kind;
+    request.surface.options = of.options;
+    request.surface.options.method = mesh::Method::kTruncatedCones;
+    request.mask = of.mask;
+    request.units = of.mask_units;
+    request.labels = of.labels;
+    RAMUS_TRY(other, compared_mesh(*of.tree, request, job));
+    if (other.mesh.triangles.empty()) return fail("there is no surface in it", of.mask);
+    return validate::radii_in(other.mesh, found.radii, how_to_validate(of.options), job);
+}
+
+} // namespace
+
+Result<TreeValidation> make_validation(const ValidationOf& of, Job& job) {
+    TreeValidation made;
+    made.of = of;
+    RAMUS_TRY(surface, mesh::make_surface(*of.tree, of.options, job));
+    RAMUS_TRY(found, validate::validate(*of.tree, surface.mesh, how_to_validate(of.options), job));
+    surface.mesh = {};
+    if (of.options.method != mesh::Method::kTruncatedCones) {
+        RAMUS_TRY(radii, radii_of(of, found, Compared::kTruncatedCones, job));
+        made.cones_mm = std::move(radii);
+    }
+    if (!of.mask.empty()) {
+        auto radii = radii_of(of, found, Compared::kIsosurface, job);
+        if (radii)
+            made.mask_mm = std::move(*radii);
+        else
+            made.mask_trouble = radii.error().message();
+    }
+    if (job.cancelled()) return fail("cancelled");
+    made.findings = std::make_shared<const std::vector<Finding>>(findings_of(found));
+    made.found = std::make_shared<const validate::Validation>(std::move(found));
+    return made;
+}
+
+void ValidationMaker::forget() {
+    worker_.cancel();
+    current_.reset();
+    failed_.reset();
+    news_.reset();
+    problem_.clear();
+}
+
+void ValidationMaker::follow(const std::optional<ValidationOf>& missing, bool something_else_first) {
+    if (!missing) {
+        worker_.cancel(); // nobody looks at it any more
+        current_.reset();
+        retry();
+        return;
+    }
+    if (failed_ != missing) retry();
+    if (worker_.busy() && current_ != missing) worker_.cancel();
+    if (something_else_first || failed_ == missing || worker_.busy()) return;
+    current_ = missing;
+    worker_.start("Validating the surface", [this, of = *missing](Job& job, const Worker::Post& post) {
+        const auto made = make_validation(of, job);
+        if (job.cancelled()) return;
+        post([this, made] {
+            if (!made) return give_up(made.error().message());
+            news_ = *made;
+            current_.reset();
+        });
+    });
+}
+
+void ValidationMaker::give_up(std::string why) {
+    failed_ = std::exchange(current_, std::nullopt);
+    if (failed_) problem_ = std::move(why);
+}
+
+void ValidationMaker::cancel() {
+    worker_.cancel();
+    give_up("cancelled");
+}
+
+void ValidationMaker::retry() {
+    failed_.reset();
+    problem_.clear();
+}
+
+std::string ValidationMaker::take_failure() {
+    std::string failure = worker_.take_failure();
+    if (!failure.empty()) give_up("the work was given up: " + failure);
+    return failure;
+}
+
+} // namespace ramus::app
