@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace ramus::validate {
 
@@ -31,6 +34,47 @@ std::vector<std::size_t> narrow_places(std::size_t first, std::size_t end, const
         if (here > widest) widest = here, lowest = i;
     }
     return found;
+}
+
+// A place that is narrower, by kNarrow, than halfway between the radii at the same distance to either side.
+struct Dip {
+    std::size_t at = 0;
+    double depth = 0.0; // how much wider the vessel would be there, as a share: the largest of all distances
+    double reach = 0.0; // that distance, mm
+    double trend = 0.0; // halfway between the radii, there
+};
+
+// The deepest dips of one branch, none within the reach of a deeper one. On a vessel that tapers a narrow place may be
+// no minimum: what lies beyond is as narrow.
+std::vector<Dip> dips_of(std::span<const Place> places, std::size_t first, const RadiusAt& radius) {
+    constexpr double kFarthest = 8.0; // radii of the vessel: half of what a stenosis of five diameters needs, and more
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < places.size(); ++i) radii.push_back(radius(first + i));
+    std::vector<Dip> dips;
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        if (!(radii[i] > 0.0)) continue;
+        Dip dip{first + i, 0.0, 0.0, 0.0};
+        double widest = radii[i];
+        for (std::size_t before = i, after = i + 1; after < places.size(); ++after) {
+            const double distance = places[after].along - places[i].along;
+            while (before > 0 && places[i].along - places[before].along < distance) --before;
+            if (places[i].along - places[before].along < distance) break; // the branch begins nearer
+            widest = std::max({widest, radii[before], radii[after]});
+            if (distance > kFarthest * widest) break;
+            const double trend = 0.5 * (radii[before] + radii[after]);
+            if (trend > (1.0 + dip.depth) * radii[i]) dip = {first + i, trend / radii[i] - 1.0, distance, trend};
+        }
+        if (dip.depth >= kNarrow) dips.push_back(dip);
+    }
+    std::ranges::stable_sort(dips, std::greater<>(), &Dip::depth);
+    std::vector<Dip> deepest;
+    const auto along = [&](std::size_t at) { return places[at - first].along; };
+    for (const Dip& dip : dips)
+        if (std::ranges::none_of(deepest, [&](const Dip& deeper) {
+                return std::abs(along(dip.at) - along(deeper.at)) <= std::max(dip.reach, deeper.reach);
+            }))
+            deepest.push_back(dip);
+    return deepest;
 }
 
 // The mean over half a radius to either side: what is shorter, no mesh as coarse as is usual can show.
@@ -85,14 +129,32 @@ std::vector<Constriction> changed_constrictions(const Reference& reference, cons
     for (std::size_t branch = 0; branch < reference.branches(); ++branch) {
         const std::size_t first = reference.first_of(branch);
         const std::size_t end = first + reference.places_of(branch).size();
-        for (const std::size_t i : narrow_places(first, end, expected)) {
+        const auto changed = [&](std::size_t i) {
             const Place& place = reference.places()[i];
-            if (place.beside < kBeside || place.to_end < kEnd * place.radius) continue;
+            if (place.beside < kBeside || place.to_end < kEnd * place.radius) return false;
             const double wanted = around(reference, first, end, i, expected);
             const double there = around(reference, first, end, i, actual);
-            if (std::abs(there - wanted) <= kAllowed * wanted || actual(i) == 0.0) continue;
-            found.push_back({place.branch, place.at, expected(i), actual(i)});
-        }
+            return std::abs(there - wanted) > kAllowed * wanted && actual(i) != 0.0;
+        };
+        std::vector<std::size_t> at;
+        for (const std::size_t i : narrow_places(first, end, expected))
+            if (changed(i)) at.push_back(i);
+        const auto take_dips = [&](const RadiusAt& radius, const auto& counts) {
+            for (const Dip& dip : dips_of(reference.places_of(branch), first, radius)) {
+                const auto along = [&](std::size_t i) { return reference.places()[i].along; };
+                const auto is_it = [&](std::size_t i) { return std::abs(along(i) - along(dip.at)) <= dip.reach; };
+                if (counts(dip) && changed(dip.at) && std::ranges::none_of(at, is_it)) at.push_back(dip.at);
+            }
+        };
+        // What is filled is no wider than the vessel beside it: where the surface is, something else is there, too.
+        take_dips(expected, [&](const Dip& dip) { return actual(dip.at) <= (1.0 + kAllowed) * dip.trend; });
+        // One that the surface alone has. Below half it is a lost stretch.
+        take_dips(actual, [&](const Dip& dip) {
+            return actual(dip.at) < expected(dip.at) && actual(dip.at) >= 0.5 * expected(dip.at);
+        });
+        std::ranges::sort(at);
+        for (const std::size_t i : at)
+            found.push_back({static_cast<int>(branch), reference.places()[i].at, expected(i), actual(i)});
     }
     return found;
 }
