@@ -2,12 +2,15 @@
 
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
+#include "app/session/numbers.h"
 #include "app/session/of_file.h"
+#include "app/workspace/compared_surfaces.h"
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/validate/worst_radii.h"
 
+#include <iostream>
 #include <utility>
 
 namespace ramus::app {
@@ -36,10 +39,13 @@ public:
     Comparing(const ValidateFlags& flags, const mesh::TriangleMesh& surface, ValidatedDataSet& set, bool for_report)
         : flags_(flags), surface_(surface), set_(set), for_report_(for_report) {}
 
-    [[nodiscard]] Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other) const {
+    // `by_vertex`: for pictures, where there is a report.
+    [[nodiscard]] Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other,
+                                                        std::vector<float>& by_vertex) const {
         return with_progress("distances", [&](Job&) -> Result<SurfaceDistances> {
             SurfaceDistances found;
             LargeArray<double> distances = measure::deviations(surface_, other, flags_.surface.surface.threads);
+            if (for_report_) by_vertex.assign(distances.begin(), distances.end());
             if (for_report_)
                 for (const std::size_t vertex : measure::farthest_vertices(surface_, distances, kFarthest)) {
                     const glm::dvec3 at(surface_.positions[vertex]);
@@ -82,6 +88,17 @@ Result<std::vector<InputFile>> checksums_of(const ValidatedDataSet& set) {
     });
 }
 
+// A mask of other vessels, or one with another unit or other axes, gives figures that say nothing of the surface.
+void warn_if_elsewhere(const ValidatedDataSet& set, bool apart) {
+    std::vector<double> radii;
+    for (const validate::RadiusPlace& place : set.validation.radii) radii.push_back(place.expected_mm);
+    const double distance = set.to_mask->statistics.box.median;
+    if (!apart && (radii.empty() || distance <= measure::quantile(radii, 0.5))) return;
+    std::cerr << "ramus: " << set.mask << ": the mask does not lie where the vessels do: half of the surface is "
+              << Lengths(set.claims).text(distance)
+              << " or more from it; check that it is the tree's, and its unit (--mask-units)\n";
+}
+
 } // namespace
 
 std::vector<std::string> ValidateFlags::files(std::size_t n) const {
@@ -119,20 +136,22 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
                   return validate::validate(tree, surface, validation_options(flags), job);
               }));
     set.validation = std::move(validation);
+    std::vector<float> to_cones_mm, to_mask_mm;
     const Comparing comparing(flags, surface, set, painter != nullptr);
     if (!set.mask.empty()) { // first: half its voxels is the threshold of both comparisons
         RAMUS_TRY(mask, surface_of_mask(set.mask, flags.surface, flags.labels));
         set.half_voxel_mm = mask.half_voxel_mm;
-        RAMUS_TRY(distances, comparing.distances_to(mask.mesh));
+        RAMUS_TRY(distances, comparing.distances_to(mask.mesh, to_mask_mm));
         RAMUS_TRY(radii, comparing.radii_in(mask.mesh));
         set.to_mask = std::move(distances);
+        warn_if_elsewhere(set, lies_elsewhere(mask.mesh, tree));
         set.mask_radii_mm = std::move(radii);
     }
     {
         SurfaceFlags of_cones = flags.surface;
         of_cones.surface.method = mesh::Method::kTruncatedCones;
         RAMUS_TRY(cones, surface_of_tree(tree, of_cones));
-        RAMUS_TRY(distances, comparing.distances_to(cones.mesh));
+        RAMUS_TRY(distances, comparing.distances_to(cones.mesh, to_cones_mm));
         RAMUS_TRY(radii, comparing.radii_in(cones.mesh));
         set.to_cones = std::move(distances);
         set.cones_radii_mm = std::move(radii);
@@ -140,9 +159,10 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
     if (painter == nullptr) return set;
     RAMUS_TRY(files, checksums_of(set));
     set.files = std::move(files);
-    RAMUS_TRY(pictures,
-              with_progress("pictures", [&](Job&) { return painter->pictures(std::move(surface), tree, set); }));
-    set.pictures = std::move(pictures);
+    PaintedSurface painted{std::move(surface), tree, flags.surface.surface, std::move(to_cones_mm),
+                           std::move(to_mask_mm)};
+    if (auto done = with_progress("pictures", [&](Job&) { return painter->paint(std::move(painted), set); }); !done)
+        return tl::unexpected(done.error());
     return set;
 }
 

@@ -22,13 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRadii = "radii.csv";
-
-// All that may be written; the page last, so that whoever finds it finds the rest.
-constexpr std::array kReportNames{"validation.json",    "questions.csv",     "distances.csv",
-                                  "places.csv",         "radii.csv",         "files.csv",
-                                  "boxes_to_cones.svg", "boxes_to_mask.svg", "index.html"};
-
 // So that no file of the report takes the place of one.
 void note_inputs(const ValidateFlags& flags) {
     for (std::size_t n = 0; n < flags.count(); ++n)
@@ -51,18 +44,34 @@ Facts settings_of(const ValidateFlags& flags) {
     return facts;
 }
 
-std::vector<NamedText> contents_of(const ValidateFlags& flags, std::span<const ValidatedDataSet> sets,
-                                   const std::string& json) {
-    std::vector<NamedText> files{{"validation.json", json},
-                                 {"questions.csv", csv_of(questions_table(sets))},
-                                 {"distances.csv", csv_of(all_distances_table(sets))},
-                                 {"places.csv", csv_of(all_places_table(sets))},
-                                 {kRadii, ""}, // written piece by piece
-                                 {"files.csv", csv_of(files_table(sets))}};
-    for (NamedText& plot : box_plot_files(sets)) files.push_back(std::move(plot));
-    files.push_back({"index.html", validation_page(sets, settings_of(flags), now_text())});
-    return files;
-}
+struct Contents {
+    const ValidateFlags& flags;
+    std::span<const ValidatedDataSet> sets;
+    const std::string& json;
+};
+
+struct ReportFile {
+    const char* name;
+    void (*write)(io::BufferedFile&, const Contents&);
+    bool of_masks = false; // written only where a data set has one
+};
+
+// All that may be written; the page last, so that whoever finds it finds the rest.
+constexpr std::array<ReportFile, 9> kReportFiles{{
+    {"validation.json", [](io::BufferedFile& file, const Contents& c) { file.write(c.json); }},
+    {"questions.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(questions_table(c.sets))); }},
+    {"distances.csv",
+     [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(all_distances_table(c.sets))); }},
+    {"places.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(all_places_table(c.sets))); }},
+    {"radii.csv", [](io::BufferedFile& file, const Contents& c) { write_radii(file, c.sets, c.sets.size() > 1); }},
+    {"files.csv", [](io::BufferedFile& file, const Contents& c) { file.write(csv_of(files_table(c.sets))); }},
+    {"boxes_to_cones.svg",
+     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, HeldAgainst::kCones).file()); }},
+    {"boxes_to_mask.svg",
+     [](io::BufferedFile& file, const Contents& c) { file.write(boxes_of(c.sets, HeldAgainst::kMask).file()); }, true},
+    {"index.html", [](io::BufferedFile& file,
+                      const Contents& c) { file.write(validation_page(c.sets, settings_of(c.flags), now_text())); }},
+}};
 
 } // namespace
 
@@ -77,8 +86,8 @@ Result<std::unique_ptr<ReportFolder>> ReportFolder::make(const ValidateFlags& fl
     if (error || !fs::is_directory(flags.report))
         return fail("the folder cannot be made", flags.report.string(), "give the name of a folder");
     note_inputs(flags);
-    for (const char* name : kReportNames)
-        if (auto can = io::check_output(flags.report / name); !can) return tl::unexpected(can.error());
+    for (const ReportFile& file : kReportFiles)
+        if (auto can = io::check_output(flags.report / file.name); !can) return tl::unexpected(can.error());
     return report;
 }
 
@@ -91,12 +100,10 @@ Result<void> ReportFolder::write(const ValidateFlags& flags, std::span<const Val
                                  const std::string& json) const {
     return with_progress("report", [&](Job& job) -> Result<void> {
         std::vector<io::OutputFile> files;
-        for (const NamedText& content : contents_of(flags, sets, json)) {
-            RAMUS_TRY(file, io::OutputFile::create(folder_ / content.name));
-            if (content.name == kRadii)
-                write_radii(file, sets, sets.size() > 1);
-            else
-                file.write(content.text);
+        for (const ReportFile& one : kReportFiles) {
+            if (one.of_masks && !has_mask(sets)) continue;
+            RAMUS_TRY(file, io::OutputFile::create(folder_ / one.name));
+            one.write(file, {flags, sets, json});
             files.push_back(std::move(file));
         }
         if (job.cancelled()) return fail("cancelled");

@@ -167,8 +167,9 @@ std::string cell_words(const Cell& cell) {
 }
 
 // Columns under their headings; numbers to the right.
-void print_table(const Table& all) {
-    const Table table = for_people(all);
+void print_table(const Table& all, const Lengths& lengths) {
+    Table table = for_people(all);
+    use_unit(table, lengths);
     std::cout << '\n' << table.title << '\n';
     std::vector<std::size_t> widths;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -207,9 +208,9 @@ void print_validation(std::span<const ValidatedDataSet> sets) {
         std::cout << set.tree << '\n';
         print_questions(found, Lengths(set.claims));
     }
-    print_table(questions_table(sets));
+    print_table(questions_table(sets), lengths_of(sets));
     for (const HeldAgainst other : {HeldAgainst::kCones, HeldAgainst::kMask})
-        if (const Table table = distance_table(sets, other); !table.rows.empty()) print_table(table);
+        if (const Table table = distance_table(sets, other); !table.rows.empty()) print_table(table, lengths_of(sets));
 }
 
 } // namespace ramus::app

@@ -85,6 +85,15 @@ std::string row_html(const Table& table, const std::vector<Cell>& row, const Tab
     return text + "</tr>\n";
 }
 
+std::string figures_html(const std::vector<ReportPicture>& pictures) {
+    std::string text;
+    for (const ReportPicture& picture : pictures)
+        text += "<figure><img alt=\"" + html_text(picture.caption) + "\" src=\"data:image/png;base64," +
+                io::base64_encoded(picture.png) + "\"><figcaption>" + html_text(picture.caption) +
+                "</figcaption></figure>\n";
+    return text;
+}
+
 } // namespace
 
 std::string html_text(std::string_view text) {
@@ -131,13 +140,12 @@ std::string facts_html(const Facts& facts) {
 }
 
 std::string pictures_html(const std::vector<ReportPicture>& pictures) {
-    if (pictures.empty()) return {};
-    std::string text = pictures.size() == 2 ? "<div class=\"pictures even\">\n" : "<div class=\"pictures\">\n";
-    for (const ReportPicture& picture : pictures)
-        text += "<figure><img alt=\"" + html_text(picture.caption) + "\" src=\"data:image/png;base64," +
-                io::base64_encoded(picture.png) + "\"><figcaption>" + html_text(picture.caption) +
-                "</figcaption></figure>\n";
-    return text + "</div>\n";
+    if (pictures.size() == 2) return even_pictures_html(pictures);
+    return pictures.empty() ? "" : "<div class=\"pictures\">\n" + figures_html(pictures) + "</div>\n";
+}
+
+std::string even_pictures_html(const std::vector<ReportPicture>& pictures) {
+    return pictures.empty() ? "" : "<div class=\"pictures even\">\n" + figures_html(pictures) + "</div>\n";
 }
 
 std::string table_html(const Table& table, const TableLook& look) {

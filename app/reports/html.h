@@ -33,6 +33,8 @@ using Facts = std::vector<std::pair<std::string, std::string>>; // name, value
 
 // The first picture is the large one. Empty without pictures.
 [[nodiscard]] std::string pictures_html(const std::vector<ReportPicture>& pictures);
+// The same, all of one size.
+[[nodiscard]] std::string even_pictures_html(const std::vector<ReportPicture>& pictures);
 
 struct TableLook {
     std::string note{};                                 // under the heading

@@ -150,7 +150,8 @@ std::vector<Constriction> changed_constrictions(const Reference& reference, cons
         take_dips(expected, [&](const Dip& dip) { return actual(dip.at) <= (1.0 + kAllowed) * dip.trend; });
         // One that the surface alone has. Below half it is a lost stretch.
         take_dips(actual, [&](const Dip& dip) {
-            return actual(dip.at) < expected(dip.at) && actual(dip.at) >= 0.5 * expected(dip.at);
+            const double share = actual(dip.at) / expected(dip.at);
+            return share < 1.0 - kAllowed && share >= 0.5;
         });
         std::ranges::sort(at);
         for (const std::size_t i : at)

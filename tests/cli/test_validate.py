@@ -151,10 +151,24 @@ class Validate(CommandLineTest):
             self.assertAlmostEqual(float(middle[name]), 1.5, delta=0.03)
         self.assertAlmostEqual(float(middle["mask_radius_mm"]), 1.6, delta=0.2)
         page = Page((report / "index.html").read_text())
-        self.assertEqual(len(page.pictures), 3)
+        # From three sides, and coloured by how far it is from cones and from the mask.
+        self.assertEqual(len(page.pictures), 5)
         # Box plots and histograms to cones and mask, and one branch.
         self.assertEqual(page.count["svg"], 5)
         self.assertIn("mask", page.words)
+        # Nobody says that the tree's lengths are mm.
+        self.assertIn("Mean, units", page.words)
+        self.assertNotIn("Mean, mm", page.words)
+
+    def test_a_mask_that_lies_elsewhere_is_told(self):
+        size = (9, 9, 14)
+        inside = [1 if 3 <= x <= 5 and 3 <= y <= 5 and 2 <= z <= 11 else 0 for x, y, z in voxels(size)]
+        self.write("mask.nii", nifti(size, inside, rows=((1, 0, 0, -4), (0, 1, 0, -4), (0, 0, 2, 0))))
+        for name, x, told in (("here.swc", 0, False), ("beside.swc", 4, True), ("far.swc", 400, True)):
+            with self.subTest(name):
+                self.write(name, f"1 2 {x} 0 4 1.5 -1\n2 2 {x} 0 22 1.5 1\n")
+                errors = self.expect_done("validate", name, "--mask", "mask.nii", "--json").stderr
+                self.assertEqual("mask.nii: the mask does not lie where the vessels do" in errors, told)
 
     def test_kernels_compared(self):
         self.write("crossing.swc", CROSSING)
@@ -211,7 +225,7 @@ class Validate(CommandLineTest):
                                sum(one["radius_error"]["median"] for one in sets) / 3)
         self.assertEqual(averages["questions"], {"lost": 0, "false": 0, "merged": 0, "constrictions": 0})
         text = self.expect_done("validate", "fork.swc", "line.swc").stdout
-        for words in ("Surface to truncated cones", "average", "Mean, mm"):
+        for words in ("Surface to truncated cones", "average", "Mean, units"):  # nobody says that they are mm
             self.assertIn(words, text)
 
     def test_masks_and_surfaces_of_several_trees(self):
@@ -284,7 +298,10 @@ class Validate(CommandLineTest):
         self.assertIn("1. " + name, page.words)
         self.assertIn("Validation of 2 data sets", page.words)
         self.assertIn("average", page.cells)
-        self.assertEqual(len(page.pictures), 6)
+        # Of each data set three of it all, one in colours, and what is found: one is lost, the other one false.
+        found = sum(code in page.cells for code in ("L1", "L2", "F1", "F2", "M1", "C1"))
+        self.assertEqual(found, 2)
+        self.assertEqual(len(page.pictures), 2 * 4 + found)
         # Boxes; for each data set a histogram and up to four branches, here those of the two trees.
         self.assertEqual(page.count["svg"], 1 + 2 + 3 + 1)
         for code in ("L1", "F1", "D1"):  # lost, false, far

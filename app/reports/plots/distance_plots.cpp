@@ -34,14 +34,14 @@ void draw_box(Svg& svg, const PlotArea& area, const BoxRow& row, double middle, 
     }
 }
 
-std::string beyond_text(const measure::DeviationStatistics& statistics) {
-    return digits(100.0 * statistics.box.beyond) + " % beyond the whiskers, to " + digits(statistics.max) + " mm";
+std::string beyond_text(const measure::DeviationStatistics& statistics, const std::string& unit) {
+    return digits(100.0 * statistics.box.beyond) + " % beyond the whiskers, to " + digits(statistics.max) + " " + unit;
 }
 
 } // namespace
 
-Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const Stroke& stroke,
-              const std::string& mark) {
+Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const Stroke& stroke, const std::string& mark,
+              const std::string& unit) {
     constexpr double kTop = 30.0, kRow = 44.0, kBelow = 70.0, kSide = 14.0;
     const double bottom = kTop + kRow * static_cast<double>(rows.size()) + 4.0;
     double reach = 0.0;
@@ -57,10 +57,10 @@ Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const S
     Svg svg(kPlotWidth, bottom + kBelow, title);
     svg.text({kSide, 16.0}, title, Anchor::kStart, 12.0);
     const PlotArea area{kSide, kTop - 6.0, kPlotWidth - kSide, bottom, linear_axis(0.0, 1.03 * reach), {}};
-    draw_x_axis(svg, area, "Distance, mm");
+    draw_x_axis(svg, area, "Distance, " + unit);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double top = kTop + kRow * static_cast<double>(i);
-        const std::string beyond = beyond_text(*rows[i].statistics);
+        const std::string beyond = beyond_text(*rows[i].statistics, unit);
         svg.text({kPlotWidth - kSide, top + 10.0}, beyond, Anchor::kEnd, 9.5, kQuietInk);
         const std::string name = shortened(rows[i].name, kPlotWidth - 2.0 * kSide - width_of(beyond, 9.5) - 12.0);
         svg.text({kSide, top + 10.0}, name, Anchor::kStart, 11.0, kInk,
@@ -75,7 +75,7 @@ Svg box_plots(const std::string& title, const std::vector<BoxRow>& rows, const S
 }
 
 Svg histogram_plot(const std::string& title, const measure::DeviationStatistics& statistics, const Stroke& stroke,
-                   const std::optional<double>& mark_mm, const std::string& mark) {
+                   const std::optional<double>& mark_mm, const std::string& mark, const std::string& unit) {
     constexpr double kHeight = 210.0;
     const measure::Histogram& histogram = statistics.histogram;
     const auto percent = [&](std::uint64_t count) {
@@ -95,7 +95,7 @@ Svg histogram_plot(const std::string& title, const measure::DeviationStatistics&
                         linear_axis(0.0, end),
                         logarithmic_axis(0.9 * least, 100.0)};
     draw_y_axis(svg, area, "Share of vertices, %");
-    draw_x_axis(svg, area, "Distance, mm");
+    draw_x_axis(svg, area, "Distance, " + unit);
     const Stroke outline{stroke.colour, 0.8, ""};
     for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
         if (histogram.counts[bin] == 0) continue;

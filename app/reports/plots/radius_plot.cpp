@@ -49,7 +49,7 @@ void shade_joints(Svg& svg, const PlotArea& area, const RadiusCurves& curves) {
 
 } // namespace
 
-Svg radius_plot(const std::string& title, const RadiusCurves& curves) {
+Svg radius_plot(const std::string& title, const RadiusCurves& curves, const std::string& unit) {
     constexpr double kWidth = 440.0, kHeight = 240.0;
     const std::array<std::pair<const std::vector<double>*, LegendLine>, 4> lines{
         {{&curves.input_mm, {"read", kInputStroke}},
@@ -69,8 +69,8 @@ Svg radius_plot(const std::string& title, const RadiusCurves& curves) {
                         linear_axis(0.0, curves.along_mm.back()),
                         linear_axis(0.0, 1.15 * most)};
     shade_joints(svg, area, curves);
-    draw_y_axis(svg, area, "Radius, mm");
-    draw_x_axis(svg, area, "Along the branch, mm");
+    draw_y_axis(svg, area, "Radius, " + unit);
+    draw_x_axis(svg, area, "Along the branch, " + unit);
     std::vector<LegendLine> legend;
     // The surface first: the thin line of what was read lies over it.
     for (const std::size_t n : {1, 2, 3, 0})

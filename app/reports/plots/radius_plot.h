@@ -17,6 +17,6 @@ struct RadiusCurves {
 
 // The axis of radii begins at 0 and ends above what was read and what is alone; a curve that goes higher where a vessel
 // joins another leaves the plot.
-[[nodiscard]] Svg radius_plot(const std::string& title, const RadiusCurves& curves);
+[[nodiscard]] Svg radius_plot(const std::string& title, const RadiusCurves& curves, const std::string& unit = "mm");
 
 } // namespace ramus::app

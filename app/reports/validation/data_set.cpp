@@ -26,6 +26,12 @@ std::string name_of(const ValidatedDataSet& set) {
     return name.empty() ? set.tree : name;
 }
 
+Lengths lengths_of(std::span<const ValidatedDataSet> sets) {
+    for (const ValidatedDataSet& set : sets)
+        if (!set.claims.has_unit()) return Lengths(set.claims);
+    return {};
+}
+
 DistanceFigures figures_of(const measure::DeviationStatistics& statistics) {
     DistanceFigures figures{statistics.mean, statistics.sigma,      statistics.rms,           statistics.min,
                             statistics.max,  statistics.box.median, statistics.percentile_95, {}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/reports/html.h"
+#include "app/session/numbers.h"
 #include "core/measure/deviation/deviation.h"
 #include "core/validate/validation.h"
 
@@ -45,9 +46,12 @@ struct ValidatedDataSet {
     std::vector<double> cones_radii_mm, mask_radii_mm;
     std::vector<InputFile> files;
     std::vector<ReportPicture> pictures;
+    std::vector<ReportPicture> close_ups; // of places that answer the questions, the first of them
 };
 
 [[nodiscard]] std::string name_of(const ValidatedDataSet& set); // of its tree's file, without the folder
+// How people are told of all of them: in mm where all trees say so.
+[[nodiscard]] Lengths lengths_of(std::span<const ValidatedDataSet> sets);
 
 // The figures of the paper's Table I, with the 95th percentile.
 struct DistanceFigures {

@@ -16,18 +16,10 @@ constexpr const char* kHalfVoxel = "half the diagonal of the mask's voxels";
 
 const Stroke& stroke_of(HeldAgainst other) { return other == HeldAgainst::kCones ? kConesStroke : kMaskStroke; }
 
-Svg boxes_of(std::span<const ValidatedDataSet> sets, HeldAgainst other) {
-    std::vector<BoxRow> rows;
-    for (const ValidatedDataSet& set : sets)
-        if (const SurfaceDistances* distances = distances_of(set, other))
-            rows.push_back({name_of(set), &distances->statistics, set.half_voxel_mm});
-    return box_plots("Surface to " + noun_of(other), rows, stroke_of(other), kHalfVoxel);
-}
-
-bool has_mask(std::span<const ValidatedDataSet> sets) {
-    for (const ValidatedDataSet& set : sets)
-        if (set.to_mask) return true;
-    return false;
+// A table as the page says it: of lengths in the unit that they have.
+Table said(Table table, const Lengths& lengths) {
+    use_unit(table, lengths);
+    return table;
 }
 
 std::string figure_html(const Svg& plot) { return "<figure>" + plot.drawing() + "</figure>\n"; }
@@ -35,25 +27,29 @@ std::string figure_html(const Svg& plot) { return "<figure>" + plot.drawing() + 
 std::string summary_html(std::span<const ValidatedDataSet> sets) {
     const bool several = sets.size() > 1;
     std::string note = "For each vertex of the surface the distance to the nearest point of the other one, mm.";
+    const Lengths lengths = lengths_of(sets);
     if (several)
         note += " The average is the mean of the data sets' figures, each data set weighing the same, not the figures "
                 "of all vertices together.";
-    std::string text = "<h2>Distances</h2>\n<p class=\"quiet\">" + html_text(note) + "</p>\n";
+    std::string text = "<h2>Distances</h2>\n<p class=\"quiet\">" + html_text(lengths.worded(note)) + "</p>\n";
     std::string plots;
     for (const HeldAgainst other : kOthers) {
         if (other == HeldAgainst::kMask && !has_mask(sets)) continue;
-        text += table_html(for_people(distance_table(sets, other)), {.last_is_sum = several, .is_part = true});
+        text += table_html(said(for_people(distance_table(sets, other)), lengths),
+                           {.last_is_sum = several, .is_part = true});
         plots += figure_html(boxes_of(sets, other));
         if (several) continue;
         const SurfaceDistances& distances = *distances_of(sets.front(), other);
         plots += figure_html(histogram_plot("Surface to " + noun_of(other), distances.statistics, stroke_of(other),
-                                            sets.front().half_voxel_mm, kHalfVoxel));
+                                            sets.front().half_voxel_mm, kHalfVoxel, lengths.unit()));
     }
     return text + "<div class=\"plots\">\n" + plots + "</div>\n";
 }
 
 // The questions that have an answer, each with its places.
-std::string places_html(const validate::Validation& found) {
+std::string places_html(const ValidatedDataSet& set) {
+    const validate::Validation& found = set.validation;
+    const Lengths lengths(set.claims);
     const TableLook look{.is_part = true, .all_rows_in = "places.csv"};
     std::string text, none;
     struct Question {
@@ -76,7 +72,7 @@ std::string places_html(const validate::Validation& found) {
         TableLook with_note = look;
         with_note.note = question.note;
         if (&question == &questions.back()) with_note.most_rows = 10; // the surface has no part in them
-        text += table_html(question.table, with_note);
+        text += table_html(said(question.table, lengths), with_note);
     }
     if (!none.empty()) text += "<p><strong>None:</strong> " + html_text(none) + ".</p>\n";
     return text;
@@ -87,15 +83,17 @@ std::string radii_html(const ValidatedDataSet& set, std::size_t most) {
     if (table.rows.empty())
         return "<p class=\"quiet\">No place is away from joints, ends and other vessels: there is no error of the "
                "radius.</p>\n";
+    const Lengths lengths(set.claims);
     const validate::RadiusError& error = set.validation.radius_error;
     const std::string note = "The radius of a circle as large as the surface's cross-section, against what was read, "
                              "away from joints, ends and other vessels (elsewhere the plots are grey): over " +
                              counted(error.places, "place", "places") + " the median error is " +
                              digits(100.0 * error.median) + " %, the 95th percentile " + digits(100.0 * error.p95) +
                              " %. radii.csv has all branches.";
-    std::string text = table_html(table, {.note = note, .is_part = true}) + "<div class=\"plots\">\n";
+    std::string text = table_html(said(table, lengths), {.note = note, .is_part = true}) + "<div class=\"plots\">\n";
     for (const validate::BranchError& branch : validate::worst_branches(set.validation, most))
-        text += figure_html(radius_plot("Branch " + std::to_string(branch.branch), curves_of(set, branch)));
+        text +=
+            figure_html(radius_plot("Branch " + std::to_string(branch.branch), curves_of(set, branch), lengths.unit()));
     return text + "</div>\n";
 }
 
@@ -106,16 +104,18 @@ std::string data_set_html(const ValidatedDataSet& set, std::size_t number, bool 
                 pictures_html(set.pictures) + "<div class=\"plots\">\n";
         for (const HeldAgainst other : kOthers)
             if (const SurfaceDistances* distances = distances_of(set, other))
-                text += figure_html(histogram_plot("Surface to " + noun_of(other), distances->statistics,
-                                                   stroke_of(other), set.half_voxel_mm, kHalfVoxel));
+                text +=
+                    figure_html(histogram_plot("Surface to " + noun_of(other), distances->statistics, stroke_of(other),
+                                               set.half_voxel_mm, kHalfVoxel, Lengths(set.claims).unit()));
         text += "</div>\n";
     }
     text += several ? "<h3>Found places</h3>\n" : "<h2>Found places</h2>\n";
-    text += places_html(set.validation);
+    text += places_html(set) + even_pictures_html(set.close_ups);
     text += several ? "" : "<h2>Worst places</h2>\n";
     text += radii_html(set, several ? 4 : 6);
     for (const HeldAgainst other : kOthers)
-        if (const Table far = farthest_table(set, other); !far.rows.empty()) text += table_html(far, {.is_part = true});
+        if (const Table far = farthest_table(set, other); !far.rows.empty())
+            text += table_html(said(far, Lengths(set.claims)), {.is_part = true});
     return text + "</section>\n";
 }
 
@@ -134,10 +134,18 @@ std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts&
     return page + page_end();
 }
 
-std::vector<NamedText> box_plot_files(std::span<const ValidatedDataSet> sets) {
-    std::vector<NamedText> files{{"boxes_to_cones.svg", boxes_of(sets, HeldAgainst::kCones).file()}};
-    if (has_mask(sets)) files.push_back({"boxes_to_mask.svg", boxes_of(sets, HeldAgainst::kMask).file()});
-    return files;
+Svg boxes_of(std::span<const ValidatedDataSet> sets, HeldAgainst other) {
+    std::vector<BoxRow> rows;
+    for (const ValidatedDataSet& set : sets)
+        if (const SurfaceDistances* distances = distances_of(set, other))
+            rows.push_back({name_of(set), &distances->statistics, set.half_voxel_mm});
+    return box_plots("Surface to " + noun_of(other), rows, stroke_of(other), kHalfVoxel, lengths_of(sets).unit());
+}
+
+bool has_mask(std::span<const ValidatedDataSet> sets) {
+    for (const ValidatedDataSet& set : sets)
+        if (set.to_mask) return true;
+    return false;
 }
 
 } // namespace ramus::app

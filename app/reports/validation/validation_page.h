@@ -2,11 +2,12 @@
 // GL: the data sets bring their pictures.
 #pragma once
 
+#include "app/reports/plots/svg.h"
 #include "app/reports/validation/data_set.h"
+#include "app/reports/validation/validation_tables.h"
 
 #include <span>
 #include <string>
-#include <vector>
 
 namespace ramus::app {
 
@@ -14,10 +15,8 @@ namespace ramus::app {
 [[nodiscard]] std::string validation_page(std::span<const ValidatedDataSet> sets, const Facts& settings,
                                           const std::string& made);
 
-// Box plots of all data sets, as files of their own: name and content. Those to the mask where there are masks.
-struct NamedText {
-    std::string name, text;
-};
-[[nodiscard]] std::vector<NamedText> box_plot_files(std::span<const ValidatedDataSet> sets);
+// Box plots of all data sets; those to the mask where there are masks.
+[[nodiscard]] Svg boxes_of(std::span<const ValidatedDataSet> sets, HeldAgainst other);
+[[nodiscard]] bool has_mask(std::span<const ValidatedDataSet> sets); // one of them
 
 } // namespace ramus::app
