@@ -72,7 +72,7 @@ std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree
     const render::Box vessels = render::bounds_of(tree), box = render::bounds_of(mesh);
     if (box.empty() || vessels.empty()) return {};
     const double away = glm::length(glm::max(glm::max(box.lower - vessels.upper, vessels.lower - box.upper), 0.0));
-    return away > 0.0 ? "; it lies " + Lengths().scaled(away) + " beside the tree: is it in the same coordinates?"
+    return away > 0.0 ? "; it lies " + Lengths().text(away) + " beside the tree: is it in the same coordinates?"
                       : std::string();
 }
 

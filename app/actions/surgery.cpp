@@ -86,12 +86,9 @@ Result<void> lesion_clear(ActionContext& context, Arguments) {
     return edit(context, [](Marks& marks) { marks.lesions.clear(), marks.lesion_meshes.clear(); });
 }
 
-std::string cost_text(const measure::CutFigures& cut) {
-    const measure::Amount& lost = cut.lost;
-    return digits(cut.diameter_mm) + " mm wide" + (cut.reconstruct ? ", must be reconstructed" : "") +
-           "; lost: " + counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " +
-           digits(lost.length_mm, 4) + " mm, " + digits(lost.volume_mm3) + " mm\xC2\xB3, " +
-           counted(static_cast<std::uint64_t>(lost.leaves), "end", "ends");
+std::string cost_text(const measure::CutFigures& cut, const Lengths& lengths) {
+    return lengths.text(cut.diameter_mm) + " wide" + (cut.reconstruct ? ", must be reconstructed" : "") +
+           "; lost: " + amount_text(cut.lost, lengths);
 }
 
 Result<void> cut(ActionContext& context, Arguments arguments) {
@@ -123,7 +120,7 @@ Result<void> cut(ActionContext& context, Arguments arguments) {
     document.change(std::move(next));
     if (added == 1)
         context.say("Cut " + std::to_string(before + 1) + ": " +
-                    cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back()));
+                    cost_text(refresh_plan(context.assets, context.document).cuts.cuts.back(), document.lengths()));
     else
         context.say(counted(added, "cut", "cuts"));
     return {};

@@ -20,7 +20,7 @@ std::vector<int> branches_of(const tree::Contact& contact) {
 }
 
 std::string gap_text(const tree::Contact& contact, const Lengths& lengths) {
-    const std::string length = lengths.scaled(std::abs(contact.gap));
+    const std::string length = lengths.text(std::abs(contact.gap));
     if (contact.crossing()) return "axes cross, overlap " + length;
     return (contact.gap < 0.0 ? "overlap " : "gap ") + length;
 }

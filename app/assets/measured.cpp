@@ -5,10 +5,13 @@
 #include "core/measure/branch_point.h"
 #include "core/measure/tree_measure.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 
 namespace ramus::app {
 
@@ -35,6 +38,23 @@ std::vector<glm::dvec3> arc(const glm::dvec3& centre, const glm::dvec3& a, const
     return points;
 }
 
+std::string at_text(const measure::BranchPlace& place) {
+    return branch_text(place.branch) + " at " + digits(100.0 * place.fraction, 3) + " %";
+}
+
+// Half-way along a line.
+glm::dvec3 middle_of(const std::vector<glm::dvec3>& line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+    double left = 0.5 * length;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const double step = glm::distance(line[i - 1], line[i]);
+        if (step > 0.0 && left <= step) return glm::mix(line[i - 1], line[i], left / step);
+        left -= step;
+    }
+    return line.back();
+}
+
 Measured distance(const tree::VesselTree& tree, const Measurement& m) {
     Measured found{.kind = "Distance",
                    .what = place_text(m.points[0]) + " to " + place_text(m.points[1]),
@@ -47,41 +67,67 @@ Measured distance(const tree::VesselTree& tree, const Measurement& m) {
 }
 
 Result<Measured> path(const tree::VesselTree& tree, const Measurement& m) {
-    auto way = measure::path_between(tree, m.branches[0], m.branches[1]);
+    auto way = measure::path_between(tree, m.places[0], m.places[1]);
     if (!way)
-        return fail("no way leads from " + branch_text(m.branches[0]) + " to " + branch_text(m.branches[1]), {},
-                    "they belong to separate trees");
+        return fail("no way leads from " + branch_text(m.places[0].branch) + " to " + branch_text(m.places[1].branch),
+                    {}, "they belong to separate trees");
     Measured found{.kind = "Path",
-                   .what = branch_text(m.branches[0]) + " to " + branch_text(m.branches[1]),
+                   .what = at_text(m.places[0]) + " to " + at_text(m.places[1]),
                    .value = way->length_mm,
                    .unit = Lengths(tree.claims).unit()};
     found.details = {{"straight", Lengths(tree.claims).text(glm::distance(way->places.front(), way->places.back()))},
-                     {"branches on the way", grouped(way->branches.size())}};
+                     {"branches on the path", grouped(way->branches.size())}};
     found.label = "path " + found.value_text();
-    found.label_place = way->places[way->places.size() / 2];
+    found.label_place = middle_of(way->places);
     found.lines = {std::move(way->places)};
     return found;
 }
 
 Measured diameter(const tree::VesselTree& tree, const Measurement& m) {
-    const measure::BranchPoint place = measure::point_on(tree, m.branches[0], m.fraction);
+    const measure::BranchPoint place = measure::point_on(tree, m.places[0]);
+    const double area = std::numbers::pi * place.radius_mm * place.radius_mm;
     Measured found{.kind = "Diameter",
-                   .what = branch_text(m.branches[0]) + " at " + digits(100.0 * m.fraction, 3) + " %",
+                   .what = at_text(m.places[0]),
                    .value = 2.0 * place.radius_mm,
                    .unit = Lengths(tree.claims).unit()};
-    found.details = {
-        {"cross-section", Lengths(tree.claims).text(std::numbers::pi * place.radius_mm * place.radius_mm) + "\xC2\xB2"},
-        {"place", place_text(place.position)}};
+    found.details = {{"cross-section", Lengths(tree.claims).area(area)}, {"place", place_text(place.position)}};
     found.lines = {ring_around(place.position, place.direction, place.radius_mm)};
     found.label = "\xD8 " + found.value_text(); // in the fonts' encoding
     found.label_place = found.lines[0][found.lines[0].size() / 8];
     return found;
 }
 
+// What is drawn of an angle at `apex` between two unit directions: legs as long as told, an arc, and the label.
+void draw_angle(Measured& found, const glm::dvec3& apex, std::array<glm::dvec3, 2> directions,
+                std::array<double, 2> legs) {
+    found.lines = {{apex + legs[0] * directions[0], apex, apex + legs[1] * directions[1]}};
+    found.label = digits(found.value) + "\xB0";
+    const double reach = 0.7 * std::min(legs[0], legs[1]);
+    found.label_place = apex + reach * directions[0];
+    if (auto bow = arc(apex, directions[0], directions[1], reach); !bow.empty()) {
+        found.label_place = bow[bow.size() / 2];
+        found.lines.push_back(std::move(bow));
+    }
+}
+
+Result<Measured> angle_between(const tree::VesselTree& tree, const Measurement& m) {
+    Measured found{.kind = "Angle", .unit = "\xC2\xB0"};
+    const std::vector<glm::dvec3> ends = ends_of(tree, m);
+    const glm::dvec3 apex = ends[1];
+    const std::array ways{ends[0] - apex, ends[2] - apex};
+    const std::array legs{glm::length(ways[0]), glm::length(ways[1])};
+    if (!(legs[0] > 0.0 && legs[1] > 0.0))
+        return fail("there is no angle between places that are one", {}, "choose three that are apart");
+    found.value = measure::angle_deg(ends[0], apex, ends[2]);
+    found.what = at_text(m.places[0]) + ", " + at_text(m.places[1]) + ", " + at_text(m.places[2]);
+    draw_angle(found, apex, {ways[0] / legs[0], ways[1] / legs[1]}, legs);
+    return found;
+}
+
 // The legs drawn are those between which the angle lies: where the parent would have gone on, or, at a root, where the
 // first other branch goes.
-Result<Measured> angle(const tree::VesselTree& tree, const Measurement& m) {
-    const int id = m.branches[0];
+Result<Measured> angle_of_branching(const tree::VesselTree& tree, const Measurement& m) {
+    const int id = m.places[0].branch;
     const measure::Branching branching = measure::branching_of(tree, id);
     const int parent = tree.branches[static_cast<std::size_t>(id)].parent;
     if (!branching.to_parent_deg && branching.siblings_deg.empty())
@@ -103,13 +149,7 @@ Result<Measured> angle(const tree::VesselTree& tree, const Measurement& m) {
     for (const auto& [sibling, degrees] : siblings)
         found.details.emplace_back("to " + branch_text(sibling), digits(degrees) + "\xC2\xB0");
     const double reach = 6.0 * measure::point_on(tree, id, 0.0).radius_mm;
-    found.lines = {{branching.place + reach * own, branching.place, branching.place + reach * other}};
-    found.label = digits(found.value) + "\xB0";
-    found.label_place = branching.place + 0.7 * reach * own;
-    if (auto bow = arc(branching.place, own, other, 0.7 * reach); !bow.empty()) {
-        found.label_place = bow[bow.size() / 2];
-        found.lines.push_back(std::move(bow));
-    }
+    draw_angle(found, branching.place, {own, other}, {reach, reach});
     return found;
 }
 
@@ -123,23 +163,35 @@ std::string Measured::sentence() const {
     return text;
 }
 
+std::vector<glm::dvec3> ends_of(const tree::VesselTree& tree, const Measurement& measurement) {
+    const auto points = std::span(measurement.points).first(point_count(measurement));
+    std::vector<glm::dvec3> ends(points.begin(), points.end());
+    if (of_branching(measurement)) return ends;
+    for (const measure::BranchPlace& place : std::span(measurement.places).first(place_count(measurement)))
+        if (place.branch >= 0 && static_cast<std::size_t>(place.branch) < tree.branches.size())
+            ends.push_back(measure::point_on(tree, place).position);
+    return ends;
+}
+
 Result<Measured> measured(const tree::VesselTree& tree, const Measurement& measurement) {
-    const bool of_places = measurement.kind == Measurement::Kind::kDistance;
-    const int ends = of_places ? 0 : measurement.kind == Measurement::Kind::kPath ? 2 : 1;
-    for (int i = 0; i < ends; ++i)
-        if (const int id = measurement.branches[i]; id < 0 || static_cast<std::size_t>(id) >= tree.branches.size())
+    for (std::size_t i = 0; i < place_count(measurement); ++i)
+        if (const int id = measurement.places[i].branch; id < 0 || static_cast<std::size_t>(id) >= tree.branches.size())
             return fail("there is no " + branch_text(id));
-    switch (measurement.kind) {
-    case Measurement::Kind::kDistance:
-        return distance(tree, measurement);
-    case Measurement::Kind::kPath:
-        return path(tree, measurement);
-    case Measurement::Kind::kDiameter:
-        return diameter(tree, measurement);
-    case Measurement::Kind::kAngle:
-        return angle(tree, measurement);
-    }
-    return fail("this cannot be measured");
+    auto found = [&]() -> Result<Measured> {
+        switch (measurement.kind) {
+        case Measurement::Kind::kDistance:
+            return distance(tree, measurement);
+        case Measurement::Kind::kPath:
+            return path(tree, measurement);
+        case Measurement::Kind::kDiameter:
+            return diameter(tree, measurement);
+        case Measurement::Kind::kAngle:
+            return of_branching(measurement) ? angle_of_branching(tree, measurement) : angle_between(tree, measurement);
+        }
+        return fail("this cannot be measured");
+    }();
+    if (found) found->ends = ends_of(tree, measurement);
+    return found;
 }
 
 } // namespace ramus::app

@@ -95,7 +95,7 @@ Result<int> run_compare(const CompareFlags& flags) {
     for (std::size_t i = 0; i < 2; ++i)
         std::cout << flags.files[i] << ": " << counted(inputs[i].mesh.positions.size(), "vertex", "vertices") << ", "
                   << counted(inputs[i].mesh.triangles.size(), "triangle", "triangles") << ", area "
-                  << lengths.worded(digits(sizes[i].area_mm2, 5) + " mm2, ")
+                  << lengths.area(sizes[i].area_mm2) + ", "
                   << (sizes[i].volume_mm3 ? "volume " + lengths.volume(*sizes[i].volume_mm3) : "not closed") << '\n';
     std::cout << lengths.worded(deviation_text("A to B", found.ways[0], found.threshold_mm) +
                                 deviation_text("B to A", found.ways[1], found.threshold_mm))

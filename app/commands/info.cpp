@@ -276,8 +276,8 @@ void print_systems(const tree::VesselTree& tree) {
     for (std::size_t i = 0; i < facts.size(); ++i)
         std::cout << "  " << system_name(tree.systems, static_cast<int>(i)) << ": "
                   << counted(static_cast<std::uint64_t>(facts[i].branches), "branch", "branches") << ", "
-                  << Lengths(tree.claims).worded(rounded(facts[i].length_mm) + " mm, ")
-                  << colour_text(tree.systems[i].colour) << '\n';
+                  << Lengths(tree.claims).text(facts[i].length_mm) + ", " << colour_text(tree.systems[i].colour)
+                  << '\n';
 }
 
 std::string claim_text(tree::SaidBy who, const std::string& known, const std::string& open) {
@@ -289,17 +289,17 @@ void print_text(const InfoFlags& flags, const tree::VesselTree& tree, const meas
                 const ContactList& contacts) {
     std::cout << flags.file << '\n';
     line("branches", grouped(tree.branches.size()) + " (" +
-                         counted(static_cast<std::uint64_t>(statistics.leaves), "end", "ends") + ")");
+                         counted(static_cast<std::uint64_t>(statistics.leaves), "leaf", "leaves") + ")");
     line("segments", grouped(tree.segment_count()));
     line("roots", grouped(tree.roots.size()));
     line("loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
     line("generations", std::to_string(statistics.generations) + " (Strahler order " +
                             std::to_string(statistics.highest_strahler) + ")");
     const Lengths lengths(tree.claims);
-    line("length", lengths.worded(rounded(statistics.length_mm) + " mm"));
-    line("volume", lengths.worded(rounded(statistics.volume_mm3) + " mm3"));
-    line("radius", lengths.worded(rounded(statistics.radius_mm.min) + " to " + rounded(statistics.radius_mm.max) +
-                                  " mm, mean " + rounded(statistics.radius_mm.mean) + " mm"));
+    line("length", lengths.text(statistics.length_mm));
+    line("volume", lengths.volume(statistics.volume_mm3));
+    line("radius", lengths.text(statistics.radius_mm.min) + " to " + lengths.text(statistics.radius_mm.max) +
+                       ", mean " + lengths.text(statistics.radius_mm.mean));
     if (nothing_depends(facts_of(tree))) line("dependency", kNothingDepends);
     line("unit", claim_text(tree.claims.unit, "mm", "not known"));
     line("orientation", claim_text(tree.claims.orientation, "RAS", "not known"));

@@ -279,7 +279,7 @@ Result<int> run_study(const StudyFlags& flags) {
         }
         const double diameter_mm = 2.0 * close_ups[i].radius;
         if (auto done = add_scene(sheets, painter, surfaces, camera,
-                                  "Close-up, vessel " + Lengths(tree.claims).scaled(diameter_mm) + " wide");
+                                  "Close-up, vessel " + Lengths(tree.claims).text(diameter_mm) + " wide");
             !done)
             return tl::unexpected(done.error());
         report["places"].push_back({{"diameter_mm", diameter_mm}, {"camera", render::to_json(camera)}});

@@ -124,19 +124,19 @@ template <class List, class Line> void print_list(const std::string& heading, co
 void print_questions(const validate::Validation& validation, const Lengths& lengths) {
     print_list("lost branches", validation.lost, [&](const validate::Lost& one) {
         return "branch " + std::to_string(one.branch) + " at " + at_text(one.at, lengths) + ", " +
-               lengths.scaled(one.length_mm) + " long";
+               lengths.text(one.length_mm) + " long";
     });
     print_list("false branches", validation.false_parts, [&](const validate::FalsePart& one) {
-        return "at " + at_text(one.at, lengths) + ", " + lengths.scaled(one.length_mm) + " long";
+        return "at " + at_text(one.at, lengths) + ", " + lengths.text(one.length_mm) + " long";
     });
     print_list("merged branches", validation.merged, [&](const validate::Merged& one) {
         return "branch " + std::to_string(one.branches[0]) + " with " + std::to_string(one.branches[1]) + " at " +
                at_text(one.at, lengths) + (one.gap_mm < 0.0 ? ", overlap " : ", gap ") +
-               lengths.scaled(std::abs(one.gap_mm));
+               lengths.text(std::abs(one.gap_mm));
     });
     print_list("changed constrictions", validation.constrictions, [&](const validate::Constriction& one) {
         return "branch " + std::to_string(one.branch) + " at " + at_text(one.at, lengths) + ", radius " +
-               lengths.scaled(one.radius_mm) + " instead of " + lengths.scaled(one.expected_radius_mm);
+               lengths.text(one.radius_mm) + " instead of " + lengths.text(one.expected_radius_mm);
     });
 }
 

@@ -90,7 +90,7 @@ void draw_title_row(InterfaceContext& context, const FlyPath& path) {
     const std::string label = label_of(document.dependency(), document.marks().names, fly.branch);
     const std::string title = "Fly along to branch " + std::to_string(fly.branch) + (label.empty() ? "" : ", " + label);
     const std::string passed =
-        digits(fly.fraction * path.length_mm()) + " of " + document.lengths().scaled(path.length_mm());
+        document.lengths().text(fly.fraction * path.length_mm()) + " of " + document.lengths().text(path.length_mm());
     const float close_width = ImGui::CalcTextSize("Close").x + 12.0F * scale;
     const float passed_width = ImGui::CalcTextSize(passed.c_str()).x;
     ImGui::TextUnformatted(

@@ -101,6 +101,7 @@ struct Editing {
         std::string field; // its id; empty: none
         std::array<char, 64> typed{};
     } numbers;
+    std::string thin = "2"; // diameter below which vessels are thin, as it was typed
 };
 
 // What the import doctor's panel remembers.

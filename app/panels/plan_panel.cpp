@@ -17,12 +17,6 @@ namespace ramus::app {
 
 namespace {
 
-std::string amount(const measure::Amount& lost, const Lengths& lengths) {
-    return counted(static_cast<std::uint64_t>(lost.branches), "branch", "branches") + ", " +
-           lengths.text(lost.length_mm) + ", " + lengths.volume(lost.volume_mm3) + ", " +
-           counted(static_cast<std::uint64_t>(lost.leaves), "leaf", "leaves");
-}
-
 std::string branch_name(const Document& document, int branch) {
     const auto name = document.marks().names.find(branch);
     return name == document.marks().names.end() ? "Branch " + std::to_string(branch) : name->second;
@@ -46,20 +40,20 @@ int removable_row(const std::string& text, const ImVec4& colour, const char* hel
     return result;
 }
 
-// A label, and a number or several, typed and entered. Returns what was entered, else nothing.
-std::vector<std::string> entry(InterfaceContext& context, const char* label, const char* id, const std::string& current,
-                               float width) {
+// A field for a number or several at the right edge, or where `before_right` points are left of it. Returns what was
+// entered, else nothing.
+std::vector<std::string> number_field(InterfaceContext& context, const char* id, const std::string& current,
+                                      float width, float before_right = 0.0F) {
     auto& [owner, typed] = context.interface.editing.numbers;
-    ImGui::AlignTextToFramePadding();
-    widgets::quiet(context.workspace.document.lengths().worded(label).c_str());
-    ImGui::SameLine();
-    widgets::align_right(width * theme::scale());
+    widgets::align_right(width * theme::scale() + before_right);
     std::array<char, 64> shown{};
     std::copy_n(current.begin(), std::min(current.size(), shown.size() - 1), shown.begin());
     const bool mine = owner == id;
     ImGui::SetNextItemWidth(width * theme::scale());
-    const bool entered = ImGui::InputText(id, mine ? typed.data() : shown.data(), typed.size(),
+    ImGui::PushID(id);
+    const bool entered = ImGui::InputText("##numbers", mine ? typed.data() : shown.data(), typed.size(),
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopID();
     if (ImGui::IsItemActivated()) owner = id, typed = shown;
     std::vector<std::string> words;
     if (mine && (entered || ImGui::IsItemDeactivatedAfterEdit())) {
@@ -75,9 +69,49 @@ std::vector<std::string> entry(InterfaceContext& context, const char* label, con
     return words;
 }
 
+void field_label(const InterfaceContext& context, const char* label) {
+    ImGui::AlignTextToFramePadding();
+    widgets::quiet(context.workspace.document.lengths().worded(label).c_str());
+    ImGui::SameLine();
+}
+
 void go_to(InterfaceContext& context, int branch) {
     context.perform("select", {std::to_string(branch)});
     context.perform("go-to", {std::to_string(branch)});
+}
+
+// A line that can be clicked, the diameter, which can be typed, and a cross.
+void draw_lesion(InterfaceContext& context, std::size_t index, const std::array<double, 4>& sphere) {
+    const std::string number = std::to_string(index + 1);
+    const float cross = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
+    const std::string unit = context.workspace.document.lengths().unit();
+    const float behind = ImGui::CalcTextSize(unit.c_str()).x + cross + 2.0F * gap;
+    constexpr float kField = 56.0F;
+    ImGui::PushID(static_cast<int>(index));
+    ImGui::AlignTextToFramePadding();
+    const float sign = ImGui::CalcTextSize("\xC3\x98").x + gap;
+    const float line = ImGui::GetContentRegionAvail().x - behind - kField * theme::scale() - gap - sign;
+    if (ImGui::Selectable(("Lesion " + number).c_str(), false, 0, {std::max(1.0F, line), 0.0F}))
+        context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
+    widgets::tooltip("Click to bring it to the middle of the picture");
+    ImGui::SameLine();
+    widgets::quiet("\xC3\x98");
+    ImGui::SameLine();
+    const auto words = number_field(context, ("lesion " + number).c_str(), rounded(2.0 * sphere[3]), kField, behind);
+    widgets::tooltip(("Diameter of lesion " + number + "; Enter takes it").c_str());
+    ImGui::SameLine();
+    widgets::quiet(unit.c_str());
+    ImGui::SameLine();
+    widgets::align_right(cross);
+    const bool removed = widgets::button("\xC3\x97", {cross, 0.0F}, theme::kNothing, theme::kQuiet);
+    widgets::tooltip("Remove");
+    ImGui::PopID();
+    if (removed) return context.perform("lesion-remove", {number});
+    if (words.size() != 1) return;
+    const auto diameter = parsed<double>(words[0]);
+    const std::string radius = diameter ? exact_text(0.5 * *diameter) : words[0];
+    context.perform("lesion-change", {number, exact_text(sphere[0]) + "," + exact_text(sphere[1]) + "," +
+                                                  exact_text(sphere[2]) + "," + radius});
 }
 
 void draw_lesions(InterfaceContext& context) {
@@ -91,16 +125,9 @@ void draw_lesions(InterfaceContext& context) {
             "picture now is a lesion too.");
         return;
     }
-    for (std::size_t i = 0; i < marks.lesions.size(); ++i) {
-        const auto& sphere = marks.lesions[i];
-        ImGui::PushID(static_cast<int>(i));
-        const int done = removable_row("Lesion " + std::to_string(i + 1) + "   \xC3\x98 " +
-                                           context.workspace.document.lengths().text(2.0 * sphere[3]),
-                                       theme::kText, "Click to bring it to the middle of the picture");
-        if (done > 0) context.perform("centre", {spelled(glm::dvec3(sphere[0], sphere[1], sphere[2]))});
-        if (done < 0) context.perform("lesion-remove", {std::to_string(i + 1)});
-        ImGui::PopID();
-    }
+    // Kept here: what a row does makes the list another.
+    for (const auto lesions = marks.lesions; const auto& sphere : lesions)
+        draw_lesion(context, static_cast<std::size_t>(&sphere - lesions.data()), sphere);
     for (std::size_t i = 0; i < marks.lesion_meshes.size(); ++i) {
         ImGui::PushID(static_cast<int>(1000 + i));
         const std::string& path = marks.lesion_meshes[i];
@@ -164,8 +191,8 @@ void draw_margins(InterfaceContext& context) {
     const Marks& marks = document.marks();
     if (marks.lesions.empty() && marks.lesion_meshes.empty()) return;
     ImGui::Dummy({0.0F, 3.0F * theme::scale()});
-    if (const auto words =
-            entry(context, "Margins mm", "##bands", joined(marks.planning.bands_mm, "  ", rounded), 110.0F);
+    field_label(context, "Margins mm");
+    if (const auto words = number_field(context, "bands", joined(marks.planning.bands_mm, "  ", rounded), 110.0F);
         !words.empty())
         context.perform("bands", words);
     widgets::tooltip("Distances from the lesion to the vessel's wall that divide the list; Enter takes them");
@@ -180,8 +207,8 @@ void draw_cuts(InterfaceContext& context) {
     const Document& document = context.workspace.document;
     const Marks& marks = document.marks();
     draw_title(context, "Cuts", {{"Cut", "Cut vessels in the picture", "tool", {"cut"}}});
-    if (const auto words =
-            entry(context, "Reconstruct above mm", "##reconstruct", rounded(marks.planning.reconstruct_mm), 56.0F);
+    field_label(context, "Reconstruct above mm");
+    if (const auto words = number_field(context, "reconstruct", rounded(marks.planning.reconstruct_mm), 56.0F);
         words.size() == 1)
         context.perform("reconstruct", words);
     widgets::tooltip("A cut vessel of a larger diameter must be reconstructed");
@@ -197,22 +224,48 @@ void draw_cuts(InterfaceContext& context) {
         if (ImGui::IsItemHovered()) context.interface.listed = branch;
         if (done > 0) go_to(context, branch);
         if (figures.reconstruct) ImGui::TextColored(theme::kTrouble, "must be reconstructed");
-        widgets::quiet_wrapped(("Lost: " + amount(figures.lost, document.lengths())).c_str());
+        widgets::quiet_wrapped(("Lost: " + amount_text(figures.lost, document.lengths())).c_str());
         ImGui::PopID();
         if (done < 0) context.perform("cut-remove", {std::to_string(i + 1)});
     }
     if (marks.cuts.size() > 1) {
         ImGui::Dummy({0.0F, 2.0F * theme::scale()});
-        widgets::quiet_wrapped(("Lost together: " + amount(report.together, document.lengths())).c_str());
+        widgets::quiet_wrapped(("Lost together: " + amount_text(report.together, document.lengths())).c_str());
     }
 }
 
+// Side by side over the panel's width.
+void draw_buttons(InterfaceContext& context, std::initializer_list<widgets::TitleButton> buttons) {
+    const float gap = 4.0F * theme::scale(), count = static_cast<float>(buttons.size());
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap) / count);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * theme::scale(), 2.0F * theme::scale()});
+    for (const widgets::TitleButton& button : buttons) {
+        if (&button != buttons.begin()) ImGui::SameLine(0.0F, gap);
+        if (ImGui::Button(button.text, {width, 0.0F})) context.perform(button.command, button.words);
+        widgets::tooltip(button.help);
+    }
+    ImGui::PopStyleVar();
+}
+
+// Vessels below a diameter that is typed.
+void draw_thin_vessels(InterfaceContext& context) {
+    std::string& below = context.interface.editing.thin;
+    widgets::section("Thin vessels");
+    field_label(context, "Below \xC3\x98 mm");
+    if (const auto words = number_field(context, "thin", below, 56.0F); words.size() == 1) below = words[0];
+    widgets::tooltip("Vessels of a smaller mean diameter");
+    draw_buttons(context,
+                 {{"Hide", "Hides the vessels below this diameter", "filter-diameter", {below, "hide"}},
+                  {"Glass", "Makes the vessels below this diameter grey glass", "filter-diameter", {below, "defocus"}},
+                  {"Show", "Shows the vessels below this diameter normally", "filter-diameter", {below, "show"}}});
+}
+
 void draw_measurements(InterfaceContext& context) {
-    draw_title(context, "Measure",
-               {{"Line", "Distance between two places", "tool", {"measure-distance"}},
-                {"Way", "Way along the vessels between two branches", "tool", {"measure-path"}},
-                {"\xC3\x98", "Diameter at a place", "tool", {"measure-diameter"}},
-                {"Angle", "Angles at a branching", "tool", {"measure-angle"}}});
+    widgets::section("Measure");
+    draw_buttons(context, {{"Distance", "Straight distance between two places", "tool", {"measure-distance"}},
+                           {"Path", "Path along the vessels between two places", "tool", {"measure-path"}},
+                           {"Diameter", "Diameter at a place", "tool", {"measure-diameter"}},
+                           {"Angle", "Angle between three places", "tool", {"measure-angle"}}});
     const auto measurements = context.workspace.current_assets().measurements; // kept here, as above
     for (std::size_t i = 0; i < measurements->found.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -234,6 +287,7 @@ void draw_plan(InterfaceContext& context) {
     draw_margins(context);
     draw_cuts(context);
     draw_measurements(context);
+    draw_thin_vessels(context);
     const Marks& marks = context.workspace.document.marks();
     const bool some = !marks.cuts.empty() || !marks.lesions.empty() || !marks.lesion_meshes.empty() ||
                       !marks.measurements.empty() || !marks.selection.empty();

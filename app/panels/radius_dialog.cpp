@@ -1,8 +1,9 @@
-// A field for the radii of what is selected.
+// A field for the diameter of what is selected, or for a factor.
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
 #include "app/session/numbers.h"
+#include "core/base/words.h"
 
 #include <imgui.h>
 
@@ -14,7 +15,7 @@ void draw_radius(InterfaceContext& context) {
     if (dialog.open && selection.empty()) dialog.open = false;
     if (!dialog.open || !widgets::begin_dialog("##radius", 380.0F, 0.0F)) return;
     const float scale = theme::scale();
-    widgets::heading(("Radii of " + counted(selection.size(), "branch", "branches")).c_str());
+    widgets::heading(("Diameter of " + counted(selection.size(), "branch", "branches")).c_str());
     ImGui::Dummy({0.0F, 2.0F * scale});
     if (std::exchange(dialog.fresh, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(120.0F * scale);
@@ -25,7 +26,7 @@ void draw_radius(InterfaceContext& context) {
     if (ImGui::RadioButton(context.workspace.document.lengths().unit().c_str(), !dialog.scales)) dialog.scales = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("times", dialog.scales)) dialog.scales = true;
-    widgets::quiet_wrapped("Nodes that they share with other branches keep their radius.");
+    widgets::quiet_wrapped("Nodes that they share with other branches keep theirs.");
     ImGui::Dummy({0.0F, 4.0F * scale});
     const float width = 90.0F * scale;
     widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
@@ -33,7 +34,10 @@ void draw_radius(InterfaceContext& context) {
     ImGui::SameLine();
     if (ImGui::Button("Set", {width, 0.0F}) || entered) {
         dialog.open = false;
-        context.perform(dialog.scales ? "scale-radius" : "set-radius", {dialog.text.data()});
+        const auto diameter = parsed<double>(std::string_view(dialog.text.data()));
+        const bool halves = !dialog.scales && diameter;
+        context.perform(dialog.scales ? "scale-radius" : "set-radius",
+                        {halves ? exact_text(0.5 * *diameter) : std::string(dialog.text.data())});
     }
     if (!dialog.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();

@@ -42,7 +42,7 @@ void draw_tree(InterfaceContext& context) {
     widgets::fact("Branches", grouped(tree.branches.size()));
     widgets::fact("Generations", grouped(static_cast<std::uint64_t>(facts.statistics.generations)));
     const Lengths lengths = document.lengths();
-    widgets::fact("Length", lengths.text(facts.statistics.length_mm, 4));
+    widgets::fact("Length", lengths.text(facts.statistics.length_mm));
     widgets::fact("Volume", lengths.volume(facts.statistics.volume_mm3));
     widgets::fact("Diameter",
                   range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max, lengths));
@@ -152,7 +152,7 @@ void draw_many(const Document& document, const TreeFacts& facts) {
     widgets::fact("Branches",
                   grouped(selected) + " of " + grouped(static_cast<std::uint64_t>(document.branch_count())));
     const Lengths lengths = document.lengths();
-    widgets::fact("Length", lengths.text(length, 4));
+    widgets::fact("Length", lengths.text(length));
     widgets::fact("Mean diameters", range(least, most, lengths));
 }
 

@@ -44,7 +44,7 @@ void draw_row(InterfaceContext& context, const Systems& systems, const SystemFac
     ImGui::SameLine();
     draw_swatch(context, shown_colour(systems, system), system);
     const std::string size = grouped(static_cast<std::uint64_t>(facts.branches)) + "  " +
-                             context.workspace.document.lengths().scaled(facts.length_mm);
+                             context.workspace.document.lengths().text(facts.length_mm);
     const float width = ImGui::GetContentRegionAvail().x;
     const float room = width - ImGui::CalcTextSize(size.c_str()).x - 10.0F * theme::scale();
     ImGui::PushStyleColor(ImGuiCol_Text, visible ? theme::kText : theme::kQuiet);

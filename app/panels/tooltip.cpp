@@ -46,7 +46,7 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
         const Lengths lengths = document.lengths();
         row("Diameter", lengths.text(facts.diameter_mm.mean),
             least == most ? std::string{} : least + " \xE2\x80\x93 " + most);
-        row("Length", lengths.scaled(facts.length_mm));
+        row("Length", lengths.text(facts.length_mm));
         row("Generation", std::to_string(branch.generation));
         row("Strahler order", std::to_string(branch.strahler));
         if (nothing_depends(*context.workspace.facts())) {
@@ -55,7 +55,7 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
             row("Depend on it", "no branches");
         } else {
             row("Depend on it", counted(static_cast<std::uint64_t>(facts.dependents.branches), "branch", "branches"));
-            row("", lengths.scaled(facts.dependents.length_mm), lengths.volume(facts.dependents.volume_mm3));
+            row("", lengths.text(facts.dependents.length_mm), lengths.volume(facts.dependents.volume_mm3));
         }
         ImGui::EndTable();
     }

@@ -7,6 +7,7 @@
 #include "app/picture/contact_marks.h"
 #include "app/picture/deviation_colours.h"
 #include "app/picture/note_marks.h"
+#include "app/picture/place_marks.h"
 #include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
 #include "render/scene/frame.h"
@@ -58,11 +59,13 @@ void draw_cuts(render::Frame& frame, const Marks& marks, const Plan* plan) {
     }
 }
 
-// Lines and labels of what was measured; what could not be measured is left out.
-void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> measurements) {
-    for (const Result<Measured>& found : measurements) {
-        if (!found) continue;
+// Lines, end marks and labels of what was measured; what could not be measured is left out.
+void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> measurements, int left_out) {
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+        const Result<Measured>& found = measurements[i];
+        if (!found || static_cast<int>(i) == left_out) continue;
         for (const auto& line : found->lines) frame.lines.push_back({line, kMeasureColour});
+        for (const glm::dvec3& end : found->ends) frame.lines.push_back(dot_at(frame, end, kMeasureColour));
         frame.labels.push_back({found->label_place, found->label});
     }
 }
@@ -126,7 +129,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.beyond_ends = gaussian ? static_cast<float>(field::reach_beyond_end(options.width)) : 1.0F;
     frame.only_mesh = !cones && !gaussian; // what is drawn while the view moves knows the Gaussian
     draw_cuts(frame, marks, plan);
-    if (assets.measurements) draw_measurements(frame, assets.measurements->found);
+    if (assets.measurements) draw_measurements(frame, assets.measurements->found, viewing.measurement);
     if (viewing.notes) mark_notes(frame, tree, viewing.note);
     if (assets.contacts.fits(options))
         mark_contacts(frame, *assets.contacts.list, marks.contact_marks ? ContactMarks::kAll : ContactMarks::kCurrent,

@@ -10,6 +10,7 @@ namespace ramus::app {
 namespace {
 
 constexpr double kLeastPoints = 9.0; // radius of a ring, of 1/96 inch
+constexpr double kDotPoints = 3.4;   // radius of a dot
 constexpr int kCorners = 40;
 
 // Millimetres that one pixel spans where `at` is.
@@ -39,6 +40,12 @@ render::MarkLine ring_facing_eye(const render::Frame& frame, const glm::dvec3& a
     const double least = kLeastPoints * static_cast<double>(frame.pixel_ratio) * mm_per_pixel_at(frame, at);
     const double radius = std::max(radius_mm, strong ? 1.5 * least : least);
     return {circle(render::axes_of(frame.camera), at, radius), colour, strong ? 3.4F : 1.8F};
+}
+
+render::MarkLine dot_at(const render::Frame& frame, const glm::dvec3& at, const glm::vec3& colour) {
+    // A ring as wide as its line is thick has no hole.
+    const double radius = 0.5 * kDotPoints * static_cast<double>(frame.pixel_ratio) * mm_per_pixel_at(frame, at);
+    return {circle(render::axes_of(frame.camera), at, radius), colour, static_cast<float>(kDotPoints)};
 }
 
 } // namespace ramus::app

@@ -10,4 +10,7 @@ namespace ramus::app {
 [[nodiscard]] render::MarkLine ring_facing_eye(const render::Frame& frame, const glm::dvec3& at, double radius_mm,
                                                const glm::vec3& colour, bool strong);
 
+// A dot that looks as large from anywhere: where something that was measured ends.
+[[nodiscard]] render::MarkLine dot_at(const render::Frame& frame, const glm::dvec3& at, const glm::vec3& colour);
+
 } // namespace ramus::app

@@ -123,7 +123,7 @@ Table cuts_table(const Document& document, const Assets& assets) {
                  {"lost_branches", "Lost branches"},
                  {"lost_length_mm", "Lost length, mm"},
                  {"lost_volume_mm3", "Lost volume, mm\xC2\xB3"},
-                 {"lost_leaves", "Lost ends"}},
+                 {"lost_leaves", "Lost leaves"}},
                 {}};
     const Plan& plan = *assets.plan;
     const auto& cuts = document.marks().cuts;

@@ -109,17 +109,14 @@ CarriedOver carried_over(const Marks& marks, const tree::VesselTree& before, con
     for (const auto& [id, name] : marks.names)
         if (const int now = to(id); now != kNoBranch) next.names.emplace(now, name);
     for (Measurement measurement : marks.measurements) {
-        const std::array<int, 2> were = measurement.branches;
         bool whole = true;
-        for (std::size_t i = 0; i < 2; ++i) {
-            if (were[i] == kNoBranch) continue;
-            measurement.branches[i] = to(were[i]);
-            whole = whole && measurement.branches[i] != kNoBranch;
+        for (std::size_t i = 0; i < place_count(measurement); ++i) {
+            auto& [branch, fraction] = measurement.places[i];
+            const int was = std::exchange(branch, to(branch));
+            whole = whole && branch != kNoBranch;
+            if (branch != kNoBranch && turned(was, branch)) fraction = 1.0 - fraction;
         }
-        if (!whole) continue;
-        if (were[0] != kNoBranch && turned(were[0], measurement.branches[0]))
-            measurement.fraction = 1.0 - measurement.fraction;
-        next.measurements.push_back(measurement);
+        if (whole) next.measurements.push_back(measurement);
     }
     return carried;
 }

@@ -7,6 +7,7 @@
 #include "core/io/trees/imported_tree.h"
 
 #include <limits>
+#include <span>
 
 namespace ramus::app::session_json {
 
@@ -129,16 +130,17 @@ json measurement_json(const Measurement& m) {
         if (kind == m.kind) value["kind"] = std::string(name);
     if (m.kind == Measurement::Kind::kDistance)
         for (const glm::dvec3& p : m.points) value["points"].push_back({p.x, p.y, p.z});
-    else if (m.kind == Measurement::Kind::kPath)
-        value["branches"] = m.branches;
-    else
-        value["branches"] = {m.branches[0]};
-    if (m.kind == Measurement::Kind::kDiameter) value["fraction"] = m.fraction;
+    const auto places = std::span(m.places).first(place_count(m));
+    for (const measure::BranchPlace& place : places) value["branches"].push_back(place.branch);
+    if (m.kind == Measurement::Kind::kDiameter)
+        value["fraction"] = places[0].fraction;
+    else if (!of_branching(m))
+        for (const measure::BranchPlace& place : places) value["fractions"].push_back(place.fraction);
     return value;
 }
 
 static Measurement measurement(const json& value) {
-    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction"});
+    expect_only(value, "a measurement", {"kind", "points", "branches", "fraction", "fractions"});
     Measurement found;
     const std::string wanted = text(value.value("kind", json()), "kind of a measurement");
     const auto kind = paired(kMeasurementNames, wanted);
@@ -146,8 +148,10 @@ static Measurement measurement(const json& value) {
     found.kind = *kind;
     const json points = value.value("points", json::array());
     const json branches = value.value("branches", json::array());
-    const std::size_t wants_points = found.kind == Measurement::Kind::kDistance ? 2 : 0;
-    const std::size_t wants_branches = found.kind == Measurement::Kind::kPath ? 2 : wants_points == 0 ? 1 : 0;
+    // Of one branch an angle is where that begins, of three between places on them.
+    if (found.kind == Measurement::Kind::kAngle && branches.is_array() && branches.size() == 3)
+        found.places[1].branch = found.places[2].branch = 0;
+    const std::size_t wants_points = point_count(found), wants_branches = place_count(found);
     if (!points.is_array() || points.size() != wants_points || !branches.is_array() ||
         branches.size() != wants_branches)
         throw Refusal{"a measurement of kind " + wanted + " has " + std::to_string(wants_points) + " points and " +
@@ -158,8 +162,14 @@ static Measurement measurement(const json& value) {
             found.points[i][k] = number(points[i][static_cast<std::size_t>(k)], "coordinate of a point", -1e9, 1e9);
     }
     for (std::size_t i = 0; i < branches.size(); ++i)
-        found.branches[i] = integer(branches[i], "branch id of a measurement", 0, kMostBranches);
-    if (value.contains("fraction")) found.fraction = number(value["fraction"], "fraction", 0.0, 1.0);
+        found.places[i].branch = integer(branches[i], "branch id of a measurement", 0, kMostBranches);
+    if (value.contains("fraction")) found.places[0].fraction = number(value["fraction"], "fraction", 0.0, 1.0);
+    if (!value.contains("fractions")) return found; // a path of before: between the middles of its branches
+    const json& fractions = value["fractions"];
+    if (!fractions.is_array() || fractions.size() != wants_branches)
+        throw Refusal{"a measurement of kind " + wanted + " has as many fractions as branches"};
+    for (std::size_t i = 0; i < fractions.size(); ++i)
+        found.places[i].fraction = number(fractions[i], "fraction", 0.0, 1.0);
     return found;
 }
 

@@ -39,14 +39,15 @@ std::string digits(double value, int significant) {
     return text;
 }
 
-std::string Lengths::text(double length, int significant) const { return digits(length, significant) + " " + unit(); }
-
-std::string Lengths::scaled(double length) const {
-    return length < 999.5 || !known() ? text(length) : digits(length / 1000.0) + " m";
+std::string Lengths::text(double length, int significant) const {
+    return length < 999.5 || !known() ? digits(length, significant) + " " + unit()
+                                      : digits(length / 1000.0, significant) + " m";
 }
 
+std::string Lengths::area(double area) const { return digits(area) + " " + unit() + "\xC2\xB2"; }
+
 std::string Lengths::volume(double volume) const {
-    return volume < 999.5 || !known() ? text(volume) + "\xC2\xB3" : digits(volume / 1000.0) + " ml";
+    return volume < 999.5 || !known() ? digits(volume) + " " + unit() + "\xC2\xB3" : digits(volume / 1000.0) + " ml";
 }
 
 std::string Lengths::column(std::string_view name) const {
@@ -82,6 +83,12 @@ std::vector<double> round_numbers(double low, double high, bool logarithmic) {
 
 std::string counted(std::uint64_t number, const std::string& one, const std::string& many) {
     return grouped(number) + " " + (number == 1 ? one : many);
+}
+
+std::string amount_text(const measure::Amount& amount, const Lengths& lengths) {
+    return counted(static_cast<std::uint64_t>(amount.branches), "branch", "branches") + ", " +
+           lengths.text(amount.length_mm) + ", " + lengths.volume(amount.volume_mm3) + ", " +
+           counted(static_cast<std::uint64_t>(amount.leaves), "leaf", "leaves");
 }
 
 } // namespace ramus::app

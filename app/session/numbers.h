@@ -1,6 +1,7 @@
 // Numbers as people read them, in the window and on the command line.
 #pragma once
 
+#include "core/measure/amount.h"
 #include "core/tree/vessel_tree.h"
 
 #include <cstdint>
@@ -24,9 +25,10 @@ public:
     explicit Lengths(const tree::Claims& claims) : claims_(claims) {}
     [[nodiscard]] bool known() const { return claims_.has_unit(); }
     [[nodiscard]] std::string unit() const { return worded("mm"); }
-    [[nodiscard]] std::string text(double length, int significant = 3) const; // "12.3 mm", "12.3 units"
-    [[nodiscard]] std::string scaled(double length) const;                    // "12.3 mm", "1.42 m"; "1,420 units"
-    [[nodiscard]] std::string volume(double volume) const;                    // "12.3 mm³", "1.42 ml"; "1,420 units³"
+    // "12.3 mm", "1.42 m"; "1,420 units".
+    [[nodiscard]] std::string text(double length, int significant = 3) const;
+    [[nodiscard]] std::string area(double area) const;     // "12.3 mm²", "1,420 units²"
+    [[nodiscard]] std::string volume(double volume) const; // "12.3 mm³", "1.42 ml"; "1,420 units³"
     // A text that says mm where it is known: "Ø mm", "Margins 5, 10, 20 mm"; else the same about units.
     [[nodiscard]] std::string worded(std::string_view text) const { return claims_.worded(text); }
     // The name of a column or of a member of JSON: "length_mm", "length_units".
@@ -38,6 +40,9 @@ private:
 
 // "1 branch", "1,504 branches".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& one, const std::string& many);
+
+// "3 branches, 16.0 mm, 1.55 ml, 2 leaves".
+[[nodiscard]] std::string amount_text(const measure::Amount& amount, const Lengths& lengths);
 
 // From `low` to `high`, ascending: multiples of 1, 2 or 5 times a power of ten, ten at most. Logarithmic: 1, 2 and 5
 // times every power of ten, both ends above 0.

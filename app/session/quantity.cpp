@@ -118,10 +118,10 @@ std::vector<QuantityRow> quantity_table() {
          .report = {12, "dependent_volume_mm3", "volume, mm\xC2\xB3"}},
         {.quantity = Quantity::kDependentLeaves,
          .key = "dependent-leaves",
-         .label = "Ends among dependents",
+         .label = "Leaves among dependents",
          .whole = true,
          .value = fact<&BranchFacts::dependents, &measure::Amount::leaves>,
-         .report = {13, "dependent_leaves", "ends"}},
+         .report = {13, "dependent_leaves", "leaves"}},
     };
 }
 

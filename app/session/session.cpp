@@ -43,6 +43,28 @@ bool is_selected(const Marks& marks, int branch) {
     return std::binary_search(marks.selection.begin(), marks.selection.end(), branch);
 }
 
+std::size_t point_count(const Measurement& measurement) {
+    return measurement.kind == Measurement::Kind::kDistance ? 2 : 0;
+}
+
+std::size_t place_count(const Measurement& measurement) {
+    switch (measurement.kind) {
+    case Measurement::Kind::kDistance:
+        return 0;
+    case Measurement::Kind::kPath:
+        return 2;
+    case Measurement::Kind::kDiameter:
+        return 1;
+    case Measurement::Kind::kAngle:
+        return of_branching(measurement) ? 1 : 3;
+    }
+    return 0;
+}
+
+bool of_branching(const Measurement& measurement) {
+    return measurement.kind == Measurement::Kind::kAngle && measurement.places[1].branch == tree::kNoBranch;
+}
+
 namespace {
 
 constexpr std::tuple kLooks{&Marks::selection,  &Marks::colour_by, &Marks::colour_map,   &Marks::glass,

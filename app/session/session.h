@@ -12,6 +12,7 @@
 #include "app/session/depth_cues.h"
 #include "app/session/deviation.h"
 #include "core/io/trees/imported_tree.h"
+#include "core/measure/branch_point.h"
 #include "core/mesh/surface.h"
 #include "core/tree/edit_tree.h"
 #include "render/scene/frame.h"
@@ -36,11 +37,18 @@ struct TreeFile {
 struct Measurement {
     enum class Kind { kDistance, kPath, kDiameter, kAngle };
     Kind kind = Kind::kDistance;
-    std::array<glm::dvec3, 2> points{};                            // kDistance: mm, RAS
-    std::array<int, 2> branches{tree::kNoBranch, tree::kNoBranch}; // kPath: both; kDiameter, kAngle: the first
-    double fraction = 0.5; // kDiameter: where on the branch, of its length from the parent's end
+    std::array<glm::dvec3, 2> points{}; // kDistance: mm, RAS
+    // The places on centerlines that the others are of. kPath: from the first to the second. kDiameter: at the first.
+    // kAngle: at the second, between the straight lines to the first and the third; of one alone, where its branch
+    // begins.
+    std::array<measure::BranchPlace, 3> places{};
     bool operator==(const Measurement&) const = default;
 };
+
+[[nodiscard]] std::size_t point_count(const Measurement& measurement); // of `points`
+[[nodiscard]] std::size_t place_count(const Measurement& measurement); // of `places`
+// An angle where a branch begins: it has no place that could be moved.
+[[nodiscard]] bool of_branching(const Measurement& measurement);
 
 // What distances and diameters mean to who plans an operation.
 struct Planning {

@@ -189,7 +189,8 @@ Result<void> check_against(const Session& session, const tree::VesselTree& tree,
     if (!marks.selection.empty()) largest = std::max(largest, marks.selection.back());
     if (!marks.names.empty()) largest = std::max(largest, marks.names.rbegin()->first);
     for (const auto& cut : marks.cuts) largest = std::max(largest, cut.first);
-    for (const Measurement& m : marks.measurements) largest = std::max({largest, m.branches[0], m.branches[1]});
+    for (const Measurement& m : marks.measurements)
+        for (const measure::BranchPlace& place : m.places) largest = std::max(largest, place.branch);
     if (largest >= static_cast<int>(tree.branches.size()))
         return fail("there is no branch " + std::to_string(largest) + " in a tree of " +
                         std::to_string(tree.branches.size()),

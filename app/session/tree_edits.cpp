@@ -28,6 +28,11 @@ public:
         return static_cast<std::size_t>(branch) < became_.size() ? became_[static_cast<std::size_t>(branch)] : none;
     }
 
+    [[nodiscard]] std::optional<measure::BranchPlace> of(const measure::BranchPlace& place) const {
+        const auto found = of(place.branch, place.fraction);
+        return found ? std::optional(measure::BranchPlace{found->first, found->second}) : std::nullopt;
+    }
+
     [[nodiscard]] std::optional<std::pair<int, double>> of(int branch, double fraction) const {
         constexpr double kSame = 1e-6; // mm; positions are kept exactly, fractions are not
         if (became(branch).empty()) return {};
@@ -50,16 +55,11 @@ private:
 
 std::optional<Measurement> carried(const Measurement& measurement, const Places& places) {
     Measurement moved = measurement;
-    if (measurement.kind == Measurement::Kind::kDistance) return moved;
-    const bool path = measurement.kind == Measurement::Kind::kPath;
-    const auto first = places.of(measurement.branches[0], path ? 0.5 : measurement.fraction);
-    if (!first) return {};
-    moved.branches[0] = first->first;
-    if (measurement.kind == Measurement::Kind::kDiameter) moved.fraction = first->second;
-    if (!path) return moved;
-    const auto second = places.of(measurement.branches[1], 0.5);
-    if (!second) return {};
-    moved.branches[1] = second->first;
+    for (std::size_t i = 0; i < place_count(measurement); ++i) {
+        const auto place = places.of(measurement.places[i]);
+        if (!place) return {};
+        moved.places[i] = *place;
+    }
     return moved;
 }
 

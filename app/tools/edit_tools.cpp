@@ -118,7 +118,7 @@ ToolDrawing DisconnectTool::drawing(const Pointing& pointing) const {
     const tree::CutRange range = tree::cut_range(tree, place->branch, place->fraction, 0.0);
     trace(drawing, pointing, place->branch, range.from, range.to);
     const double length = tree::length_mm(tree, branch_of(pointing, place->branch));
-    write(drawing, pointing, "takes out " + digits((range.to - range.from) * length) + " mm", kGoes);
+    write(drawing, pointing, "takes out " + pointing.document.lengths().text((range.to - range.from) * length), kGoes);
     return drawing;
 }
 
@@ -169,7 +169,8 @@ ToolDrawing JoinTool::drawing(const Pointing& pointing) const {
         const tree::VesselTree& tree = *pointing.document.tree();
         const double gap = glm::distance(measure::point_on(tree, begun->branch, begun->fraction).position,
                                          measure::point_on(tree, second->branch, second->fraction).position);
-        write(drawing, pointing, wrong ? wrong->what : digits(gap) + " mm", wrong ? kRefused : kComes);
+        write(drawing, pointing, wrong ? wrong->what : pointing.document.lengths().text(gap),
+              wrong ? kRefused : kComes);
     }
     if (from) drawing.lines.push_back({{*from, to}, wrong ? kRefused : kComes, 2.0F, false});
     return drawing;

@@ -93,7 +93,7 @@ ToolDrawing CutTool::drawing(const Pointing& pointing) const {
     }
     drawing.lines.push_back(std::move(ring));
     drawing.texts.push_back({pointing.at + glm::dvec2(16.0, 12.0) * static_cast<double>(pointing.pixel_ratio),
-                             "\xC3\x98 " + digits(2.0 * place.radius_mm) + " mm", kCutColour});
+                             "\xC3\x98 " + pointing.document.lengths().text(2.0 * place.radius_mm), kCutColour});
     return drawing;
 }
 
@@ -153,7 +153,7 @@ ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
         if (!disc) return;
         drawing.circles.push_back({disc->at, disc->radius, glm::vec4(glm::vec3(kLesionColour), strength), 1.5F, false});
         drawing.texts.push_back({disc->at + glm::dvec2(disc->radius + 8.0 * pointing.pixel_ratio, 0.0),
-                                 "\xC3\x98 " + digits(2.0 * sphere[3]) + " mm", kLesionColour});
+                                 "\xC3\x98 " + pointing.document.lengths().text(2.0 * sphere[3]), kLesionColour});
     };
     if (held_)
         outline(held_->sphere, 1.0F);
@@ -165,68 +165,6 @@ ToolDrawing LesionTool::drawing(const Pointing& pointing) const {
 std::string LesionTool::hint() const {
     return held_ ? "Drag to size or move it, let go to keep it, Escape to leave it"
                  : "Press on a vessel or beside it to place a lesion, drag to size it; press on a lesion to change it";
-}
-
-namespace {
-const glm::vec4 kMeasureColour{0.55F, 0.95F, 0.75F, 1.0F};
-}
-
-void MeasureTool::press(const Pointing& pointing) {
-    const render::Pick pick = pointing.pick();
-    if (pick.branch < 0 || pick.branch >= pointing.document.branch_count()) return;
-    const std::string branch = std::to_string(pick.branch);
-    switch (kind_) {
-    case Measurement::Kind::kDistance:
-    case Measurement::Kind::kPath: {
-        const auto first = std::exchange(first_, std::nullopt);
-        if (!first)
-            first_ = pick;
-        else if (kind_ == Measurement::Kind::kPath)
-            command({"measure", "path", std::to_string(first->branch), branch});
-        else
-            command({"measure", "distance", spelled(first->position), spelled(pick.position)});
-        break;
-    }
-    case Measurement::Kind::kDiameter:
-        command({"measure", "diameter", branch,
-                 spelled(measure::nearest_fraction(*pointing.document.tree(), pick.branch, pick.position), 3)});
-        break;
-    case Measurement::Kind::kAngle:
-        command({"measure", "angle", branch});
-        break;
-    }
-}
-
-void MeasureTool::move(const Pointing& pointing) {
-    if (first_ && kind_ == Measurement::Kind::kDistance) under_ = pointing.pick();
-}
-
-ToolDrawing MeasureTool::drawing(const Pointing& pointing) const {
-    ToolDrawing drawing;
-    if (!first_) return drawing;
-    const auto from = render::project(pointing.camera(), pointing.size, first_->position);
-    if (!from) return drawing;
-    drawing.lines.push_back({{glm::dvec2(*from), pointing.at}, kMeasureColour, 1.5F, false});
-    drawing.circles.push_back({glm::dvec2(*from), 3.5 * pointing.pixel_ratio, kMeasureColour, 1.5F, true});
-    if (kind_ == Measurement::Kind::kDistance && under_.branch != render::kNoBranch)
-        drawing.texts.push_back({pointing.at + glm::dvec2(14.0, 10.0) * static_cast<double>(pointing.pixel_ratio),
-                                 digits(glm::distance(first_->position, under_.position)) + " mm", kMeasureColour});
-    return drawing;
-}
-
-std::string MeasureTool::hint() const {
-    switch (kind_) {
-    case Measurement::Kind::kDistance:
-        return first_ ? "Click the other place, Escape to begin again" : "Click a place on a vessel, then another";
-    case Measurement::Kind::kPath:
-        return first_ ? "Click the other branch, Escape to begin again"
-                      : "Click two branches: the way along the vessels between their middles";
-    case Measurement::Kind::kDiameter:
-        return "Click a vessel: its diameter there";
-    case Measurement::Kind::kAngle:
-        return "Click a vessel: the angles where it branches off";
-    }
-    return {};
 }
 
 } // namespace ramus::app

@@ -1,4 +1,5 @@
-// Numbers as tools write them into command lines: positions to a hundredth of a millimetre, fractions to a thousandth.
+// Numbers as tools write them into command lines: positions to a hundredth of a millimetre, fractions to a thousandth;
+// what is measured as finely as a pick knows it, whatever the tree's unit is.
 #pragma once
 
 #include <cstdio>
@@ -16,6 +17,16 @@ namespace ramus::app {
 
 [[nodiscard]] inline std::string spelled(const glm::dvec3& position) {
     return spelled(position.x) + "," + spelled(position.y) + "," + spelled(position.z);
+}
+
+[[nodiscard]] inline std::string finely_spelled(double value) {
+    std::string text(64, '\0');
+    text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.7g", value)));
+    return text;
+}
+
+[[nodiscard]] inline std::string finely_spelled(const glm::dvec3& position) {
+    return finely_spelled(position.x) + "," + finely_spelled(position.y) + "," + finely_spelled(position.z);
 }
 
 } // namespace ramus::app

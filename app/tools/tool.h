@@ -11,6 +11,7 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -101,6 +102,9 @@ public:
     [[nodiscard]] virtual std::string hint() const = 0; // one line: what to do next
     // Whether the branch under the pointer is shown as it is without a tool.
     [[nodiscard]] virtual bool points_at_branches() const { return false; }
+
+    // Of the session's measurements, one that is being changed: the tool draws it as it is now, the picture does not.
+    [[nodiscard]] virtual std::optional<std::size_t> moved_measurement() const { return {}; }
 
     // What came out since the last call.
     [[nodiscard]] std::vector<CommandLine> take_commands() { return std::exchange(commands_, {}); }

@@ -2,6 +2,7 @@
 
 #include "app/tools/edit_tools.h"
 #include "app/tools/lasso_tool.h"
+#include "app/tools/measure_tool.h"
 #include "app/tools/place_tools.h"
 
 #include <algorithm>
@@ -82,13 +83,13 @@ const std::vector<ToolKind>& tool_kinds() {
          make<CutTool>},
         {"measure-distance",
          "Distance",
-         "Measures between two places on vessels.",
+         "Measures straight between two places on vessels.",
          {"M"},
          {{{0.10F, 0.72F}, {0.90F, 0.28F}}, {{0.04F, 0.60F}, {0.16F, 0.84F}}, {{0.84F, 0.16F}, {0.96F, 0.40F}}},
          measuring<Measurement::Kind::kDistance>},
         {"measure-path",
-         "Way",
-         "Measures along the vessels from one branch to another.",
+         "Path",
+         "Measures along the vessels from one place to another.",
          {"Shift+M"},
          {{{0.08F, 0.80F}, {0.30F, 0.36F}, {0.58F, 0.62F}, {0.92F, 0.18F}},
           ring({0.08F, 0.80F}, 0.06F),
@@ -96,13 +97,13 @@ const std::vector<ToolKind>& tool_kinds() {
          measuring<Measurement::Kind::kPath>},
         {"measure-diameter",
          "Diameter",
-         "Measures a vessel across.",
+         "Measures a vessel across, at a place.",
          {},
          {ring({0.5F, 0.5F}, 0.34F), {{0.14F, 0.86F}, {0.86F, 0.14F}}},
          measuring<Measurement::Kind::kDiameter>},
         {"measure-angle",
          "Angle",
-         "Measures how a vessel branches off.",
+         "Measures the angle between three places on vessels.",
          {},
          {{{0.90F, 0.84F}, {0.12F, 0.84F}, {0.70F, 0.14F}}, {{0.56F, 0.84F}, {0.52F, 0.64F}, {0.40F, 0.50F}}},
          measuring<Measurement::Kind::kAngle>},

@@ -24,6 +24,8 @@ Viewing PictureView::viewing() const {
     viewing.note = interface.doctor.current;
     if (const auto& tree = state_.workspace.document.tree())
         viewing.axes = interface.unsaid.axes(tree->claims, state_.workspace.document.marks().reading);
+    if (interface.tool)
+        if (const auto moved = interface.tool->moved_measurement()) viewing.measurement = static_cast<int>(*moved);
     viewing.contact = interface.contacts.open ? interface.contacts.current : -1;
     return viewing;
 }

@@ -60,6 +60,10 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
     const SurfaceDeviation& deviation = workspace.assets.deviation;
     status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.measuring_deviation();
     status["deviation_most_mm"] = deviation.most_mm;
+    status["measured"] = nlohmann::json::array();
+    if (workspace.assets.measurements)
+        for (const Result<Measured>& found : workspace.assets.measurements->found)
+            status["measured"].push_back(found ? found->sentence() : found.error().message());
     if (const auto& facts = workspace.document.facts()) {
         status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
         status["notes"] = workspace.document.tree()->notes.size();
@@ -116,6 +120,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["last_command"] = interface.last_command;
     status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
+    status["tool_texts"] = nlohmann::json::array();
+    for (const auto& text : interface.tool_drawing.texts) status["tool_texts"].push_back(text.text);
     status["planning"] = interface.planning;
     add_lists(status, interface, workspace);
     add_dialogs(status, interface);

@@ -9,6 +9,13 @@
 
 namespace ramus::measure {
 
+// A place on a centerline: a branch, and where on it, of its length from the parent's end.
+struct BranchPlace {
+    int branch = tree::kNoBranch;
+    double fraction = 0.5;
+    bool operator==(const BranchPlace&) const = default;
+};
+
 // The centerline at one point of it.
 struct BranchPoint {
     glm::dvec3 position{0.0};
@@ -18,6 +25,9 @@ struct BranchPoint {
 
 // `fraction` outside 0 to 1 means the nearer end.
 [[nodiscard]] BranchPoint point_on(const tree::VesselTree& tree, int branch, double fraction);
+[[nodiscard]] inline BranchPoint point_on(const tree::VesselTree& tree, const BranchPlace& place) {
+    return point_on(tree, place.branch, place.fraction);
+}
 
 // The fraction at which the centerline of a branch is nearest to a point.
 [[nodiscard]] double nearest_fraction(const tree::VesselTree& tree, int branch, const glm::dvec3& point);

@@ -53,59 +53,97 @@ glm::dvec3 chord(const tree::VesselTree& tree, int branch, bool from_end) {
 
 } // namespace
 
-std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to) {
+namespace {
+
+// The ways from one place to all nodes (Dijkstra's).
+class Ways {
+public:
+    Ways(const tree::VesselTree& tree, const BranchPlace& from)
+        : network_(tree), from_(from), best_(index(network_.node_count()), kInfinity),
+          through_(index(network_.node_count()), tree::kNoBranch) {
+        length_.reserve(tree.branches.size());
+        for (const tree::Branch& branch : tree.branches) length_.push_back(tree::length_mm(tree, branch));
+        const auto [start, end] = network_.ends[index(from.branch)];
+        offer(start, from.fraction * length_of(from.branch), from.branch);
+        offer(end, (1.0 - from.fraction) * length_of(from.branch), from.branch);
+        while (!open_.empty()) {
+            const auto [far, node] = open_.top();
+            open_.pop();
+            if (far > best_[index(node)]) continue;
+            for (const int branch : network_.at(node))
+                offer(network_.across(branch, node), far + length_of(branch), branch);
+        }
+    }
+
+    [[nodiscard]] double length_of(int branch) const { return length_[index(branch)]; }
+    // To an end of a branch, 0 its parent's; infinite: no way leads there.
+    [[nodiscard]] double to_end(int branch, int end) const { return best_[index(node_at(branch, end))]; }
+    [[nodiscard]] int node_at(int branch, int end) const { return network_.ends[index(branch)][index(end)]; }
+    // The branches on the way to a node, the last first, each with the fraction at which the way enters it; the first
+    // of all is where the way begins, with the end at which it leaves that.
+    [[nodiscard]] std::vector<BranchPlace> back_from(int node) const {
+        std::vector<BranchPlace> back;
+        while (true) {
+            const int branch = through_[index(node)];
+            const auto [start, end] = network_.ends[index(branch)];
+            if (branch == from_.branch) {
+                const bool at_end = end == node && (start != node || from_.fraction > 0.5);
+                back.push_back({branch, at_end ? 1.0 : 0.0});
+                return back;
+            }
+            back.push_back({branch, end == node ? 0.0 : 1.0});
+            node = network_.across(branch, node);
+        }
+    }
+
+private:
+    [[nodiscard]] static std::size_t index(int number) { return static_cast<std::size_t>(number); }
+    void offer(int node, double far, int branch) {
+        if (far >= best_[index(node)]) return;
+        best_[index(node)] = far;
+        through_[index(node)] = branch;
+        open_.emplace(far, node);
+    }
+
+    using Open = std::pair<double, int>;
+    tree::Network network_;
+    BranchPlace from_;
+    std::vector<double> length_, best_;
+    std::vector<int> through_;
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+};
+
+} // namespace
+
+std::optional<Path> path_between(const tree::VesselTree& tree, const BranchPlace& from, const BranchPlace& to) {
     Path path;
-    path.branches = {from};
-    if (from == to) {
-        path.places = {point_on(tree, from, 0.5).position};
+    path.branches = {from.branch};
+    const Ways ways(tree, from);
+    const double length = ways.length_of(to.branch);
+    const double by_start = ways.to_end(to.branch, 0) + to.fraction * length;
+    const double by_end = ways.to_end(to.branch, 1) + (1.0 - to.fraction) * length;
+    path.length_mm = std::min(by_start, by_end);
+    if (from.branch == to.branch && std::abs(from.fraction - to.fraction) * length <= path.length_mm) {
+        path.length_mm = std::abs(from.fraction - to.fraction) * length;
+        append_places(tree, from.branch, from.fraction, to.fraction, path.places);
         return path;
     }
-    const tree::Network network(tree);
-    std::vector<double> length;
-    length.reserve(tree.branches.size());
-    for (const tree::Branch& branch : tree.branches) length.push_back(tree::length_mm(tree, branch));
-    const auto n = [](int index) { return static_cast<std::size_t>(index); };
-
-    // Dijkstra's way from both ends of the first branch to the nearer end of the other, half of each counted.
-    std::vector<double> best(n(network.node_count()), kInfinity);
-    std::vector<int> through(n(network.node_count()), tree::kNoBranch);
-    using Open = std::pair<double, int>;
-    std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-    const auto offer = [&](int node, double far, int branch) {
-        if (far >= best[n(node)]) return;
-        best[n(node)] = far;
-        through[n(node)] = branch;
-        open.emplace(far, node);
-    };
-    for (const int node : network.ends[n(from)]) offer(node, 0.5 * length[n(from)], from);
-    while (!open.empty()) {
-        const auto [far, node] = open.top();
-        open.pop();
-        if (far > best[n(node)]) continue;
-        for (const int branch : network.at(node)) offer(network.across(branch, node), far + length[n(branch)], branch);
-    }
-    const auto [start, end] = network.ends[n(to)];
-    int node = best[n(start)] <= best[n(end)] ? start : end;
-    if (best[n(node)] == kInfinity) return {};
-    path.length_mm = best[n(node)] + 0.5 * length[n(to)];
-
-    std::vector<std::pair<int, double>> back{{to, node == start ? 0.0 : 1.0}}; // and at which end the way enters it
-    while (true) {
-        const int branch = through[n(node)];
-        const bool at_end = network.ends[n(branch)][1] == node;
-        if (branch == from) {
-            append_places(tree, from, 0.5, at_end ? 1.0 : 0.0, path.places);
-            break;
-        }
-        back.emplace_back(branch, at_end ? 0.0 : 1.0);
-        node = network.across(branch, node);
-    }
+    if (path.length_mm == kInfinity) return {};
+    const int enters = by_start <= by_end ? 0 : 1;
+    std::vector<BranchPlace> back = ways.back_from(ways.node_at(to.branch, enters));
+    append_places(tree, from.branch, from.fraction, back.back().fraction, path.places);
+    back.pop_back();
     for (std::size_t i = back.size(); i-- > 0;) {
-        const auto [branch, enters] = back[i];
-        path.branches.push_back(branch);
-        append_places(tree, branch, enters, i == 0 ? 0.5 : 1.0 - enters, path.places);
+        path.branches.push_back(back[i].branch);
+        append_places(tree, back[i].branch, back[i].fraction, 1.0 - back[i].fraction, path.places);
     }
+    path.branches.push_back(to.branch);
+    append_places(tree, to.branch, enters, to.fraction, path.places);
     return path;
+}
+
+double angle_deg(const glm::dvec3& from, const glm::dvec3& apex, const glm::dvec3& to) {
+    return degrees_between(from - apex, to - apex);
 }
 
 glm::dvec3 start_direction(const tree::VesselTree& tree, int branch) { return chord(tree, branch, false); }

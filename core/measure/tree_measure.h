@@ -1,7 +1,8 @@
-// What people measure on a tree: ways along the vessels, angles where they branch. Straight distances and diameters at
-// a place are in core/measure/branch_point.h. mm and degrees.
+// What people measure on a tree: paths along the vessels, angles between places and where vessels branch. Straight
+// distances and diameters at a place are in core/measure/branch_point.h. mm and degrees.
 #pragma once
 
+#include "core/measure/branch_point.h"
 #include "core/tree/vessel_tree.h"
 
 #include <glm/vec3.hpp>
@@ -14,12 +15,17 @@ namespace ramus::measure {
 struct Path {
     double length_mm = 0.0;
     std::vector<int> branches;      // from the first to the last, both included
-    std::vector<glm::dvec3> places; // the centerline of the way, from place to place
+    std::vector<glm::dvec3> places; // its centerline; where it begins and ends first and last
 };
 
-// The shortest way along centerlines from the middle of one branch to the middle of another, through loops as well as
-// through the hierarchy; from a branch to itself 0. Nothing when no way leads from the one to the other.
-[[nodiscard]] std::optional<Path> path_between(const tree::VesselTree& tree, int from, int to);
+// The shortest way along centerlines from one place to another, through loops as well as through the hierarchy. Nothing
+// when no way leads from the one to the other.
+[[nodiscard]] std::optional<Path> path_between(const tree::VesselTree& tree, const BranchPlace& from,
+                                               const BranchPlace& to);
+
+// The angle at `apex` between the straight lines to two other points: 0 where they lie on one side, 180 where the three
+// are in line; 0 also where a point lies at the apex.
+[[nodiscard]] double angle_deg(const glm::dvec3& from, const glm::dvec3& apex, const glm::dvec3& to);
 
 // The branching where a branch begins. Directions are chords, for the first segment alone says more about the voxels
 // than about the vessel: from the branching to the place one and a half of its diameters along the centerline, or to

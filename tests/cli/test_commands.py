@@ -194,7 +194,7 @@ class Info(CommandLineTest):
     def test_text_for_people(self):
         tree = self.write("tree.swc", GOOD)
         text = self.expect_done("info", tree, "--branches").stdout
-        self.assertRegex(text, r"branches +3 \(2 ends\)")
+        self.assertRegex(text, r"branches +3 \(2 leaves\)")
         self.assertRegex(text, r"length +21.66 units")
 
 

@@ -103,6 +103,13 @@ class Window:
         return subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
                               env=self.environment, check=True, stdout=subprocess.PIPE).stdout
 
+    def shot(self, name):
+        """A picture of the screen in the folder RAMUS_JOURNEY_PICTURES, for who wants to look; without it, none."""
+        folder = os.environ.get("RAMUS_JOURNEY_PICTURES")
+        if folder:
+            self.wait("a rest", lambda s: True)
+            subprocess.run(["import", "-window", "root", str(Path(folder) / f"{name}.png")], env=self.environment, check=True)
+
     def quit(self):
         """Ctrl+Q, and what is not saved is discarded."""
         self.xdotool("key", "ctrl+q")

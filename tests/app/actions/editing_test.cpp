@@ -143,8 +143,8 @@ TEST_CASE("marks follow the vessels that they were put on") {
     REQUIRE(stage.marks().cuts.size() == 1);
     CHECK(stage.marks().cuts[0].first == stage.at({40, 5, 40}));
     REQUIRE(stage.marks().measurements.size() == 2);
-    CHECK(stage.marks().measurements[0].branches[0] == far);
-    CHECK(stage.marks().measurements[0].fraction == doctest::Approx(11.0 / 15.0));
+    CHECK(stage.marks().measurements[0].places[0].branch == far);
+    CHECK(stage.marks().measurements[0].places[0].fraction == doctest::Approx(11.0 / 15.0));
     // A spur goes, and what is left is as its longer part was.
     stage.good("select " + std::to_string(stage.at({-10, 0, 40})) + "\ndelete-spur");
     CHECK(stage.selection().empty());

@@ -112,8 +112,8 @@ TEST_CASE("cuts are placed, told, listed and taken back") {
     Stage stage;
     CHECK(stage.plan()->cuts.cuts.empty());
     const std::string said = stage.good("cut 1 0.25");
-    CHECK(said.find("Cut 1: 4.00 mm wide; lost: 3 branches, 16.00 mm") == 0);
-    CHECK(said.find("2 ends") != std::string::npos);
+    CHECK(said.find("Cut 1: 4.00 mm wide; lost: 3 branches, 16.0 mm") == 0);
+    CHECK(said.find("2 leaves") != std::string::npos);
     CHECK(stage.good("cut 0").find("6.00 mm wide, must be reconstructed") != std::string::npos);
     CHECK(stage.marks().cuts == std::vector<std::pair<int, double>>{{1, 0.25}, {0, 0.5}});
     CHECK(stage.bad("cut 0 0.5").find("already") != std::string::npos);
@@ -225,7 +225,7 @@ TEST_CASE("measurements are told, kept once, and removed") {
     Stage stage;
     CHECK(stage.good("measure distance 0,0,0 3,4,0").find("5.00 mm") != std::string::npos);
     // From the middle of 3 to the middle of 2: 2.5 + 8 + 3 mm.
-    CHECK(stage.good("measure path 3 2").find("Path, branch 3 to branch 2: 13.5 mm") == 0);
+    CHECK(stage.good("measure path 3 2").find("Path, branch 3 at 50.0 % to branch 2 at 50.0 %: 13.5 mm") == 0);
     CHECK(stage.good("measure diameter 0").find("6.00 mm, cross-section 28.3 mm\xC2\xB2") != std::string::npos);
     CHECK(stage.good("measure diameter 1 1").find("4.00 mm") != std::string::npos);
     CHECK(stage.good("measure angle 1").find("Angle, branch 0 to branch 1: 90.0\xC2\xB0, to branch 2 90.0\xC2\xB0") ==
@@ -235,15 +235,34 @@ TEST_CASE("measurements are told, kept once, and removed") {
     CHECK(stage.marks().measurements.size() == 5);
     CHECK(stage.bad("measure angle 0").find("branches") != std::string::npos);
     stage.good("select 2 3\nmeasure-selected");
-    CHECK(stage.marks().measurements.back().branches == std::array{2, 3});
+    CHECK(stage.marks().measurements.back().places[0].branch == 2);
+    CHECK(stage.marks().measurements.back().places[1].branch == 3);
     stage.good("measure-remove 1");
     CHECK(stage.marks().measurements.front().kind == Measurement::Kind::kPath);
     stage.good("measure-clear");
     CHECK(stage.marks().measurements.empty());
-    for (const char* line : {"measure", "measure path", "measure path 1", "measure path 1 2 3", "measure path 1 99",
-                             "measure distance 1,2,3", "measure distance 1,2 3,4", "measure diameter 1 2",
-                             "measure angle", "measure angle 1 2", "measure length 1", "measure-remove 1"})
+    for (const char* line :
+         {"measure", "measure path", "measure path 1", "measure path 1 2 3", "measure path 1 99",
+          "measure distance 1,2,3", "measure distance 1,2 3,4", "measure diameter 1 2", "measure angle",
+          "measure angle 1 2", "measure length 1", "measure-remove 1", "measure path 1 0.5 2",
+          "measure path 1 0.5 2 1.5", "measure angle 1 0 1 0 1 0", "measure-change 1 path 1 2", "measure-change"})
         stage.bad(line);
     stage.good("select 2");
     stage.bad("measure-selected");
+}
+
+TEST_CASE("a path, an angle and a diameter are those of the very places, and a measurement is moved in one step") {
+    Stage stage;
+    // Branch 1 runs 8 mm from the trunk's end, branch 2 6 mm at a right angle to it.
+    CHECK(stage.good("measure path 1 0.75 2 0.5").find("13.5 mm") == std::string::npos);
+    CHECK(stage.good("measure path 1 0.75 2 0.5").find("9.00 mm, straight 6.71 mm") != std::string::npos);
+    CHECK(stage.good("measure angle 1 1 1 0 2 1").find(": 90.0\xC2\xB0") != std::string::npos);
+    REQUIRE(stage.marks().measurements.size() == 2);
+    const auto before = stage.document.step_count();
+    CHECK(stage.good("measure-change 1 path 1 0.25 2 0.5").find("5.00 mm") != std::string::npos);
+    CHECK(stage.document.step_count() == before + 1);
+    CHECK(stage.marks().measurements.size() == 2);
+    CHECK(stage.marks().measurements[0].places[0] == measure::BranchPlace{1, 0.25});
+    stage.good("undo");
+    CHECK(stage.marks().measurements[0].places[0] == measure::BranchPlace{1, 0.75});
 }

@@ -141,10 +141,10 @@ TEST_CASE("measurements are drawn with their numbers") {
     Marks marks = stage.document.marks();
     const auto& tree = *stage.document.tree();
     const int child = tree.branches[0].children.front();
-    marks.measurements = {{Measurement::Kind::kDistance, {glm::dvec3(0), glm::dvec3(3, 4, 0)}, {}, 0.5},
-                          {Measurement::Kind::kPath, {}, {0, child}, 0.5},
-                          {Measurement::Kind::kDiameter, {}, {0, tree::kNoBranch}, 0.5},
-                          {Measurement::Kind::kAngle, {}, {child, tree::kNoBranch}, 0.5}};
+    marks.measurements = {{Measurement::Kind::kDistance, {glm::dvec3(0), glm::dvec3(3, 4, 0)}, {}},
+                          {Measurement::Kind::kPath, {}, {{{0, 0.5}, {child, 0.5}}}},
+                          {Measurement::Kind::kDiameter, {}, {{{0, 0.5}}}},
+                          {Measurement::Kind::kAngle, {}, {{{child, 0.5}}}}};
     stage.document.change(marks);
     const render::Frame frame = stage.frame();
     REQUIRE(frame.labels.size() >= 4);
@@ -161,7 +161,7 @@ TEST_CASE("measurements are drawn with their numbers") {
     }
     CHECK(frame.labels.size() == 4); // one each
     // What the tree no longer has is left out.
-    marks.measurements = {{Measurement::Kind::kDiameter, {}, {100000, tree::kNoBranch}, 0.5}};
+    marks.measurements = {{Measurement::Kind::kDiameter, {}, {{{100000, 0.5}}}}};
     stage.document.change(marks);
     CHECK(stage.frame().labels.empty());
 }

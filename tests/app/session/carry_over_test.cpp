@@ -61,8 +61,8 @@ TEST_CASE("marks go with their branches, and what has none left is counted") {
     marks.cuts = {{kept, 0.25}, {lone, 0.5}};
     marks.names = {{kept, "portal"}, {lone, "else"}};
     marks.lesions = {{1, 2, 3, 4}};
-    marks.measurements = {{.kind = Measurement::Kind::kPath, .branches = {kept, lone}},
-                          {.kind = Measurement::Kind::kDiameter, .branches = {kept, tree::kNoBranch}}};
+    marks.measurements = {{.kind = Measurement::Kind::kPath, .places = {{{kept, 0.5}, {lone, 0.5}}}},
+                          {.kind = Measurement::Kind::kDiameter, .places = {{{kept, 0.5}}}}};
     const CarriedOver carried = carried_over(marks, more, fork);
     CHECK(carried.marks.selection == std::vector<int>{now});
     CHECK(branches_in_state(carried.marks, render::BranchState::kHidden) == std::vector<int>{now});

@@ -27,11 +27,11 @@ Session lively_session(const fs::path& folder) {
     session.marks.context = {
         {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true, "cm"},
         {"/elsewhere/rib cage.stl", 0, {200, 190, 180}, 1.0, true, false, false, ""}};
-    session.marks.measurements = {
-        {Measurement::Kind::kDistance, {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}, {-1, -1}, 0.5},
-        {Measurement::Kind::kPath, {}, {2, 7}, 0.5},
-        {Measurement::Kind::kDiameter, {}, {3, -1}, 1.0 / 3.0},
-        {Measurement::Kind::kAngle, {}, {1, -1}, 0.5}};
+    session.marks.measurements = {{Measurement::Kind::kDistance, {{{0.1, -1.0 / 3.0, 3.0}, {4.0, 5.0, 6e-7}}}, {}},
+                                  {Measurement::Kind::kPath, {}, {{{2, 0.1}, {7, 1.0 / 7.0}}}},
+                                  {Measurement::Kind::kDiameter, {}, {{{3, 1.0 / 3.0}}}},
+                                  {Measurement::Kind::kAngle, {}, {{{1, 0.5}}}},
+                                  {Measurement::Kind::kAngle, {}, {{{1, 0.25}, {2, 0.0}, {3, 1.0}}}}};
     session.marks.planning = {{2.5, 7.0, 11.0 / 3.0 + 10.0}, 4.0};
     session.marks.glass = {1.75, 0.25};
     session.marks.colour_by = Quantity::kStrahler;

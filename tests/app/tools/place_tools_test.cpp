@@ -1,4 +1,5 @@
 // The tools that place lesions, cut and measure, driven as the mouse drives them.
+#include "app/tools/measure_tool.h"
 #include "app/tools/place_tools.h"
 #include "core/measure/branch_point.h"
 #include "core/tree/build_tree.h"
@@ -141,29 +142,83 @@ TEST_CASE("the cut tool cuts where the centerline is nearest") {
     CHECK(tool.take_commands() == std::vector<CommandLine>{{"cut", "0", "0.750"}});
 }
 
-TEST_CASE("the measuring tools take one place or two") {
+TEST_CASE("the measuring tools take what was clicked, and show the value before") {
     ToolStage stage;
     stage.under = pick_of(0, {0, 3, 30});
     MeasureTool diameter(Measurement::Kind::kDiameter);
+    diameter.move(stage.at(1, 1));
+    CHECK(diameter.drawing(stage.at(1, 1)).texts.at(0).text == "Diameter 6.00 mm");
     diameter.press(stage.at(1, 1));
-    CHECK(diameter.take_commands() == std::vector<CommandLine>{{"measure", "diameter", "0", "0.750"}});
-    MeasureTool angle(Measurement::Kind::kAngle);
-    angle.press(stage.at(1, 1));
-    CHECK(angle.take_commands() == std::vector<CommandLine>{{"measure", "angle", "0"}});
-    MeasureTool way(Measurement::Kind::kPath);
+    diameter.release(stage.at(1, 1));
+    CHECK(diameter.take_commands() == std::vector<CommandLine>{{"measure", "diameter", "0", "0.75000"}});
+    MeasureTool path(Measurement::Kind::kPath);
     MeasureTool distance(Measurement::Kind::kDistance);
-    for (MeasureTool* tool : {&way, &distance}) {
+    for (MeasureTool* tool : {&path, &distance}) {
         stage.under = pick_of(0, {0, 3, 30});
         tool->press(stage.at(1, 1));
+        tool->release(stage.at(1, 1));
         CHECK(tool->take_commands().empty());
         CHECK(tool->escape());
         tool->press(stage.at(1, 1));
+        tool->release(stage.at(1, 1));
         stage.under = pick_of(2, {-20, 2, 60});
-        tool->press(stage.at(1, 1));
+        tool->move(stage.at(90, 1));
+        CHECK(tool->drawing(stage.at(90, 1)).texts.size() == 1);
+        tool->press(stage.at(90, 1));
+        tool->release(stage.at(90, 1));
     }
-    CHECK(way.take_commands() == std::vector<CommandLine>{{"measure", "path", "0", "2"}});
-    CHECK(distance.take_commands() ==
-          std::vector<CommandLine>{{"measure", "distance", "0.00,3.00,30.00", "-20.00,2.00,60.00"}});
+    CHECK(path.take_commands() == std::vector<CommandLine>{{"measure", "path", "0", "0.75000", "2", "1.00000"}});
+    CHECK(distance.take_commands() == std::vector<CommandLine>{{"measure", "distance", "0,3,30", "-20,2,60"}});
+    MeasureTool angle(Measurement::Kind::kAngle);
+    for (const auto& pick : {pick_of(0, {0, 3, 30}), pick_of(0, {0, 3, 40}), pick_of(1, {20, 0, 60})}) {
+        stage.under = pick;
+        CHECK(angle.take_commands().empty());
+        angle.press(stage.at(1, 1));
+        angle.release(stage.at(1, 1));
+    }
+    CHECK(angle.take_commands() ==
+          std::vector<CommandLine>{{"measure", "angle", "0", "0.75000", "0", "1.00000", "1", "1.00000"}});
+}
+
+TEST_CASE("a drag from place to place measures, too; beside the vessels nothing is taken") {
+    ToolStage stage;
+    MeasureTool tool(Measurement::Kind::kDistance);
+    tool.press(stage.at(10, 10));
+    tool.release(stage.at(10, 10));
+    CHECK_FALSE(tool.busy());
+    stage.under = pick_of(0, {0, 3, 30});
+    tool.press(stage.at(10, 10));
+    stage.under = pick_of(0, {0, 3, 20});
+    tool.move(stage.at(60, 10, true));
+    CHECK(tool.drawing(stage.at(60, 10, true)).texts.at(0).text == "Distance 10.0 mm");
+    tool.release(stage.at(60, 10));
+    CHECK(tool.take_commands() == std::vector<CommandLine>{{"measure", "distance", "0,3,30", "0,3,20"}});
+}
+
+TEST_CASE("an end of a measurement is dragged, with the value on the way, and is one command") {
+    ToolStage stage;
+    Marks marks = stage.document.marks();
+    marks.measurements.push_back({.kind = Measurement::Kind::kPath, .places = {{{0, 0.25}, {0, 0.75}}}});
+    stage.document.change(marks);
+    // The places lie at z = 10 and 30 mm: 100 pixels below the middle of the picture, and in it.
+    MeasureTool tool(Measurement::Kind::kAngle);
+    tool.move(stage.at(403, 402));
+    CHECK(tool.cursor() == Cursor::kHand);
+    tool.press(stage.at(403, 402));
+    CHECK_FALSE(tool.moved_measurement());
+    stage.under = pick_of(0, {0, 3, 0});
+    tool.move(stage.at(400, 450, true));
+    CHECK(tool.moved_measurement() == 0);
+    CHECK(tool.drawing(stage.at(400, 450, true)).texts.at(0).text == "Path 30.0 mm");
+    tool.release(stage.at(400, 450));
+    CHECK(tool.take_commands() ==
+          std::vector<CommandLine>{{"measure-change", "1", "path", "0", "0.00000", "0", "0.75000"}});
+    tool.press(stage.at(400, 300));
+    tool.move(stage.at(400, 350, true));
+    CHECK(tool.escape());
+    tool.release(stage.at(400, 350));
+    CHECK(tool.take_commands().empty());
+    CHECK(tool.cursor() != Cursor::kHand);
 }
 
 TEST_CASE("the nearest fraction is where a place on the centerline lies") {

@@ -178,14 +178,14 @@ TEST_CASE("losses agree with sampling the network, for networks and cuts at rand
     }
 }
 
-TEST_CASE("ways go along centerlines, from middle to middle, and take the shorter way round") {
+TEST_CASE("paths go along centerlines from place to place, and take the shorter way round") {
     const VesselTree tree = small_tree();
-    CHECK(measure::path_between(tree, 3, 3)->length_mm == 0.0);
-    const auto near = measure::path_between(tree, 1, 2); // 4 + 3 mm, through the branching
+    CHECK(measure::path_between(tree, {3, 0.5}, {3, 0.5})->length_mm == 0.0);
+    const auto near = measure::path_between(tree, {1, 0.5}, {2, 0.5}); // 4 + 3 mm, through the branching
     REQUIRE(near);
     CHECK(near->length_mm == doctest::Approx(7.0));
     CHECK(near->branches == std::vector<int>{1, 2});
-    const auto far = measure::path_between(tree, 4, 2); // 2.5 + 8 + 3
+    const auto far = measure::path_between(tree, {4, 0.5}, {2, 0.5}); // 2.5 + 8 + 3
     REQUIRE(far);
     CHECK(far->length_mm == doctest::Approx(13.5));
     CHECK(far->branches == std::vector<int>{4, 1, 2});
@@ -201,14 +201,53 @@ TEST_CASE("ways go along centerlines, from middle to middle, and take the shorte
                    {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {1, 4}, {4, 5}});
     REQUIRE(ring.branches.size() == 4);
     const int tail = ring.branches[3].points.size() == 2 ? 3 : 2;
-    CHECK(measure::path_between(ring, 0, tail)->length_mm == doctest::Approx(1.0 + 4.0 + 1.0));
-    const auto there = measure::path_between(ring, 1, 2), back = measure::path_between(ring, 2, 1);
+    CHECK(measure::path_between(ring, {0, 0.5}, {tail, 0.5})->length_mm == doctest::Approx(1.0 + 4.0 + 1.0));
+    const auto there = measure::path_between(ring, {1, 0.5}, {2, 0.5}),
+               back = measure::path_between(ring, {2, 0.5}, {1, 0.5});
     CHECK(there->length_mm == doctest::Approx(8.0 + 2.0));
     CHECK(back->length_mm == doctest::Approx(there->length_mm));
 
     const VesselTree apart =
         built_tree({{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{9, 0, 0}, 1}, {{9, 1, 0}, 1}}, {{0, 1}, {2, 3}}, {0, 2});
-    CHECK_FALSE(measure::path_between(apart, 0, 1));
+    CHECK_FALSE(measure::path_between(apart, {0, 0.5}, {1, 0.5}));
+}
+
+TEST_CASE("a path is as long as what lies between its places, wherever they are") {
+    const VesselTree tree = small_tree();
+    const std::vector<measure::BranchPlace> places{{0, 0.2}, {1, 0.0}, {1, 0.75}, {2, 1.0}, {3, 0.4}, {4, 0.9}};
+    for (const auto& from : places) {
+        for (const auto& to : places) {
+            const auto path = measure::path_between(tree, from, to);
+            REQUIRE(path);
+            CHECK(path->places.front() == measure::point_on(tree, from).position);
+            CHECK(path->places.back() == measure::point_on(tree, to).position);
+            double along = 0.0;
+            for (std::size_t i = 1; i < path->places.size(); ++i)
+                along += glm::distance(path->places[i - 1], path->places[i]);
+            CHECK(along == doctest::Approx(path->length_mm));
+            CHECK(measure::path_between(tree, to, from)->length_mm == doctest::Approx(path->length_mm));
+        }
+    }
+    CHECK(measure::path_between(tree, {1, 0.25}, {1, 0.75})->length_mm == doctest::Approx(4.0)); // of 8 mm
+    CHECK(measure::path_between(tree, {1, 0.75}, {2, 0.5})->length_mm == doctest::Approx(6.0 + 3.0));
+
+    // A ring of 20 mm: the two places are 14 mm apart on their own branch, 6 mm by the other.
+    const VesselTree ring =
+        built_tree({{{-2, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 6, 0}, 1}, {{4, 6, 0}, 1}, {{4, 0, 0}, 1}, {{6, 0, 0}, 1}},
+                   {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {1, 4}, {4, 5}});
+    int longest = 0;
+    for (int id = 0; id < 4; ++id)
+        if (tree::length_mm(ring, ring.branches[static_cast<std::size_t>(id)]) > 15.0) longest = id;
+    const auto round = measure::path_between(ring, {longest, 1.0 / 16.0}, {longest, 15.0 / 16.0});
+    REQUIRE(round);
+    CHECK(round->length_mm == doctest::Approx(1.0 + 4.0 + 1.0));
+    CHECK(round->branches.size() == 3);
+}
+
+TEST_CASE("an angle between three points is the one at the middle point") {
+    CHECK(measure::angle_deg({1, 0, 0}, {0, 0, 0}, {0, 5, 0}) == doctest::Approx(90.0));
+    CHECK(measure::angle_deg({1, 0, 0}, {0, 0, 0}, {-7, 0, 0}) == doctest::Approx(180.0));
+    CHECK(measure::angle_deg({1, 2, 3}, {1, 2, 3}, {4, 5, 6}) == 0.0);
 }
 
 TEST_CASE("angles at a branching are those of its directions") {
