@@ -75,6 +75,19 @@ Result<void> ui_scale(ActionContext& context, Arguments arguments) {
     return {};
 }
 
+Result<void> theme(ActionContext& context, Arguments arguments) {
+    if (context.window == nullptr) return fail("there is no theme without a window");
+    const bool toggles = arguments.empty();
+    if (!toggles && (arguments.size() != 1 || (arguments[0] != "light" && arguments[0] != "dark")))
+        return fail("theme takes light or dark");
+    context.window->set_light_theme(toggles ? !context.window->light_theme() : arguments[0] == "light");
+    return {};
+}
+
+bool theme_is_light(const ActionContext& context, const Command& command) {
+    return !command.scripted() && context.window != nullptr && context.window->light_theme();
+}
+
 Result<void> quit(ActionContext& context, Arguments) {
     if (context.files == nullptr) return fail("quit needs a window");
     context.files->quit();
@@ -150,6 +163,11 @@ std::vector<Command> window_commands() {
         Command("ui-scale", "FACTOR|larger|smaller|auto", "Makes text and panels smaller.", ui_scale)
             .in_menu("View", "Smaller interface")
             .giving({"smaller"}),
+        Command("theme", "[light|dark]",
+                "Switches between light and dark panels; the picture stays as it is, and the next start knows it.",
+                theme)
+            .in_menu("View", "Light theme")
+            .in_use_when(theme_is_light),
         Command("help", "", "Shows what the mouse and the keys do.", help)
             .in_menu("Help", "Mouse and keys", {"F1", "?"}),
         Command("menu", "", "Opens the menus; arrows, Enter and Escape lead through them.", menu).on_keys({"F10"}),

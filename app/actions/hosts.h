@@ -9,7 +9,9 @@
 
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +38,8 @@ public:
     virtual Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size);
     // A command has moved the camera at once: a window shows the way from the last one.
     virtual void camera_leapt() {}
+    // What the middle of the picture shows, or what is nearest to it there; none: nobody looks, or nothing is in view.
+    [[nodiscard]] virtual std::optional<glm::dvec3> looked_at() { return {}; }
     // A command has put the camera on its way along the vessels to the end of `branch`, at this fraction of it.
     virtual void flew(int /*branch*/, double /*fraction*/) {}
     FlyPaths flights;
@@ -76,6 +80,8 @@ public:
     virtual bool dismiss() = 0;                             // closes what lies on top; false: nothing does
     virtual void set_ui_scale(double pixels_per_point) = 0; // 0: what the display says
     [[nodiscard]] virtual double ui_scale() const = 0;      // pixels per point
+    virtual void set_light_theme(bool light) = 0;           // else the dark one
+    [[nodiscard]] virtual bool light_theme() const = 0;
 };
 
 class Clipboard {

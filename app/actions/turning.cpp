@@ -1,6 +1,8 @@
 // Turns the view and zooms by steps: for keys, and for who describes a camera in words.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/tools/aim.h"
+#include "render/scene/camera_moves.h"
 
 #include <optional>
 
@@ -33,8 +35,16 @@ Result<void> zoom(ActionContext& context, Arguments arguments) {
     const auto factor =
         arguments.size() == 2 ? number_in(arguments[1], 1.0, 1000.0) : std::optional<double>(kZoomFactor);
     if (!factor || (arguments[0] != "in" && arguments[0] != "out")) return refused;
-    return move_camera(
-        context, render::zoomed(context.document.session().camera, arguments[0] == "in" ? *factor : 1.0 / *factor));
+    const double by = arguments[0] == "in" ? *factor : 1.0 / *factor;
+    const render::Camera& camera = context.document.session().camera;
+    // As the wheel does with what the pointer is on: it stays where it is in the picture, and nothing is passed
+    // through.
+    if (const auto at = context.picture.looked_at()) {
+        const auto mesh = context.picture.picture_mesh();
+        const double least = least_distance_mm(nullptr, tree::kNoBranch, *at, mesh ? mesh->bounds().radius() : 1.0);
+        return move_camera(context, render::zoomed_about(camera, *at, by, least));
+    }
+    return move_camera(context, render::zoomed(camera, by));
 }
 
 Command turn_entry(const char* way, const char* key, const char* help) {
@@ -51,7 +61,8 @@ std::vector<Command> turning_commands() {
         turn_entry("right", "Right", "Turns the tree to the right."),
         turn_entry("up", "Up", "Turns the tree upward."),
         turn_entry("down", "Down", "Turns the tree downward."),
-        Command("zoom", "in|out [FACTOR]", "Magnifies the picture, or makes it smaller, by a quarter.", zoom),
+        Command("zoom", "in|out [FACTOR]",
+                "Magnifies what the middle of the picture shows, or makes it smaller, by a quarter.", zoom),
         Command("zoom", "in|out [FACTOR]", "Magnifies the picture.", zoom)
             .in_menu("View", "Zoom in", {"+", "="})
             .giving({"in"})

@@ -39,7 +39,8 @@ void read_filter(BranchList& list) {
 
 // Only what rows can follow from is compared: states and the selection when there is a filter.
 bool is_current(const BranchList& list, const TreeFacts& facts, const Marks& marks) {
-    return list.made && list.of == &facts && list.given == marks.names && list.systems == marks.systems &&
+    return list.made && list.of == &facts && list.given == marks.names && list.given_subtrees == marks.subtree_names &&
+           list.systems == marks.systems &&
            (list.parsed.empty() || (list.selection == marks.selection && list.states == marks.states));
 }
 
@@ -48,13 +49,14 @@ void make_rows(BranchList& list, const Document& document, const TreeFacts& fact
     const Marks& marks = document.marks();
     list.of = &facts;
     list.given = marks.names;
+    list.given_subtrees = marks.subtree_names;
     list.systems = marks.systems;
     list.selection = marks.selection;
     list.states = marks.states;
     list.made = true;
     list.names.clear();
     if (!marks.names.empty())
-        for (const int source : label_sources(facts.dependency, marks.names))
+        for (const int source : label_sources(facts.dependency, marks))
             list.names.push_back(source == tree::kNoBranch ? std::string{} : marks.names.at(source));
     list.rows = branches_passing(list.parsed, tree, facts, marks);
     if (specs == nullptr || specs->SpecsCount == 0) return;
@@ -176,7 +178,7 @@ void draw_row(InterfaceContext& context, int id) {
     const bool pointed_at = context.interface.picture.hovered == id;
     ImGui::TableNextRow();
     if (pointed_at) // in the picture or in the overview
-        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, ImGui::GetColorU32(ImVec4(1.0F, 1.0F, 1.0F, 0.07F)));
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, ImGui::GetColorU32(theme::kRaised));
     ImGui::TableNextColumn();
     draw_mark(context, id);
     ImGui::TableNextColumn();

@@ -10,14 +10,15 @@
 namespace ramus::app {
 
 struct BranchList {
-    std::array<char, 128> filter{}; // as typed
-    std::string trouble;            // what is wrong with it; empty: nothing
-    std::vector<int> rows;          // branch ids, as they are filtered and sorted
-    std::vector<std::string> names; // that branches bear, by branch id; empty when none has a name
-    int anchor = tree::kNoBranch;   // a range begins here
-    int cursor = tree::kNoBranch;   // the arrow keys go on from here
-    int shown = tree::kNoBranch;    // the selected branch that the list was scrolled to
-    bool focused = false;           // the arrow keys are for it
+    std::array<char, 128> filter{};  // as typed
+    std::string trouble;             // what is wrong with it; empty: nothing
+    std::vector<int> rows;           // branch ids, as they are filtered and sorted
+    std::vector<int> given_subtrees; // likewise
+    std::vector<std::string> names;  // that branches bear, by branch id; empty when none has a name
+    int anchor = tree::kNoBranch;    // a range begins here
+    int cursor = tree::kNoBranch;    // the arrow keys go on from here
+    int shown = tree::kNoBranch;     // the selected branch that the list was scrolled to
+    bool focused = false;            // the arrow keys are for it
 
     // What `rows` were made of.
     const TreeFacts* of = nullptr;

@@ -26,7 +26,7 @@ const ImVec4 kOverlapText{0.95F, 0.94F, 0.55F, 1.00F}, kGapText{0.62F, 0.78F, 1.
 
 std::string side_text(const Document& document, const ContactSide& side) {
     std::string text = "Branch " + std::to_string(side.branch);
-    if (const std::string label = label_of(document.dependency(), document.marks().names, side.branch); !label.empty())
+    if (const std::string label = label_of(document.dependency(), document.marks(), side.branch); !label.empty())
         text += ", " + label;
     if (side.branches.size() > 1) text += ", and " + grouped(side.branches.size() - 1) + " more";
     const Lengths lengths = document.lengths();

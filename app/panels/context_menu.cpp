@@ -59,7 +59,7 @@ const Command* draw_groups(InterfaceContext& context, const std::array<Group, Co
 std::string branch_title(const Document& document, int branch) {
     const std::size_t selected = document.marks().selection.size();
     if (selected > 1) return grouped(selected) + " branches selected";
-    const std::string label = label_of(document.dependency(), document.marks().names, branch);
+    const std::string label = label_of(document.dependency(), document.marks(), branch);
     return label.empty() ? "Branch " + std::to_string(branch) : label;
 }
 

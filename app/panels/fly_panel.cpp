@@ -87,7 +87,7 @@ void draw_title_row(InterfaceContext& context, const FlyPath& path) {
     Fly& fly = context.interface.fly;
     const Document& document = context.workspace.document;
     const float scale = theme::scale();
-    const std::string label = label_of(document.dependency(), document.marks().names, fly.branch);
+    const std::string label = label_of(document.dependency(), document.marks(), fly.branch);
     const std::string title = "Fly along to branch " + std::to_string(fly.branch) + (label.empty() ? "" : ", " + label);
     const std::string passed =
         document.lengths().text(fly.fraction * path.length_mm()) + " of " + document.lengths().text(path.length_mm());

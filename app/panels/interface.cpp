@@ -32,11 +32,11 @@ void draw_empty_view(InterfaceContext& context) {
     ImGui::PushFont(theme::title_font());
     const ImVec2 size = ImGui::CalcTextSize(title);
     list->AddText({std::round(centre.x - 0.5F * size.x), std::round(centre.y - size.y)},
-                  ImGui::GetColorU32(theme::kText), title);
+                  ImGui::GetColorU32(theme::kOnPicture), title);
     ImGui::PopFont();
     const ImVec2 hint_size = ImGui::CalcTextSize(hint);
     list->AddText({std::round(centre.x - 0.5F * hint_size.x), std::round(centre.y + 6.0F * theme::scale())},
-                  ImGui::GetColorU32(theme::kQuiet), hint);
+                  ImGui::GetColorU32(theme::kQuietOnPicture), hint);
 }
 
 // The way back, where the picture shows nothing of what there is.
@@ -142,6 +142,7 @@ void draw_title(InterfaceContext& context, const char* title, std::initializer_l
 
 void draw_interface(InterfaceContext& context) {
     Interface& interface = context.interface;
+    theme::use(interface.settings.light_theme ? theme::Kind::kLight : theme::Kind::kDark);
     interface.listed = tree::kNoBranch;
     // Arrows and Enter work in menus alone: elsewhere they turn the view, or are the list's.
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;

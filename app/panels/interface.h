@@ -56,7 +56,8 @@ struct Rename {
     int branch = tree::kNoBranch;
     int system = -1; // instead of a branch; -1: none
     std::array<char, 128> text{};
-    void show(int id, const std::string& name);
+    bool subtree = false; // what depends on the branch is called so too
+    void show(int id, const std::string& name, bool of_subtree = false);
     void show_system(int index, const std::string& name);
 };
 
@@ -174,6 +175,9 @@ struct Interface {
     int menu_keys = 0;           // frames for which menus have the arrow keys
     bool menu_by_keys = false;   // F10 has opened them: the arrows stay theirs between two menus
     bool menu_focused = false;   // the bar has the keyboard
+    std::string open_menu;       // of the bar; empty: none
+    bool menu_entry = false;     // an arrow has gone from the menu into its entries
+    int menu_step = 0;           // to the next menu, 1, or the one before, -1
     bool planning = false;       // the side panel shows its planning half
     float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;
@@ -230,6 +234,8 @@ struct Interface {
         for (bool* each : {&doctor.open, &contacts.open, &unsaid.open, &warnings.open, &validation.open})
             *each = each == panel;
     }
+    // Whether left and right lead from menu to menu.
+    [[nodiscard]] bool steps_menus() const { return menu_by_keys && !open_menu.empty() && !menu_entry; }
     [[nodiscard]] bool menus_have_keys() const { return want_menu || menu_keys > 0; }
     [[nodiscard]] bool between_menus() const { return menu_keys > 0 && !menu_open && !context_menu.open; }
     [[nodiscard]] bool dialog_open() const {
@@ -279,6 +285,8 @@ void draw_unsaid(InterfaceContext& context);
 void draw_warnings(InterfaceContext& context);
 // The mark in the status bar, left of what begins at `right_edge`; returns where it begins itself.
 [[nodiscard]] float draw_warning_mark(InterfaceContext& context, float right_edge);
+// How many branches are selected, defocused and hidden, with the way back; likewise.
+[[nodiscard]] float draw_state_marks(InterfaceContext& context, float right_edge);
 void draw_contacts(InterfaceContext& context);
 void draw_validation(InterfaceContext& context);
 void draw_contacts_line(InterfaceContext& context); // in the side panel: how many there are, and the way there

@@ -67,6 +67,16 @@ void draw_recent(InterfaceContext& context) {
     if (!chosen.empty()) context.perform("open", {chosen.string()});
 }
 
+// By the arrows, before they have gone into a menu's entries: from there on they are ImGui's.
+void step_from_menu_to_menu(Interface& interface, const std::vector<std::string>& menus) {
+    const auto open = std::ranges::find(menus, interface.open_menu);
+    const int step = std::exchange(interface.menu_step, 0);
+    interface.menu_entry &= interface.menu_by_keys && open != menus.end();
+    if (open == menus.end() || step == 0) return;
+    const auto at = static_cast<int>(open - menus.begin()), count = static_cast<int>(menus.size());
+    ImGui::OpenPopup(menus[static_cast<std::size_t>((at + step + count) % count)].c_str());
+}
+
 void draw_menus(InterfaceContext& context) {
     std::vector<std::string> menus;
     for (const Command& command : command_table())
@@ -76,11 +86,14 @@ void draw_menus(InterfaceContext& context) {
     context.interface.menu_open = false;
     // As if it had been clicked; from there on arrows lead on.
     if (std::exchange(context.interface.want_menu, false)) ImGui::OpenPopup(menus.front().c_str());
+    step_from_menu_to_menu(context.interface, menus);
+    context.interface.open_menu.clear();
     for (const std::string& menu : menus) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * theme::scale(), 8.0F * theme::scale()});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {12.0F * theme::scale(), 8.0F * theme::scale()});
         if (ImGui::BeginMenu(menu.c_str())) {
             context.interface.menu_open = !close;
+            if (!close) context.interface.open_menu = menu;
             if (close) ImGui::CloseCurrentPopup();
             std::string_view previous;
             for (const Command& command : command_table()) {
@@ -117,7 +130,7 @@ void draw_views(InterfaceContext& context) {
     ImGui::SetCursorPosX(std::round(at));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, 0.0F});
-    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(1.0F, 1.0F, 1.0F, 0.05F));
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::kRaised);
     ImGui::BeginDisabled(!enabled);
     const auto button = [&](const Command& command, const std::string& text, float width) {
         ImGui::SetCursorPosY(std::round(0.5F * (static_cast<float>(context.layout.bar_height) - side)));

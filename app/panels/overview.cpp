@@ -129,7 +129,7 @@ void draw_scale(const InterfaceContext& context, const Canvas& canvas) {
         const auto y = std::round(static_cast<float>(canvas.to(view, {0.0, value / depth}).y));
         if (y < canvas.at.y - 1.0F || y > canvas.at.y + canvas.size.y + 1.0F) continue;
         canvas.list->AddLine({canvas.at.x, y + 0.5F}, {canvas.at.x + canvas.size.x, y + 0.5F},
-                             ImGui::GetColorU32(ImVec4(1.0F, 1.0F, 1.0F, 0.05F)));
+                             ImGui::GetColorU32(theme::kRaised));
         if (generations && value >= depth - 0.5) continue;
         const std::string text = generations ? std::to_string(std::lround(value)) : digits(value, 3);
         const auto middle = static_cast<float>(canvas.to(view, {0.0, (value + (generations ? 0.5 : 0.0)) / depth}).y);

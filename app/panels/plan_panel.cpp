@@ -199,6 +199,7 @@ void draw_margins(InterfaceContext& context) {
     bool coloured = marks.colour_by == ColourBy::kLesion;
     if (ImGui::Checkbox("Colour vessels by distance", &coloured))
         context.perform("colour-by", {coloured ? "lesion" : "nothing"});
+    widgets::tooltip("Distances to lesions as colours");
     const auto plan = context.workspace.current_assets().plan;
     for (const measure::Band& band : plan->bands) draw_band(context, band);
 }

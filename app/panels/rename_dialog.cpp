@@ -8,8 +8,9 @@
 
 namespace ramus::app {
 
-void Rename::show(int id, const std::string& name) {
+void Rename::show(int id, const std::string& name, bool of_subtree) {
     branch = id;
+    subtree = of_subtree;
     system = -1;
     open = fresh = true;
     text.fill('\0');
@@ -34,22 +35,28 @@ void draw_rename(InterfaceContext& context) {
     ImGui::SetNextItemWidth(-1.0F);
     bool done = ImGui::InputText("##text", rename.text.data(), rename.text.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    widgets::quiet_wrapped(of_system
-                               ? "The legend, tables and reports use it; the file that was read stays as it is."
-                               : "All that depends on it bears the name too, but for branches with names of their own. "
-                                 "An empty name takes it away.");
+    if (!of_system) {
+        ImGui::Checkbox("Also for all that depends on it", &rename.subtree);
+        widgets::tooltip("Branches without a name of their own that depend on it are called so too");
+    }
+    widgets::quiet_wrapped(of_system ? "The legend, tables and reports use it; the file that was read stays as it is."
+                                     : "An empty name takes it away.");
     ImGui::Dummy({0.0F, 4.0F * scale});
     const float width = 90.0F * scale;
     widgets::align_right(2.0F * width + ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::Button("Cancel", {width, 0.0F})) rename.open = false;
     ImGui::SameLine();
     done = ImGui::Button("Name it", {width, 0.0F}) || done;
+    widgets::note_item("Gives it this name");
     if (done) {
         rename.open = false;
         if (of_system)
             context.perform("name-system", {std::to_string(rename.system + 1), rename.text.data()});
         else
-            context.perform("name", {std::to_string(rename.branch), rename.text.data()});
+            context.perform("name",
+                            rename.subtree
+                                ? std::vector<std::string>{std::to_string(rename.branch), rename.text.data(), "subtree"}
+                                : std::vector<std::string>{std::to_string(rename.branch), rename.text.data()});
     }
     if (!rename.open) ImGui::CloseCurrentPopup();
     widgets::end_dialog();

@@ -20,8 +20,8 @@ template <class Draw> bool icon_button(const char* id, bool on, const char* help
     if (!on) colour.w = 0.55F;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemHovered()) {
-        colour = on ? ImVec4(1, 1, 1, 1) : theme::kText;
-        list.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 16), 3.0F * theme::scale());
+        colour = theme::kText;
+        list.AddRectFilled(at, {at.x + side, at.y + side}, ImGui::GetColorU32(theme::kRaised), 3.0F * theme::scale());
     }
     draw(list, ImVec2(std::floor(at.x + 0.5F * side) + 0.5F, std::floor(at.y + 0.5F * side) + 0.5F), theme::scale(),
          ImGui::GetColorU32(colour));

@@ -123,7 +123,7 @@ void draw_one(const Document& document, const TreeFacts& facts, int id) {
     const BranchFacts& own = facts.branches[index];
     const tree::Branch& branch = document.tree()->branches[index];
     widgets::fact("Branch", std::to_string(id));
-    const std::string label = label_of(document.dependency(), document.marks().names, id);
+    const std::string label = label_of(document.dependency(), document.marks(), id);
     if (!label.empty()) widgets::fact("Name", label);
     const std::string system = system_of(*document.tree(), document.marks(), id);
     if (!system.empty()) widgets::fact("System", system);
@@ -197,7 +197,7 @@ void draw_halves(InterfaceContext& context) {
     for (const bool planning : {false, true}) {
         if (planning) ImGui::SameLine();
         const bool chosen = context.interface.planning == planning;
-        const ImVec4 ground = chosen ? theme::kAccentDim : ImVec4(1.0F, 1.0F, 1.0F, 0.05F);
+        const ImVec4 ground = chosen ? theme::kAccentDim : theme::kRaised;
         if (widgets::button(planning ? "Plan" : "Explore", {width, 0.0F}, ground,
                             chosen ? theme::kText : theme::kQuiet))
             context.perform("panel", {planning ? "plan" : "explore"});

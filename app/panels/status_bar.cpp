@@ -107,7 +107,9 @@ float draw_progress(InterfaceContext& context) {
 // In at most half of the bar: a narrow window leaves out the time first, then the kind.
 float draw_facts(InterfaceContext& context) {
     const ReadySurface& shown = context.workspace.shown();
-    const float available = 0.5F * static_cast<float>(context.layout.window.x);
+    const Marks& marks = context.workspace.document.marks();
+    const bool marked = !marks.states.empty() || !marks.selection.empty(); // these marks need room
+    const float available = (marked ? 0.25F : 0.5F) * static_cast<float>(context.layout.window.x);
     std::string text;
     if (shown.mesh) {
         const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
@@ -145,7 +147,9 @@ void draw_status_bar(InterfaceContext& context) {
     const float right =
         context.workspace.busy() || context.commands.busy() ? draw_progress(context) : draw_facts(context);
     ImGui::SetCursorPos(left);
-    const float edge = draw_warning_mark(context, right);
+    const float warned = draw_warning_mark(context, right);
+    ImGui::SetCursorPos(left);
+    const float edge = draw_state_marks(context, warned);
     ImGui::SetCursorPos(left);
     const Notice& notice = context.interface.notice;
     const float room = edge - left.x - 24.0F * theme::scale();

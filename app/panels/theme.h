@@ -1,5 +1,5 @@
-// The look of the interface: a dark, quiet theme for ImGui, and its fonts. Sizes are in points (1/96 inch); `scale` is
-// pixels per point. Text is Open Sans from Debian's fonts-open-sans; where that is missing, ImGui's own.
+// The look of the interface: a dark and a light theme for ImGui, and its fonts. Sizes are in points (1/96 inch);
+// `scale` is pixels per point. Text is Open Sans from Debian's fonts-open-sans; where that is missing, ImGui's own.
 #pragma once
 
 #include <imgui.h>
@@ -10,19 +10,49 @@ inline constexpr float kTextSize = 15.0F; // points
 inline constexpr float kSmallSize = 13.0F;
 inline constexpr float kTitleSize = 20.0F;
 
-inline const ImVec4 kText{0.87F, 0.88F, 0.90F, 1.00F};
-inline const ImVec4 kQuiet{0.56F, 0.59F, 0.64F, 1.00F};  // labels, units, hints
-inline const ImVec4 kAccent{0.36F, 0.80F, 1.00F, 1.00F}; // the colour of selection in the picture
-inline const ImVec4 kAccentDim{0.20F, 0.42F, 0.54F, 1.00F};
-inline const ImVec4 kHighlight{1.00F, 0.74F, 0.20F, 1.00F};
-inline const ImVec4 kTrouble{1.00F, 0.48F, 0.40F, 1.00F};
-inline const ImVec4 kTroubleDim{0.52F, 0.25F, 0.21F, 1.00F};
-inline const ImVec4 kPanel{0.098F, 0.106F, 0.122F, 1.00F};
-inline const ImVec4 kBar{0.082F, 0.090F, 0.104F, 1.00F};
-inline const ImVec4 kLine{0.18F, 0.195F, 0.22F, 1.00F};
-inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // the ground of a button without one
+// The colours of a theme. Text of each has a contrast of 4.5 : 1 at least against each ground that it stands on
+// (WCAG 2.1, success criterion 1.4.3); a test holds them to it.
+struct Palette {
+    ImVec4 text;
+    ImVec4 quiet;      // labels, units, hints
+    ImVec4 disabled;   // what cannot be chosen now
+    ImVec4 accent;     // the colour of selection in the picture, as text
+    ImVec4 accent_dim; // the ground of what is chosen
+    ImVec4 highlight, trouble;
+    ImVec4 trouble_dim; // the ground of a button that loses something
+    ImVec4 panel, bar, popup;
+    ImVec4 line;
+    ImVec4 frame, frame_hovered, frame_active;    // fields
+    ImVec4 button, button_hovered, entry_hovered; // buttons; entries of lists and menus
+    ImVec4 grab, grab_hovered, grab_active;       // of scroll bars
+    ImVec4 slider;                                // what is dragged along a slider
+    ImVec4 raised;                                // over any ground: what can be pressed, every other row
+};
+enum class Kind { kDark, kLight };
+[[nodiscard]] const Palette& palette(Kind kind);
 
-// Sets colours and sizes of the current ImGui context and loads its fonts; upload them afterwards.
+// The colours in use.
+inline Palette palette_in_use;
+inline const ImVec4& kText = palette_in_use.text;
+inline const ImVec4& kQuiet = palette_in_use.quiet;
+inline const ImVec4& kAccent = palette_in_use.accent;
+inline const ImVec4& kAccentDim = palette_in_use.accent_dim;
+inline const ImVec4& kHighlight = palette_in_use.highlight;
+inline const ImVec4& kTrouble = palette_in_use.trouble;
+inline const ImVec4& kTroubleDim = palette_in_use.trouble_dim;
+inline const ImVec4& kPanel = palette_in_use.panel;
+inline const ImVec4& kBar = palette_in_use.bar;
+inline const ImVec4& kLine = palette_in_use.line;
+inline const ImVec4& kRaised = palette_in_use.raised;
+inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // the ground of a button without one
+// On the picture, which is dark in both themes.
+inline const ImVec4 kOnPicture{0.87F, 0.88F, 0.90F, 1.00F};
+inline const ImVec4 kQuietOnPicture{0.60F, 0.63F, 0.68F, 1.00F};
+
+// From the next frame on; nothing where it is in use already.
+void use(Kind kind);
+
+// Sets colours and sizes of the current ImGui context and loads its fonts; upload them afterwards. Dark until use().
 void apply(float scale);
 
 // Null: ImGui's own in every size.

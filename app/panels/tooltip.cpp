@@ -20,7 +20,7 @@ void draw_branch_tooltip(const InterfaceContext& context, int id) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 9.0F * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {16.0F * scale, 3.0F * scale});
     ImGui::BeginTooltip();
-    const std::string label = label_of(document.dependency(), document.marks().names, id);
+    const std::string label = label_of(document.dependency(), document.marks(), id);
     const std::string number = "Branch " + std::to_string(id);
     ImGui::TextColored(theme::kAccent, "%s",
                        label.empty() ? number.c_str() : widgets::fitted(label, 220.0F * scale).c_str());

@@ -146,7 +146,7 @@ void colour_by_label(Colouring& colouring, const TreeFacts& facts, const Marks& 
         colours[id] = colour;
         colouring.legend.swatches.push_back({colour, latin1(name)});
     }
-    for (const int source : label_sources(facts.dependency, marks.names)) {
+    for (const int source : label_sources(facts.dependency, marks)) {
         const auto found = colours.find(source);
         colouring.branches.push_back(found == colours.end() ? kUnnamed : found->second);
     }

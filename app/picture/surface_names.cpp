@@ -50,7 +50,7 @@ io::MeshNames surface_names(const tree::VesselTree& tree, const TreeFacts& facts
         names.systems[i] = {system_name(names.systems, system), colour};
     }
     const std::vector<glm::vec3> colours = colouring_of(tree, facts, marks, plan).branches;
-    const std::vector<int> sources = label_sources(facts.dependency, marks.names);
+    const std::vector<int> sources = label_sources(facts.dependency, marks);
     for (std::size_t id = 0; id < tree.branches.size(); ++id) {
         const int system = tree.branches[id].system;
         names.branches.push_back({name_of_branch(static_cast<int>(id), sources[id], marks.names),

@@ -18,7 +18,7 @@ namespace {
 class Names {
 public:
     explicit Names(const Document& document)
-        : names_(document.marks().names), sources_(label_sources(document.dependency(), names_)) {}
+        : names_(document.marks().names), sources_(label_sources(document.dependency(), document.marks())) {}
     [[nodiscard]] std::string of(int branch) const {
         const int source = sources_[static_cast<std::size_t>(branch)];
         return source == tree::kNoBranch ? "" : names_.at(source);

@@ -193,7 +193,7 @@ Result<BranchFilter> parse_branch_filter(std::string_view text) { return Parser(
 
 std::vector<int> branches_passing(const BranchFilter& filter, const tree::VesselTree& tree, const TreeFacts& facts,
                                   const Marks& marks) {
-    const std::vector<int> sources = label_sources(facts.dependency, marks.names);
+    const std::vector<int> sources = label_sources(facts.dependency, marks);
     std::map<int, std::string> labels; // lower case
     for (const auto& [id, name] : marks.names) labels.emplace(id, io::lower_case(name));
     std::vector<std::string> systems; // likewise

@@ -1,5 +1,6 @@
 #include "app/session/carry_over.h"
 
+#include "app/session/labels.h"
 #include "app/session/reading_options.h"
 #include "app/session/systems.h"
 #include "render/scene/bounds.h"
@@ -88,6 +89,7 @@ CarriedOver carried_over(const Marks& marks, const tree::VesselTree& before, con
     };
     Marks& next = carried.marks;
     next.selection.clear(), next.states.clear(), next.cuts.clear(), next.measurements.clear(), next.names.clear();
+    next.subtree_names.clear();
     for (const int id : marks.selection)
         if (const int now = to(id); now != kNoBranch) next.selection.push_back(now);
     next.selection = canonical(std::move(next.selection));
@@ -107,7 +109,7 @@ CarriedOver carried_over(const Marks& marks, const tree::VesselTree& before, con
         if (const int now = to(id); now != kNoBranch)
             next.cuts.emplace_back(now, turned(id, now) ? 1.0 - fraction : fraction);
     for (const auto& [id, name] : marks.names)
-        if (const int now = to(id); now != kNoBranch) next.names.emplace(now, name);
+        if (const int now = to(id); now != kNoBranch) set_name(next, now, name, names_subtree(marks, id));
     for (Measurement measurement : marks.measurements) {
         bool whole = true;
         for (std::size_t i = 0; i < place_count(measurement); ++i) {

@@ -193,6 +193,16 @@ void read_plans(const json& value, Marks& marks) {
         if (id < 0) throw Refusal{"\"" + key + "\" in names is not a branch id"};
         marks.names[id] = text(name, "name of branch " + key);
     }
+    // A session of before: each name spoke for what depends on its branch.
+    if (!value.contains("subtree_names"))
+        for (const auto& [id, name] : marks.names) marks.subtree_names.push_back(id);
+    for (const json& id : list_in(value, "subtree_names")) {
+        const int branch = integer(id, "branch id in subtree_names", 0, kMostBranches);
+        if (!marks.names.contains(branch))
+            throw Refusal{"branch " + std::to_string(branch) + " in subtree_names has no name"};
+        marks.subtree_names.push_back(branch);
+    }
+    marks.subtree_names = canonical(std::move(marks.subtree_names));
 }
 
 namespace fs = std::filesystem;

@@ -87,6 +87,7 @@ struct Marks {
     std::vector<std::pair<int, double>> cuts;   // branch, and where: of its length from the parent's end
     std::vector<Measurement> measurements;
     std::map<int, std::string> names;
+    std::vector<int> subtree_names;    // ids of `names`, ascending: these are also what depends on the branch is called
     std::vector<tree::System> systems; // all, renamed or recoloured; empty: as the tree has them (systems.h)
     ColourBy colour_by;
     ColourMap colour_map = ColourMap::kViridis;

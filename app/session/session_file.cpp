@@ -52,6 +52,7 @@ json to_json(const Session& session, const fs::path& folder) {
         {"names", names},
         {"camera", render::to_json(session.camera)},
         {"options", options_json(session.marks)}};
+    if (!session.marks.names.empty()) value["subtree_names"] = session.marks.subtree_names;
     for (const tree::System& system : session.marks.systems)
         value["systems"].push_back({{"name", system.name}, {"colour", colour_text(system.colour)}});
     if (!session.marks.edits.empty()) value["edits"] = edits_json(session.marks.edits);
@@ -67,8 +68,8 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
     try {
         expect_only(value, "the session",
                     {"version", "tree", "selection", "states", "lesions", "lesion_meshes", "context", "cuts",
-                     "measurements", "names", "systems", "edits", "comparison", "deviation", "camera", "options",
-                     "reading"});
+                     "measurements", "names", "subtree_names", "systems", "edits", "comparison", "deviation", "camera",
+                     "options", "reading"});
         if (!value.contains("version")) throw Refusal{"no version: this is not a session file"};
         if (integer(value["version"], "version", 0, 1'000'000) != kSessionVersion)
             throw Refusal{"version " + value["version"].dump() + " is not known to this ramus"};

@@ -1,5 +1,6 @@
 #include "app/session/tree_edits.h"
 
+#include "app/session/labels.h"
 #include "app/session/session_file.h"
 #include "core/measure/branch_point.h"
 
@@ -78,8 +79,10 @@ Marks carried_over(const Marks& marks, const tree::VesselTree& before, const tre
     }
     set_state(next, {}, BranchState::kNormal); // trailing normal ones go
     next.names.clear();
+    next.subtree_names.clear();
     for (const auto& [branch, name] : marks.names)
-        if (const auto& became = places.became(branch); !became.empty()) next.names.try_emplace(became.front(), name);
+        if (const auto& became = places.became(branch); !became.empty() && !next.names.contains(became.front()))
+            set_name(next, became.front(), name, names_subtree(marks, branch));
     next.cuts.clear();
     for (const auto& [branch, fraction] : marks.cuts)
         if (const auto place = places.of(branch, fraction)) next.cuts.push_back(*place);

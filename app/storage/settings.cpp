@@ -23,7 +23,8 @@ json to_json(const Settings& settings) {
                {"panel_open", settings.panel_open},
                {"recent_files", settings.recent_files},
                {"last_folder", settings.last_folder.string()},
-               {"drop_beside", settings.drop_beside}};
+               {"drop_beside", settings.drop_beside},
+               {"light_theme", settings.light_theme}};
     if (settings.ui_scale > 0.0) value["ui_scale"] = settings.ui_scale;
     return value;
 }
@@ -41,7 +42,8 @@ Result<Settings> settings_from_json(const json& value, const std::string& where)
                                integer(size[1], "height of the window", 360, 16384)};
         }
         for (const auto& [name, member] :
-             {std::pair("panel_open", &Settings::panel_open), std::pair("drop_beside", &Settings::drop_beside)}) {
+             {std::pair("panel_open", &Settings::panel_open), std::pair("drop_beside", &Settings::drop_beside),
+              std::pair("light_theme", &Settings::light_theme)}) {
             if (!value.contains(name)) continue;
             if (!value[name].is_boolean()) throw Refusal{std::string(name) + " is neither true nor false"};
             settings.*member = value[name].get<bool>();

@@ -19,6 +19,7 @@ struct Settings {
     int recent_files = 10;             // how many are remembered; 0: none
     std::filesystem::path last_folder; // that something was opened from
     bool drop_beside = false;          // a mask that is dropped on a tree was last shown beside it, not opened
+    bool light_theme = false;
     bool operator==(const Settings&) const = default;
 };
 

@@ -57,6 +57,20 @@ std::optional<glm::dvec3> Aim::goal(const render::Camera& camera) {
     return {};
 }
 
+std::optional<glm::dvec3> Aim::in_middle(const render::Camera& camera) {
+    if (maps_.empty() || !visible_) return {};
+    const render::DepthMap& map = maps_.front();
+    if (map.camera == camera) {
+        const auto at = map.nearest_point(0.5 * glm::dvec2(map.picture));
+        const auto pixel = at ? render::project(camera, map.picture, *at) : std::nullopt;
+        middle_ = pixel ? std::optional(Middle{*at, glm::dvec2(*pixel)}) : std::nullopt;
+    } else if (middle_) { // depths of this view are not there yet
+        const auto pixel = render::project(camera, map.picture, middle_->at);
+        if (!pixel || glm::distance(glm::dvec2(*pixel), middle_->pixel) > 1.0) middle_.reset();
+    }
+    return middle_ ? middle_->at : visible_->middle;
+}
+
 double least_distance_mm(const tree::VesselTree* tree, int branch, const glm::dvec3& at, double scene_mm) {
     constexpr double kOfRadius = 0.25, kOfScene = 1e-3;
     const double beside_vessels = kOfScene * scene_mm;

@@ -42,6 +42,9 @@ public:
     [[nodiscard]] std::optional<Target> target(const render::Camera& camera) const;
     // What the wheel comes nearer to.
     [[nodiscard]] std::optional<glm::dvec3> goal(const render::Camera& camera);
+    // What the middle of the picture shows, or what is nearest to it there: what is zoomed to without a pointer. It is
+    // the same point for a camera that has zoomed to it.
+    [[nodiscard]] std::optional<glm::dvec3> in_middle(const render::Camera& camera);
     [[nodiscard]] const std::optional<render::Visible>& visible() const { return visible_; }
     // Whether a picture has been seen, and nothing was in it.
     [[nodiscard]] bool sees_nothing() const { return !maps_.empty() && !visible_; }
@@ -64,6 +67,11 @@ private:
     std::optional<render::Visible> visible_;
     std::optional<Spot> spot_;
     std::optional<Held> held_;
+    struct Middle { // what it was, and where in the picture
+        glm::dvec3 at;
+        glm::dvec2 pixel;
+    };
+    std::optional<Middle> middle_;
 };
 
 // How near the eye may come to a point of the surface, mm: a fraction of the vessel's radius there. `branch`: the one

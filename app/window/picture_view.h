@@ -54,6 +54,9 @@ public:
     Result<void> write_picture(const std::filesystem::path& path) override;
     Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
     void camera_leapt() override;
+    [[nodiscard]] std::optional<glm::dvec3> looked_at() override {
+        return aim_.in_middle(state_.workspace.document.session().camera);
+    }
     void flew(int branch, double fraction) override;
 
 private:

@@ -75,6 +75,8 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["help"] = interface.help_open;
     status["palette"] = {{"open", interface.palette.open}, {"trouble", interface.palette.trouble}};
     status["menu"] = interface.menu_open || interface.context_menu.open;
+    status["open_menu"] = interface.open_menu;
+    status["light_theme"] = interface.settings.light_theme;
     status["open_dialog"] = interface.open_dialog.open;
     status["rename"] = interface.rename.open && !interface.rename.fresh;
     status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;

@@ -268,9 +268,18 @@ void ViewerInput::run(const Command& command) {
 
 void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& press, Modifiers modifiers, double now) {
     state_.now = now;
+    state_.redraw();
+    // ImGui leads from menu to menu only once one of their entries has the keyboard.
+    Interface& interface = state_.interface;
+    if (down && press && interface.steps_menus()) {
+        if (press->key == "Left" || press->key == "Right") {
+            interface.menu_step = press->key == "Left" ? -1 : 1;
+            return;
+        }
+        interface.menu_entry = press->key == "Down" || press->key == "Up";
+    }
     input_.modifiers(modifiers.ctrl, modifiers.shift, modifiers.alt, false);
     input_.key(number, down);
-    state_.redraw();
     if (!down || !press) return;
     const Command* command = command_for_key(spelling(*press));
     if (command == nullptr) return;

@@ -69,8 +69,10 @@ void WindowParts::close_flight() {
 }
 
 void WindowParts::ask_for_name(int branch) {
-    const BranchNames& names = state_.workspace.document.marks().names;
-    state_.interface.rename.show(branch, names.contains(branch) ? names.at(branch) : std::string{});
+    const Marks& marks = state_.workspace.document.marks();
+    const BranchNames& names = marks.names;
+    state_.interface.rename.show(branch, names.contains(branch) ? names.at(branch) : std::string{},
+                                 names_subtree(marks, branch));
     state_.redraw();
 }
 
@@ -135,6 +137,11 @@ bool WindowParts::dismiss() {
 
 void WindowParts::set_ui_scale(double pixels_per_point) {
     state_.interface.settings.ui_scale = pixels_per_point;
+    state_.redraw();
+}
+
+void WindowParts::set_light_theme(bool light) {
+    state_.interface.settings.light_theme = light;
     state_.redraw();
 }
 

@@ -23,6 +23,8 @@ public:
     bool dismiss() override;
     void set_ui_scale(double pixels_per_point) override;
     [[nodiscard]] double ui_scale() const override { return state_.scale; }
+    void set_light_theme(bool light) override;
+    [[nodiscard]] bool light_theme() const override { return state_.interface.settings.light_theme; }
 
     void copy_text(const std::string& text) override;
     [[nodiscard]] Result<std::string> pasted_text() const override;

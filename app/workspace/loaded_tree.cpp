@@ -74,7 +74,6 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     Session fresh;
     fresh.tree.path = std::filesystem::absolute(path).lexically_normal();
     fresh.marks.options = like.options;
-    fresh.marks.colour_by = like.colour_by;
     fresh.marks.colour_map = like.colour_map;
     if (io::is_volume(path)) { // the mask's own surface beside that of the tree made of it
         fresh.marks.comparison.mode = Comparison::Mode::kSideBySide;

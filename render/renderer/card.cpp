@@ -86,7 +86,7 @@ void Passes::draw_overlays(const Subject& subject, const ViewTargets& targets, c
     const GLuint depth = targets.resolved.opaque_depth;
     begin_blending(Blending::kOver);
     skeleton.draw(subject, targets.view, depth);
-    marks.draw(subject.frame, targets.view, depth);
+    marks.draw(subject, targets, shade.records().table());
     sprites.draw(subject.frame, targets.view.enlarged() ? Region{glm::ivec2(0), to.size} : region);
     glDisable(GL_BLEND);
 }

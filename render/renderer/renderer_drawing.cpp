@@ -12,6 +12,11 @@ namespace ramus::render {
 
 namespace {
 
+// Whether anything over the picture is fainter behind vessels while these are the ray caster's.
+bool lies_over_depths(const Frame& frame) {
+    return frame.skeleton || std::ranges::any_of(frame.lines, [](const MarkLine& line) { return !line.of_selection; });
+}
+
 constexpr int kInteractiveDivisor = 2; // of width and height
 
 std::vector<Layer> layers_of(const std::vector<BranchState>& states) {
@@ -102,7 +107,7 @@ Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const
 Result<void> Renderer::resize(const Frame& frame, Plan plan) {
     const bool full = plan == Plan::kCast || frame.quality == Quality::kFull;
     const int divisor = full ? 1 : kInteractiveDivisor, samples = full ? most_samples() : 1;
-    const bool reads_depths = frame.skeleton || !frame.lines.empty();
+    const bool reads_depths = lies_over_depths(frame);
     ViewTargets& targets = card_.targets;
     targets.view.picture = frame.size;
     targets.view.size = (frame.size + divisor - 1) / divisor;
@@ -234,8 +239,7 @@ void Renderer::show(const Subject& subject, const Region& region) {
     picture.bind();
     if (state_.by_caster()) {
         card_.passes.cast.send_picture(picture);
-        if (subject.frame.skeleton || !subject.frame.lines.empty())
-            card_.passes.cast.send_depths(picture, targets.resolved);
+        if (lies_over_depths(subject.frame)) card_.passes.cast.send_depths(picture, targets.resolved);
     } else {
         card_.passes.copy.draw(targets.view, targets.lit, picture, region);
     }

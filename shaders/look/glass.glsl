@@ -20,8 +20,9 @@ INLINE Vec4 glass_veil(SurfacePoint p) {
     float opacity = more.y;
     veil = opacity < 1.0F ? veil * opacity : mix(veil, 0.97F, opacity - 1.0F);
     veil = veil * mad(-0.5F * background_bottom.w, p.far, 1.0F);
-    Vec3 radiance = mad(0.85F, max(dot(p.normal, key_light()), 0.0F), 0.55F) * tint;
-    return veiled(radiance, veil, min(opacity, 1.0F) * lights.w * 0.40F * to_60(mirrored(p, key_light())));
+    // However many veils lie one behind the other, they are no brighter than vessels in focus.
+    Vec3 radiance = mad(0.24F, max(dot(p.normal, key_light()), 0.0F), 0.20F) * tint;
+    return veiled(radiance, veil, min(opacity, 1.0F) * lights.w * 0.10F * to_60(mirrored(p, key_light())));
 }
 
 // Of lesions and of clear context: a shell of even thickness takes the more light the more aslant it is looked through.

@@ -195,7 +195,7 @@ class Info(CommandLineTest):
         tree = self.write("tree.swc", GOOD)
         text = self.expect_done("info", tree, "--branches").stdout
         self.assertRegex(text, r"branches +3 \(2 leaves\)")
-        self.assertRegex(text, r"length +21.66 units")
+        self.assertRegex(text, r"length +21.7 units")
 
 
 class Mesh(CommandLineTest):

@@ -29,11 +29,11 @@ class Info(CommandLineTest):
             text = self.expect_done("info", "bare.swc", *options).stdout
             lines = [line for line in text.splitlines() if "taken as mm" not in line]  # of the notes
             self.assertNotIn(" mm", "\n".join(lines))
-            self.assertRegex(text, r"length +21.66 units")
+            self.assertRegex(text, r"length +21.7 units")
             self.assertRegex(text, r"unit +not known")
             self.assertRegex(text, r"orientation +not known")
         text = self.expect_done("info", "bare.swc", "--units", "mm", "--orientation", "RAS").stdout
-        self.assertRegex(text, r"length +21.66 mm")
+        self.assertRegex(text, r"length +21.7 mm")
         self.assertRegex(text, r"unit +mm, as asked for")
         self.assertRegex(text, r"orientation +RAS, as asked for")
 

@@ -35,7 +35,7 @@ class Systems(CommandLineTest):
                          [("portal vein", "#3c6eb4", 1, 20.0), ("hepatic vein", "#c8503c", 1, 20.0)])
         self.assertEqual([b["system"] for b in report["branch_list"]], ["portal vein", "hepatic vein"])
         text = self.expect_done("info", self.tree, "--branches").stdout
-        self.assertIn("  hepatic vein: 1 branch, 20 mm, #c8503c\n", text)
+        self.assertIn("  hepatic vein: 1 branch, 20.0 mm, #c8503c\n", text)
         self.assertIn("portal vein", text.splitlines()[-2])
 
     def test_each_has_a_surface_of_its_own(self):

@@ -61,7 +61,9 @@ void lay_out_run(const std::vector<Seen>& run, const MarkLine& line, double half
         const glm::dvec2 offset = squared > 0.25 ? 2.0 * sum / squared : b;
         const double depth = flat ? run[i].depth : 1.0 / run[i].depth;
         const auto vertex = [&](double at) {
-            return MarkVertex{glm::vec2(run[i].pixel + at * offset), {at, half, depth}, line.colour};
+            // A width below 0 says whose line it is.
+            return MarkVertex{
+                glm::vec2(run[i].pixel + at * offset), {at, line.of_selection ? -half : half, depth}, line.colour};
         };
         sides.push_back({vertex(-reach), vertex(reach)});
     }
@@ -142,9 +144,14 @@ void SkeletonPass::draw(const Subject& subject, const ViewSetup& view, GLuint op
 
 Result<void> MarkPass::make() { return make_programs({{&program_, "mark.vert", "mark.frag"}}); }
 
-void MarkPass::draw(const Frame& frame, const ViewSetup& view, GLuint opaque_depth) const {
+void MarkPass::draw(const Subject& subject, const ViewTargets& targets, GLuint branches) const {
+    const Frame& frame = subject.frame;
+    const ViewSetup& view = targets.view;
     std::vector<MarkVertex> vertices;
-    for (const MarkLine& line : frame.lines) lay_out(line, frame, vertices);
+    // Who is selected at a pixel is not known of what the ray caster draws.
+    const bool moves = subject.quick() || frame.surface_awaited;
+    for (const MarkLine& line : frame.lines)
+        if (!line.of_selection || !moves) lay_out(line, frame, vertices);
     if (vertices.empty()) return;
     const Buffer buffer = make_buffer(vertices.size() * sizeof vertices[0], vertices.data());
     const VertexArray array = make_vertex_array();
@@ -158,7 +165,9 @@ void MarkPass::draw(const Frame& frame, const ViewSetup& view, GLuint opaque_dep
     glUseProgram(program_);
     glUniform2f(kUniformSize, float(view.picture.x), float(view.picture.y));
     glUniform2f(kUniformToInner, to_inner.x, to_inner.y);
-    glBindTextureUnit(kUnitOpaqueDepth, opaque_depth);
+    glBindTextureUnit(kUnitOpaqueDepth, targets.resolved.opaque_depth);
+    glBindTextureUnit(kUnitIdNormal, targets.resolved.id_normal);
+    glBindTextureUnit(kUnitBranches, branches);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
 }
 

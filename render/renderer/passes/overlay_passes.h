@@ -28,7 +28,8 @@ class MarkPass {
 public:
     [[nodiscard]] Result<void> make();
     // Laid out in pixels, joined without gaps or overlaps, drawn with soft edges.
-    void draw(const Frame& frame, const ViewSetup& view, GLuint opaque_depth) const;
+    // `branches`: the table of their records (scene_tables.h), of the last picture that was shaded.
+    void draw(const Subject& subject, const ViewTargets& targets, GLuint branches) const;
 
 private:
     Program program_;

@@ -88,7 +88,7 @@ TEST_CASE("names colour what depends on them, and other letters stay readable") 
     const auto parent = static_cast<std::size_t>(
         std::ranges::find_if(branches, [](const auto& b) { return b.generation == 1 && !b.children.empty(); }) -
         branches.begin());
-    REQUIRE(stage.run("name " + std::to_string(parent) + " Lebervene\ncolour-by label"));
+    REQUIRE(stage.run("name " + std::to_string(parent) + " Lebervene subtree\ncolour-by label"));
     const auto colours = stage.frame().colours;
     const auto child = static_cast<std::size_t>(branches[parent].children.front());
     CHECK(colours[child] == colours[parent]);

@@ -74,6 +74,7 @@ TEST_CASE("words find labels, numbers find ids, and is: finds states") {
     CHECK(stage.find("17") == std::vector<int>{17});
     CHECK(stage.find("hepatic").empty());
     stage.marks.names = {{1, "Right Hepatic"}, {2, "left hepatic 17"}};
+    stage.marks.subtree_names = {1, 2};
     const auto right = tree::subtree(stage.tree, 1);
     const auto left = tree::subtree(stage.tree, 2);
     CHECK(stage.find("right") == right);

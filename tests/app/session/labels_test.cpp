@@ -10,8 +10,6 @@
 using namespace ramus;
 using namespace ramus::app;
 
-namespace {} // namespace
-
 TEST_CASE("a label is the name of the nearest named branch towards the root") {
     const tree::VesselTree tree = test::grown(200);
     const TreeFacts facts = facts_of(tree);
@@ -21,14 +19,16 @@ TEST_CASE("a label is the name of the nearest named branch towards the root") {
             inner = static_cast<int>(id);
     REQUIRE(inner >= 0);
     const int child = tree.branches[static_cast<std::size_t>(inner)].children.front();
-    const BranchNames names{{inner, "right hepatic"}, {child, "segment VI"}};
+    Marks marks;
+    set_name(marks, inner, "right hepatic", true);
+    set_name(marks, child, "segment VI", true);
 
     for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id) {
         const auto below = [&](int root) {
             const auto ids = tree::subtree(tree, root);
             return std::binary_search(ids.begin(), ids.end(), id);
         };
-        CHECK(label_of(facts.dependency, names, id) == (below(child)   ? "segment VI"
+        CHECK(label_of(facts.dependency, marks, id) == (below(child)   ? "segment VI"
                                                         : below(inner) ? "right hepatic"
                                                                        : ""));
     }
@@ -37,13 +37,32 @@ TEST_CASE("a label is the name of the nearest named branch towards the root") {
 TEST_CASE("labels of all branches at once agree with labels one by one") {
     const tree::VesselTree tree = test::grown(500);
     const tree::Dependency dependency(tree);
-    for (const BranchNames& names :
-         {BranchNames{}, BranchNames{{0, "trunk"}}, BranchNames{{0, "trunk"}, {7, "a"}, {40, "b"}, {123, "c"}}}) {
-        const std::vector<int> sources = label_sources(dependency, names);
+    Marks marks;
+    for (const auto& [named, of_subtree] : {std::pair{-1, false}, {0, true}, {7, false}, {40, true}, {123, false}}) {
+        if (named >= 0) set_name(marks, named, "name " + std::to_string(named), of_subtree);
+        const std::vector<int> sources = label_sources(dependency, marks);
         REQUIRE(sources.size() == tree.branches.size());
         for (int id = 0; id < static_cast<int>(sources.size()); ++id)
-            CHECK(sources[static_cast<std::size_t>(id)] == label_source(dependency, names, id));
+            CHECK(sources[static_cast<std::size_t>(id)] == label_source(dependency, marks, id));
     }
+}
+
+TEST_CASE("a name is its branch's alone, unless it was given to what depends on it") {
+    const tree::VesselTree tree = test::grown(200);
+    const tree::Dependency dependency(tree);
+    Marks marks;
+    set_name(marks, 0, "trunk", false);
+    for (int id = 0; id < static_cast<int>(tree.branches.size()); ++id)
+        CHECK(label_of(dependency, marks, id) == (id == 0 ? "trunk" : ""));
+    set_name(marks, 0, "trunk", true);
+    const int child = tree.branches[0].children.front();
+    set_name(marks, child, "stem", false); // names itself; what lies beyond it is the trunk's
+    CHECK(label_of(dependency, marks, child) == "stem");
+    for (const int beyond : tree.branches[static_cast<std::size_t>(child)].children)
+        CHECK(label_of(dependency, marks, beyond) == "trunk");
+    set_name(marks, 0, "", true);
+    CHECK(marks.subtree_names.empty());
+    CHECK(marks.names.size() == 1);
 }
 
 TEST_CASE("facts sum up what depends on a branch, and how far it is from the root") {

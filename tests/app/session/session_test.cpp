@@ -22,7 +22,8 @@ Session lively_session(const fs::path& folder) {
     set_state(session.marks, std::vector<int>{7}, BranchState::kDefocused);
     session.marks.lesions = {{1.5, -2.25, 3.0, 10.0}};
     session.marks.cuts = {{4, 0.25}};
-    session.marks.names = {{5, "right \"posterior\" branch"}};
+    session.marks.names = {{5, "right \"posterior\" branch"}, {6, "left"}};
+    session.marks.subtree_names = {6};
     session.marks.lesion_meshes = {(folder / "tumour.stl").string(), "/elsewhere/second tumour.ply"};
     session.marks.context = {
         {(folder / "scans" / "liver.nii.gz").string(), 2, {1, 20, 255}, 1.0 / 3.0, false, true, true, "cm"},

@@ -31,6 +31,8 @@ public:
     bool dismiss() override { return false; }
     void set_ui_scale(double) override {}
     [[nodiscard]] double ui_scale() const override { return 1.0; }
+    void set_light_theme(bool) override {}
+    [[nodiscard]] bool light_theme() const override { return false; }
     [[nodiscard]] bool shows(std::string_view part) const override { return parts.contains(std::string(part)); }
     int moves = 0;
     std::pair<int, double> flown{-1, -1.0};

@@ -1,0 +1,148 @@
+#include "app/picture/selection_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+namespace ramus::app {
+
+namespace {
+
+constexpr std::size_t kMostOutlinePoints = 8'000; // tuned: some milliseconds to lay out
+constexpr float kOutlineWidth = 2.2F;             // points
+
+struct Tube {
+    std::vector<glm::dvec3> places;
+    std::vector<double> radii;
+};
+
+Tube tube_of(const render::Centerlines& lines, int branch) {
+    Tube tube;
+    const auto& [first, count] = lines.runs[static_cast<std::size_t>(branch)];
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        tube.places.push_back(lines.origin + glm::dvec3(lines.points[i]));
+        tube.radii.push_back(0.5 * static_cast<double>(lines.details[i].diameter_mm));
+    }
+    return tube;
+}
+
+// Whether a place lies in the ball around any point of a vessel. Where vessels meet, that is what hides the outline.
+bool inside(const Tube& tube, const glm::dvec3& place) {
+    for (std::size_t i = 0; i < tube.places.size(); ++i)
+        if (glm::distance(tube.places[i], place) < 0.97 * tube.radii[i]) return true;
+    return false;
+}
+
+class Outline {
+public:
+    Outline(render::Frame& frame, const tree::VesselTree& tree)
+        : frame_(frame), tree_(tree), selected_(tree.branches.size(), false) {
+        for (const int id : frame.selected)
+            if (id >= 0 && static_cast<std::size_t>(id) < selected_.size())
+                selected_[static_cast<std::size_t>(id)] = true;
+    }
+
+    void add(int branch) {
+        const Tube tube = tube_of(*frame_.centerlines, branch);
+        if (tube.places.size() < 2) return;
+        const std::vector<Tube> met = neighbours(branch);
+        for (const double side : {-1.0, 1.0}) add_side(tube, met, side);
+        if (tree_.branches[static_cast<std::size_t>(branch)].children.empty()) add_cap(tube);
+    }
+
+private:
+    // Selected ones that this one meets at its ends.
+    [[nodiscard]] std::vector<Tube> neighbours(int branch) const {
+        std::vector<Tube> met;
+        const tree::Branch& own = tree_.branches[static_cast<std::size_t>(branch)];
+        const auto add = [&](int other) {
+            if (other != tree::kNoBranch && other != branch && selected_[static_cast<std::size_t>(other)])
+                met.push_back(tube_of(*frame_.centerlines, other));
+        };
+        add(own.parent);
+        for (const int child : own.children) add(child);
+        if (own.parent != tree::kNoBranch)
+            for (const int sibling : tree_.branches[static_cast<std::size_t>(own.parent)].children) add(sibling);
+        return met;
+    }
+
+    [[nodiscard]] glm::dvec3 towards_eye(const glm::dvec3& place) const {
+        const render::Camera& camera = frame_.camera;
+        return camera.orthographic ? -render::axes_of(camera).forward : glm::normalize(camera.position - place);
+    }
+
+    void add_side(const Tube& tube, const std::vector<Tube>& met, double side) {
+        std::vector<glm::dvec3> line;
+        const auto end_line = [&] {
+            if (line.size() > 1) frame_.lines.push_back(of_selection(std::move(line)));
+            line.clear();
+        };
+        for (std::size_t i = 0; i < tube.places.size(); ++i) {
+            const glm::dvec3 along =
+                tube.places[std::min(i + 1, tube.places.size() - 1)] - tube.places[i > 0 ? i - 1 : 0];
+            const glm::dvec3 across = glm::cross(along, towards_eye(tube.places[i]));
+            const double length = glm::length(across);
+            if (!(length > 1e-9 * glm::length(along))) { // seen from its end
+                end_line();
+                continue;
+            }
+            const glm::dvec3 place = tube.places[i] + side * tube.radii[i] / length * across;
+            if (std::ranges::any_of(met, [&](const Tube& other) { return inside(other, place); }))
+                end_line();
+            else
+                line.push_back(place);
+        }
+        end_line();
+    }
+
+    // Half a circle around the free end.
+    void add_cap(const Tube& tube) {
+        constexpr int kSteps = 12;
+        const glm::dvec3 end = tube.places.back(), eye = towards_eye(end);
+        const glm::dvec3 along = end - tube.places[tube.places.size() - 2], across = glm::cross(along, eye);
+        if (!(glm::length(across) > 1e-9 * glm::length(along))) return;
+        const glm::dvec3 u = glm::normalize(across), v = glm::normalize(glm::cross(eye, u));
+        std::vector<glm::dvec3> line;
+        for (int i = 0; i <= kSteps; ++i) {
+            const double angle = 3.14159265358979 * i / kSteps;
+            line.push_back(end + tube.radii.back() * (std::cos(angle) * u + std::sin(angle) * v));
+        }
+        frame_.lines.push_back(of_selection(std::move(line)));
+    }
+
+    [[nodiscard]] render::MarkLine of_selection(std::vector<glm::dvec3> line) const {
+        return {std::move(line), frame_.appearance.selection, kOutlineWidth, true};
+    }
+
+    render::Frame& frame_;
+    const tree::VesselTree& tree_;
+    std::vector<bool> selected_; // by branch
+};
+
+} // namespace
+
+void outline_selection(render::Frame& frame, const tree::VesselTree& tree) {
+    if (!frame.centerlines || frame.selected.empty()) return;
+    const auto& lines = *frame.centerlines;
+    std::vector<std::pair<float, int>> thickest; // by the diameter where it begins
+    for (const int branch : frame.selected) {
+        const auto index = static_cast<std::size_t>(branch);
+        const bool hidden = index < frame.states.size() && frame.states[index] == render::BranchState::kHidden;
+        if (branch < 0 || index >= lines.runs.size() || index >= tree.branches.size() || hidden) continue;
+        if (lines.runs[index].count > 1)
+            thickest.emplace_back(lines.details[lines.runs[index].first].diameter_mm, branch);
+    }
+    std::ranges::sort(thickest, std::greater<>());
+    Outline outline(frame, tree);
+    std::size_t points = 0;
+    for (const auto& [diameter, branch] : thickest) {
+        points += lines.runs[static_cast<std::size_t>(branch)].count;
+        if (points > kMostOutlinePoints) break;
+        outline.add(branch);
+    }
+}
+
+} // namespace ramus::app
