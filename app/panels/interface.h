@@ -177,7 +177,7 @@ struct Interface {
     bool menu_focused = false;   // the bar has the keyboard
     std::string open_menu;       // of the bar; empty: none
     bool menu_entry = false;     // an arrow has gone from the menu into its entries
-    int menu_step = 0;           // to the next menu, 1, or the one before, -1
+    int menu_step = 0;           // how many menus further left and right lead
     bool planning = false;       // the side panel shows its planning half
     float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;

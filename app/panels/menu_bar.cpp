@@ -74,7 +74,7 @@ void step_from_menu_to_menu(Interface& interface, const std::vector<std::string>
     interface.menu_entry &= interface.menu_by_keys && open != menus.end();
     if (open == menus.end() || step == 0) return;
     const auto at = static_cast<int>(open - menus.begin()), count = static_cast<int>(menus.size());
-    ImGui::OpenPopup(menus[static_cast<std::size_t>((at + step + count) % count)].c_str());
+    ImGui::OpenPopup(menus[static_cast<std::size_t>(((at + step) % count + count) % count)].c_str());
 }
 
 void draw_menus(InterfaceContext& context) {

@@ -273,7 +273,7 @@ void ViewerInput::key(int number, bool down, const std::optional<KeyPress>& pres
     Interface& interface = state_.interface;
     if (down && press && interface.steps_menus()) {
         if (press->key == "Left" || press->key == "Right") {
-            interface.menu_step = press->key == "Left" ? -1 : 1;
+            interface.menu_step += press->key == "Left" ? -1 : 1;
             return;
         }
         interface.menu_entry = press->key == "Down" || press->key == "Up";

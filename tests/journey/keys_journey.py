@@ -55,9 +55,9 @@ def menus(window):
     window.xdotool("key", "Left", "Left")
     window.wait("round", lambda s: s["open_menu"] == "Help")
     check(True, "arrows lead from menu to menu, round as well")
-    window.xdotool("key", "Right", "Right", "Right", "Down")
-    window.wait("an entry", lambda s: s["open_menu"] == "Select")
-    window.xdotool("key", "Escape")
+    window.xdotool("key", "Right", "Right", "Right")
+    window.wait("another one", lambda s: s["open_menu"] == "Select")
+    window.xdotool("key", "Down", "Escape")
     window.wait("no menu", lambda s: not s["menu"])
 
 

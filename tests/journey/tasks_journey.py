@@ -52,11 +52,11 @@ class Hands:
         self.window.xdotool("mouseup", 1)
 
 
-def open_a_file(hands, folder):
+def open_a_file(hands):
     hands.begin("open a tree")
     hands.key("ctrl+o")
     hands.window.wait("the dialog", lambda s: s["open_dialog"])
-    hands.type(str(folder / "tree.swc"))
+    hands.type("tree.swc")
     hands.key("Return")
     hands.window.wait("the tree", lambda s: s["surface_ready"] and s["branch_count"] == 5)
     hands.end()
@@ -138,7 +138,7 @@ def journey(program, screen, folder):
     try:
         window.wait("a tree", lambda s: s["surface_ready"])
         hands = Hands(window)
-        open_a_file(hands, folder)
+        open_a_file(hands)
         what_depends(hands)
         lasso_and_defocus(hands)
         remove_and_bring_back(hands)
