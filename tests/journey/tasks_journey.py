@@ -103,8 +103,8 @@ def lesion_and_bands(hands):
     hands.end()
 
 
-def cut_list(hands, folder):
-    hands.begin("cut a vessel and keep the list of what is lost")
+def cut_list(hands):
+    hands.begin("cut a vessel and read what is lost")
     hands.key("shift+c")
     hands.click(project(hands.window.status(), [20, 8.5, 15]))
     hands.window.wait("the cut", lambda s: len(s["cuts"]) == 1)
@@ -143,7 +143,7 @@ def journey(program, screen, folder):
         lasso_and_defocus(hands)
         remove_and_bring_back(hands)
         lesion_and_bands(hands)
-        cut_list(hands, folder)
+        cut_list(hands)
         measure(hands)
         compare(hands)
         window.shot("tasks")
