@@ -54,9 +54,9 @@ std::string text_of(const Finding& finding, const Lengths& lengths) {
     switch (finding.kind) {
     case Kind::kLost:
     case Kind::kFalse:
-        return lengths.scaled(finding.value_mm) + " long";
+        return lengths.text(finding.value_mm) + " long";
     case Kind::kMerged:
-        return (finding.value_mm < 0.0 ? "overlap " : "gap ") + lengths.scaled(std::abs(finding.value_mm));
+        return (finding.value_mm < 0.0 ? "overlap " : "gap ") + lengths.text(std::abs(finding.value_mm));
     case Kind::kConstriction:
     case Kind::kRadius:
         return digits(finding.value_mm) + " instead of " + lengths.text(finding.expected_mm);

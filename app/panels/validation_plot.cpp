@@ -169,7 +169,7 @@ void draw_radius_plot(const Document& document, const TreeValidation& validation
     tell_values(plot, lengths);
     draw_legend(plot);
     widgets::quiet(
-        ("Along 0 to " + lengths.scaled(plot.length_mm) + ", radius 0 to " + lengths.text(plot.top_mm)).c_str());
+        ("Along 0 to " + lengths.text(plot.length_mm) + ", radius 0 to " + lengths.text(plot.top_mm)).c_str());
     ImGui::PopFont();
     if (!validation.mask_trouble.empty()) widgets::trouble(("No line of the mask: " + validation.mask_trouble).c_str());
 }
