@@ -15,13 +15,13 @@ INLINE Vec4 glass_veil(SurfacePoint p) {
     Mask lost = has(p.flags, kLost);
     if (ANY(lost)) tint = select(lost, mix(tint, 1.4F * Vec3(lost_colour), 0.7F), tint);
 #endif
-    Float veil = mix(0.16F, 0.72F, pow(1.0F - facing_eye(p), 1.6F));
+    Float veil = mix(0.20F, 0.72F, pow(1.0F - facing_eye(p), 1.6F));
     veil = veil + select(selected, 0.12F, 0.0F) + select(hovered, 0.12F, 0.0F) + select(glowing, 0.06F, 0.0F);
     float opacity = more.y;
     veil = opacity < 1.0F ? veil * opacity : mix(veil, 0.97F, opacity - 1.0F);
     veil = veil * mad(-0.5F * background_bottom.w, p.far, 1.0F);
     // However many veils lie one behind the other, they are no brighter than vessels in focus.
-    Vec3 radiance = mad(0.24F, max(dot(p.normal, key_light()), 0.0F), 0.20F) * tint;
+    Vec3 radiance = mad(0.28F, max(dot(p.normal, key_light()), 0.0F), 0.24F) * tint;
     return veiled(radiance, veil, min(opacity, 1.0F) * lights.w * 0.10F * to_60(mirrored(p, key_light())));
 }
 

@@ -155,10 +155,10 @@ glm::dvec3 light_of(const std::uint8_t* bytes, double added) {
 glm::dvec4 veil_of_glass(const Appearance& look, const glm::dvec3& normal, const glm::dvec3& towards_eye) {
     const glm::dvec3 key(-0.429, 0.572, 0.699);
     const double facing = std::clamp(glm::dot(normal, towards_eye), 0.0, 1.0);
-    const double veil = 0.16 + 0.56 * std::pow(1.0 - facing, 1.6);
+    const double veil = 0.20 + 0.52 * std::pow(1.0 - facing, 1.6);
     const glm::dvec3 light =
-        glm::dvec3(linear(look.glass, 0.0F)) * (0.55 + 0.85 * std::max(0.0, glm::dot(normal, key)));
-    const double shine = 0.40 * std::pow(std::max(0.0, glm::dot(normal, glm::normalize(key + towards_eye))), 60.0);
+        glm::dvec3(linear(look.glass, 0.0F)) * (0.24 + 0.28 * std::max(0.0, glm::dot(normal, key)));
+    const double shine = 0.10 * std::pow(std::max(0.0, glm::dot(normal, glm::normalize(key + towards_eye))), 60.0);
     return {light * veil + shine, std::clamp(veil + shine, 0.0, 1.0)};
 }
 
