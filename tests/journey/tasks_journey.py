@@ -8,6 +8,7 @@ import sys
 from screen import SMALL_TREE, Window, check, middle_of, project, run_journeys
 
 MOST = 5  # actions a task may take
+PRINTING = "Makes sure that the surface is closed and in mm, and says how thin it is at its thinnest place"
 
 
 class Hands:
@@ -131,6 +132,31 @@ def compare(hands):
     hands.end()
 
 
+def picture_for_a_talk(hands, folder):
+    hands.begin("a picture for a talk")
+    hands.key("F12")
+    picture = folder / "tree.png"
+    status = hands.window.wait("the picture, or its dialog", lambda s: s["export"].startswith("picture") or picture.exists())
+    if status["export"]:
+        if "What is behind the tree" in status["controls"]:
+            hands.press("What is behind the tree")
+            hands.press("White")
+        hands.press("Write it")
+    hands.window.wait("the picture", lambda s: picture.exists() and not s["open_dialog"])
+    hands.end()
+
+
+def export_for_print(hands, folder):
+    hands.begin("a surface for a printer")
+    hands.key("ctrl+e")
+    hands.window.wait("the dialog", lambda s: s["export"].startswith("surface") and s["typing"])
+    hands.type("print.stl")
+    hands.press(PRINTING)
+    hands.press("Write it")
+    hands.window.wait("the surface", lambda s: (folder / "print.stl").exists() and not s["open_dialog"])
+    hands.end()
+
+
 def journey(program, screen, folder):
     (folder / "tree.swc").write_text(SMALL_TREE)
     (folder / "other.swc").write_text("1 3 0 0 0 5 -1\n2 3 0 0 30 5 1\n")
@@ -146,7 +172,10 @@ def journey(program, screen, folder):
         cut_list(hands)
         measure(hands)
         compare(hands)
+        picture_for_a_talk(hands, folder)
+        export_for_print(hands, folder)
         window.shot("tasks")
+        check(len(hands.counts) == 10, "that were ten tasks")
         for task, count in hands.counts:
             print(f"{count}  {task}")
         check(window.quit() == 0, "it quits")
