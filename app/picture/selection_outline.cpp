@@ -1,5 +1,7 @@
 #include "app/picture/selection_outline.h"
 
+#include "core/base/lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,6 +23,7 @@ struct Tube {
 
 Tube tube_of(const render::Centerlines& lines, int branch) {
     Tube tube;
+    if (static_cast<std::size_t>(branch) >= lines.runs.size()) return tube;
     const auto& [first, count] = lines.runs[static_cast<std::size_t>(branch)];
     for (std::uint32_t i = first; i < first + count; ++i) {
         tube.places.push_back(lines.origin + glm::dvec3(lines.points[i]));
@@ -29,38 +32,57 @@ Tube tube_of(const render::Centerlines& lines, int branch) {
     return tube;
 }
 
-// Whether a place lies in the ball around any point of a vessel. Where vessels meet, that is what hides the outline.
-bool inside(const Tube& tube, const glm::dvec3& place) {
-    for (std::size_t i = 0; i < tube.places.size(); ++i)
-        if (glm::distance(tube.places[i], place) < 0.97 * tube.radii[i]) return true;
+// With places in between, for an outline begins and ends at any of them.
+Tube finer(const Tube& tube) {
+    constexpr double kMostPieces = 16.0; // of a segment
+    Tube fine;
+    for (std::size_t i = 0; i + 1 < tube.places.size(); ++i) {
+        const double length = glm::distance(tube.places[i], tube.places[i + 1]);
+        const double radius = std::max(tube.radii[i], tube.radii[i + 1]);
+        const auto pieces = static_cast<int>(std::clamp(std::ceil(length / (0.7 * radius)), 1.0, kMostPieces));
+        for (int piece = 0; piece < pieces; ++piece) {
+            const double share = static_cast<double>(piece) / pieces;
+            fine.places.push_back(tube.places[i] + share * (tube.places[i + 1] - tube.places[i]));
+            fine.radii.push_back(tube.radii[i] + share * (tube.radii[i + 1] - tube.radii[i]));
+        }
+    }
+    if (!tube.places.empty()) fine.places.push_back(tube.places.back()), fine.radii.push_back(tube.radii.back());
+    return fine;
+}
+
+// Whether a place lies where a vessel blends with one that it meets: nothing hides the outline there, it ends.
+bool blends(const Tube& tube, const glm::dvec3& place) {
+    constexpr double kBlend = 1.3; // radii; tuned on forks, which are thicker than their tubes
+    for (std::size_t i = 1; i < tube.places.size(); ++i) {
+        const glm::dvec3 along = tube.places[i] - tube.places[i - 1];
+        const double share = share_along(place - tube.places[i - 1], along);
+        const double radius = tube.radii[i - 1] + share * (tube.radii[i] - tube.radii[i - 1]);
+        if (glm::distance(tube.places[i - 1] + share * along, place) < kBlend * radius) return true;
+    }
     return false;
 }
 
 class Outline {
 public:
-    Outline(render::Frame& frame, const tree::VesselTree& tree)
-        : frame_(frame), tree_(tree), selected_(tree.branches.size(), false) {
-        for (const int id : frame.selected)
-            if (id >= 0 && static_cast<std::size_t>(id) < selected_.size())
-                selected_[static_cast<std::size_t>(id)] = true;
-    }
+    Outline(render::Frame& frame, const tree::VesselTree& tree) : frame_(frame), tree_(tree) {}
 
-    void add(int branch) {
-        const Tube tube = tube_of(*frame_.centerlines, branch);
-        if (tube.places.size() < 2) return;
+    // Returns how many places it took.
+    std::size_t add(int branch) {
+        const Tube tube = finer(tube_of(*frame_.centerlines, branch));
+        if (tube.places.size() < 2) return 0;
         const std::vector<Tube> met = neighbours(branch);
         for (const double side : {-1.0, 1.0}) add_side(tube, met, side);
         if (tree_.branches[static_cast<std::size_t>(branch)].children.empty()) add_cap(tube);
+        return tube.places.size();
     }
 
 private:
-    // Selected ones that this one meets at its ends.
+    // Those that it meets at its ends, selected or not.
     [[nodiscard]] std::vector<Tube> neighbours(int branch) const {
         std::vector<Tube> met;
         const tree::Branch& own = tree_.branches[static_cast<std::size_t>(branch)];
         const auto add = [&](int other) {
-            if (other != tree::kNoBranch && other != branch && selected_[static_cast<std::size_t>(other)])
-                met.push_back(tube_of(*frame_.centerlines, other));
+            if (other != tree::kNoBranch && other != branch) met.push_back(tube_of(*frame_.centerlines, other));
         };
         add(own.parent);
         for (const int child : own.children) add(child);
@@ -90,7 +112,7 @@ private:
                 continue;
             }
             const glm::dvec3 place = tube.places[i] + side * tube.radii[i] / length * across;
-            if (std::ranges::any_of(met, [&](const Tube& other) { return inside(other, place); }))
+            if (std::ranges::any_of(met, [&](const Tube& other) { return blends(other, place); }))
                 end_line();
             else
                 line.push_back(place);
@@ -119,7 +141,6 @@ private:
 
     render::Frame& frame_;
     const tree::VesselTree& tree_;
-    std::vector<bool> selected_; // by branch
 };
 
 } // namespace
@@ -139,9 +160,8 @@ void outline_selection(render::Frame& frame, const tree::VesselTree& tree) {
     Outline outline(frame, tree);
     std::size_t points = 0;
     for (const auto& [diameter, branch] : thickest) {
-        points += lines.runs[static_cast<std::size_t>(branch)].count;
+        points += outline.add(branch);
         if (points > kMostOutlinePoints) break;
-        outline.add(branch);
     }
 }
 
