@@ -8,9 +8,12 @@
 #include "core/field/kernel.h"
 #include "core/io/checksum.h"
 #include "core/measure/deviation/deviation.h"
+#include "core/validate/free_ends.h"
 #include "core/validate/worst_radii.h"
 
 #include <iostream>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace ramus::app {
@@ -33,6 +36,17 @@ validate::ValidationOptions validation_options(const ValidateFlags& flags) {
     return {options.smooth_passes, mesh::kernel_of(options).limits, options.threads};
 }
 
+// None of a surface that does not know its branches.
+std::optional<measure::DeviationStatistics>
+but_for_ends(const mesh::TriangleMesh& surface, std::span<const double> distances, const validate::FreeEnds& ends) {
+    if (surface.branches.size() != distances.size()) return {};
+    std::vector<double> others;
+    for (std::size_t v = 0; v < distances.size(); ++v)
+        if (!ends.beyond(surface.branches[v], glm::dvec3(surface.positions[v]))) others.push_back(distances[v]);
+    if (others.empty()) return {};
+    return measure::statistics_of(others, std::nullopt);
+}
+
 // One surface against others.
 class Comparing {
 public:
@@ -40,8 +54,8 @@ public:
         : flags_(flags), surface_(surface), set_(set), for_report_(for_report) {}
 
     // `by_vertex`: for pictures, where there is a report.
-    [[nodiscard]] Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other,
-                                                        std::vector<float>& by_vertex) const {
+    [[nodiscard]] Result<SurfaceDistances> distances_to(const mesh::TriangleMesh& other, std::vector<float>& by_vertex,
+                                                        const validate::FreeEnds* ends = nullptr) const {
         return with_progress("distances", [&](Job&) -> Result<SurfaceDistances> {
             SurfaceDistances found;
             LargeArray<double> distances = measure::deviations(surface_, other, flags_.surface.surface.threads);
@@ -52,6 +66,7 @@ public:
                     const validate::RadiusPlace* place = validate::nearest_place(set_.validation, at);
                     found.farthest.push_back({at, distances[vertex], place != nullptr ? place->branch : 0});
                 }
+            if (ends != nullptr) found.but_for_ends = but_for_ends(surface_, distances, *ends);
             found.statistics = measure::statistics_of(distances, set_.half_voxel_mm);
             return found;
         });
@@ -151,7 +166,10 @@ Result<ValidatedDataSet> validated(const ValidateFlags& flags, std::size_t n, co
         SurfaceFlags of_cones = flags.surface;
         of_cones.surface.method = mesh::Method::kTruncatedCones;
         RAMUS_TRY(cones, surface_of_tree(tree, of_cones));
-        RAMUS_TRY(distances, comparing.distances_to(cones.mesh, to_cones_mm));
+        const validate::FreeEnds ends(tree, flags.surface.surface.smooth_passes);
+        const validate::FreeEnds* const known =
+            set.surface.empty() ? &ends : nullptr; // else its branches are not this tree's
+        RAMUS_TRY(distances, comparing.distances_to(cones.mesh, to_cones_mm, known));
         RAMUS_TRY(radii, comparing.radii_in(cones.mesh));
         set.to_cones = std::move(distances);
         set.cones_radii_mm = std::move(radii);

@@ -67,6 +67,11 @@ ordered_json data_set_json(const ValidatedDataSet& set, bool one_of_several) {
         cones["above_percent"] = nullptr; // as scripts know it
     else if (set.half_voxel_mm)
         cones["threshold_mm"] = *set.half_voxel_mm;
+    if (set.to_cones.but_for_ends) {
+        const measure::DeviationStatistics& others = *set.to_cones.but_for_ends;
+        cones["but_for_free_ends"] = {{"count", others.count}, {"mean", others.mean}, {"sigma", others.sigma},
+                                      {"rms", others.rms},     {"max", others.max},   {"median", others.box.median}};
+    }
     json["distances"]["to_mask"] = nullptr;
     if (set.to_mask) {
         json["distances"]["to_mask"] = deviation_json(set.to_mask->statistics);
@@ -153,6 +158,9 @@ void print_one(const ValidatedDataSet& set) {
                   << " % and " << digits(100.0 * error.flat_p95) << " %\n";
     std::cout << lengths.worded(
         deviation_text("surface to truncated cones", set.to_cones.statistics, set.half_voxel_mm));
+    if (const auto& others = set.to_cones.but_for_ends)
+        std::cout << lengths.worded("    without what lies beyond free ends, mm: mean " + rounded(others->mean) +
+                                    ", largest " + rounded(others->max) + "\n");
     if (set.to_mask)
         std::cout << lengths.worded(
             deviation_text("surface to isosurface", set.to_mask->statistics, set.half_voxel_mm));

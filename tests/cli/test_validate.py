@@ -99,6 +99,18 @@ class Validate(CommandLineTest):
         for words in ("lost branches: none", "false branches: none", "merged branches: none", "radius away from joints"):
             self.assertIn(words, text)
 
+    def test_free_ends_are_told_apart(self):
+        # A tube of radius 2 goes on half a ball beyond its ends as cones, 0.7075 radii as a convolution surface.
+        self.write("tube.swc", swc((0, 0, 0, 2, -1), (0, 0, 30, 2, 1)))
+        cones = self.json("validate", "tube.swc", "--json")["distances"]["to_cones"]
+        self.assertAlmostEqual(cones["max"], 2 * (1 - 0.7075), delta=0.01)
+        others = cones["but_for_free_ends"]
+        self.assertLess(others["max"], 0.3)
+        self.assertLess(others["count"], cones["count"])
+        self.expect_done("mesh", "tube.swc", "-o", "tube.stl")
+        given = self.json("validate", "tube.swc", "--surface", "tube.stl", "--json")["distances"]["to_cones"]
+        self.assertNotIn("but_for_free_ends", given)
+
     def test_the_surface_of_another_program(self):
         self.write("less.swc", fork(False))
         self.expect_done("mesh", "less.swc", "-o", "less.stl")

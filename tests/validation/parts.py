@@ -151,12 +151,13 @@ def table1():
         found = ramus_json("validate", tree, "--mask", mask, *(word.replace("--units", "--mask-units") for word in options))
         cones, to_mask, questions = found["distances"]["to_cones"], found["distances"]["to_mask"], found["questions"]
         boxes.append(plots.box_of(name, to_mask))
-        rows.append((name, f"{cones['mean']:.4f}", f"{cones['sigma']:.4f}", f"{cones['max']:.3f}", f"{to_mask['mean']:.4f}",
+        rows.append((name, f"{cones['mean']:.4f}", f"{cones['sigma']:.4f}", f"{cones['max']:.3f}", f"{cones['but_for_free_ends']['max']:.3f}",
+                     f"{to_mask['mean']:.4f}",
                      f"{to_mask['sigma']:.4f}", f"{to_mask['max']:.3f}", f"{to_mask['threshold_mm']:.3f}",
                      f"{100.0 - to_mask['above_percent']:.2f}",
                      " ".join(str(len(questions[key])) for key in ("lost", "false", "merged", "constrictions"))))
         print(f"    {name}", flush=True)
-    text = table(("mask", "to cones: mean, mm", "sigma", "largest", "to isosurface: mean, mm", "sigma", "largest",
+    text = table(("mask", "to cones: mean, mm", "sigma", "largest", "but for free ends", "to isosurface: mean, mm", "sigma", "largest",
                   "half a voxel's diagonal, mm", "below it, %", "lost, false, merged, constrictions"), rows)
     text += "\n" + MISSING + "\n" if missing else ""
     return text + "\n" + figure("table1.svg", plots.box_plots("Surface to isosurface of the mask", "mm", boxes))

@@ -26,6 +26,9 @@ struct FarPlace {
 // From the vertices of the surface to another one.
 struct SurfaceDistances {
     measure::DeviationStatistics statistics;
+    // Of cones: without the vertices beyond free ends of vessels, where a cone has half a ball and the surface ends by
+    // the paper's sum. None: it is not known which those are.
+    std::optional<measure::DeviationStatistics> but_for_ends;
     std::vector<FarPlace> farthest; // the farthest first
 };
 
