@@ -44,11 +44,15 @@ Probe::Probe(const mesh::TriangleMesh& surface, std::span<const Place> places)
     if (turned > 0) sign_ = -1;
 }
 
-// How often the surface winds around a place, as the median of some rays says.
+// How often the surface winds around a place, as the median of some rays says: where most of them agree, the others
+// are not asked.
 int Probe::winding(const glm::dvec3& at) const {
     thread_local std::vector<measure::Crossing> found;
+    constexpr std::size_t kMost = kWindingRays.size() / 2 + 1;
     std::array<int, kWindingRays.size()> turns{};
     for (std::size_t ray = 0; ray < kWindingRays.size(); ++ray) {
+        if (ray == kMost && std::ranges::count(turns.begin(), turns.begin() + kMost, turns[0]) == kMost)
+            return turns[0];
         triangles_.crossings(at, glm::normalize(kWindingRays[ray]), size_ + glm::distance(at, middle_), found);
         for (const measure::Crossing& crossing : found) turns[ray] += crossing.out ? sign_ : -sign_;
     }

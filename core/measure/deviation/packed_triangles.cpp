@@ -17,20 +17,26 @@ namespace {
 
 constexpr std::size_t kGrain = 4096; // things for a thread at once
 
+// The lowest 16 bits, two zeros after each.
+std::uint64_t spread(std::uint32_t bits) {
+    std::uint64_t x = bits & 0xFFFFU;
+    x = (x | x << 16U) & 0x0000FF0000FFULL;
+    x = (x | x << 8U) & 0x00F00F00F00FULL;
+    x = (x | x << 4U) & 0x0C30C30C30C3ULL;
+    return (x | x << 2U) & 0x249249249249ULL;
+}
+
 // How far along a Hilbert curve through a cube of 2^16 cells a side one of them lies (J. Skilling, "Programming the
 // Hilbert curve", AIP Conference Proceedings 707, 2004).
 std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
     constexpr std::uint32_t kBits = 16, kTop = 1U << (kBits - 1);
     for (std::uint32_t bit = kTop; bit > 1; bit >>= 1U) {
         const std::uint32_t below = bit - 1;
-        for (std::uint32_t& coordinate : x) {
-            if ((coordinate & bit) != 0) {
-                x[0] ^= below;
-            } else {
-                const std::uint32_t change = (x[0] ^ coordinate) & below;
-                x[0] ^= change;
-                coordinate ^= change;
-            }
+        for (std::uint32_t& coordinate : x) { // without branches, which nobody could foresee
+            const std::uint32_t turned = (coordinate & bit) != 0 ? 0xFFFFFFFFU : 0U;
+            const std::uint32_t change = (x[0] ^ coordinate) & below & ~turned;
+            coordinate ^= change;
+            x[0] ^= change ^ (below & turned);
         }
     }
     x[1] ^= x[0];
@@ -38,10 +44,7 @@ std::uint64_t hilbert_index(std::array<std::uint32_t, 3> x) {
     std::uint32_t parity = 0;
     for (std::uint32_t bit = kTop; bit > 1; bit >>= 1U)
         if ((x[2] & bit) != 0) parity ^= bit - 1;
-    std::uint64_t index = 0;
-    for (std::uint32_t bit = kTop; bit > 0; bit >>= 1U)
-        for (const std::uint32_t coordinate : x) index = index << 1U | (((coordinate ^ parity) & bit) != 0 ? 1U : 0U);
-    return index;
+    return spread(x[0] ^ parity) << 2U | spread(x[1] ^ parity) << 1U | spread(x[2] ^ parity);
 }
 
 template <class Call> void for_all(std::size_t count, const Call& call) {
