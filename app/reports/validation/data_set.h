@@ -26,10 +26,10 @@ struct FarPlace {
 // From the vertices of the surface to another one.
 struct SurfaceDistances {
     measure::DeviationStatistics statistics;
+    std::vector<FarPlace> farthest; // the farthest first
     // Of cones: without the vertices beyond free ends of vessels, where a cone has half a ball and the surface ends by
     // the paper's sum. None: it is not known which those are.
-    std::optional<measure::DeviationStatistics> but_for_ends;
-    std::vector<FarPlace> farthest; // the farthest first
+    std::optional<measure::DeviationStatistics> but_for_ends{};
 };
 
 struct InputFile {
