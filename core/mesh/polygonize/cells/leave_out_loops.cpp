@@ -91,13 +91,14 @@ void leave_out_loops(const Subtree& subtree, std::span<const LoopPlace> loops, C
         const std::size_t end =
             next > subtree.first_brick ? made.first_vertex + cells[next - 1].first_vertex : vertices.count;
         brick.first_vertex -= gone;
-        const auto of_brick = std::ranges::equal_range(sorted, b, {}, &LoopPlace::brick);
+        const auto begin = std::ranges::lower_bound(sorted, b, {}, &LoopPlace::brick);
+        const auto of_brick = std::span(begin, std::ranges::upper_bound(sorted, b, {}, &LoopPlace::brick));
         if (of_brick.empty()) {
             if (kept != first) copy_vertices(vertices, first, vertices, kept, end - first);
             kept += end - first;
             continue;
         }
-        BrickLoops left(std::span(of_brick.begin(), of_brick.end()), brick, made, end - first);
+        BrickLoops left(of_brick, brick, made, end - first);
         const std::vector<std::uint16_t>& where = left.work();
         for (std::size_t n = 0; n < where.size(); ++n)
             if (where[n] != kLeftOut) copy_vertices(vertices, first + n, vertices, kept++, 1);
