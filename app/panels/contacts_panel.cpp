@@ -22,8 +22,6 @@ using tree::ContactSide;
 
 constexpr const char* kAnd = " \xC2\xB7 "; // between two branches, or what is said of both
 
-const ImVec4 kOverlapText{0.95F, 0.94F, 0.55F, 1.00F}, kGapText{0.62F, 0.78F, 1.00F, 1.00F}; // as the rings are
-
 std::string side_text(const Document& document, const ContactSide& side) {
     std::string text = "Branch " + std::to_string(side.branch);
     if (const std::string label = label_of(document.dependency(), document.marks(), side.branch); !label.empty())
@@ -78,7 +76,7 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
     ImGui::TextUnformatted((std::to_string(first.branch) + kAnd + std::to_string(second.branch)).c_str());
     ImGui::TableSetColumnIndex(2);
     const bool overlap = contact.gap < 0.0;
-    ImGui::TextColored(overlap ? kOverlapText : kGapText, "%s %s",
+    ImGui::TextColored(overlap ? theme::kOverlap : theme::kGap, "%s %s",
                        contact.crossing() ? "crossing"
                        : overlap          ? "overlap"
                                           : "gap",

@@ -20,8 +20,6 @@ namespace {
 
 using tree::Note;
 
-const ImVec4 kSuspectText{1.00F, 0.55F, 0.76F, 1.00F};
-
 struct RepairRow {
     tree::Repair repair;
     const char *label, *help;
@@ -37,7 +35,7 @@ constexpr std::array kRepairRows{
     RepairRow{tree::Repair::kOrphans, "Accept missing parents", "A point whose parent is missing becomes a root"}};
 
 ImVec4 colour_of(Note::Kind kind) {
-    return kind == Note::Kind::kSuspect    ? kSuspectText
+    return kind == Note::Kind::kSuspect    ? theme::kSuspect
            : kind == Note::Kind::kRepaired ? theme::kHighlight
                                            : theme::kQuiet;
 }

@@ -18,8 +18,9 @@ struct Palette {
     ImVec4 disabled;   // what cannot be chosen now
     ImVec4 accent;     // the colour of selection in the picture, as text
     ImVec4 accent_dim; // the ground of what is chosen
-    ImVec4 highlight, trouble;
-    ImVec4 trouble_dim; // the ground of a button that loses something
+    ImVec4 highlight, trouble, good;
+    ImVec4 suspect, overlap, gap; // as marks of these are in the picture, as text
+    ImVec4 trouble_dim;           // the ground of a button that loses something
     ImVec4 panel, bar, popup;
     ImVec4 line;
     ImVec4 frame, frame_hovered, frame_active;    // fields
@@ -39,9 +40,14 @@ inline const ImVec4& kAccent = palette_in_use.accent;
 inline const ImVec4& kAccentDim = palette_in_use.accent_dim;
 inline const ImVec4& kHighlight = palette_in_use.highlight;
 inline const ImVec4& kTrouble = palette_in_use.trouble;
+inline const ImVec4& kGood = palette_in_use.good;
+inline const ImVec4& kSuspect = palette_in_use.suspect;
+inline const ImVec4& kOverlap = palette_in_use.overlap;
+inline const ImVec4& kGap = palette_in_use.gap;
 inline const ImVec4& kTroubleDim = palette_in_use.trouble_dim;
 inline const ImVec4& kPanel = palette_in_use.panel;
 inline const ImVec4& kBar = palette_in_use.bar;
+inline const ImVec4& kFrame = palette_in_use.frame;
 inline const ImVec4& kLine = palette_in_use.line;
 inline const ImVec4& kRaised = palette_in_use.raised;
 inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // the ground of a button without one

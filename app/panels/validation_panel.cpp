@@ -20,8 +20,6 @@ namespace {
 
 using Kind = Finding::Kind;
 
-const ImVec4 kAnswerNone{0.55F, 0.83F, 0.62F, 1.00F}; // nothing is wrong
-
 struct Question {
     Kind kind;
     const char* text;
@@ -44,7 +42,7 @@ void draw_answers(const std::vector<Finding>& findings) {
         ImGui::SameLine();
         const std::string answer = count == 0 ? "none" : grouped(static_cast<std::uint64_t>(count));
         widgets::align_right(ImGui::CalcTextSize(answer.c_str()).x);
-        ImGui::TextColored(count == 0 ? kAnswerNone : theme::kHighlight, "%s", answer.c_str());
+        ImGui::TextColored(count == 0 ? theme::kGood : theme::kHighlight, "%s", answer.c_str());
     }
 }
 

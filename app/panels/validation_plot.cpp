@@ -17,10 +17,6 @@ namespace {
 
 using validate::RadiusPlace;
 
-// As in the report's plots (app/reports/plots/svg.h), light enough for a dark ground.
-const ImVec4 kReadLine{0.93F, 0.94F, 0.95F, 1.00F}, kConesLine{0.95F, 0.55F, 0.20F, 1.00F},
-    kMaskLine{0.25F, 0.80F, 0.60F, 1.00F}, kJointGround{0.15F, 0.16F, 0.18F, 1.00F};
-
 // The places of one branch, and the radii that are drawn of them.
 struct RadiusLine {
     const char* name;
@@ -49,11 +45,11 @@ std::vector<RadiusLine> lines_of(const TreeValidation& validation) {
     const std::vector<RadiusPlace>& places = validation.found->radii;
     std::vector<RadiusLine> lines;
     if (!validation.mask_mm.empty())
-        lines.push_back({"mask", kMaskLine, 1.4F, [&](std::size_t i) { return validation.mask_mm[i]; }});
+        lines.push_back({"mask", theme::kGood, 1.4F, [&](std::size_t i) { return validation.mask_mm[i]; }});
     if (!validation.cones_mm.empty())
-        lines.push_back({"cones", kConesLine, 1.4F, [&](std::size_t i) { return validation.cones_mm[i]; }});
+        lines.push_back({"cones", theme::kHighlight, 1.4F, [&](std::size_t i) { return validation.cones_mm[i]; }});
     lines.push_back({"surface", theme::kAccent, 2.4F, [&](std::size_t i) { return places[i].surface_mm; }});
-    lines.push_back({"read", kReadLine, 1.0F, [&](std::size_t i) { return places[i].input_mm; }});
+    lines.push_back({"read", theme::kText, 1.0F, [&](std::size_t i) { return places[i].input_mm; }});
     return lines;
 }
 
@@ -91,7 +87,7 @@ void shade_joints(ImDrawList& list, const BranchPlot& plot) {
             const float from = i == plot.first ? plot.corner.x : plot.x_of(plot.places[i].along_mm);
             const float to = end == plot.end ? plot.corner.x + plot.size.x : plot.x_of(plot.places[end].along_mm);
             list.AddRectFilled({from, plot.corner.y}, {to, plot.corner.y + plot.size.y},
-                               ImGui::GetColorU32(kJointGround));
+                               ImGui::GetColorU32(theme::kFrame));
         }
         i = end + 1;
     }

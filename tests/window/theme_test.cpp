@@ -51,7 +51,8 @@ TEST_CASE("text of both themes has a contrast of 4.5 : 1 on every ground it stan
                                  std::pair{"losing", p.trouble_dim}};
         for (const auto& [name, ground] : plain) {
             CAPTURE(name);
-            for (const ImVec4& words : {p.text, p.quiet, p.disabled, p.accent, p.highlight, p.trouble})
+            for (const ImVec4& words :
+                 {p.text, p.quiet, p.disabled, p.accent, p.highlight, p.trouble, p.good, p.suspect, p.overlap, p.gap})
                 CHECK(contrast(words, ground) >= kLeast);
         }
         for (const auto& [name, ground] : pressed) {
