@@ -201,7 +201,7 @@ std::vector<Command> editing_commands() {
                 "Gives branches a radius in mm, those selected unless told; nodes that they share with others keep "
                 "theirs. Without arguments the window asks.",
                 radii<Kind::kRadius>)
-            .in_menu("Edit", "Diameter of the selected\xE2\x80\xA6")
+            .in_menu("Edit", "Set the diameter\xE2\x80\xA6")
             .when(has_selection),
         Command("scale-radius", "[FACTOR [ID...]]",
                 "Multiplies the radii of branches, those selected unless told. Without arguments the window asks.",
