@@ -32,8 +32,9 @@ struct Palette {
 enum class Kind { kDark, kLight };
 [[nodiscard]] const Palette& palette(Kind kind);
 
-// The colours in use.
+// The colours in use: constants to panels, which see no other in a frame.
 inline Palette palette_in_use;
+// NOLINTBEGIN(readability-identifier-naming)
 inline const ImVec4& kText = palette_in_use.text;
 inline const ImVec4& kQuiet = palette_in_use.quiet;
 inline const ImVec4& kAccent = palette_in_use.accent;
@@ -50,6 +51,7 @@ inline const ImVec4& kBar = palette_in_use.bar;
 inline const ImVec4& kFrame = palette_in_use.frame;
 inline const ImVec4& kLine = palette_in_use.line;
 inline const ImVec4& kRaised = palette_in_use.raised;
+// NOLINTEND(readability-identifier-naming)
 inline const ImVec4 kNothing{0.00F, 0.00F, 0.00F, 0.00F}; // the ground of a button without one
 // On the picture, which is dark in both themes.
 inline const ImVec4 kOnPicture{0.87F, 0.88F, 0.90F, 1.00F};
