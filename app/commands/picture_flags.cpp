@@ -1,11 +1,11 @@
 #include "app/commands/picture_flags.h"
 
 #include "app/commands/command.h"
+#include "app/picture/figure_options.h"
 #include "app/session/numbers.h"
 #include "core/io/volumes/volume_file.h"
 #include "render/renderer/drawn.h"
 
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -13,31 +13,14 @@
 
 namespace ramus::app {
 
-namespace {
-
-// "1600x1200", within what can be drawn; else a message for the user.
-std::string read_size(const std::string& text, glm::ivec2& size) {
-    std::int64_t width = 0, height = 0;
-    constexpr const char* kWanted = " is not a size such as 1600x1200";
-    const char* const end = text.data() + text.size();
-    const auto x = std::from_chars(text.data(), end, width);
-    if (x.ec != std::errc{} || x.ptr == end || *x.ptr != 'x') return text + kWanted;
-    const auto y = std::from_chars(x.ptr + 1, end, height);
-    if (y.ec != std::errc{} || y.ptr != end) return text + kWanted;
-    if (const auto fits = render::check_size(width, height); !fits) return fits.error().message();
-    size = {width, height};
-    return {};
-}
-
-} // namespace
-
 void add_size_flag(CLI::App& command, glm::ivec2& size) {
     const std::string usual = std::to_string(size.x) + "x" + std::to_string(size.y);
     add_option_taking<std::string>(
         command, "--size", "WxH",
         [&size](const std::string& text) {
-            if (const std::string wrong = read_size(text, size); !wrong.empty())
-                throw CLI::ValidationError("--size", wrong);
+            const auto read = size_in(text);
+            if (!read) throw CLI::ValidationError("--size", read.error().message());
+            size = *read;
         },
         "Pixels of the picture (default " + usual + ")");
 }

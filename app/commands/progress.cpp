@@ -1,5 +1,6 @@
 #include "app/commands/progress.h"
 
+#include "app/session/progress_lines.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 #include <unistd.h>
 
 namespace ramus::app {
@@ -39,7 +42,11 @@ CancelOnInterrupt::CancelOnInterrupt(Job& job) : before_(running.exchange(&job))
 CancelOnInterrupt::~CancelOnInterrupt() { running.store(before_); }
 
 ProgressBar::ProgressBar(std::string what, const Job& job) : what_(std::move(what)), job_(job) {
-    if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this] { follow(); });
+    const char* wanted = std::getenv(kProgressVariable);
+    if (wanted != nullptr && std::string_view(wanted) == kProgressLines)
+        thread_ = std::thread([this] { say_lines(); });
+    else if (::isatty(STDERR_FILENO) != 0)
+        thread_ = std::thread([this] { follow(); });
 }
 
 ProgressBar::~ProgressBar() {
@@ -50,6 +57,15 @@ ProgressBar::~ProgressBar() {
     }
     done_changed_.notify_one();
     thread_.join();
+}
+
+void ProgressBar::say_lines() {
+    using namespace std::chrono_literals;
+    std::unique_lock lock(mutex_);
+    while (!done_changed_.wait_for(lock, 100ms, [this] { return done_; })) {
+        std::fprintf(stderr, "%s%.3f %s\n", kProgressLine, static_cast<double>(job_.progress()), what_.c_str());
+        std::fflush(stderr);
+    }
 }
 
 void ProgressBar::follow() {

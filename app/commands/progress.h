@@ -32,7 +32,8 @@ private:
 };
 
 // A line on a terminal that follows a Job; silent where standard error is no terminal, and for the first moments, so
-// that quick work leaves no trace. Goes away when it is destroyed.
+// that quick work leaves no trace. Goes away when it is destroyed. With RAMUS_PROGRESS=lines in the environment it says
+// "progress 0.37 surface" on a line of its own, ten times a second, for a program that started this one.
 class ProgressBar {
 public:
     ProgressBar(std::string what, const Job& job);
@@ -42,6 +43,7 @@ public:
 
 private:
     void follow();
+    void say_lines();
 
     std::string what_;
     const Job& job_;

@@ -1,15 +1,18 @@
 // `ramus render`: the window's picture without a window.
 #include "app/actions/script.h"
 #include "app/assets/shapes.h"
-#include "app/commands/figures.h"
+#include "app/commands/figure_flags.h"
 #include "app/commands/inputs.h"
 #include "app/commands/picture_flags.h"
 #include "app/commands/picture_stage.h"
+#include "app/commands/progress.h"
 #include "app/commands/subcommands.h"
 #include "app/commands/surface_flags.h"
 #include "app/commands/turn_benchmark.h"
 #include "app/panels/interface.h"
+#include "app/picture/figures.h"
 #include "app/picture/fit.h"
+#include "app/picture/video_file.h"
 #include "app/session/colour_by.h"
 #include "app/session/numbers.h"
 #include "app/session/of_file.h"
@@ -52,7 +55,7 @@ struct RenderFlags {
     render::Backend backend = render::Backend::kOsMesa;
     int device = -1;                // of EGL's; -1: the best
     std::size_t graphics_bytes = 0; // for surfaces; 0: as the renderer has it
-    FigureFlags figure;
+    FigureOptions figure;
     ComparisonFlags comparison;
     DeviationFlags deviation;
 };
@@ -190,9 +193,14 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
 // Pictures once around the tree, as files.
 Result<int> run_turntable(const RenderFlags& flags, render::SheetRenderer& sheets, const render::Sheet& sheet,
                           bool keep_camera) {
-    RAMUS_TRY(table, write_turntable(sheets, sheet, flags.figure, keep_camera, flags.output));
+    FigureOptions options = flags.figure;
+    options.whole = !keep_camera;
+    const auto write = [&](Job& job) { return write_turntable(sheets, sheet, options, flags.output, job); };
+    RAMUS_TRY(table, with_progress("pictures", write, "cancelled"));
     say(flags.common,
-        "wrote " + counted(table.files.size(), "picture", "pictures") + " from " + table.files.front().string());
+        "wrote " +
+            (is_video(flags.output) ? std::string() : counted(table.files.size(), "picture", "pictures") + " from ") +
+            table.files.front().string());
     nlohmann::json report{{"pictures", nlohmann::json::array()},
                           {"scale_bar", description_of(table.scale_bar)},
                           {"gl", description_of(flags.backend)}};

@@ -26,6 +26,12 @@ Image haloed(const Coverage& ink, int halo) {
     return image;
 }
 
+Image with_dark_ink(Image haloed) {
+    for (std::size_t i = 0; i < haloed.rgba.size(); ++i)
+        if (i % 4 != 3) haloed.rgba[i] = static_cast<std::uint8_t>(255 - haloed.rgba[i]);
+    return haloed;
+}
+
 std::string orientation_letters(const glm::dvec3& direction, const AxisNames& axes) {
     std::array<int, 3> order{0, 1, 2};
     std::ranges::sort(order, [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });

@@ -13,6 +13,9 @@ namespace ramus::render {
 // Light ink with a dark halo of so many pixels: it reads over vessels and over any background.
 [[nodiscard]] Image haloed(const Coverage& ink, int halo);
 
+// The same with dark ink in a light halo, or back.
+[[nodiscard]] Image with_dark_ink(Image haloed);
+
 // Which way of the patient a direction (RAS) goes, the most first: "L", "LA", "SAL". A part below about 20 degrees has
 // no letter.
 [[nodiscard]] std::string orientation_letters(const glm::dvec3& direction, const AxisNames& axes = side_letters());

@@ -6,12 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 namespace ramus::render {
 
 namespace {
 
 int rounded(double value) { return static_cast<int>(std::lround(value)); }
+
+Image inked(Image words, const SpriteSource& frame) {
+    return frame.overlays.dark_ink ? with_dark_ink(std::move(words)) : std::move(words);
+}
 
 } // namespace
 
@@ -37,7 +42,7 @@ struct OverlayPainter::Space {
 
 std::optional<Sprite> OverlayPainter::caption(const SpriteSource& frame, const Space& space) const {
     if (!space.readable || frame.overlays.caption.empty()) return {};
-    return Sprite{paint_caption(frame.overlays.caption, space.ratio, space.free.x - 2 * space.margin),
+    return Sprite{inked(paint_caption(frame.overlays.caption, space.ratio, space.free.x - 2 * space.margin), frame),
                   space.corner + space.margin};
 }
 
@@ -48,7 +53,7 @@ int OverlayPainter::caption_bottom(const SpriteSource& frame) const {
 
 Image OverlayPainter::heading(const std::string& text, const SpriteSource& frame) const {
     const Space space(frame);
-    return paint_caption(text, 0.9 * space.ratio, space.free.x - 2 * space.margin);
+    return inked(paint_caption(text, 0.9 * space.ratio, space.free.x - 2 * space.margin), frame);
 }
 
 void OverlayPainter::add_cube(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) {
@@ -74,7 +79,7 @@ std::optional<ScaleBar> OverlayPainter::scale_bar(const SpriteSource& frame) { r
 void OverlayPainter::add_scale_bar(Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) {
     const auto found = scale_bar(space, frame);
     if (!found) return;
-    Image bar = paint_scale_bar(*found, space.ratio);
+    Image bar = inked(paint_scale_bar(*found, space.ratio), frame);
     const glm::ivec2 corner(space.corner.x + space.margin, space.bottom - bar.height);
     space.bottom = corner.y - rounded(10.0 * space.ratio);
     sprites.push_back({std::move(bar), corner});
@@ -97,7 +102,8 @@ void OverlayPainter::add_words(Space& space, const SpriteSource& frame, std::vec
 void OverlayPainter::add_letters(const Space& space, const SpriteSource& frame, std::vector<Sprite>& sprites) const {
     const CameraAxes axes = axes_of(frame.camera);
     const auto add = [&](const glm::dvec3& direction, double x, double y) {
-        Image image = paint_caption(orientation_letters(direction, frame.overlays.axes), space.ratio, space.free.x);
+        Image image =
+            inked(paint_caption(orientation_letters(direction, frame.overlays.axes), space.ratio, space.free.x), frame);
         const glm::dvec2 left = glm::dvec2(space.free) - glm::dvec2(image.width, image.height) - double(space.margin);
         const glm::ivec2 corner(rounded(space.corner.x + 0.5 * space.margin + x * left.x),
                                 rounded(space.corner.y + 0.5 * space.margin + y * left.y));

@@ -82,6 +82,7 @@ struct Overlays {
     bool orientation_letters = false; // the names of axes at the edges, R L A P S I as in radiology
     AxisNames axes = side_letters();  // on the cube and at the edges
     bool unit_known = true;           // that lengths are mm; else they are units
+    bool dark_ink = false;            // words and scale bar are dark, for a light background
     std::string caption;              // Latin-1, at the top left; empty: none
     std::string heading;              // Latin-1, in the middle at the top; empty: none
     Legend legend;

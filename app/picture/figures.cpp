@@ -1,7 +1,7 @@
-#include "app/commands/figures.h"
+#include "app/picture/figures.h"
 
-#include "app/commands/command.h"
 #include "app/picture/colouring.h"
+#include "app/picture/video_file.h"
 #include "render/image/text.h"
 #include "render/overlay/overlay.h"
 
@@ -17,22 +17,35 @@ namespace ramus::app {
 
 namespace {
 
-// What the flags say about what lies over the tree.
-void dress(render::Frame& frame, const FigureFlags& flags) {
+// What is far sinks into the background; into white it would fade (tuned by eye, on airways and vessels of the brain).
+constexpr float kCueOnWhite = 0.35F;
+
+void put_on(render::Frame& frame, Ground ground) {
+    frame.background = {};
+    frame.background.transparent = ground == Ground::kTransparent;
+    if (ground != Ground::kWhite) return;
+    frame.background.top = frame.background.bottom = glm::vec3(1.0F);
+    frame.overlays.dark_ink = true;
+    frame.appearance.depth_cue *= kCueOnWhite;
+}
+
+void dress(render::Frame& frame, const FigureOptions& options) {
     const auto shows = [&](const char* name) {
-        return std::ranges::find(flags.overlays, name) != flags.overlays.end();
+        return std::ranges::find(options.overlays, name) != options.overlays.end();
     };
-    frame.overlays.caption = latin1(flags.caption);
-    if (!flags.overlays_given) return;
+    frame.overlays.caption = latin1(options.caption);
+    frame.pixel_ratio *= static_cast<float>(options.text_size);
+    if (options.ground) put_on(frame, *options.ground);
+    if (!options.overlays_given) return;
     frame.overlays.orientation_cube = shows("cube");
     frame.overlays.scale_bar = shows("scale");
     frame.overlays.orientation_letters = shows("letters");
     if (!shows("legend")) frame.overlays.legend = {};
 }
 
-Result<void> check_enlarged(glm::ivec2 size, const FigureFlags& flags) {
+Result<void> check_enlarged(glm::ivec2 size, const FigureOptions& options) {
     auto fits = render::check_size(size.x, size.y);
-    if (!fits && flags.supersample > 1) fits.error().hint += "; or a smaller --supersample";
+    if (!fits && options.supersample > 1) fits.error().hint += "; or a smaller --supersample";
     return fits;
 }
 
@@ -49,12 +62,12 @@ void make_room_for_caption(render::Sheet& sheet) {
     }
 }
 
-void enlarge(render::Frame& frame, const FigureFlags& flags) {
-    frame.size *= flags.supersample;
-    frame.pixel_ratio *= static_cast<float>(flags.supersample);
+void enlarge(render::Frame& frame, const FigureOptions& options) {
+    frame.size *= options.supersample;
+    frame.pixel_ratio *= static_cast<float>(options.supersample);
     for (int* inset : {&frame.overlays.inset_left, &frame.overlays.inset_top, &frame.overlays.inset_right,
                        &frame.overlays.inset_bottom})
-        *inset *= flags.supersample;
+        *inset *= options.supersample;
 }
 
 constexpr std::array kViews{render::View::kAnterior, render::View::kLeft, render::View::kPosterior,
@@ -163,35 +176,11 @@ void keep_common(std::optional<render::ScaleBar>& common, const std::optional<re
 
 } // namespace
 
-void add_figure_flags(CLI::App& command, FigureFlags& flags) {
-    add_option(command, "--supersample", "N", flags.supersample,
-               "Draw N times as large and take the mean: smoother edges (default 1)")
-        ->check(CLI::Range(1, 8).description(""));
-    add_option(command, "--samples", "N", flags.samples,
-               "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
-        ->check(CLI::IsMember({4, 16}).description(""));
-    add_option(command, "--caption", "TEXT", flags.caption, "Words at the top left");
-    CLI::Option* overlays = add_option(command, "--overlays", "LIST", flags.overlays,
-                                       "What lies over the tree: none, or some of cube,scale,legend,letters (default "
-                                       "cube,scale,legend)")
-                                ->delimiter(',')
-                                ->check(CLI::IsMember({"cube", "scale", "legend", "letters", "none"}).description(""));
-    overlays->each([&flags](const std::string&) { flags.overlays_given = true; });
-    CLI::Option* sheet =
-        command.add_flag("--sheet", flags.sheet,
-                         "Four views on one sheet: anterior, left, posterior, superior; with --compare "
-                         "side-by-side a table of views and surfaces");
-    add_option(command, "--turntable", "N", flags.turntable,
-               "Once around the tree in N pictures: o.png becomes o_001.png and so on")
-        ->check(CLI::Range(2, 9999).description(""))
-        ->excludes(sheet);
-}
-
-void dress(render::Sheet& sheet, const FigureFlags& flags) {
+void dress(render::Sheet& sheet, const FigureOptions& options) {
     for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         render::Overlays& overlays = sheet.viewports[i].frame.overlays;
         const render::Overlays shared = overlays; // what viewports beside each other have once, they have once
-        dress(sheet.viewports[i].frame, flags);
+        dress(sheet.viewports[i].frame, options);
         if (sheet.viewports.size() == 1 || sheet.blend) continue;
         overlays.orientation_cube &= i + 1 == sheet.viewports.size();
         overlays.scale_bar &= i == 0;
@@ -199,25 +188,25 @@ void dress(render::Sheet& sheet, const FigureFlags& flags) {
     }
 }
 
-Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureFlags& flags) {
-    sheet.size *= flags.supersample;
-    sheet.heading_top *= flags.supersample;
+Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet, const FigureOptions& options) {
+    sheet.size *= options.supersample;
+    sheet.heading_top *= options.supersample;
     for (render::Sheet::Viewport& viewport : sheet.viewports) {
-        viewport.at *= flags.supersample;
-        enlarge(viewport.frame, flags);
+        viewport.at *= options.supersample;
+        enlarge(viewport.frame, options);
     }
     make_room_for_caption(sheet);
-    if (auto fits = check_enlarged(sheet.size, flags); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_enlarged(sheet.size, options); !fits) return tl::unexpected(fits.error());
     if (const auto drawn = renderer.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-    if (flags.samples > 4 && flags.supersample == 1)
+    if (options.samples > 4 && options.supersample == 1)
         if (const auto finer = renderer.refine(sheet); !finer) return tl::unexpected(finer.error());
-    Figure figure{render::reduced(renderer.read_image(), flags.supersample), renderer.scale_bar()};
-    if (figure.scale_bar) figure.scale_bar->pixels /= flags.supersample;
+    Figure figure{render::reduced(renderer.read_image(), options.supersample), renderer.scale_bar()};
+    if (figure.scale_bar) figure.scale_bar->pixels /= options.supersample;
     return figure;
 }
 
 Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
-                               const FigureFlags& flags) {
+                               const FigureOptions& options) {
     RAMUS_TRY(whole, compose(size));
     const Grid grid = grid_for(whole, size);
     const glm::ivec2 part = grid.part();
@@ -227,7 +216,7 @@ Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeShe
                         " pixels has no room for four views",
                     {}, "give a larger --size");
     RAMUS_TRY(composed, compose(part));
-    dress(composed, flags);
+    dress(composed, options);
     std::vector<render::Camera> cameras;
     for (const render::View view : kViews)
         cameras.push_back(render::looking(composed.viewports.front().frame.camera, view));
@@ -242,7 +231,7 @@ Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeShe
         render::Sheet one = composed;
         look_from(one, cameras[i]);
         label(one, i, table);
-        auto part_of_it = draw_figure(renderer, std::move(one), flags);
+        auto part_of_it = draw_figure(renderer, std::move(one), options);
         if (!part_of_it) return part_of_it;
         picture.image.put(part_of_it->image, grid.at(static_cast<int>(i)));
         keep_common(picture.scale_bar, part_of_it->scale_bar, i == 0);
@@ -250,27 +239,72 @@ Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeShe
     return picture;
 }
 
-Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet, const FigureFlags& flags,
-                                  bool keep_camera, const std::filesystem::path& output) {
+namespace {
+
+std::vector<render::Camera> cameras_around(const render::Sheet& sheet, const FigureOptions& options) {
     const render::Frame& first = sheet.viewports.front().frame;
     std::vector<render::Camera> cameras;
-    for (int i = 0; i < flags.turntable; ++i)
-        cameras.push_back(render::turned(first.camera, 360.0 * i / flags.turntable, 0.0));
-    if (!keep_camera) cameras = at_one_scale(std::move(cameras), visible_box(sheet), first.size);
-    const std::size_t digits = std::max<std::size_t>(3, std::to_string(flags.turntable).size());
+    for (int i = 0; i < options.turntable; ++i)
+        cameras.push_back(render::turned(first.camera, 360.0 * i / options.turntable, 0.0));
+    return options.whole ? at_one_scale(std::move(cameras), visible_box(sheet), first.size) : cameras;
+}
+
+} // namespace
+
+std::filesystem::path numbered(const std::filesystem::path& output, int index, int count) {
+    const std::size_t digits = std::max<std::size_t>(3, std::to_string(count).size());
+    std::string number = std::to_string(index + 1);
+    number.insert(0, digits - number.size(), '0');
+    return output.parent_path() / (output.stem().string() + "_" + number + output.extension().string());
+}
+
+void look_around(render::Sheet& sheet, const FigureOptions& options, std::size_t picture) {
+    look_from(sheet, cameras_around(sheet, options)[picture]);
+}
+
+Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
+                                  const FigureOptions& options, const std::filesystem::path& output, Job& job) {
+    std::optional<VideoFile> video;
+    if (is_video(output)) {
+        if (sheet.viewports.front().frame.background.transparent)
+            return fail("a video has no transparent background", output.string(), "choose dark or white");
+        RAMUS_TRY(made, VideoFile::create(output, sheet.size, options.frames_a_second));
+        video.emplace(std::move(made));
+    }
     Turntable table;
+    const std::vector<render::Camera> cameras = cameras_around(sheet, options);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
+        if (job.cancelled()) return fail("cancelled");
+        job.report(static_cast<float>(i) / static_cast<float>(cameras.size()));
         render::Sheet one = sheet;
         look_from(one, cameras[i]);
-        RAMUS_TRY(figure, draw_figure(renderer, std::move(one), flags));
-        std::string number = std::to_string(i + 1);
-        number.insert(0, digits - number.size(), '0');
-        const auto file = output.parent_path() / (output.stem().string() + "_" + number + output.extension().string());
-        if (auto written = render::write_png(figure.image, file); !written) return tl::unexpected(written.error());
-        table.files.push_back(file);
+        RAMUS_TRY(figure, draw_figure(renderer, std::move(one), options));
         keep_common(table.scale_bar, figure.scale_bar, i == 0);
+        const auto file = numbered(output, static_cast<int>(i), options.turntable);
+        const auto written = video ? video->add(figure.image) : render::write_png(figure.image, file);
+        if (!written) return tl::unexpected(written.error());
+        if (!video) table.files.push_back(file);
+    }
+    if (video) {
+        if (auto ended = video->commit(job); !ended) return tl::unexpected(ended.error());
+        table.files.push_back(output);
     }
     return table;
+}
+
+Result<void> write_figure(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
+                          const FigureRequest& request, Job& job) {
+    const FigureOptions& options = request.options;
+    const auto write = [&](const Result<Figure>& figure) {
+        return figure ? render::write_png(figure->image, request.file) : tl::unexpected(figure.error());
+    };
+    size = request.size.value_or(size);
+    if (options.sheet) return write(draw_four_views(renderer, compose, size, options));
+    RAMUS_TRY(sheet, compose(size));
+    dress(sheet, options);
+    if (options.turntable == 0) return write(draw_figure(renderer, std::move(sheet), options));
+    const auto table = write_turntable(renderer, sheet, options, request.file, job);
+    return table ? Result<void>() : tl::unexpected(table.error());
 }
 
 } // namespace ramus::app

@@ -1,32 +1,20 @@
 // Pictures for papers and slides: drawn larger and reduced, with a caption and letters, and from several sides.
 #pragma once
 
+#include "app/picture/figure_options.h"
 #include "core/base/error.h"
+#include "core/base/job.h"
 #include "render/renderer/sheet.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace ramus::app {
 
-struct FigureFlags {
-    int supersample = 1; // pixels a side that become one
-    int samples = 16;    // of each pixel, where nothing is drawn larger
-    int turntable = 0;   // pictures once around; 0: one picture
-    bool sheet = false;
-    std::string caption;               // UTF-8
-    std::vector<std::string> overlays; // of kOverlayNames; "none"
-    bool overlays_given = false;
-};
-
-void add_figure_flags(CLI::App& command, FigureFlags& flags);
-
-// What the flags say about what lies over the tree.
-void dress(render::Sheet& sheet, const FigureFlags& flags);
+// What the options say about what lies behind the tree and over it.
+void dress(render::Sheet& sheet, const FigureOptions& options);
 
 // A picture, and the scale bar that it has, in its own pixels: of several views the one that all of them have.
 struct Figure {
@@ -37,7 +25,7 @@ struct Figure {
 // The picture, drawn `supersample` times as large and reduced; all headings that stand beside each other stand below
 // the caption. Fails where that is too large.
 [[nodiscard]] Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
-                                         const FigureFlags& flags);
+                                         const FigureOptions& options);
 
 // Pictures from several sides: four views on one sheet, and once around. Surfaces that are compared are in every one of
 // them, seen by one camera.
@@ -49,16 +37,26 @@ using ComposeSheet = std::function<Result<render::Sheet>(glm::ivec2 size)>;
 // compared side by side a column each, with the surfaces below each other, or a row each in a picture that is higher
 // than wide. What stands over all of a row or a column stands there once.
 [[nodiscard]] Result<Figure> draw_four_views(render::SheetRenderer& renderer, const ComposeSheet& compose,
-                                             glm::ivec2 size, const FigureFlags& flags);
+                                             glm::ivec2 size, const FigureOptions& options);
 
-// name.png becomes name_001.png, ...: once around the tree to the viewer's right, which stays whole in all of them
-// unless `keep_camera`.
+// name_001.png: the file of this picture of a turntable of so many, from 0.
+[[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& output, int index, int count);
+// The sheet as this picture of a turntable has it, from 0.
+void look_around(render::Sheet& sheet, const FigureOptions& options, std::size_t picture);
+
+// Once around the tree to the viewer's right, which stays whole in all of them where `options.whole`. name.png becomes
+// name_001.png, ...; name.mp4 is a video, which takes ffmpeg. What was written before it was cancelled stays, of
+// pictures.
 struct Turntable {
     std::vector<std::filesystem::path> files;
     std::optional<render::ScaleBar> scale_bar; // as of Figure
 };
 [[nodiscard]] Result<Turntable> write_turntable(render::SheetRenderer& renderer, const render::Sheet& sheet,
-                                                const FigureFlags& flags, bool keep_camera,
-                                                const std::filesystem::path& output);
+                                                const FigureOptions& options, const std::filesystem::path& output,
+                                                Job& job);
+
+// The file or files of a request, of a document's picture that would have this size.
+[[nodiscard]] Result<void> write_figure(render::SheetRenderer& renderer, const ComposeSheet& compose, glm::ivec2 size,
+                                        const FigureRequest& request, Job& job);
 
 } // namespace ramus::app

@@ -1,0 +1,35 @@
+// VideoFile: pictures as a video (H.264 in MP4), made by ffmpeg where that is installed; whole or not there.
+#pragma once
+
+#include "core/base/child_program.h"
+#include "core/base/scratch_folder.h"
+#include "render/image/image.h"
+
+#include <filesystem>
+
+namespace ramus::app {
+
+[[nodiscard]] bool is_video(const std::filesystem::path& path); // by its ending
+// Whether videos can be made here; looked up when it is asked.
+[[nodiscard]] bool can_make_videos();
+inline constexpr const char* kNoVideos = "ffmpeg is not installed; it makes the videos";
+
+class VideoFile {
+public:
+    // Of pictures of this size, so many a second. Odd sides get a row or column of black, which the format demands.
+    [[nodiscard]] static Result<VideoFile> create(const std::filesystem::path& target, glm::ivec2 size,
+                                                  int frames_a_second);
+    [[nodiscard]] Result<void> add(const render::Image& image); // opaque
+    // Puts it in its place.
+    [[nodiscard]] Result<void> commit(Job& job);
+
+private:
+    VideoFile(std::filesystem::path target, glm::ivec2 size, ScratchFolder scratch, ChildProgram ffmpeg)
+        : target_(std::move(target)), size_(size), scratch_(std::move(scratch)), ffmpeg_(std::move(ffmpeg)) {}
+    std::filesystem::path target_;
+    glm::ivec2 size_;
+    ScratchFolder scratch_;
+    ChildProgram ffmpeg_;
+};
+
+} // namespace ramus::app
