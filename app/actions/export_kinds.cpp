@@ -36,16 +36,30 @@ std::vector<ExportFormat> table_formats() {
     return {{"CSV (.csv)", ".csv", "A row for each branch: length, diameters, what depends on it; for spreadsheets."}};
 }
 
-std::vector<ExportFormat> picture_formats() { return {{"PNG (.png)", ".png", "The picture as it is."}}; }
+std::vector<ExportFormat> picture_formats() { return {{"PNG (.png)", ".png", "Every pixel as it is drawn."}}; }
+
+std::vector<ExportFormat> turntable_formats() {
+    return {{"PNG pictures (.png)", ".png", "name_001.png and so on, for any program that makes videos."},
+            {"Video (.mp4)", ".mp4", "H.264, which all programs play; ffmpeg makes it where it is installed."}};
+}
+
+std::vector<ExportFormat> report_formats() {
+    return {{"HTML (.html)", ".html", "One page with pictures and all tables, to read and to print."}};
+}
 
 } // namespace
 
-const std::array<ExportKind, 4>& export_kinds() {
-    static const std::array<ExportKind, 4> kinds{
-        {{ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, surface_formats()},
-         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, tree_formats()},
+const std::array<ExportKind, kExportKinds>& export_kinds() {
+    static const std::array<ExportKind, kExportKinds> kinds{
+        {{ExportWhat::kPicture, "picture", "Picture", "What the window shows of the tree.", false, picture_formats()},
+         {ExportWhat::kSheet, "sheet", "Sheet", "Four views on one sheet, all at one scale.", false, picture_formats()},
+         {ExportWhat::kTurntable, "turntable", "Turntable", "Once around the tree, as pictures or as a video.", false,
+          turntable_formats()},
+         {ExportWhat::kReport, "report", "Report", "A page with pictures and tables of the plan.", false,
+          report_formats()},
          {ExportWhat::kTable, "table", "Table", "The figures of each branch.", true, table_formats()},
-         {ExportWhat::kPicture, "picture", "Picture", "What the window shows of the tree.", false, picture_formats()}}};
+         {ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, surface_formats()},
+         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, tree_formats()}}};
     return kinds;
 }
 

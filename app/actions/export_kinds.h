@@ -13,7 +13,7 @@
 
 namespace ramus::app {
 
-enum class ExportWhat : std::uint8_t { kSurface, kTree, kTable, kPicture };
+enum class ExportWhat : std::uint8_t { kPicture, kSheet, kTurntable, kReport, kTable, kSurface, kTree };
 enum class ExportOf : std::uint8_t { kVisible, kSelected, kAll };
 
 struct ExportFormat {
@@ -33,7 +33,8 @@ struct ExportKind {
     std::vector<ExportFormat> formats; // one at least
 };
 
-[[nodiscard]] const std::array<ExportKind, 4>& export_kinds(); // in the order of ExportWhat
+inline constexpr std::size_t kExportKinds = 7;
+[[nodiscard]] const std::array<ExportKind, kExportKinds>& export_kinds(); // in the order of ExportWhat
 [[nodiscard]] std::optional<ExportWhat> export_kind_named(std::string_view key);
 
 struct ExportScope {

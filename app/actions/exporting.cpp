@@ -1,16 +1,16 @@
-// Export: the surface, the tree, a table of branches or the picture as a file, of what is visible, selected, or all.
+// Export: the surface or the tree as a file, of what is visible, selected, or all; other kinds are
+// export_pictures.cpp's.
 #include "app/actions/arguments.h"
 #include "app/actions/export_kinds.h"
+#include "app/actions/export_words.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
 #include "app/picture/surface_names.h"
-#include "app/reports/report_tables.h"
 #include "app/session/systems.h"
 #include "app/session/thickness_text.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
 #include "core/io/output_file.h"
-#include "core/io/text_numbers.h"
 #include "core/io/trees/tree_file.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/close_mesh.h"
@@ -23,68 +23,6 @@ namespace ramus::app::actions {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kExportUsage = "export surface|tree|table|picture FILE [--of visible|selected|all] "
-                                     "[--parts branch|system|none] [--for-printing]";
-
-struct Export {
-    ExportWhat what{};
-    ExportOf of = ExportOf::kVisible;
-    fs::path file;
-    std::optional<io::PartsBy> parts; // none: what is usual
-    bool for_printing = false;
-};
-
-Result<Export> export_in(ActionContext& context, Arguments arguments) {
-    Export wanted;
-    const auto kind = export_kind_named(arguments[0]);
-    if (!kind) return fail("there is no export of \"" + arguments[0] + "\"", {}, kExportUsage);
-    wanted.what = *kind;
-    std::string file;
-    for (std::size_t i = 1; i < arguments.size(); ++i) {
-        const std::string& word = arguments[i];
-        if (word == "--for-printing") {
-            wanted.for_printing = true;
-        } else if (word == "--of" || word == "--parts") {
-            const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
-            const auto* const scope = std::ranges::find(kExportScopes, value, &ExportScope::key);
-            if (word == "--of" && scope == kExportScopes.end())
-                return fail("--of takes visible, selected or all", {}, kExportUsage);
-            if (word == "--of")
-                wanted.of = scope->of;
-            else if (!(wanted.parts = parts_named(value)))
-                return fail("--parts takes branch, system or none", {}, kExportUsage);
-        } else if (word.starts_with("--") || word.empty() || !file.empty()) {
-            return fail("export takes what, and one file", {}, kExportUsage);
-        } else {
-            file = word;
-        }
-    }
-    if (file.empty()) return fail("export takes a file", {}, kExportUsage);
-    if (wanted.what != ExportWhat::kSurface && (wanted.parts || wanted.for_printing))
-        return fail("only a surface has parts, or is printed", {}, kExportUsage);
-    RAMUS_TRY(path, file_argument(context, Arguments(&file, 1), "export", ""));
-    wanted.file = fs::absolute(path).lexically_normal();
-    return wanted;
-}
-
-std::string saved_text(const char* what, const Export& wanted) {
-    return std::string(what) + " saved: " + wanted.file.string();
-}
-
-// The end of pending work: nothing is changed, something is said.
-Continuation saying(std::string sentence) {
-    return [sentence = std::move(sentence)](ActionContext& then) {
-        then.say(sentence);
-        return Result<void>{};
-    };
-}
-
-Result<void> expect_extension(const Export& wanted, std::string_view extension, const char* what) {
-    if (io::lower_case(wanted.file.extension().string()) == extension) return {};
-    return fail(std::string(what) + " is a file of type " + std::string(extension), wanted.file.string(),
-                "give the name this ending");
-}
 
 // What goes to another thread: values and shared, immutable things only.
 struct SurfaceWork {
@@ -110,7 +48,7 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
             return fail("the surface is larger than memory, and cannot be measured for printing", {},
                         "use a lower detail");
         if (auto written = stream(work, job); !written) return tl::unexpected(written.error());
-        return saying(sentence);
+        return has_written(work.wanted.file, sentence);
     }
     RAMUS_TRY(surface, mesh::make_surface(*work.tree, work.options, job, work.hidden));
     std::string printing;
@@ -124,7 +62,7 @@ Result<Continuation> write_surface_of(const SurfaceWork& work, Job& job) {
     if (job.cancelled()) return fail("cancelled");
     if (auto written = io::write_mesh(surface.mesh, work.wanted.file, work.names); !written)
         return tl::unexpected(written.error());
-    return saying(sentence + printing);
+    return has_written(work.wanted.file, sentence + printing);
 }
 
 Result<Outcome> export_surface(ActionContext& context, const Export& wanted) {
@@ -169,37 +107,25 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
                 comments.push_back("repaired: " + sentence);
             if (auto written = io::write_tree(part, wanted.file, comments); !written)
                 return tl::unexpected(written.error());
-            return saying(saved_text("Tree", wanted));
+            return has_written(wanted.file, saved_text("Tree", wanted));
         }};
-}
-
-Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
-    if (auto fits = expect_extension(wanted, ".csv", "a table"); !fits) return tl::unexpected(fits.error());
-    complete_lesions(context.assets, context.document);
-    const auto exported = exported_branches(context.document, wanted.of);
-    const auto ids = branches_where(exported.size(), [&](std::size_t id) { return exported[id] != 0; });
-    const Table table = branches_table(context.document, context.assets, ids);
-    if (auto written = io::write_file(wanted.file, csv_of(table)); !written) return tl::unexpected(written.error());
-    context.say(saved_text("Table", wanted));
-    return Done{};
-}
-
-Result<Outcome> export_picture(ActionContext& context, const Export& wanted) {
-    if (auto fits = expect_extension(wanted, ".png", "a picture"); !fits) return tl::unexpected(fits.error());
-    if (auto written = context.picture.write_picture(wanted.file); !written) return tl::unexpected(written.error());
-    context.say(saved_text("Picture", wanted));
-    return Done{};
 }
 
 Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to export");
-    if (arguments.empty())
-        return outcome_of(
-            ask_for_file(context, FilePurpose::kExport, fail("export needs a file here", {}, kExportUsage)));
+    if (arguments.size() <= 1) { // a kind alone is its page of the dialog
+        const std::string kind = arguments.empty() ? std::string() : arguments[0];
+        if (!kind.empty() && !export_kind_named(kind))
+            return fail("there is no export of \"" + kind + "\"", {}, kExportUsage);
+        if (context.files == nullptr) return fail("export needs a file here", {}, kExportUsage);
+        context.files->ask_for_export(kind);
+        return Done{};
+    }
     RAMUS_TRY(wanted, export_in(context, arguments));
     if (auto possible = io::check_output(wanted.file); !possible) return tl::unexpected(possible.error());
-    if (std::ranges::count(exported_branches(context.document, wanted.of), 0) == context.document.branch_count() &&
-        wanted.what != ExportWhat::kPicture)
+    const auto exported = exported_branches(context.document, wanted.of);
+    if (wanted.kind().of_branches && wanted.table.empty() &&
+        std::ranges::count(exported, 0) == context.document.branch_count())
         return fail(wanted.of == ExportOf::kSelected ? "nothing is selected" : "every branch is hidden", {},
                     "select branches, or export all");
     switch (wanted.what) {
@@ -209,20 +135,23 @@ Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
         return export_tree(context, wanted);
     case ExportWhat::kTable:
         return export_table(context, wanted);
+    case ExportWhat::kReport:
+        return export_report(context, wanted);
     case ExportWhat::kPicture:
+    case ExportWhat::kSheet:
+    case ExportWhat::kTurntable:
         break;
     }
-    return export_picture(context, wanted);
+    return export_figure(context, wanted);
 }
 
 } // namespace
 
 Command export_command() {
-    return Command("export",
-                   "[surface|tree|table|picture FILE [--of visible|selected|all] [--parts branch|system|none] "
-                   "[--for-printing]]",
-                   "Writes the surface, the tree, a table of branches or the picture, of what is visible, selected or "
-                   "all, in the format of the name; without words, asks what and where.",
+    return Command("export", "[KIND [FILE [OPTIONS]]]",
+                   "Writes what leaves the program, in the format of the name: surface, tree or table, of what is "
+                   "visible, selected or all (--of); picture, sheet or turntable, of any --size, --background and "
+                   "--caption; or report. Without a file, asks where and how.",
                    export_file)
         .in_menu("File", "Export...", {"Ctrl+E"})
         .when(has_tree);

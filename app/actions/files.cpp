@@ -3,6 +3,7 @@
 #include "app/actions/groups.h"
 #include "app/session/session_file.h"
 #include "app/storage/settings.h"
+#include "core/base/child_program.h"
 
 #include <algorithm>
 
@@ -11,15 +12,24 @@ namespace ramus::app::actions {
 namespace {
 
 Result<void> open(ActionContext& context, Arguments arguments) {
-    if (arguments.size() > 1) return fail("open takes one file", {}, "put quotes around a name with blanks");
+    const bool as_tree = arguments.size() > 1 && arguments[1] == "--tree";
+    const bool labels = arguments.size() == 4 && arguments[2] == "--labels";
+    if (arguments.size() > 1 && !(as_tree && (arguments.size() == 2 || labels)))
+        return fail("open takes one file", {}, "put quotes around a name with blanks");
     if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
     if (arguments.empty()) return ask_for_file(context, FilePurpose::kOpen, fail("open needs a FILE here"));
-    if (context.files == nullptr) return fail("a file cannot be opened from here", {}, "give it on the command line");
+    if (context.files == nullptr) return fail("a file cannot be opened from here", {}, "open it in a window");
+    if (as_tree) return context.files->open_as_tree(arguments[0], labels ? arguments[3] : "");
     return context.files->open(arguments[0]);
 }
 
 Result<void> save(ActionContext& context, Arguments arguments) {
     if (!has_tree(context.document)) return fail("there is no tree to save a session of");
+    const bool asks = context.files != nullptr && context.files->asks();
+    if (arguments.empty() && asks && context.document.file().empty()) {
+        context.files->ask_for_file(FilePurpose::kSave);
+        return {};
+    }
     const auto path = file_argument(context, arguments, "save", ".ramus.json");
     if (!path) return tl::unexpected(path.error());
     if (auto written = write_session(context.document.session(), *path); !written) return written;
@@ -34,10 +44,25 @@ Result<void> save_as(ActionContext& context, Arguments) {
 }
 
 Result<void> shot(ActionContext& context, Arguments arguments) {
+    if (arguments.empty() && context.files != nullptr && context.files->asks()) {
+        context.files->ask_for_export("picture");
+        return {};
+    }
     RAMUS_TRY(path, file_argument(context, arguments, "shot", ".png"));
     if (auto written = context.picture.write_picture(path); !written) return written;
     context.say("Picture saved: " + std::filesystem::absolute(path).lexically_normal().string());
     return {};
+}
+
+Result<void> open_folder(ActionContext& context, Arguments) {
+    if (context.window == nullptr) return no_window("desktop");
+    const std::filesystem::path file = context.window->written();
+    if (file.empty()) return fail("nothing was written yet");
+    constexpr const char* kOpener = "xdg-open";
+    if (find_program(kOpener).empty())
+        return fail("xdg-open is not installed; it opens folders", file.parent_path().string(),
+                    "apt install xdg-utils");
+    return start_and_leave({kOpener, file.parent_path().string()});
 }
 
 // The number of an entry in the dialog, 1 and more; 0 for none.
@@ -95,9 +120,10 @@ Result<void> quit(ActionContext& context, Arguments) {
 }
 
 Result<void> panel(ActionContext& context, Arguments arguments) {
-    if (arguments.size() > 1 ||
-        (arguments.size() == 1 && arguments[0] != "explore" && arguments[0] != "plan" && arguments[0] != "other"))
-        return fail("panel shows or hides itself, or one of its halves", {}, "panel, panel explore or panel plan");
+    if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "explore" && arguments[0] != "surface" &&
+                                 arguments[0] != "plan" && arguments[0] != "other"))
+        return fail("panel shows or hides itself, or one of its pages", {},
+                    "panel, panel explore, panel surface or panel plan");
     return toggle_part(context, arguments.empty() ? "panel" : arguments[0]);
 }
 
@@ -109,6 +135,7 @@ Result<void> warnings(ActionContext& context, Arguments arguments) {
     return {};
 }
 
+Result<void> branches(ActionContext& context, Arguments) { return toggle_part(context, "branches"); }
 Result<void> help(ActionContext& context, Arguments) { return toggle_part(context, "help"); }
 Result<void> menu(ActionContext& context, Arguments) { return toggle_part(context, "menu"); }
 Result<void> palette(ActionContext& context, Arguments) { return toggle_part(context, "palette"); }
@@ -117,10 +144,16 @@ Result<void> palette(ActionContext& context, Arguments) { return toggle_part(con
 
 std::vector<Command> file_commands() {
     return {
-        Command("open", "[FILE]", "Opens a tree or a session; without FILE, asks for one.", open)
+        Command("open", "[FILE [--tree [--labels LIST]]]",
+                "Opens a tree, a session or a mask; without FILE, asks for one. A window asks what becomes of a mask, "
+                "unless it is to be a --tree.",
+                open)
             .in_menu("File", "Open...", {"Ctrl+O"}),
-        Command("save", "[FILE]",
-                "Writes the session: what is selected, hidden and highlighted, the camera, the options.", save)
+        Command(
+            "save", "[FILE]",
+            "Writes the session: what is selected, hidden and highlighted, the camera, the options. Asks where, the "
+            "first time.",
+            save)
             .in_menu("File", "Save session", {"Ctrl+S"})
             .when(has_tree),
         Command("save-as", "", "Asks where to write the session.", save_as)
@@ -131,24 +164,37 @@ std::vector<Command> file_commands() {
             .in_menu("File", "Recover..."),
         Command("discard-recovery", "N", "Throws the N-th away of what is left of runs that did not end well.",
                 discard_recovery),
-        Command("shot", "[FILE]", "Writes the picture as PNG.", shot)
-            .in_menu("File", "Save picture", {"F12"})
+        Command("shot", "[FILE]", "Writes the picture as PNG; without FILE, asks where, how large and on what ground.",
+                shot)
+            .in_menu("File", "Save picture...", {"F12"})
             .when(has_tree),
         export_command(),
+        Command("open-folder", "", "Shows the folder of the file that was written last in the desktop's file manager.",
+                open_folder),
         Command("quit", "", "Closes ramus.", quit).in_menu("File", "Quit", {"Ctrl+Q"}),
     };
 }
 
 std::vector<Command> window_commands() {
     return {
-        Command("panel", "[explore|plan]",
-                "Shows or hides the side panel, or shows the half of it that explores or the one that plans.", panel)
+        Command("panel", "[explore|surface|plan]",
+                "Shows or hides the side panel, or shows a page of it: the tree and the selection, how the surface is "
+                "made and shown, or the plan.",
+                panel)
             .in_menu("View", "Side panel", {"Tab"}),
-        Command("panel", "[explore|plan]",
-                "Goes from the exploring half of the side panel to the planning half, and back.", panel)
+        Command("panel", "[explore|surface|plan]",
+                "Goes from the exploring page of the side panel to the planning page, and back.", panel)
             .in_menu("View", "Explore or plan", {"B"})
             .giving({"other"})
             .when(has_tree),
+        Command(
+            "branches", "",
+            "Shows the table of branches in a window of its own, which can be moved and made larger, or in the side "
+            "panel again.",
+            branches)
+            .in_menu("View", "Branches in a window")
+            .when(has_tree)
+            .in_use_when(shows_part("branches")),
         Command("warnings", "[read]",
                 "Shows or hides what a person should know: what was assumed and repaired, files that were not written; "
                 "read takes all out of the count.",

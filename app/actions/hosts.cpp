@@ -2,6 +2,10 @@
 
 namespace ramus::app {
 
+Result<void> PictureHost::write_figure(const FigureRequest& /*request*/, Job& /*job*/) {
+    return fail("pictures of another size cannot be drawn here");
+}
+
 Result<render::BranchPicture> PictureHost::branch_picture() {
     return fail("what is visible is not known without a picture");
 }

@@ -2,18 +2,22 @@
 // `ramus render` has the picture alone.
 #pragma once
 
+#include "app/picture/figure_options.h"
 #include "app/picture/fly_along.h"
 #include "core/base/error.h"
+#include "core/base/job.h"
 #include "render/image/image.h"
 #include "render/renderer/drawn.h"
 
 #include <filesystem>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ramus::app {
 
@@ -29,9 +33,18 @@ public:
 
     // Pixels; of pictures with several viewports, of one of them.
     [[nodiscard]] virtual glm::ivec2 picture_size() const = 0;
+    [[nodiscard]] virtual glm::ivec2 whole_size() const { return picture_size(); } // with all viewports
     // What the picture shows; null: nothing.
     [[nodiscard]] virtual std::shared_ptr<const render::PagedMesh> picture_mesh() const = 0;
     virtual Result<void> write_picture(const std::filesystem::path& path) = 0; // as PNG
+    // The files of a picture for a paper, a slide or a video, of the document as it is.
+    virtual Result<void> write_figure(const FigureRequest& request, Job& job);
+    // Where a window must not wait for what draws long: work for another thread that does what these words, a command's
+    // name first, do, in a program of its own with the document as it is now. Else nothing, and it is done here.
+    [[nodiscard]] virtual Result<std::function<Result<void>(Job&)>>
+    done_elsewhere(const std::vector<std::string>& /*words*/) {
+        return std::function<Result<void>(Job&)>();
+    }
     // Which branch each pixel shows, of the document as it is now.
     virtual Result<render::BranchPicture> branch_picture();
     // The document from another camera, with scale bar and cube, for reports.
@@ -51,9 +64,16 @@ enum class FilePurpose { kOpen, kSave, kLesionMesh, kContext, kMask, kDeviation,
 class FileHost {
 public:
     virtual ~FileHost() = default;
-    virtual Result<void> open(const std::filesystem::path& path) = 0;
+    virtual Result<void> open(const std::filesystem::path& path) = 0; // of a mask asks what becomes of it
+    // A mask, with these labels (app/session/mask_reading.h; empty: as usual), and nobody is asked what becomes of it.
+    virtual Result<void> open_as_tree(const std::filesystem::path& path, const std::string& /*labels*/) {
+        return open(path);
+    }
     // Shows the dialog; the command that belongs to the purpose follows with the file.
     virtual void ask_for_file(FilePurpose purpose) = 0;
+    [[nodiscard]] virtual bool asks() const { return false; } // somebody is there who is asked before a file is written
+    // The dialog for what leaves the program, at the page of a kind (app/actions/export_kinds.h); empty: as it was.
+    virtual void ask_for_export(std::string_view /*kind*/) { ask_for_file(FilePurpose::kExport); }
     // What runs that did not end well have left: 0 shows the dialog, n brings its n-th entry back.
     virtual Result<void> recover(int which) = 0;
     virtual Result<void> discard_recovery(int which) = 0;
@@ -64,19 +84,22 @@ public:
 class WindowHost {
 public:
     virtual ~WindowHost() = default;
-    // "help", "palette", "menu", "overview", "doctor", "orientation", "warnings", "contacts", "validation", "panel";
-    // "explore", "plan" and "other" open a half of the panel.
+    // "help", "palette", "menu", "overview", "doctor", "orientation", "warnings", "contacts", "validation", "branches",
+    // "panel"; "explore", "surface", "plan" and "other" open a page of the panel.
     virtual void toggle(std::string_view part) = 0;
     [[nodiscard]] virtual bool shows(std::string_view part) const = 0; // those, and "fly-along"
     virtual void set_overview(std::string_view setting) = 0;           // "on", "off", "generation", "distance"
     virtual void open_flight(int branch) = 0;                          // the bar that flies to its end
     virtual void close_flight() = 0;
     virtual void ask_for_name(int branch) = 0;
-    virtual void ask_for_radius() = 0;                      // of the selected branches
-    virtual void show_note(int /*note*/) {}                 // in the import doctor's list, and in the picture
-    virtual void show_contact(int /*contact*/) {}           // in the list of contacts, and in the picture
-    virtual void read_warnings() {}                         // all of them
-    virtual void show_finding(int /*finding*/) {}           // in the validation's list
+    virtual void ask_for_radius() = 0;            // of the selected branches
+    virtual void show_note(int /*note*/) {}       // in the import doctor's list, and in the picture
+    virtual void show_contact(int /*contact*/) {} // in the list of contacts, and in the picture
+    virtual void read_warnings() {}               // all of them
+    virtual void show_finding(int /*finding*/) {} // in the validation's list
+    // A command has written this file, or this many files that begin with it: says so, and offers the folder.
+    virtual void wrote(const std::filesystem::path& /*file*/, const std::string& /*sentence*/) {}
+    [[nodiscard]] virtual std::filesystem::path written() const { return {}; } // the last of them; empty: none
     virtual bool dismiss() = 0;                             // closes what lies on top; false: nothing does
     virtual void set_ui_scale(double pixels_per_point) = 0; // 0: what the display says
     [[nodiscard]] virtual double ui_scale() const = 0;      // pixels per point

@@ -1,9 +1,11 @@
 // Reports: tables as CSV, and everything on one page with pictures.
 #include "app/actions/arguments.h"
+#include "app/actions/export_words.h"
 #include "app/actions/groups.h"
 #include "app/assets/assets.h"
 #include "app/reports/report_page.h"
 #include "app/reports/report_tables.h"
+#include "app/reports/table_kinds.h"
 #include "core/io/output_file.h"
 #include "core/io/text_numbers.h"
 
@@ -13,34 +15,15 @@ namespace ramus::app::actions {
 
 namespace {
 
-struct Kind {
-    std::string_view name;
-    Table (*table)(const Document&, const Assets&);
-    bool (*there)(const Document&, const Assets&); // what its rows are about
-};
-
-// In the order of what is written when no kind is named.
-constexpr std::array<Kind, 7> kKinds{
-    {{"cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
-     {"bands", bands_table, [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
-     {"selection", selection_table, [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
-     {"measurements", measurements_table,
-      [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }},
-     {"systems", systems_table, [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
-     {"contacts", contacts_table,
-      [](const Document& d, const Assets& a) {
-          return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
-      }},
-     {"validation", validation_table,
-      [](const Document& d, const Assets& a) { return a.validation.fits(validation_of(d.tree(), d.marks())); }}}};
+namespace fs = std::filesystem;
 
 Result<void> write_csv(ActionContext& context, const std::filesystem::path& path, std::string_view wanted) {
     const Document& document = context.document;
     const Assets& assets = context.assets;
-    const auto there = [&](const Kind& kind) { return kind.there(document, assets); };
-    const auto* kind =
-        std::ranges::find_if(kKinds, [&](const Kind& k) { return wanted.empty() ? there(k) : k.name == wanted; });
-    if (kind == kKinds.end())
+    const auto there = [&](const TableKind& kind) { return kind.there(document, assets); };
+    const auto& kinds = table_kinds();
+    const TableKind* const kind = wanted.empty() ? std::ranges::find_if(kinds, there) : table_kind_named(wanted);
+    if (kind == nullptr || kind == kinds.end())
         return wanted.empty()
                    ? fail("there is nothing to report", {}, "cut, place a lesion, select or measure first")
                    : fail("a report is of selection, cuts, bands, measurements, systems, contacts or validation");
@@ -74,7 +57,28 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
     return pictures;
 }
 
-Result<void> report(ActionContext& context, Arguments arguments) {
+// Pictures take long to draw: a window does not wait for them.
+Result<Outcome> report_page_elsewhere(const std::function<Result<void>(Job&)>& work, const fs::path& path) {
+    return Pending{"Writing " + path.filename().string(), [work, path](Job& job) -> Result<Continuation> {
+                       if (auto done = work(job); !done) return tl::unexpected(done.error());
+                       return has_written(path, "Report saved: " + path.string());
+                   }};
+}
+
+Result<void> write_page(ActionContext& context, const fs::path& path) {
+    RAMUS_TRY(pictures, take_pictures(context));
+    if (auto written = io::write_file(path, report_page(context.document, context.assets, pictures, now_text()));
+        !written)
+        return written;
+    context.say("Report saved: " + path.string());
+    return {};
+}
+
+Result<Outcome> report(ActionContext& context, Arguments arguments) {
+    if (arguments.empty() && context.files != nullptr && context.files->asks()) {
+        context.files->ask_for_export("report");
+        return Done{};
+    }
     if (arguments.size() > 2)
         return fail("report takes a file and what it is of", {}, "put quotes around a name with blanks");
     RAMUS_TRY(path,
@@ -83,18 +87,15 @@ Result<void> report(ActionContext& context, Arguments arguments) {
     const std::string extension = io::lower_case(path.extension().string());
     complete_lesions(context.assets, context.document);
     if (context.window == nullptr) complete_contacts(context.assets, context.document); // a window has them soon
-    if (extension == ".csv") return write_csv(context, path, arguments.size() == 2 ? arguments[1] : "");
+    if (extension == ".csv") return outcome_of(write_csv(context, path, arguments.size() == 2 ? arguments[1] : ""));
     if (extension != ".html" && extension != ".htm")
         return fail("a report is a .csv or an .html file", path.string(), "give the name one of these endings");
     if (arguments.size() == 2)
         return fail("a report as .html has everything", path.string(), "leave \"" + arguments[1] + "\" out");
-    if (auto possible = io::check_output(path); !possible) return possible;
-    RAMUS_TRY(pictures, take_pictures(context));
-    if (auto written = io::write_file(path, report_page(context.document, context.assets, pictures, now_text()));
-        !written)
-        return written;
-    context.say("Report saved: " + path.string());
-    return {};
+    const fs::path full = fs::absolute(path).lexically_normal();
+    if (auto possible = io::check_output(full); !possible) return tl::unexpected(possible.error());
+    RAMUS_TRY(elsewhere, context.picture.done_elsewhere({"report", full.string()}));
+    return elsewhere ? report_page_elsewhere(elsewhere, full) : outcome_of(write_page(context, path));
 }
 
 } // namespace
@@ -105,9 +106,9 @@ std::vector<Command> report_commands() {
             "report", "[FILE [KIND]]",
             "Writes a report: .html, one page with pictures and all tables; or .csv of selection, cuts, bands or "
             "measurements, systems, contacts, validation (once there is one), the first of them that there is unless "
-            "told.",
+            "told. A window asks for the file.",
             report)
-            .in_menu("Plan", "Save report")
+            .in_menu("Plan", "Report...")
             .when(has_tree),
     };
 }

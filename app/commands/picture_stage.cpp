@@ -2,6 +2,7 @@
 
 #include "app/commands/inputs.h"
 #include "app/commands/progress.h"
+#include "app/picture/figures.h"
 #include "app/session/numbers.h"
 #include "app/workspace/deviation_maker.h"
 
@@ -106,6 +107,13 @@ Result<void> PictureStage::write_picture(const std::filesystem::path& path) {
     if (const auto drawn = sheet_renderer_->draw_with_scale(requested); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = sheet_renderer_->refine(requested); !finer) return tl::unexpected(finer.error());
     return render::write_png(sheet_renderer_->read_image(), path);
+}
+
+Result<void> PictureStage::write_figure(const FigureRequest& request, Job& job) {
+    const CancelOnInterrupt cancel(job);
+    const ProgressBar bar("pictures", job);
+    const auto compose_sized = [this](glm::ivec2 size) { return sheet(size); };
+    return app::write_figure(*sheet_renderer_, compose_sized, viewing_.size, request, job);
 }
 
 Result<render::Image> PictureStage::draw_picture(const render::Camera& camera, glm::ivec2 size) {

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override { return surface_.mesh; }
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
+    Result<void> write_figure(const FigureRequest& request, Job& job) override;
+    [[nodiscard]] glm::ivec2 whole_size() const override { return viewing_.size; }
     Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
 
 private:

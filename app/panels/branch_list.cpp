@@ -334,7 +334,8 @@ void draw_branch_list(InterfaceContext& context) {
     ImGui::PushFont(theme::small_font());
     draw_filter(context);
     read_filter(list);
-    const float least = 8.0F * ImGui::GetTextLineHeightWithSpacing();
+    constexpr float kLeastRows = 11.0F; // and the panel scrolls where that is more than it has room for
+    const float least = list.apart ? 0.0F : kLeastRows * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 size(0.0F, std::max(least, ImGui::GetContentRegionAvail().y));
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::BeginTable("branches", static_cast<int>(kFirstQuantity + rows_with(&QuantityRow::list).size()),
@@ -361,6 +362,34 @@ void draw_branch_list(InterfaceContext& context) {
         ImGui::EndTable();
     }
     ImGui::PopFont();
+}
+
+void draw_branch_window(InterfaceContext& context) {
+    BranchList& list = context.interface.list;
+    if (!list.apart || !context.workspace.document.tree() || !context.workspace.facts()) return;
+    const Layout& layout = context.layout;
+    const float scale = theme::scale();
+    const ImVec2 view(static_cast<float>(layout.view_size.x), static_cast<float>(layout.view_size.y));
+    const ImVec2 margin(16.0F * scale, 16.0F * scale);
+    const ImVec2 size(std::min(520.0F * scale, view.x - 2.0F * margin.x),
+                      std::min(420.0F * scale, view.y - 2.0F * margin.y));
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos({static_cast<float>(layout.view_at.x) + margin.x,
+                             static_cast<float>(layout.view_at.y) + view.y - margin.y - size.y},
+                            ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints({280.0F * scale, 180.0F * scale}, {view.x, view.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * scale, 10.0F * scale});
+    bool open = true;
+    if (ImGui::Begin("Branches###branch window", &open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs |
+                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+        const ImVec2 at = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
+        widgets::note("The window of branches", at, {at.x + whole.x, at.y + whole.y});
+        draw_branch_list(context);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (!open) context.perform("branches", {});
 }
 
 } // namespace ramus::app

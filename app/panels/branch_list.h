@@ -19,6 +19,7 @@ struct BranchList {
     int cursor = tree::kNoBranch;    // the arrow keys go on from here
     int shown = tree::kNoBranch;     // the selected branch that the list was scrolled to
     bool focused = false;            // the arrow keys are for it
+    bool apart = false;              // in a window of its own
 
     // What `rows` were made of.
     const TreeFacts* of = nullptr;

@@ -126,7 +126,7 @@ void draw_compare(InterfaceContext& context) {
             if (changed) context.perform("compare-wipe", {digits(wipe.value, 4)});
         }
         if (const std::string& problem = context.workspace.comparison_problem(); !problem.empty())
-            widgets::trouble(problem.c_str());
+            widgets::trouble(window_words(problem).c_str());
     }
     bool skeleton = context.workspace.document.marks().skeleton;
     if (ImGui::Checkbox("Skeleton with radii", &skeleton)) context.perform("skeleton", {skeleton ? "on" : "off"});

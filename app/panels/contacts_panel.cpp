@@ -150,7 +150,10 @@ void draw_contacts(InterfaceContext& context) {
 
 void draw_contacts_line(InterfaceContext& context) {
     const auto list = context.workspace.current_assets().contacts.list;
-    if (!list || list->empty()) return;
+    if (!list || list->empty()) {
+        widgets::fact("Contacts", list ? "none" : "\xE2\x80\xA6"); // what is below stays there when they are found
+        return;
+    }
     if (widgets::fact_button("Contacts", grouped(list->size()), theme::kAccent,
                              "Lists where vessels press on each other without being connected there", "Shift+T"))
         context.perform("contacts", {});

@@ -92,7 +92,7 @@ void draw_lines(InterfaceContext& context, const Marks& marks) {
 
 void draw_found(const Workspace& workspace, const Marks& marks) {
     const SurfaceDeviation& found = workspace.assets.deviation;
-    if (!found.trouble.empty()) return widgets::trouble(found.trouble.c_str());
+    if (!found.trouble.empty()) return widgets::trouble(window_words(found.trouble).c_str());
     if (!found.fits(deviation_of(workspace.document.tree(), marks, marks.options), workspace.shown().mesh))
         return widgets::quiet("Measuring\xE2\x80\xA6");
     const double unit = mm_per_unit(marks.deviation, found);

@@ -2,6 +2,7 @@
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
+#include "app/session/window_words.h"
 
 #include <cctype>
 #include <imgui.h>
@@ -22,7 +23,7 @@ std::string sentence(std::string text) {
 void draw_error_dialog(InterfaceContext& context) {
     auto& errors = context.interface.errors;
     if (errors.empty() || !widgets::begin_dialog("error", 520.0F, 0.0F)) return;
-    const Error& error = errors.front();
+    const Error error = in_window_words(errors.front());
     const bool recovery = context.interface.recovery.open;
     widgets::heading(recovery ? "This session cannot be recovered" : "This file cannot be opened");
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});

@@ -2,8 +2,12 @@
 
 #include "app/panels/theme.h"
 #include "app/panels/widgets.h"
+#include "app/picture/figures.h"
+#include "app/picture/video_file.h"
+#include "app/reports/table_kinds.h"
 #include "core/io/file_format.h"
 #include "core/io/text_numbers.h"
+#include "render/renderer/drawn.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -34,48 +38,26 @@ const char* key_of(io::PartsBy parts) {
     return parts == io::PartsBy::kBranch ? "branch" : parts == io::PartsBy::kSystem ? "system" : "none";
 }
 
-struct Entry {
-    std::string label, help;
-    bool possible = true;
-};
+} // namespace
 
-// A label, and beside it a list of which one is chosen; returns its index. `help` explains the list.
-std::size_t draw_list(const char* label, const char* help, float width, const std::vector<Entry>& entries,
-                      std::size_t chosen) {
-    ImGui::AlignTextToFramePadding();
-    widgets::quiet(label);
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(width * theme::scale());
-    ImGui::PushID(label);
-    const bool open = ImGui::BeginCombo("##list", entries[chosen].label.c_str());
-    if (!open) widgets::tooltip(help);
-    if (open) {
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-            const auto flags = entries[i].possible ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
-            if (ImGui::Selectable(entries[i].label.c_str(), i == chosen, flags)) chosen = i;
-            widgets::note_item(entries[i].label.c_str());
-            if (!entries[i].help.empty()) widgets::tooltip(entries[i].help.c_str());
-        }
-        ImGui::EndCombo();
-    }
-    ImGui::PopID();
-    return chosen;
-}
-
-void draw_kinds(ExportChoice& choice) {
+bool draw_export_kinds(ExportChoice& choice) {
+    const ExportWhat before = choice.what;
     for (const ExportKind& kind : export_kinds()) {
-        if (kind.what != ExportWhat::kSurface) ImGui::SameLine(0.0F, 18.0F * theme::scale());
+        if (&kind != export_kinds().data()) ImGui::SameLine(0.0F, 18.0F * theme::scale());
         if (ImGui::RadioButton(kind.label, kind.what == choice.what)) choice.what = kind.what;
         widgets::tooltip(kind.help);
     }
+    return before != choice.what;
 }
 
+namespace {
+
 void draw_scope(ExportChoice& choice, bool has_selection) {
-    std::vector<Entry> entries;
+    std::vector<widgets::ListEntry> entries;
     for (const ExportScope& scope : kExportScopes)
         entries.push_back({scope.label, "", scope.of != ExportOf::kSelected || has_selection});
-    choice.of = kExportScopes[draw_list("Of", "Which branches are exported", 160.0F, entries,
-                                        static_cast<std::size_t>(choice.of))]
+    choice.of = kExportScopes[widgets::list_row("Of", "Which branches are exported", 160.0F, entries,
+                                                static_cast<std::size_t>(choice.of))]
                     .of;
 }
 
@@ -84,14 +66,15 @@ void draw_surface_options(ExportChoice& choice, bool has_systems) {
     const float gap = 18.0F * theme::scale();
     if (choice.format().has_parts) {
         ImGui::SameLine(0.0F, gap);
-        std::vector<Entry> entries;
+        std::vector<widgets::ListEntry> entries;
         std::size_t chosen = 0;
         const io::PartsBy shown = choice.parts.value_or(has_systems ? io::PartsBy::kSystem : io::PartsBy::kBranch);
         for (std::size_t i = 0; i < kParts.size(); ++i) {
             entries.push_back({kParts[i].second, "", kParts[i].first != io::PartsBy::kSystem || has_systems});
             if (kParts[i].first == shown) chosen = i;
         }
-        const auto now = kParts[draw_list("Objects", "What is an object of its own", 170.0F, entries, chosen)].first;
+        const auto now =
+            kParts[widgets::list_row("Objects", "What is an object of its own", 170.0F, entries, chosen)].first;
         if (now != shown) choice.parts = now;
     }
     if (choice.format().for_printing) {
@@ -127,7 +110,13 @@ std::string ExportChoice::named(const std::string& name) const {
 
 std::vector<std::string> ExportChoice::words(const fs::path& file) const {
     std::vector<std::string> words{std::string(kind().key), file.string()};
-    if (kind().of_branches)
+    if (draws()) {
+        const auto more = figure_words(request(file));
+        words.insert(words.end(), more.begin(), more.end());
+    }
+    if (what == ExportWhat::kTable && !table.empty())
+        words.insert(words.end(), {"--rows", table});
+    else if (kind().of_branches)
         words.insert(words.end(), {"--of", std::string(kExportScopes[static_cast<std::size_t>(of)].key)});
     if (what != ExportWhat::kSurface) return words;
     if (format().has_parts && parts) words.insert(words.end(), {"--parts", key_of(*parts)});
@@ -137,27 +126,79 @@ std::vector<std::string> ExportChoice::words(const fs::path& file) const {
 
 bool can_be_export(const fs::path& path) { return all_extensions().contains(lower_extension(path)); }
 
-std::string export_extensions() {
-    const std::set<std::string> extensions = all_extensions();
-    return io::listed({extensions.begin(), extensions.end()});
+bool ExportChoice::writes(const fs::path& file) const {
+    return std::ranges::find(kind().formats, lower_extension(file), &ExportFormat::extension) != kind().formats.end();
 }
 
-bool draw_export_choice(ExportChoice& choice, bool has_selection, bool has_systems) {
-    if (!has_selection && choice.of == ExportOf::kSelected) choice.of = ExportOf::kVisible;
-    if (!has_systems && choice.parts == io::PartsBy::kSystem) choice.parts.reset();
-    const ExportChoice before = choice;
-    draw_kinds(choice);
-    ImGui::Dummy({0.0F, 1.0F});
-    std::size_t& format = choice.formats[static_cast<std::size_t>(choice.what)];
-    if (choice.kind().of_branches) {
-        draw_scope(choice, has_selection);
-        ImGui::SameLine(0.0F, 18.0F * theme::scale());
+FigureRequest ExportChoice::request(const fs::path& file) const {
+    FigureRequest request = figure.request(file);
+    request.options.sheet = what == ExportWhat::kSheet;
+    request.options.turntable = what == ExportWhat::kTurntable ? figure.pictures : 0;
+    return request;
+}
+
+fs::path ExportChoice::first_file(const fs::path& file) const {
+    return what == ExportWhat::kTurntable && !is_video(file) ? numbered(file, 0, figure.pictures) : file;
+}
+
+std::string ExportChoice::trouble() const {
+    if (!draws()) return {};
+    const FigureRequest wanted = request({});
+    const glm::ivec2 drawn = wanted.size.value_or(glm::ivec2(1)) * wanted.options.supersample;
+    if (const auto fits = render::check_size(drawn.x, drawn.y); !fits) return fits.error().message();
+    if (what != ExportWhat::kTurntable || format().extension != ".mp4") return {};
+    if (!figure.videos) return kNoVideos;
+    return figure.ground == Ground::kTransparent ? "A video has no transparent background" : "";
+}
+
+namespace {
+
+void draw_table_choice(ExportChoice& choice, const Exportable& has) {
+    std::vector<widgets::ListEntry> entries{{"Branches", "A row for each branch"}};
+    std::vector<std::string> names{""};
+    std::size_t chosen = 0;
+    for (const TableKind& kind : table_kinds()) {
+        const bool there = std::ranges::find(has.tables, kind.name) != has.tables.end();
+        if (!there && choice.table == kind.name) choice.table.clear();
+        if (choice.table == kind.name) chosen = names.size();
+        entries.push_back({kind.label, there ? "" : "There is none of it yet", there});
+        names.emplace_back(kind.name);
     }
-    std::vector<Entry> entries;
-    for (const ExportFormat& each : choice.kind().formats) entries.push_back({each.label, each.help});
-    format = draw_list("Format", "How the file is written", 190.0F, entries, format);
-    if (choice.what == ExportWhat::kSurface) draw_surface_options(choice, has_systems);
-    return before.what != choice.what || before.formats != choice.formats;
+    choice.table = names[widgets::list_row("Rows", "What the table has rows of", 190.0F, entries, chosen)];
+}
+
+void draw_format(ExportChoice& choice) {
+    std::vector<widgets::ListEntry> entries;
+    for (const ExportFormat& each : choice.kind().formats)
+        entries.push_back({each.label, each.help, each.extension != ".mp4" || choice.figure.videos});
+    std::size_t& format = choice.formats[static_cast<std::size_t>(choice.what)];
+    format = widgets::list_row("Format", "How the file is written", 190.0F, entries, format);
+}
+
+} // namespace
+
+bool draw_export_choice(ExportChoice& choice, const Exportable& has) {
+    if (!has.selection && choice.of == ExportOf::kSelected) choice.of = ExportOf::kVisible;
+    if (!has.systems && choice.parts == io::PartsBy::kSystem) choice.parts.reset();
+    const auto before = choice.formats;
+    widgets::quiet_wrapped(choice.kind().help);
+    ImGui::Dummy({0.0F, 2.0F * theme::scale()});
+    const float gap = 18.0F * theme::scale();
+    if (choice.draws()) {
+        draw_figure_choice(choice.figure, choice.what == ExportWhat::kTurntable);
+        if (choice.what == ExportWhat::kTurntable) draw_format(choice);
+    } else {
+        draw_format(choice);
+        if (choice.what == ExportWhat::kTable) {
+            ImGui::SameLine(0.0F, gap);
+            draw_table_choice(choice, has);
+        }
+        if (choice.kind().of_branches && choice.table.empty()) draw_scope(choice, has.selection);
+        if (choice.what == ExportWhat::kSurface) draw_surface_options(choice, has.systems);
+    }
+    if (choice.what == ExportWhat::kTurntable && !choice.figure.videos)
+        widgets::quiet_wrapped("ffmpeg is not installed, which makes videos of the pictures (apt install ffmpeg).");
+    return before != choice.formats;
 }
 
 } // namespace ramus::app

@@ -1,12 +1,14 @@
-// ExportChoice: what the export dialog has chosen beside folder and name; its part of the dialog.
+// ExportChoice: what the export dialog has chosen beside folder and name; its part of the dialog, a page for each kind.
 #pragma once
 
 #include "app/actions/export_kinds.h"
+#include "app/panels/figure_choice.h"
 #include "core/io/meshes/mesh_names.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ramus::app {
@@ -14,12 +16,25 @@ namespace ramus::app {
 struct ExportChoice {
     ExportWhat what = ExportWhat::kSurface;
     ExportOf of = ExportOf::kVisible;
-    std::array<std::size_t, 4> formats{}; // by kind: an index into its formats
-    std::optional<io::PartsBy> parts;     // none: what is usual for the tree
+    std::array<std::size_t, kExportKinds> formats{}; // by kind: an index into its formats
+    std::optional<io::PartsBy> parts;                // none: what is usual for the tree
     bool for_printing = false;
+    std::string table; // the name of a TableKind; empty: branches
+    FigureChoice figure;
 
+    [[nodiscard]] bool draws() const { // a picture of some kind, which has a preview
+        return what == ExportWhat::kPicture || what == ExportWhat::kSheet || what == ExportWhat::kTurntable;
+    }
+    // Of a picture, for this file.
+    [[nodiscard]] FigureRequest request(const std::filesystem::path& file) const;
+    // The first file that is written.
+    [[nodiscard]] std::filesystem::path first_file(const std::filesystem::path& file) const;
+    // Why it cannot be written as it is chosen; empty: it can.
+    [[nodiscard]] std::string trouble() const;
     [[nodiscard]] const ExportKind& kind() const { return export_kinds()[static_cast<std::size_t>(what)]; }
     [[nodiscard]] const ExportFormat& format() const { return kind().formats[formats[static_cast<std::size_t>(what)]]; }
+    // Whether a file of this name could be of the kind.
+    [[nodiscard]] bool writes(const std::filesystem::path& file) const;
     // A name that ends as another format does chooses that one, and its kind.
     void follow(const std::string& name);
     // The name with the ending of the format, in place of one that belongs to another.
@@ -30,9 +45,16 @@ struct ExportChoice {
 
 // By the ending of its name: something that could have been exported.
 [[nodiscard]] bool can_be_export(const std::filesystem::path& path);
-[[nodiscard]] std::string export_extensions(); // ".ply, .stl or .png"
 
-// What, of what, and how. True when something changed.
-bool draw_export_choice(ExportChoice& choice, bool has_selection, bool has_systems);
+// What a document has that can be exported.
+struct Exportable {
+    bool selection = false, systems = false;
+    std::vector<std::string_view> tables; // names of those that have rows
+};
+
+// What. True when it is another than before.
+bool draw_export_kinds(ExportChoice& choice);
+// Of what, and how. True when what the name ends with is another.
+bool draw_export_choice(ExportChoice& choice, const Exportable& has);
 
 } // namespace ramus::app

@@ -33,9 +33,9 @@ bool contains(std::string_view text, std::string_view wanted) {
     return io::lower_case(text).find(io::lower_case(wanted)) != std::string::npos;
 }
 
-class Table {
+class HelpTable {
 public:
-    explicit Table(std::string_view wanted) : wanted_(wanted) {}
+    explicit HelpTable(std::string_view wanted) : wanted_(wanted) {}
     void group(const char* title) { title_ = title; }
     // Shown when any of its words contains what is searched for.
     void row(const std::string& keys, const std::string& label, const std::string& name, const std::string& help) {
@@ -66,7 +66,7 @@ private:
     bool any_ = false;
 };
 
-void draw_rows(Table& table) {
+void draw_rows(HelpTable& table) {
     table.group("Mouse");
     for (const auto& [gesture, help] : kMouse) table.row(gesture, "", "", help);
     std::string menu;
@@ -107,7 +107,7 @@ void draw_help(InterfaceContext& context) {
     bool close = ImGui::Button("Close", {close_width, 0.0F});
     ImGui::Dummy({0.0F, 2.0F * theme::scale()});
     ImGui::BeginChild("rows", {0.0F, 0.0F});
-    Table table(interface.help_search.data());
+    HelpTable table(interface.help_search.data());
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 220.0F * theme::scale());
         ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);

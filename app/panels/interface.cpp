@@ -86,6 +86,10 @@ Layout layout_of(glm::ivec2 window, float scale, bool panel_open, float overview
     return layout;
 }
 
+const char* key_of(PanelPage page) {
+    return page == PanelPage::kExplore ? "explore" : page == PanelPage::kSurface ? "surface" : "plan";
+}
+
 bool Interface::dismiss() {
     if (menu_open) {
         close_menu = true;
@@ -98,12 +102,12 @@ bool Interface::dismiss() {
         errors.pop_front();
     } else if (unsaved.open()) {
         unsaved.next = nullptr;
-    } else if (drop.open()) {
-        drop.file.clear();
+    } else if (volume.open()) {
+        volume = {};
     } else {
-        const std::array below{&palette.open,  &recovery.open, &open_dialog.open, &help_open,
-                               &rename.open,   &radius.open,   &fly.open,         &unsaid.open,
-                               &warnings.open, &doctor.open,   &contacts.open,    &validation.open};
+        const std::array below{&palette.open,  &recovery.open,   &open_dialog.open, &help_open,     &rename.open,
+                               &radius.open,   &fly.open,        &unsaid.open,      &warnings.open, &doctor.open,
+                               &contacts.open, &validation.open, &written.open};
         const auto top = std::ranges::find_if(below, [](const bool* open) { return *open; });
         if (top == below.end()) return false;
         **top = false;
@@ -167,7 +171,9 @@ void draw_interface(InterfaceContext& context) {
     draw_contacts(context);
     draw_validation(context);
     draw_overview(context);
+    draw_branch_window(context);
     draw_fly(context);
+    draw_written(context);
     draw_status_bar(context);
     draw_tooltip(context);
     draw_rename(context);
@@ -178,7 +184,7 @@ void draw_interface(InterfaceContext& context) {
     draw_open_dialog(context);
     draw_recovery_dialog(context);
     draw_unsaved_dialog(context);
-    draw_drop_dialog(context);
+    draw_volume_dialog(context);
     draw_error_dialog(context);
 }
 

@@ -8,8 +8,10 @@
 #include "app/panels/open_dialog.h"
 #include "app/panels/overview.h"
 #include "app/panels/slider_row.h"
+#include "app/panels/volume_dialog.h"
 #include "app/panels/widgets.h"
 #include "app/session/warnings.h"
+#include "app/session/window_words.h"
 #include "app/storage/settings.h"
 #include "app/tools/tool_kinds.h"
 #include "app/workspace/workspace.h"
@@ -20,6 +22,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,6 +50,25 @@ struct Notice {
     std::string text;
     double until = 0.0; // in the seconds of draw_interface()
     bool trouble = false;
+};
+
+// What was written last, until it is put away.
+struct Written {
+    bool open = false;
+    std::filesystem::path file;
+    std::string sentence;
+};
+
+// What an export would look like, as the dialog shows it.
+struct FigurePreview {
+    // Asked for by the dialog: of a file of this size, drawn in so many pixels.
+    bool wanted = false;
+    FigureRequest request;
+    glm::ivec2 most{1};
+    // What the window has made of it: a texture; 0: nothing yet.
+    unsigned texture = 0;
+    glm::ivec2 size{1};
+    std::string trouble;
 };
 
 // The field for the name of a branch, or of a system.
@@ -80,10 +102,15 @@ struct Fly {
     std::vector<int> selection; // the one that `branch` is from
 };
 
+// What the side panel shows: the tree and what is selected of it, how it is shown, or what is planned on it.
+enum class PanelPage : std::uint8_t { kExplore, kSurface, kPlan };
+[[nodiscard]] const char* key_of(PanelPage page); // of the command `panel`
+
 // What the side panel's sliders and fields hold while they are being changed: the session hears of it when they are let
 // go, so that it is one step of undo.
 struct Editing {
     std::map<std::string_view, widgets::Slider<float>> options; // by the key of a SurfaceOption
+    std::set<std::string_view> shown_options; // that are seen only when set; once seen they stay, for what is below
     widgets::Slider<float> glass_opacity, glass_grey, blend, wipe;
     // Of one entry of the context, counted from 1, its colour or its opacity.
     struct Context {
@@ -172,13 +199,13 @@ struct Interface {
     bool panel_open = true;
     // A menu of the bar: it shall come; it is there; it shall go.
     bool want_menu = false, menu_open = false, close_menu = false;
-    int menu_keys = 0;           // frames for which menus have the arrow keys
-    bool menu_by_keys = false;   // F10 has opened them: the arrows stay theirs between two menus
-    bool menu_focused = false;   // the bar has the keyboard
-    std::string open_menu;       // of the bar; empty: none
-    bool menu_entry = false;     // an arrow has gone from the menu into its entries
-    int menu_step = 0;           // how many menus further left and right lead
-    bool planning = false;       // the side panel shows its planning half
+    int menu_keys = 0;         // frames for which menus have the arrow keys
+    bool menu_by_keys = false; // F10 has opened them: the arrows stay theirs between two menus
+    bool menu_focused = false; // the bar has the keyboard
+    std::string open_menu;     // of the bar; empty: none
+    bool menu_entry = false;   // an arrow has gone from the menu into its entries
+    int menu_step = 0;         // how many menus further left and right lead
+    PanelPage page = PanelPage::kExplore;
     float panel_points = 296.0F; // how wide it wants to be
     bool help_open = false;
     std::array<char, 64> help_search{};
@@ -187,11 +214,14 @@ struct Interface {
     CommandPalette palette;
     ContextMenu context_menu;
     OpenDialog open_dialog;
+    FigurePreview preview;
     RecoveryDialog recovery;
     UnsavedDialog unsaved;
-    DropDialog drop;
-    std::deque<Error> errors; // of files, shown one after the other in a dialog
+    VolumeDialog volume;
+    float volume_progress = 0.0F; // of reading what it is about
+    std::deque<Error> errors;     // of files, shown one after the other in a dialog
     Notice notice;
+    Written written;
     int hovered = tree::kNoBranch; // under the pointer in the picture
     bool nothing_in_view = false;  // of all that there is
     bool tooltip = false;          // the pointer rests on the picture
@@ -219,14 +249,18 @@ struct Interface {
     ToolDrawing tool_drawing; // of the tool, for this frame
     CommandLine last_command; // that the tool or a panel gave
 
-    void tell(std::string text, double now, bool trouble = false) { notice = {std::move(text), now + 5.0, trouble}; }
+    void tell(std::string text, double now, bool trouble = false) {
+        notice = {window_words(std::move(text)), now + 5.0, trouble};
+    }
     // What is about a file or a place stays in the list of warnings, too.
     void tell(const Error& error, const Lengths& lengths, double now) {
         tell(lengths.worded(error.message()), now, true);
-        if (!error.where.empty()) warnings.list.add(error);
+        if (!error.where.empty()) warnings.list.add(in_window_words(error));
     }
     void warn(Warning warning, double now) {
         tell(warning.what, now, true);
+        warning.what = window_words(std::move(warning.what));
+        warning.remedy = window_words(std::move(warning.remedy));
         warnings.list.add(std::move(warning));
     }
     // One panel lies over the picture's left edge at a time; null: none.
@@ -240,7 +274,7 @@ struct Interface {
     [[nodiscard]] bool between_menus() const { return menu_keys > 0 && !menu_open && !context_menu.open; }
     [[nodiscard]] bool dialog_open() const {
         return help_open || palette.open || rename.open || radius.open || open_dialog.open || recovery.open ||
-               unsaved.open() || drop.open() || !errors.empty();
+               unsaved.open() || volume.open() || !errors.empty();
     }
     bool dismiss();     // closes what lies on top; false: nothing does
     void forget_tree(); // another one was opened
@@ -276,7 +310,9 @@ void draw_context(InterfaceContext& context);
 void draw_compare(InterfaceContext& context);
 void draw_mask_row(InterfaceContext& context, const Comparison& comparison); // its mask
 void draw_deviation(InterfaceContext& context);                              // nothing unless colours say it
+void draw_selection(InterfaceContext& context);                              // as high for one branch, several and none
 void draw_branch_list(InterfaceContext& context);
+void draw_branch_window(InterfaceContext& context); // the list in a window of its own
 void draw_overview(InterfaceContext& context);
 void draw_plan(InterfaceContext& context);
 void draw_fly(InterfaceContext& context);
@@ -301,9 +337,12 @@ void draw_help(InterfaceContext& context);
 void draw_command_palette(InterfaceContext& context);
 void draw_context_menu(InterfaceContext& context);
 void draw_open_dialog(InterfaceContext& context);
+// What is exported, and how; the name follows the format. As high for every kind, so that the files below stay.
+void draw_export_page(InterfaceContext& context, OpenDialog& dialog);
 void draw_error_dialog(InterfaceContext& context);
 void draw_recovery_dialog(InterfaceContext& context);
 void draw_unsaved_dialog(InterfaceContext& context);
-void draw_drop_dialog(InterfaceContext& context);
+void draw_volume_dialog(InterfaceContext& context);
+void draw_written(InterfaceContext& context);
 
 } // namespace ramus::app

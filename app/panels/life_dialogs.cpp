@@ -144,7 +144,7 @@ void draw_unsaved_dialog(InterfaceContext& context) {
     if (discard || cancel || save) {
         const auto next = std::exchange(dialog.next, nullptr);
         ImGui::CloseCurrentPopup();
-        if (save) context.perform("save", {});
+        if (save) context.perform("save", {target.string()});
         if (discard || (save && !document.has_unsaved_work())) next();
     }
     widgets::end_dialog();

@@ -1,6 +1,6 @@
-// What the dialogs about the life of a session remember: what other runs left behind, what is to happen once unsaved
-// changes have been seen to, and what was dropped. The dialogs themselves are drawn by draw_recovery_dialog(),
-// draw_unsaved_dialog() and draw_drop_dialog().
+// What the dialogs about the life of a session remember: what other runs left behind, and what is to happen once
+// unsaved changes have been seen to. The dialogs themselves are drawn by draw_recovery_dialog() and
+// draw_unsaved_dialog().
 #pragma once
 
 #include "app/storage/autosave.h"
@@ -28,13 +28,6 @@ struct RecoveryDialog {
 struct UnsavedDialog {
     std::function<void()> next; // empty: the dialog is closed
     [[nodiscard]] bool open() const { return next != nullptr; }
-};
-
-// Asks what becomes of a mask that was dropped on a tree.
-struct DropDialog {
-    std::filesystem::path file; // empty: the dialog is closed
-    bool beside = false;        // what Return does: it is shown beside the tree, not opened in its place
-    [[nodiscard]] bool open() const { return !file.empty(); }
 };
 
 // "just now", "3 minutes ago", "26 hours ago", "5 days ago".

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <imgui.h>
 #include <span>
 #include <string_view>
@@ -33,6 +34,7 @@ bool can_be_mask(const fs::path& path) { return io::names_volume(path); }
 bool can_be_lesion_mesh(const fs::path& path) { return io::names_mesh(path); }
 
 void OpenDialog::show(const fs::path& start, FilePurpose wanted) {
+    if (purpose != wanted) shown = 0;
     purpose = wanted;
     open = true;
     filter.fill('\0');
@@ -89,43 +91,77 @@ void OpenDialog::enter(const fs::path& where) {
 
 namespace {
 
+// Files that a dialog may show.
+struct Shown {
+    const char* label;
+    bool (*fits)(const fs::path&);
+    std::string (*extensions)(); // of those files, for people
+};
+
 // What a dialog is for.
 struct Purpose {
     FilePurpose purpose;
     const char* title;
-    bool (*fits)(const fs::path&); // files that are shown, unless all are
-    std::string (*extensions)();   // of those files, for people
-    const char* command;           // that gets the file
-    bool takes_volumes = false;    // and so folders that hold one
+    std::vector<Shown> shown;   // the first is usual; all files can be seen as well
+    const char* command;        // that gets the file
+    bool takes_volumes = false; // and so folders that hold one
 };
 
+bool is_json(const fs::path& path) { return io::lower_case(path.extension().string()) == ".json"; }
+std::string json_extension() { return ".ramus.json"; }
 std::string tree_and_mask_extensions() {
     return io::readable_tree_extensions() + "; masks: " + io::readable_volume_extensions();
 }
 
-constexpr std::array<Purpose, 7> kPurposes{
-    {{FilePurpose::kOpen, "Open a vessel tree, a mask or a session",
-      [](const fs::path& path) { return can_be_opened(path) || can_be_mask(path); }, tree_and_mask_extensions, "open",
-      true},
-     {FilePurpose::kSave, "Save the session", can_be_opened, io::readable_tree_extensions, "save"},
-     {FilePurpose::kLesionMesh, "Choose the mesh of a lesion", can_be_lesion_mesh, io::readable_mesh_extensions,
-      "lesion-mesh"},
-     {FilePurpose::kContext, "Choose a mask or a mesh to show beside the tree",
-      [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); }, context_extensions, "context",
-      true},
-     {FilePurpose::kMask, "Choose a mask of the same vessels", can_be_mask, io::readable_volume_extensions,
-      "compare-mask", true},
-     {FilePurpose::kDeviation, "Choose a mesh or mask to measure the deviation from",
-      [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); }, context_extensions,
-      "deviation-from", true},
-     {FilePurpose::kExport, "Export", can_be_export, export_extensions, "export"}}};
+const std::array<Purpose, 7>& purposes() {
+    const Shown trees{"Trees", io::names_tree, io::readable_tree_extensions};
+    const Shown volumes{"Masks and scans", can_be_mask, io::readable_volume_extensions};
+    const Shown sessions{"Sessions", is_json, json_extension};
+    const Shown meshes{"Meshes", can_be_lesion_mesh, io::readable_mesh_extensions};
+    const Shown all_opened{"All that can be opened",
+                           [](const fs::path& path) { return can_be_opened(path) || can_be_mask(path); },
+                           tree_and_mask_extensions};
+    const Shown shapes{"Meshes, masks and scans",
+                       [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); },
+                       context_extensions};
+    const Shown exports{"What was exported", can_be_export, [] { return std::string("such"); }};
+    static const std::array<Purpose, 7> kPurposes{
+        {{FilePurpose::kOpen,
+          "Open a vessel tree, a mask, a scan or a session",
+          {all_opened, trees, volumes, sessions},
+          "open",
+          true},
+         {FilePurpose::kSave, "Save the session", {sessions}, "save"},
+         {FilePurpose::kLesionMesh, "Choose the mesh of a lesion", {meshes}, "lesion-mesh"},
+         {FilePurpose::kContext,
+          "Choose a mask, a scan or a mesh to show beside the tree",
+          {shapes, meshes, volumes},
+          "context",
+          true},
+         {FilePurpose::kMask, "Choose a mask of the same vessels", {volumes}, "compare-mask", true},
+         {FilePurpose::kDeviation,
+          "Choose a mesh or mask to measure the deviation from",
+          {shapes, meshes, volumes},
+          "deviation-from",
+          true},
+         {FilePurpose::kExport, "Export", {exports}, "export"}}};
+    return kPurposes;
+}
 
 const Purpose& purpose_of(const OpenDialog& dialog) {
-    return *std::ranges::find(kPurposes, dialog.purpose, &Purpose::purpose);
+    return *std::ranges::find(purposes(), dialog.purpose, &Purpose::purpose);
+}
+
+// Null: all files.
+const Shown* shown_in(const OpenDialog& dialog) {
+    const Purpose& purpose = purpose_of(dialog);
+    return dialog.shown < purpose.shown.size() ? &purpose.shown[dialog.shown] : nullptr;
 }
 
 bool matches(const OpenDialog& dialog, const OpenDialog::Entry& entry) {
-    if (!entry.folder && !dialog.every_file && !purpose_of(dialog).fits(entry.name)) return false;
+    if (!entry.folder && dialog.purpose == FilePurpose::kExport && !dialog.exported.writes(entry.name)) return false;
+    const Shown* const shown = shown_in(dialog);
+    if (!entry.folder && shown != nullptr && !shown->fits(entry.name)) return false;
     return io::lower_case(entry.name).find(io::lower_case(dialog.filter.data())) != std::string::npos;
 }
 
@@ -181,13 +217,19 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
             if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
             if (ImGui::Selectable(label.c_str(), dialog.marked == static_cast<int>(i),
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
+                // A click chooses, a double click goes on with it.
                 dialog.marked = static_cast<int>(i);
                 if (!entry.folder && dialog.saves()) {
                     dialog.rename(entry.name);
                     if (dialog.purpose == FilePurpose::kExport) dialog.exported.follow(entry.name);
-                } else if (entry.folder || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+                } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
                     chosen = dialog.folder / entry.name;
+                }
             }
+            widgets::note_item(label.c_str());
+            if (std::exchange(dialog.to_marked, dialog.to_marked && dialog.marked != static_cast<int>(i)) &&
+                dialog.marked == static_cast<int>(i))
+                ImGui::SetScrollHereY();
             if (entry.folder) ImGui::PopStyleColor();
             ImGui::PopID();
             ImGui::TableNextColumn();
@@ -197,10 +239,12 @@ fs::path draw_entries(OpenDialog& dialog, float height) {
         ImGui::EndTable();
     }
     if (!any && dialog.problem.empty())
-        widgets::quiet_wrapped(dialog.every_file ? "Nothing here."
-                                                 : ("No " + purpose_of(dialog).extensions() +
-                                                    " files here. Choose another folder, or show all files.")
-                                                       .c_str());
+        widgets::quiet_wrapped(
+            dialog.saves() ? "No such files here yet."
+            : shown_in(dialog) == nullptr
+                ? "Nothing here."
+                : ("No " + shown_in(dialog)->extensions() + " files here. Choose another folder, or show all files.")
+                      .c_str());
     ImGui::EndChild();
     return chosen;
 }
@@ -223,20 +267,23 @@ fs::path draw_name(OpenDialog& dialog, float button_width, bool& cancelled) {
     ImGui::SameLine();
     cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
     ImGui::SameLine();
-    ImGui::BeginDisabled(dialog.name[0] == '\0');
+    const bool can =
+        dialog.name[0] != '\0' && (dialog.purpose != FilePurpose::kExport || dialog.exported.trouble().empty());
+    ImGui::BeginDisabled(!can);
     const char* save = dialog.purpose == FilePurpose::kExport ? "Export" : "Save";
     wanted |= widgets::button(dialog.replace_asked ? "Replace" : save, {button_width, 0.0F},
                               dialog.replace_asked ? theme::kTroubleDim : theme::kAccentDim);
     widgets::note_item("Write it");
     ImGui::EndDisabled();
-    if (!wanted || dialog.name[0] == '\0') return {};
+    if (!wanted || !can) return {};
     fs::path target = dialog.named();
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) {
         dialog.enter(target);
         return {};
     }
-    if (fs::exists(target, ignored) && !std::exchange(dialog.replace_asked, true)) return {};
+    const fs::path first = dialog.purpose == FilePurpose::kExport ? dialog.exported.first_file(target) : target;
+    if (fs::exists(first, ignored) && !std::exchange(dialog.replace_asked, true)) return {};
     return target;
 }
 
@@ -255,14 +302,35 @@ fs::path draw_path_row(OpenDialog& dialog) {
     if (!ImGui::InputTextWithHint("##filter", "Filter", dialog.filter.data(), dialog.filter.size(),
                                   ImGuiInputTextFlags_EnterReturnsTrue))
         return chosen;
-    // Enter takes the first that is left.
+    // Enter takes what is marked, else the first that is left.
     const auto first = std::ranges::find_if(dialog.entries, [&](const auto& each) { return matches(dialog, each); });
+    if (dialog.marked >= 0 && matches(dialog, dialog.entries[static_cast<std::size_t>(dialog.marked)]))
+        return dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name;
     return first == dialog.entries.end() ? chosen : dialog.folder / first->name;
+}
+
+// Up and down, from what is marked to the next that is seen.
+void move_mark(OpenDialog& dialog) {
+    const int step = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1
+                     : ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? -1
+                                                                                 : 0;
+    if (step == 0 || dialog.saves()) return;
+    const int count = static_cast<int>(dialog.entries.size());
+    for (int i = dialog.marked < 0 && step < 0 ? count - 1 : dialog.marked + step; i >= 0 && i < count; i += step) {
+        if (!matches(dialog, dialog.entries[static_cast<std::size_t>(i)])) continue;
+        dialog.marked = i;
+        dialog.to_marked = true;
+        return;
+    }
 }
 
 // Cancel and Open. Returns what was chosen with them.
 fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
-    ImGui::Checkbox("All files", &dialog.every_file);
+    std::vector<widgets::ListEntry> entries;
+    for (const Shown& shown : purpose_of(dialog).shown) entries.push_back({shown.label, shown.extensions()});
+    entries.push_back({"All files", ""});
+    dialog.shown = widgets::list_row("Show", "Which files are listed", 190.0F, entries,
+                                     std::min(dialog.shown, entries.size() - 1));
     ImGui::SameLine();
     widgets::align_right(2.0F * button_width + ImGui::GetStyle().ItemSpacing.x);
     cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
@@ -270,41 +338,36 @@ fs::path draw_buttons(OpenDialog& dialog, float button_width, bool& cancelled) {
     const bool can_open = dialog.marked >= 0 && dialog.marked < static_cast<int>(dialog.entries.size());
     ImGui::BeginDisabled(!can_open);
     const bool opens = widgets::button("Open", {button_width, 0.0F}, theme::kAccentDim);
+    widgets::note_item("Open what is chosen");
     ImGui::EndDisabled();
     return opens ? dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.marked)].name : fs::path();
 }
 
-// What is exported, and how; the name follows the format.
-void draw_export_part(const InterfaceContext& context, OpenDialog& dialog) {
-    const Document& document = context.workspace.document;
-    const bool has_systems = document.tree() && !document.tree()->systems.empty();
-    if (draw_export_choice(dialog.exported, !document.marks().selection.empty(), has_systems)) {
-        dialog.rename(dialog.exported.named(dialog.name.data()));
-        dialog.name_focused = false; // once more: the name comes next
-    }
-    ImGui::Dummy({0.0F, 6.0F * theme::scale()});
-}
-
 } // namespace
+
+const char* key_of(FilePurpose purpose) { return std::ranges::find(purposes(), purpose, &Purpose::purpose)->command; }
 
 void draw_open_dialog(InterfaceContext& context) {
     OpenDialog& dialog = context.interface.open_dialog;
-    if (!dialog.open || !widgets::begin_dialog("open", 820.0F, 560.0F)) return;
+    const bool saving = dialog.saves(), exporting = dialog.purpose == FilePurpose::kExport;
+    context.interface.preview.wanted = false;
+    if (!dialog.open || !widgets::begin_dialog("open", exporting ? 900.0F : 820.0F, exporting ? 720.0F : 560.0F))
+        return;
     const float scale = theme::scale();
     const Purpose& purpose = purpose_of(dialog);
-    const bool saving = dialog.saves(), exporting = dialog.purpose == FilePurpose::kExport;
     fs::path chosen; // by the last of the parts that chose one
     const auto take = [&](fs::path path) {
         if (!path.empty()) chosen = std::move(path);
     };
     widgets::heading(purpose.title);
     ImGui::Dummy({0.0F, 2.0F * scale});
-    if (exporting) draw_export_part(context, dialog);
+    if (exporting) draw_export_page(context, dialog);
     std::span<const fs::path> recent;
     if (dialog.purpose == FilePurpose::kOpen) recent = context.interface.recent_files;
     take(draw_places(190.0F * scale, recent));
     ImGui::SameLine(0.0F, 16.0F * scale);
     ImGui::BeginGroup();
+    move_mark(dialog);
     take(draw_path_row(dialog));
     ImGui::Dummy({0.0F, 2.0F * scale});
     const float buttons = ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().ItemSpacing.y + 2.0F * scale;
@@ -328,6 +391,7 @@ void draw_open_dialog(InterfaceContext& context) {
     else if (!chosen.empty() && !saving)
         target = chosen;
     if (!target.empty() || cancelled) dialog.open = false;
+    if (!target.empty()) context.interface.settings.folders[purpose.command] = target.parent_path();
     if (!target.empty())
         context.perform(purpose.command, exporting ? dialog.exported.words(target) : std::vector{target.string()});
     if (!dialog.open) ImGui::CloseCurrentPopup();

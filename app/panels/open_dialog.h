@@ -21,13 +21,14 @@ struct OpenDialog {
     };
     FilePurpose purpose = FilePurpose::kOpen;
     bool open = false;
-    bool every_file = false; // not only those with a known ending
+    std::size_t shown = 0; // which files: an index into what the purpose offers; behind its end all files
     std::filesystem::path folder;
     std::vector<Entry> entries; // folders first, then files, by name
     std::string problem;        // why the folder cannot be listed
     std::array<char, 256> filter{};
     std::array<char, 4096> typed{}; // the path field
     int marked = -1;                // index into entries
+    bool to_marked = false;         // it shall come into sight
     std::array<char, 256> name{};   // to save under
     bool replace_asked = false;     // the user was told that it exists
     bool name_focused = false;      // once, when it opens
@@ -40,6 +41,9 @@ struct OpenDialog {
     [[nodiscard]] std::filesystem::path named() const; // the file to save, with its ending
     void enter(const std::filesystem::path& where);    // lists another folder
 };
+
+// By which folders are remembered, and the command that gets the file.
+[[nodiscard]] const char* key_of(FilePurpose purpose);
 
 // By the ending of its name, in capitals or not.
 [[nodiscard]] bool can_be_opened(const std::filesystem::path& path); // a tree or a session

@@ -1,4 +1,5 @@
-// The panel at the right: the tree, its surface, what is selected, and the list of branches.
+// The panel at the right: the tree, and a page of what is selected and the branches, of the surface, or of the plan.
+// Nothing in it moves because the pointer hovers, presses or selects: what may grow stands last, or has its room.
 #include "app/panels/choice_row.h"
 #include "app/panels/interface.h"
 #include "app/panels/theme.h"
@@ -10,6 +11,7 @@
 #include "core/base/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 #include <optional>
@@ -21,12 +23,6 @@
 namespace ramus::app {
 
 namespace {
-
-std::string range(double least, double most, const Lengths& lengths) {
-    const std::string a = digits(least);
-    const std::string b = digits(most);
-    return (a == b ? a : a + " \xE2\x80\x93 " + b) + " " + lengths.unit();
-}
 
 void draw_tree(InterfaceContext& context) {
     const Document& document = context.workspace.document;
@@ -45,7 +41,7 @@ void draw_tree(InterfaceContext& context) {
     widgets::fact("Length", lengths.text(facts.statistics.length_mm));
     widgets::fact("Volume", lengths.volume(facts.statistics.volume_mm3));
     widgets::fact("Diameter",
-                  range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max, lengths));
+                  lengths.range(2.0 * facts.statistics.radius_mm.min, 2.0 * facts.statistics.radius_mm.max));
     if (tree.roots.size() > 1) widgets::fact("Roots", grouped(tree.roots.size()));
     if (nothing_depends(facts)) widgets::fact("Dependency", "none: separate vessels");
     if (tree.loop_count > 0) widgets::fact("Loops", grouped(static_cast<std::uint64_t>(tree.loop_count)));
@@ -89,9 +85,11 @@ void draw_words(InterfaceContext& context, const SurfaceOption& option, const me
 void draw_options(InterfaceContext& context) {
     const mesh::SurfaceOptions options = context.workspace.document.marks().options; // a choice changes it
     auto& sliders = context.interface.editing.options;
+    auto& shown = context.interface.editing.shown_options;
     for (const SurfaceOption& option : surface_options()) {
         if (option.label.empty()) continue;
-        if (option.only_when_set && option.value(options) == option.value({})) continue;
+        if (option.only_when_set && option.value(options) == option.value({}) && !shown.contains(option.key)) continue;
+        if (option.only_when_set) shown.insert(option.key);
         if (!option.words.empty()) {
             draw_words(context, option, options);
             continue;
@@ -112,98 +110,54 @@ void draw_options(InterfaceContext& context) {
 void draw_surface(InterfaceContext& context) {
     widgets::section("Surface");
     draw_options(context);
+}
+
+// Last, so that it moves nothing when it comes.
+void draw_surface_problem(InterfaceContext& context) {
     const std::string& problem = context.workspace.surface_problem();
     if (problem.empty()) return;
-    widgets::trouble(problem == "cancelled" ? "Cancelled. Shown are the cones or an older surface." : problem.c_str());
+    widgets::rule();
+    widgets::trouble(problem == "cancelled" ? "Cancelled. Shown are the cones or an older surface."
+                                            : window_words(problem).c_str());
     if (ImGui::Button("Compute again")) context.workspace.retry_surface();
 }
 
-void draw_one(const Document& document, const TreeFacts& facts, int id) {
-    const auto index = static_cast<std::size_t>(id);
-    const BranchFacts& own = facts.branches[index];
-    const tree::Branch& branch = document.tree()->branches[index];
-    widgets::fact("Branch", std::to_string(id));
-    const std::string label = label_of(document.dependency(), document.marks(), id);
-    if (!label.empty()) widgets::fact("Name", label);
-    const std::string system = system_of(*document.tree(), document.marks(), id);
-    if (!system.empty()) widgets::fact("System", system);
-    const Lengths lengths = document.lengths();
-    widgets::fact("Diameter", lengths.text(own.diameter_mm.mean));
-    widgets::fact("  from \xE2\x80\x93 to", range(own.diameter_mm.min, own.diameter_mm.max, lengths));
-    widgets::fact("Length", lengths.text(own.length_mm));
-    widgets::fact("Generation", std::to_string(branch.generation));
-    widgets::fact("Strahler order", std::to_string(branch.strahler));
-    widgets::fact("Dependents", nothing_depends(facts) ? kNothingDepends
-                                                       : grouped(static_cast<std::uint64_t>(own.dependents.branches)));
-    widgets::fact("State", std::string(name_of(state_of(document.marks(), id))));
-}
+struct Page {
+    PanelPage page;
+    const char *label, *help;
+};
+constexpr std::array<Page, 3> kPages{{{PanelPage::kExplore, "Explore", "Systems, selection and branches"},
+                                      {PanelPage::kSurface, "Surface", "Surface, glass, context and comparison"},
+                                      {PanelPage::kPlan, "Plan", "Lesions, cuts and measurements"}}};
 
-void draw_many(const Document& document, const TreeFacts& facts) {
-    double length = 0.0;
-    double least = 1e300;
-    double most = 0.0;
-    for (const int id : document.marks().selection) {
-        const BranchFacts& own = facts.branches[static_cast<std::size_t>(id)];
-        length += own.length_mm;
-        least = std::min(least, own.diameter_mm.mean);
-        most = std::max(most, own.diameter_mm.mean);
-    }
-    const auto selected = document.marks().selection.size();
-    widgets::fact("Branches",
-                  grouped(selected) + " of " + grouped(static_cast<std::uint64_t>(document.branch_count())));
-    const Lengths lengths = document.lengths();
-    widgets::fact("Length", lengths.text(length));
-    widgets::fact("Mean diameters", range(least, most, lengths));
-}
-
-void draw_actions(InterfaceContext& context) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x * 0.5F;
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * theme::scale(), 4.0F * theme::scale()});
-    int column = 0;
-    for (const char* name : {"select-dependents", "select-upstream", "highlight", "defocus", "hide", "show"}) {
-        const Command& command = *find_command(name);
-        if (column++ % 3 != 0) ImGui::SameLine();
-        const std::string label = command.name == "show" ? "Show" : command.label;
-        if (ImGui::Button(label.c_str(), {width, 0.0F})) context.perform(command);
-        widgets::tooltip(command.help.c_str(), command.keys.front().c_str());
-    }
-    ImGui::PopStyleVar(2);
-}
-
-void draw_selection(InterfaceContext& context) {
-    widgets::section("Selection");
-    const Document& document = context.workspace.document;
-    const auto& selection = document.marks().selection;
-    if (selection.empty()) {
-        widgets::quiet_wrapped("Click a vessel to select it; Alt+click takes all that depends on it.");
-        return;
-    }
-    if (selection.size() == 1)
-        draw_one(document, *context.workspace.facts(), selection.front());
-    else
-        draw_many(document, *context.workspace.facts());
-    ImGui::Dummy({0.0F, 2.0F * theme::scale()});
-    draw_actions(context);
-}
-
-// The two halves of the panel: what the tree is, and what is planned on it.
-void draw_halves(InterfaceContext& context) {
+void draw_pages(InterfaceContext& context) {
     const float scale = theme::scale();
     ImGui::Dummy({0.0F, 4.0F * scale});
-    const float width = std::floor(0.5F * ImGui::GetContentRegionAvail().x);
+    const float width = std::floor(ImGui::GetContentRegionAvail().x / static_cast<float>(kPages.size()));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
-    for (const bool planning : {false, true}) {
-        if (planning) ImGui::SameLine();
-        const bool chosen = context.interface.planning == planning;
+    for (const Page& page : kPages) {
+        if (&page != kPages.data()) ImGui::SameLine();
+        const bool chosen = context.interface.page == page.page;
         const ImVec4 ground = chosen ? theme::kAccentDim : theme::kRaised;
-        if (widgets::button(planning ? "Plan" : "Explore", {width, 0.0F}, ground,
-                            chosen ? theme::kText : theme::kQuiet))
-            context.perform("panel", {planning ? "plan" : "explore"});
-        widgets::tooltip(planning ? "Lesions, cuts and measurements" : "Surface, selection and branches", "B");
+        if (widgets::button(page.label, {width, 0.0F}, ground, chosen ? theme::kText : theme::kQuiet))
+            context.perform("panel", {key_of(page.page)});
+        widgets::tooltip(page.help, page.page == PanelPage::kSurface ? nullptr : "B");
     }
     ImGui::PopStyleVar();
+}
+
+// The table, or the way back to it.
+void draw_branches(InterfaceContext& context) {
+    const bool apart = context.interface.list.apart;
+    draw_title(
+        context, "Branches",
+        {{apart ? "Back" : "Window",
+          apart ? "Shows the table of branches here again" : "Shows the table of branches in a window of its own",
+          "branches"}});
+    if (apart)
+        widgets::quiet_wrapped("The table is in a window of its own.");
+    else
+        draw_branch_list(context);
 }
 
 // The edge towards the picture can be dragged.
@@ -235,19 +189,24 @@ void draw_side_panel(InterfaceContext& context) {
     draw_edge(context, width);
     if (context.workspace.document.tree() && context.workspace.facts()) {
         draw_tree(context);
-        draw_halves(context);
-        if (context.interface.planning) {
-            draw_plan(context);
-        } else {
+        draw_pages(context);
+        switch (context.interface.page) {
+        case PanelPage::kExplore:
             draw_systems(context);
+            draw_selection(context);
+            draw_branches(context);
+            break;
+        case PanelPage::kSurface:
             draw_deviation(context); // what colours say, before what they are of
             draw_surface(context);
             draw_glass(context);
             draw_context(context);
             draw_compare(context);
-            draw_selection(context);
-            widgets::section("Branches");
-            draw_branch_list(context);
+            draw_surface_problem(context);
+            break;
+        case PanelPage::kPlan:
+            draw_plan(context);
+            break;
         }
     } else {
         widgets::quiet_wrapped("What ramus knows of a tree appears here.");

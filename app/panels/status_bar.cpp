@@ -96,7 +96,9 @@ float draw_progress(InterfaceContext& context) {
     ImGui::Dummy({bar_width, ImGui::GetTextLineHeight()});
     ImGui::SameLine(0.0F, 12.0F * scale);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6.0F * scale, 0.0F});
-    if (ImGui::Button("Cancel", {button_width, 0.0F})) {
+    const bool cancelled = ImGui::Button("Cancel", {button_width, 0.0F});
+    widgets::note_item("Cancel what goes on");
+    if (cancelled) {
         context.commands.cancel();
         context.workspace.cancel_work();
     }

@@ -133,6 +133,28 @@ bool fact_button(const char* label, const std::string& found, const ImVec4& colo
     return pressed;
 }
 
+std::size_t list_row(const char* label, const char* help, float width, const std::vector<ListEntry>& entries,
+                     std::size_t chosen) {
+    ImGui::AlignTextToFramePadding();
+    quiet(label);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(width * theme::scale());
+    ImGui::PushID(label);
+    const bool open = ImGui::BeginCombo("##list", entries[chosen].label.c_str());
+    if (!open) tooltip(help);
+    if (open) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const auto flags = entries[i].possible ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+            if (ImGui::Selectable(entries[i].label.c_str(), i == chosen, flags)) chosen = i;
+            note_item(entries[i].label.c_str());
+            if (!entries[i].help.empty()) tooltip(entries[i].help.c_str());
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    return chosen;
+}
+
 void text_right(const std::string& text) {
     align_right(ImGui::CalcTextSize(text.c_str()).x);
     ImGui::TextUnformatted(text.c_str());

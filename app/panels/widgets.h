@@ -41,6 +41,14 @@ bool fact_button(const char* label, const std::string& found, const ImVec4& colo
 [[nodiscard]] std::string percent_text(float share);
 void quiet_wrapped(const char* text); // several lines
 void trouble(const char* text);       // several lines in the colour of what went wrong
+// A label, and beside it a list of what may be chosen, `width` points wide; returns the index of what is. `help`
+// explains the list.
+struct ListEntry {
+    std::string label, help;
+    bool possible = true;
+};
+[[nodiscard]] std::size_t list_row(const char* label, const char* help, float width,
+                                   const std::vector<ListEntry>& entries, std::size_t chosen);
 // Puts the cursor so that `width` ends at the right edge.
 void align_right(float width);
 void tooltip(const char* text, const char* key = nullptr);

@@ -44,6 +44,11 @@ std::string Lengths::text(double length, int significant) const {
                                       : digits(length / 1000.0, significant) + " m";
 }
 
+std::string Lengths::range(double least, double most) const {
+    const std::string a = digits(least), b = digits(most);
+    return (a == b ? a : a + " \xE2\x80\x93 " + b) + " " + unit();
+}
+
 std::string Lengths::area(double area) const { return digits(area) + " " + unit() + "\xC2\xB2"; }
 
 std::string Lengths::volume(double volume) const {

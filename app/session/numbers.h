@@ -27,8 +27,9 @@ public:
     [[nodiscard]] std::string unit() const { return worded("mm"); }
     // "12.3 mm", "1.42 m"; "1,420 units".
     [[nodiscard]] std::string text(double length, int significant = 3) const;
-    [[nodiscard]] std::string area(double area) const;     // "12.3 mm²", "1,420 units²"
-    [[nodiscard]] std::string volume(double volume) const; // "12.3 mm³", "1.42 ml"; "1,420 units³"
+    [[nodiscard]] std::string area(double area) const;                // "12.3 mm²", "1,420 units²"
+    [[nodiscard]] std::string volume(double volume) const;            // "12.3 mm³", "1.42 ml"; "1,420 units³"
+    [[nodiscard]] std::string range(double least, double most) const; // "1.4 – 12.3 mm"
     // A text that says mm where it is known: "Ø mm", "Margins 5, 10, 20 mm"; else the same about units.
     [[nodiscard]] std::string worded(std::string_view text) const { return claims_.worded(text); }
     // The name of a column or of a member of JSON: "length_mm", "length_units".

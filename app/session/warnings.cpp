@@ -2,6 +2,7 @@
 
 #include "app/session/numbers.h"
 #include "app/session/reading_options.h"
+#include "app/session/window_words.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +16,8 @@ std::vector<Warning> warnings_of(const tree::VesselTree& tree, const std::string
         const std::string kind = group.kind == Kind::kSuspect    ? "Suspicious"
                                  : group.kind == Kind::kRepaired ? "Repaired"
                                                                  : "Assumed";
-        std::string what = kind + ", " + topic_label(group.topic) + ": " + tree.notes[group.notes.front()].text;
+        std::string what =
+            kind + ", " + topic_label(group.topic) + ": " + window_words(tree.notes[group.notes.front()].text);
         if (group.notes.size() > 1) what += "; and " + grouped(group.notes.size() - 1) + " more";
         const bool unsaid =
             (group.topic == "units" && !tree.claims.has_unit()) || (group.topic == "axes" && !tree.claims.has_sides());

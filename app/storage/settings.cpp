@@ -18,13 +18,19 @@ constexpr const char* kFile = "settings.json";
 
 } // namespace
 
+fs::path Settings::folder_of(const std::string& kind) const {
+    const auto found = folders.find(kind);
+    return found == folders.end() ? fs::path() : found->second;
+}
+
 json to_json(const Settings& settings) {
     json value{{"window", {settings.window.x, settings.window.y}},
                {"panel_open", settings.panel_open},
                {"recent_files", settings.recent_files},
-               {"last_folder", settings.last_folder.string()},
+               {"folders", json::object()},
                {"drop_beside", settings.drop_beside},
                {"light_theme", settings.light_theme}};
+    for (const auto& [kind, folder] : settings.folders) value["folders"][kind] = folder.string();
     if (settings.ui_scale > 0.0) value["ui_scale"] = settings.ui_scale;
     return value;
 }
@@ -50,7 +56,13 @@ Result<Settings> settings_from_json(const json& value, const std::string& where)
         }
         if (value.contains("recent_files"))
             settings.recent_files = integer(value["recent_files"], "recent_files", 0, 100);
-        if (value.contains("last_folder")) settings.last_folder = text(value["last_folder"], "last_folder");
+        if (value.contains("last_folder")) // of an earlier version
+            settings.folders["open"] = text(value["last_folder"], "last_folder");
+        if (value.contains("folders")) {
+            if (!value["folders"].is_object()) throw Refusal{"folders is not an object"};
+            for (const auto& [kind, folder] : value["folders"].items())
+                settings.folders[kind] = text(folder, "folders");
+        }
         return settings;
     } catch (const Refusal& refusal) {
         return fail(refusal.what, where);

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -16,9 +17,10 @@ struct Settings {
     double ui_scale = 0.0;        // pixels per point; 0: what the display says
     glm::ivec2 window{1440, 900}; // points
     bool panel_open = true;
-    int recent_files = 10;             // how many are remembered; 0: none
-    std::filesystem::path last_folder; // that something was opened from
-    bool drop_beside = false;          // a mask that is dropped on a tree was last shown beside it, not opened
+    int recent_files = 10;                                // how many are remembered; 0: none
+    std::map<std::string, std::filesystem::path> folders; // that files of a kind were last chosen in
+    [[nodiscard]] std::filesystem::path folder_of(const std::string& kind) const; // empty: none yet
+    bool drop_beside = false; // a mask that is dropped on a tree was last shown beside it, not opened
     bool light_theme = false;
     bool operator==(const Settings&) const = default;
 };

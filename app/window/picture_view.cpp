@@ -1,7 +1,9 @@
 #include "app/window/picture_view.h"
 
 #include "app/picture/deviation_colours.h"
+#include "app/picture/figures.h"
 #include "app/picture/fit.h"
+#include "app/window/work_elsewhere.h"
 #include "render/gl/gl_context.h"
 
 #include <algorithm>
@@ -238,18 +240,33 @@ render::Frame PictureView::frame_for_keeping(const render::Camera& camera, glm::
     return frame;
 }
 
-Result<void> PictureView::write_picture(const std::filesystem::path& path) {
+render::Sheet PictureView::sheet_for_keeping(glm::ivec2 size) {
     state_.follow_tree();
     Workspace& workspace = state_.workspace;
     Job job;
     (void)load_context(workspace.assets, workspace.document.marks(), job); // as above
-    const render::Sheet sheet =
-        compose_sheet(workspace.document.session(), workspace.current_assets(), workspace.surfaces(),
-                      {.size = state_.layout.view_size, .pixel_ratio = state_.scale});
+    state_.present_again();
+    return compose_sheet(workspace.document.session(), workspace.current_assets(), workspace.surfaces(),
+                         {.size = size, .pixel_ratio = state_.scale});
+}
+
+Result<void> PictureView::write_picture(const std::filesystem::path& path) {
+    const render::Sheet sheet = sheet_for_keeping(state_.layout.view_size);
     if (const auto drawn = sheets_.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
     if (const auto finer = sheets_.refine(sheet, keeping_seconds()); !finer) return tl::unexpected(finer.error());
-    state_.present_again();
     return render::write_png(sheets_.read_image(), path);
+}
+
+Result<void> PictureView::write_figure(const FigureRequest& request, Job& job) {
+    const auto compose_sized = [this](glm::ivec2 size) -> Result<render::Sheet> { return sheet_for_keeping(size); };
+    render::SheetRenderer alone(renderer_); // as below
+    return app::write_figure(alone, compose_sized, whole_size(), request, job);
+}
+
+Result<std::function<Result<void>(Job&)>> PictureView::done_elsewhere(const std::vector<std::string>& words) {
+    if (!state_.watched()) return std::function<Result<void>(Job&)>();
+    const Document& document = state_.workspace.document;
+    return work_elsewhere(document.session(), words, render::is_software_rasteriser());
 }
 
 Result<render::Image> PictureView::draw_picture(const render::Camera& camera, glm::ivec2 size) {

@@ -52,6 +52,11 @@ public:
     [[nodiscard]] std::shared_ptr<const render::PagedMesh> picture_mesh() const override;
     Result<render::BranchPicture> branch_picture() override;
     Result<void> write_picture(const std::filesystem::path& path) override;
+    Result<void> write_figure(const FigureRequest& request, Job& job) override;
+    [[nodiscard]] glm::ivec2 whole_size() const override { return state_.layout.view_size; }
+    // `ramus render` does it, in a process of its own.
+    [[nodiscard]] Result<std::function<Result<void>(Job&)>>
+    done_elsewhere(const std::vector<std::string>& words) override;
     Result<render::Image> draw_picture(const render::Camera& camera, glm::ivec2 size) override;
     void camera_leapt() override;
     [[nodiscard]] std::optional<glm::dvec3> looked_at() override {
@@ -84,6 +89,7 @@ private:
     void ask_depths(bool drawn);
     void tell_nothing_in_view();
     [[nodiscard]] std::optional<render::Scale> scale_now() const;
+    [[nodiscard]] render::Sheet sheet_for_keeping(glm::ivec2 size);
     [[nodiscard]] render::Frame frame_for_keeping(const render::Camera& camera, glm::ivec2 size);
 
     ViewerState& state_;

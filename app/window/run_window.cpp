@@ -14,6 +14,7 @@
 #include "core/base/printable.h"
 #include "core/io/json_text.h"
 #include "core/io/output_file.h"
+#include "core/io/volumes/volume_file.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -84,7 +85,7 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
     status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
     status["unsaved_dialog"] = interface.unsaved.open();
-    status["drop_dialog"] = interface.drop.open();
+    status["volume_dialog"] = {{"open", interface.volume.open()}, {"read", interface.volume.facts != nullptr}};
     status["recovery_dialog"] = interface.recovery.open;
     status["recoveries"] = interface.recovery.entries.size();
 }
@@ -124,11 +125,15 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
                        {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
     status["tool_texts"] = nlohmann::json::array();
     for (const auto& text : interface.tool_drawing.texts) status["tool_texts"].push_back(text.text);
-    status["planning"] = interface.planning;
+    status["planning"] = interface.page == PanelPage::kPlan;
+    status["page"] = key_of(interface.page);
+    status["branch_window"] = interface.list.apart;
     add_lists(status, interface, workspace);
     add_dialogs(status, interface);
     const Document& document = workspace.document;
     status["modified"] = document.modified();
+    status["session_file"] = document.file().string();
+    status["written"] = interface.written.open ? interface.written.file.string() : "";
     status["branch_count"] = document.branch_count();
     status["pieces"] = document.tree() ? document.tree()->roots.size() : 0;
     status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
@@ -284,7 +289,9 @@ int run_window(const WindowOptions& options) {
     Session empty;
     empty.marks.options = options.surface;
     workspace.document.open(nullptr, empty);
-    if (const auto file = first_file(options)) workspace.open(*file);
+    const auto file = first_file(options);
+    const bool asks = file && script == std::nullopt && io::is_volume(*file); // somebody says what becomes of it
+    if (file && !asks) workspace.open(*file);
     if (!options.status.empty())
         if (auto possible = io::check_output(options.status); !possible) return complain(possible.error());
 
@@ -308,6 +315,7 @@ int run_window(const WindowOptions& options) {
     (*viewer)->resize((*window)->framebuffer_size(), (*window)->scale());
     if (options.files.size() > 1) (*viewer)->say("One tree at a time: only " + options.files.front() + " was opened");
     (*viewer)->files().use_settings(settings);
+    if (asks) (*viewer)->files().ask_about_volume(*file);
     if (!stored.trouble.empty()) (*viewer)->say(stored.trouble);
     (*viewer)->files().offer(autosave::find_abandoned(Keeper::folder()));
     Keeper keeper(settings, own_scale);

@@ -12,7 +12,7 @@
 namespace ramus::app {
 
 Viewer::Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake)
-    : state_(workspace, std::move(wake)), picture_(state_, renderer), input_(state_, picture_),
+    : state_(workspace, std::move(wake)), picture_(state_, renderer), previewer_(state_), input_(state_, picture_),
       files_(state_, [this](const Workspace::Opened& opened) { begin_tree(opened); }),
       parts_(state_), actions_{.document = workspace.document,
                                .picture = picture_,
@@ -60,6 +60,7 @@ bool Viewer::draw(double now, unsigned framebuffer) {
     // Of the picture that is there: where nothing else moves, this very frame shows what the pointer came to.
     input_.ask_pick();
     input_.take_pick();
+    previewer_.update(); // before its texture is used
     build_interface();
     const bool drawn = picture_.draw(input_.dragging());
     if (drawn) input_.look_again();

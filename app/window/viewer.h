@@ -10,6 +10,7 @@
 #pragma once
 
 #include "app/panels/widgets.h"
+#include "app/window/figure_previewer.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/picture_view.h"
 #include "app/window/viewer_files.h"
@@ -63,7 +64,9 @@ private:
     static constexpr double kProgressSeconds = 0.25; // each redraw takes from the work
 
     Viewer(Workspace& workspace, render::Renderer& renderer, std::function<void()> wake);
-    [[nodiscard]] bool working() const { return state_.workspace.busy() || state_.commands.busy(); }
+    [[nodiscard]] bool working() const {
+        return state_.workspace.busy() || state_.commands.busy() || files_.reading_volume();
+    }
     void lay_out();
     void lay_out_viewports();
     void take_news();
@@ -73,6 +76,7 @@ private:
 
     ViewerState state_;
     PictureView picture_;
+    FigurePreviewer previewer_;
     ViewerInput input_;
     ViewerFiles files_;
     WindowParts parts_;

@@ -1,5 +1,7 @@
 #include "app/window/viewer_files.h"
 
+#include "app/picture/video_file.h"
+#include "app/session/mask_reading.h"
 #include "app/storage/recent_files.h"
 #include "app/storage/user_folders.h"
 #include "core/io/volumes/volume_file.h"
@@ -33,9 +35,25 @@ Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path) {
 
 Result<void> ViewerFiles::open(const std::filesystem::path& path) {
     if (state_.script_runs) return open_and_wait(path);
-    when_saved([this, path] {
+    if (state_.persons_window && io::is_volume(path)) {
+        ask_about_volume(path);
+        return {};
+    }
+    return open_as_tree(path, "");
+}
+
+Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const std::string& labels) {
+    io::ReadOptions reading = state_.workspace.reading;
+    if (!labels.empty()) {
+        RAMUS_TRY(mask, with(reading.mask, "labels", labels));
+        reading.mask = mask;
+    }
+    if (state_.script_runs) return open_and_wait(path);
+    when_saved([this, path, reading] {
         recovering_.clear();
+        const io::ReadOptions usual = std::exchange(state_.workspace.reading, reading); // for this file
         state_.workspace.open(path);
+        state_.workspace.reading = usual;
         state_.interface.errors.clear();
         state_.interface.open_dialog.open = false;
         state_.redraw();
@@ -50,12 +68,36 @@ void ViewerFiles::ask_for_file(FilePurpose purpose) {
         interface.open_dialog.show_to_save(suggested_file(state_.workspace.document, ".ramus.json"));
     } else if (purpose == FilePurpose::kExport) {
         const std::string extension = interface.open_dialog.exported.format().extension;
-        interface.open_dialog.show_to_save(suggested_file(state_.workspace.document, extension), purpose);
+        interface.open_dialog.show_to_save(in_remembered(suggested_file(state_.workspace.document, extension), purpose),
+                                           purpose);
     } else {
         const std::filesystem::path beside = state_.workspace.document.session().tree.path.parent_path();
-        interface.open_dialog.show(beside.empty() ? interface.settings.last_folder : beside, purpose);
+        const std::filesystem::path opened = interface.settings.folder_of(key_of(FilePurpose::kOpen));
+        interface.open_dialog.show(in_remembered((beside.empty() ? opened : beside) / "file", purpose).parent_path(),
+                                   purpose);
     }
     state_.redraw();
+}
+
+// The file, in the folder that was last used for such files; never over another one.
+std::filesystem::path ViewerFiles::in_remembered(const std::filesystem::path& file, FilePurpose purpose) const {
+    namespace fs = std::filesystem;
+    const fs::path folder = state_.interface.settings.folder_of(key_of(purpose));
+    std::error_code ignored;
+    if (folder.empty() || !fs::is_directory(folder, ignored)) return file;
+    fs::path free = folder / file.filename();
+    for (int i = 2; fs::exists(free, ignored); ++i)
+        free = folder / (file.stem().string() + "-" + std::to_string(i) + file.extension().string());
+    return free;
+}
+
+void ViewerFiles::ask_for_export(std::string_view kind) {
+    ExportChoice& choice = state_.interface.open_dialog.exported;
+    if (const auto what = export_kind_named(kind)) choice.what = *what;
+    choice.figure.window_size = state_.layout.view_size;
+    choice.figure.window_text = state_.scale;
+    choice.figure.videos = can_make_videos();
+    ask_for_file(FilePurpose::kExport);
 }
 
 void ViewerFiles::quit() {
@@ -64,16 +106,54 @@ void ViewerFiles::quit() {
 
 void ViewerFiles::dropped(const std::filesystem::path& path) {
     // A mesh is a lesion for who is planning.
-    const bool lesion = state_.interface.planning && can_be_lesion_mesh(path);
+    const bool lesion = state_.interface.page == PanelPage::kPlan && can_be_lesion_mesh(path);
     const bool beside = state_.workspace.document.tree() && can_be_context(path.string());
     Interface& interface = state_.interface;
-    if (beside && !lesion && io::is_volume(path)) {
+    if (!lesion && io::is_volume(path)) {
         interface.help_open = interface.open_dialog.open = false;
-        interface.drop = {path, interface.settings.drop_beside};
+        ask_about_volume(path);
     } else {
         state_.perform(lesion ? "lesion-mesh" : beside ? "context" : "open", {path.string()});
     }
     state_.redraw();
+}
+
+void ViewerFiles::ask_about_volume(const std::filesystem::path& path) {
+    VolumeDialog& dialog = state_.interface.volume;
+    dialog = {};
+    dialog.file = path;
+    const bool beside = state_.interface.settings.drop_beside && state_.workspace.document.branch_count() > 0;
+    dialog.as = beside ? VolumeDialog::As::kContext : VolumeDialog::As::kTree;
+    volume_read_ = path;
+    const auto memory = static_cast<double>(state_.workspace.document.marks().options.memory_bytes);
+    volume_reader_.start("Reading " + path.filename().string(),
+                         [this, path, memory, how = state_.workspace.reading](Job& job, const Worker::Post& post) {
+                             auto facts = read_volume_facts(path, how, memory, job);
+                             if (!job.cancelled()) post([this, facts = std::move(facts)] { take_volume_facts(facts); });
+                         });
+    state_.redraw();
+}
+
+// What cannot be read cannot be opened either.
+void ViewerFiles::take_volume_facts(const Result<VolumeFacts>& facts) {
+    VolumeDialog& dialog = state_.interface.volume;
+    if (facts) {
+        dialog.take(*facts);
+    } else {
+        dialog = {};
+        state_.interface.errors.push_back(facts.error());
+    }
+    state_.redraw();
+}
+
+void ViewerFiles::follow_volume_dialog() {
+    volume_reader_.drain();
+    if (const std::string why = volume_reader_.take_failure(); !why.empty())
+        take_volume_facts(fail("the file cannot be read: " + why, volume_read_.string(), "give a smaller one"));
+    if (!volume_reader_.busy()) return;
+    if (state_.interface.volume.file != volume_read_) volume_reader_.cancel(); // it was answered, or closed
+    if (std::exchange(state_.interface.volume_progress, volume_reader_.progress()) != volume_reader_.progress())
+        state_.redraw();
 }
 
 // Once; a dialog that was closed without going on sends the file away.
@@ -89,6 +169,7 @@ void ViewerFiles::ask_about_arrival() {
 }
 
 void ViewerFiles::update() {
+    follow_volume_dialog();
     ask_about_arrival();
     if (const auto opened = state_.workspace.take_opened()) take(*opened);
     while (const auto error = state_.workspace.take_error()) {
@@ -103,7 +184,7 @@ void ViewerFiles::take(const Workspace::Opened& opened) {
     Interface& interface = state_.interface;
     if (state_.persons_window) {
         interface.recent_files = remember_file(opened.path, static_cast<std::size_t>(interface.settings.recent_files));
-        interface.settings.last_folder = opened.path.parent_path();
+        interface.settings.folders[key_of(FilePurpose::kOpen)] = opened.path.parent_path();
     }
     auto& entries = interface.recovery.entries;
     const auto entry = std::ranges::find(entries, recovering_, [](const auto& each) { return each.slot.file(); });

@@ -15,17 +15,22 @@ class ViewerFiles final : public FileHost {
 public:
     // `opened` is called when a tree came in, before anything else is done with it.
     ViewerFiles(ViewerState& state, std::function<void(const Workspace::Opened&)> opened)
-        : state_(state), opened_(std::move(opened)) {
+        : state_(state), opened_(std::move(opened)), volume_reader_(state.wake) {
         state.interface.recent_files = read_recent_files();
     }
 
     Result<void> open(const std::filesystem::path& path) override;
+    Result<void> open_as_tree(const std::filesystem::path& path, const std::string& labels) override;
     void ask_for_file(FilePurpose purpose) override;
+    void ask_for_export(std::string_view kind) override;
+    [[nodiscard]] bool asks() const override { return state_.watched(); }
     Result<void> recover(int which) override;
     Result<void> discard_recovery(int which) override;
     void quit() override;
 
     void dropped(const std::filesystem::path& path);
+    void ask_about_volume(const std::filesystem::path& path);                   // what becomes of a mask or a scan
+    [[nodiscard]] bool reading_volume() const { return volume_reader_.busy(); } // for the dialog about it
     void update(); // takes files that have been read, and what could not be
     [[nodiscard]] bool closing() const { return closing_; }
 
@@ -37,6 +42,7 @@ public:
     [[nodiscard]] std::optional<autosave::Slot> take_recovered() { return std::exchange(recovered_, std::nullopt); }
 
 private:
+    [[nodiscard]] std::filesystem::path in_remembered(const std::filesystem::path& file, FilePurpose purpose) const;
     void when_saved(std::function<void()> next);
     Result<void> open_and_wait(const std::filesystem::path& path);
     void ask_about_arrival();
@@ -47,8 +53,12 @@ private:
     std::function<void(const Workspace::Opened&)> opened_;
     bool closing_ = false;
     bool asked_about_arrival_ = false;
+    void take_volume_facts(const Result<VolumeFacts>& facts);
+    void follow_volume_dialog();
     std::filesystem::path recovering_; // the file of the recovery that is being read; empty: none is
     std::optional<autosave::Slot> recovered_;
+    std::filesystem::path volume_read_; // what the dialog is about, or was
+    Worker volume_reader_;              // last: its thread ends first
 };
 
 } // namespace ramus::app

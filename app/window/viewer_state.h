@@ -18,7 +18,10 @@ struct ViewerState {
     // ImGui needs a few frames until popups and their sizes have settled.
     static constexpr int kFramesAfterEvent = 3;
 
-    ViewerState(Workspace& with, std::function<void()> wake) : workspace(with), commands(std::move(wake)) {}
+    ViewerState(Workspace& with, std::function<void()> its_wake)
+        : wake(std::move(its_wake)), workspace(with), commands(wake) {}
+
+    std::function<void()> wake; // called on other threads when there is something to do
 
     Workspace& workspace;
     CommandRunner commands;

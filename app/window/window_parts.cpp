@@ -22,13 +22,24 @@ void WindowParts::toggle(std::string_view part) {
         show_unsaid(!interface.unsaid.open);
     else if (part == "contacts")
         show_contacts(!interface.contacts.open);
+    else if (part == "branches")
+        interface.list.apart = !interface.list.apart;
     else if (part == "validation")
         show_validation(!interface.validation.open);
     else if (part == "panel")
         interface.panel_open = !interface.panel_open;
     else
-        interface.planning = part == "plan" || (part == "other" && !interface.planning), interface.panel_open = true;
+        open_page(part);
     state_.redraw();
+}
+
+void WindowParts::open_page(std::string_view name) {
+    Interface& interface = state_.interface;
+    interface.panel_open = true;
+    const bool plans = interface.page == PanelPage::kPlan;
+    if (name == "other") interface.page = plans ? PanelPage::kExplore : PanelPage::kPlan;
+    for (const PanelPage page : {PanelPage::kExplore, PanelPage::kSurface, PanelPage::kPlan})
+        if (name == key_of(page)) interface.page = page;
 }
 
 bool WindowParts::shows(std::string_view part) const {
@@ -41,6 +52,7 @@ bool WindowParts::shows(std::string_view part) const {
            : part == "orientation" ? interface.unsaid.open
            : part == "warnings"    ? interface.warnings.open
            : part == "contacts"    ? interface.contacts.open
+           : part == "branches"    ? interface.list.apart
            : part == "validation"  ? interface.validation.open
                                    : interface.panel_open;
 }
@@ -85,6 +97,11 @@ void WindowParts::ask_for_radius() {
 void WindowParts::show_note(int note) {
     state_.interface.open_left_panel(&state_.interface.doctor.open);
     state_.interface.doctor.current = note;
+    state_.redraw();
+}
+
+void WindowParts::wrote(const std::filesystem::path& file, const std::string& sentence) {
+    state_.interface.written = {state_.watched(), file, sentence};
     state_.redraw();
 }
 

@@ -18,6 +18,8 @@ public:
     void ask_for_radius() override;
     void show_note(int note) override;
     void show_contact(int contact) override;
+    void wrote(const std::filesystem::path& file, const std::string& sentence) override;
+    [[nodiscard]] std::filesystem::path written() const override { return state_.interface.written.file; }
     void read_warnings() override;
     void show_finding(int finding) override;
     bool dismiss() override;
@@ -31,6 +33,7 @@ public:
 
 private:
     void show_contacts(bool open);
+    void open_page(std::string_view name);
     void show_unsaid(bool open);
     void show_validation(bool open);
 

@@ -9,7 +9,8 @@ import shutil
 import subprocess
 import sys
 
-from screen import SMALL_TREE, Window, check, choose, cropped, differing, drag, picture_pixels, run_journeys, slide
+from screen import (SMALL_TREE, Window, check, choose, cropped, differing, drag, page, picture_pixels, run_journeys, saved_session,
+                    slide)
 
 MODE = "Surfaces of the same vessels, seen together"
 SECOND = "The surface that it is compared with"
@@ -46,6 +47,7 @@ def compare(program, screen, folder):
         leave_picture(window, view)
         before = window.pixels(*view)
 
+        page(window, "surface")
         choose(window, MODE, "Side by side")
         status = window.wait("two viewports", lambda s: comparison(s)["mode"] == "side-by-side")
         narrow = status["camera"]
@@ -84,7 +86,7 @@ def compare(program, screen, folder):
         status = window.wait("more of the second", lambda s: comparison(s)["blend"] > 0.7)
         check(status["undo"].startswith("compare blend"), "the slider is one step of undo when it is let go")
         leave_picture(window, view)
-        window.xdotool("key", "ctrl+s")
+        saved_session(window)
         session = folder / "small tree.ramus.json"
         window.wait("the session file", lambda s: session.exists())
         compare_with_file(program, window, folder, session, view)

@@ -7,7 +7,7 @@ Usage: contacts_journey.py PROGRAM
 import json
 import sys
 
-from screen import Window, check, choose, click, project, run_journeys, saved_session, slide
+from screen import Window, check, choose, click, page, project, run_journeys, saved_session, slide
 
 # Tubes of radius 1. The first has a bend of 1 mm, 0.5 after one pass of smoothing, under one that is 2.5 mm high: they
 # touch, or overlap by 0.5 without smoothing. The last two overlap by 0.2.
@@ -79,6 +79,7 @@ def marks(window):
 
 def blends(window):
     before = window.status()["triangles"]
+    page(window, "surface")
     choose(window, BLEND, "Wherever close")
     status = window.wait("vessels merged", lambda s: s["options"]["blend"] == "paper" and ready(s))
     check(status["undo"] == "surface blend paper" and status["triangles"] != before, "the surface is another")

@@ -6,7 +6,7 @@ Usage: context_journey.py PROGRAM
 
 import sys
 
-from screen import SMALL_TREE, Window, check, click, differing, run_journeys, slide
+from screen import SMALL_TREE, Window, check, click, differing, page, run_journeys, slide
 
 ADD = "Show a mask or a mesh beside the tree: an organ, a bone"
 LOWER, UPPER = (-50, -15, -30), (65, 25, 60)  # mm, around most of the tree
@@ -41,6 +41,7 @@ def context(program, screen, folder):
             return window.pixels(*view)
 
         without = seen()
+        page(window, "surface")
         check("Opacity" not in status["controls"], "the list of context is empty")
         click(window, ADD)
         window.wait("the dialog", lambda s: s["open_dialog"])

@@ -9,7 +9,7 @@ import sys
 import time
 from pathlib import Path
 
-from screen import PATIENCE, SMALL_TREE, Failure, Window, check, choose, click, drag, run_journeys
+from screen import PATIENCE, SMALL_TREE, Failure, Window, check, choose, click, drag, page, run_journeys, saved_session
 
 FROM = "The surface that distances are measured to"
 SCALE = "Where the colours end; automatic: 99 % of the distances lie below"
@@ -53,6 +53,7 @@ def deviation(program, screen, folder):
         first = colourful(window, status)
         check(first > 2000, f"the surface has the colours of the scale: {first} pixels")
 
+        page(window, "surface")
         choose(window, SCALE, "Up to 0.1 mm")
         status = window.wait("the scale", lambda s: chosen(s) == {"from": "cones", "most": 0.1} and measured(s))
         check(status["undo"] == "deviation scale 0.1 mm", "the scale is a step of undo")
@@ -77,7 +78,7 @@ def deviation(program, screen, folder):
         status = window.wait("its lines", lambda s: s.get("comparison", {}).get("mode") == "superimposed" and measured(s))
         check(status["comparison"]["surfaces"] == ["cs", "iso"], "the other surface lies over this one as lines")
 
-        window.xdotool("key", "ctrl+s")
+        saved_session(window)
         status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
         saved = json.loads(Path(status["notice"].split("Session saved: ")[1]).read_text())
         check(saved["deviation"] == {"from": "iso", "unit": "voxels", "most": 1.0} and

@@ -7,7 +7,7 @@ import json
 import subprocess
 import sys
 
-from screen import SMALL_TREE, Window, check, click, differing, project, run_journeys
+from screen import SMALL_TREE, Window, check, click, differing, project, run_journeys, saved_session
 
 ON_RIGHT = [10, 2.5, 7.5]  # on the right side's trunk
 
@@ -66,7 +66,7 @@ def editing(program, screen, folder):
         window.wait("a join begun", lambda s: s["tool_busy"])
         window.xdotool("key", "Escape")
         window.wait("a join given up", lambda s: not s["tool_busy"])
-        window.xdotool("key", "ctrl+s")
+        saved_session(window)
         window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
         session = folder / "small tree.ramus.json"
         edits = json.loads(session.read_text())["edits"]

@@ -1,16 +1,19 @@
 """What a tree becomes outside: the dialog of File > Export offers every kind and format, writes what is visible,
-selected or all, asks before it replaces, and says what went wrong.
+selected or all, asks before it replaces, and says what went wrong. Pictures have any size and ground and are seen before
+they are written; turntables and reports are made behind the window, which goes on, and can be cancelled.
 
 Usage: export_journey.py PROGRAM [FOLDER for pictures of the dialog]
 """
 
 import json
+import os
 import struct
 import subprocess
 import sys
+import time
 from pathlib import Path
 
-from screen import SMALL_TREE, Window, check, choose, click, info_of, run_journeys
+from screen import PATIENCE, SMALL_TREE, Failure, Window, check, choose, click, info_of, middle_of, run_journeys
 
 PRINTING = "Makes sure that the surface is closed and in mm, and says how thin it is at its thinnest place"
 PICTURES = Path(sys.argv[2]) if len(sys.argv) > 2 else None
@@ -20,6 +23,12 @@ def picture(window, name):
     """Of the whole screen, for the eye."""
     if PICTURES is not None:
         window.wait("the finest picture", lambda s: s["picture"]["refined"])
+        subprocess.run(["import", "-window", "root", PICTURES / name], env=window.environment, check=True)
+
+
+def picture_now(window, name):
+    """The same while something goes on."""
+    if PICTURES is not None:
         subprocess.run(["import", "-window", "root", PICTURES / name], env=window.environment, check=True)
 
 
@@ -38,14 +47,106 @@ def write_as(window, name):
 
 def dialog(window):
     window.xdotool("key", "ctrl+e")
-    window.wait("the export dialog", lambda s: s["open_dialog"] and "How the file is written" in s["controls"])
+    window.wait("the export dialog", lambda s: s["open_dialog"] and "Write it" in s["controls"])
 
 
 def exported(window, path):
     window.wait(f"the file {path.name}", lambda s: path.exists() and not s["open_dialog"] and str(path) in s["notice"])
 
 
+OPENER = """#!/bin/sh
+echo "$1" >> "$HOME/opened"
+"""
+TURNTABLE = "Once around the tree, as pictures or as a video."
+
+
+def ground_of(path, x, y):
+    """The colour of a pixel, three numbers."""
+    return list(subprocess.run(["convert", str(path), "-crop", f"1x1+{x}+{y}", "-alpha", "off", "-depth", "8", "rgb:-"],
+                               check=True, stdout=subprocess.PIPE).stdout)
+
+
+def until(window, what, condition):
+    """As Window.wait(), while work goes on."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        status = window.status()
+        if status and condition(status):
+            return status
+        time.sleep(0.02)
+    raise Failure(f"waited for: {what}\n{json.dumps(window.status())}")
+
+
+def slides(window, folder):
+    """A picture for a slide, on white with a caption; the folder opens by a button."""
+    window.xdotool("key", "F12")
+    window.wait("the picture's page", lambda s: s["export"] == "picture .png" and "Preview" in s["controls"])
+    choose(window, "How many pixels the picture has", "Slide, 1920 x 1080")
+    choose(window, "What is behind the tree", "White")
+    click(window, "Words at the top left")
+    window.xdotool("type", "Portal vein")
+    window.wait("the caption", lambda s: s["typing"])
+    picture(window, "export-slide.png")
+    click(window, "Write it")
+    slide = folder / "small tree.png"
+    exported(window, slide)
+    check(subprocess.run(["identify", "-format", "%w %h", slide], check=True, stdout=subprocess.PIPE).stdout == b"1920 1080",
+          "a picture has the size that was chosen, whatever the window's is")
+    check(ground_of(slide, 0, 1079) == [255, 255, 255], "on white")
+    status = window.wait("what was written", lambda s: s["written"] == str(slide))
+    picture(window, "export-written.png")
+    click(window, "Shows the file's folder in the desktop's file manager")
+    until(window, "the folder", lambda s: (folder / "opened").exists())
+    check((folder / "opened").read_text() == f"{folder}\n", "a button opens the folder of what was written")
+    window.xdotool("key", "Escape")
+    window.wait("no word of it", lambda s: not s["written"])
+
+
+def turning(window, folder):
+    """A turntable of many pictures is made behind the window: help opens meanwhile, and cancelling stops it."""
+    dialog(window)
+    click(window, TURNTABLE)
+    window.wait("the turntable's page", lambda s: s["export"] == "turntable .png" and "Preview" in s["controls"])
+    picture(window, "export-turntable.png")
+    write_as(window, "around")
+    status = until(window, "the work", lambda s: not s["open_dialog"] and "Cancel what goes on" in s["controls"])
+    window.xdotool("key", "F1")
+    until(window, "help while it draws", lambda s: s["help"] and "Cancel what goes on" in s["controls"])
+    picture_now(window, "export-working.png")
+    window.xdotool("key", "Escape")
+    until(window, "no help", lambda s: not s["help"])
+    until(window, "some pictures", lambda s: (folder / "around_002.png").exists())
+    window.xdotool("mousemove", *middle_of(window.status(), "Cancel what goes on"), "click", 1)
+    window.wait("the end of it", lambda s: "Cancel what goes on" not in s["controls"])
+    time.sleep(1.0)
+    count = len(list(folder.glob("around_*.png")))
+    time.sleep(1.0)
+    check(0 < count < 120 and count == len(list(folder.glob("around_*.png"))),
+          f"a turntable stops where it is cancelled, after {count} of 120 pictures, and the window went on meanwhile")
+
+
+def reported(window, folder):
+    dialog(window)
+    click(window, "A page with pictures and tables of the plan.")
+    window.wait("the report's page", lambda s: s["export"] == "report .html")
+    write_as(window, "plan")
+    exported(window, folder / "plan.html")
+    check((folder / "plan.html").read_text().count("<img") == 3, "a report is a page with three pictures")
+    dialog(window)
+    click(window, "Four views on one sheet, all at one scale.")
+    window.wait("the sheet's page", lambda s: s["export"] == "sheet .png" and "Preview" in s["controls"])
+    picture(window, "export-sheet.png")
+    write_as(window, "views")
+    exported(window, folder / "views.png")
+    check(ground_of(folder / "views.png", 0, 1079) == [255, 255, 255], "a sheet has the size and ground of the picture before")
+
+
 def export(program, screen, folder):
+    opener = folder / "bin" / "xdg-open"
+    opener.parent.mkdir()
+    opener.write_text(OPENER)
+    opener.chmod(0o755)
+    os.environ["PATH"] = f"{opener.parent}:{os.environ['PATH']}"
     tree = folder / "small tree.swc"
     tree.write_text(SMALL_TREE)
     window = Window(program, screen, folder, [tree, "--size", "1100x760"])
@@ -106,6 +207,10 @@ def export(program, screen, folder):
         write_as(window, "seen.png")
         exported(window, folder / "seen.png")
         check((folder / "seen.png").read_bytes().startswith(b"\x89PNG"), "a picture is a PNG")
+
+        slides(window, folder)
+        turning(window, folder)
+        reported(window, folder)
 
         dialog(window)
         write_as(window, "nowhere/x.png")

@@ -9,7 +9,7 @@ import math
 import subprocess
 import sys
 
-from screen import Window, below_tools, check, differing, drag, info_of, picture_pixels, run_journeys
+from screen import Window, below_tools, check, differing, drag, info_of, picture_pixels, run_journeys, saved_session
 
 LEAST = 12  # branches that are lassoed
 
@@ -108,7 +108,7 @@ def lasso(program, screen, folder):
         status = window.wait("them gone", lambda s: s["states"]["hidden"] == every and s["surface_ready"])
         check(status["triangles"] < whole, "redo hides them again")
 
-        window.xdotool("key", "ctrl+s")
+        saved_session(window)
         session = folder / "grown.ramus.json"
         window.wait("the session file", lambda s: session.exists())
         headless(program, folder, tree, status, lines, json.loads(session.read_text()), window.pixels(*view))

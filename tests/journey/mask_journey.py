@@ -1,6 +1,6 @@
 """A mask with two labels opens in the window: a tree is made of it, each label a system. One system is hidden and one
 recoloured, a false connection is cut, surface and tree are exported; the session has all of it when it opens again. The
-panel makes the tree in other ways, and refuses to while it is edited.
+panel makes the tree in other ways, and refuses to while it is edited. Who opens a mask is asked what becomes of it.
 
 Usage: mask_journey.py PROGRAM [FOLDER for pictures]
 """
@@ -164,6 +164,8 @@ def exports(program, window, folder):
         picture(window, f"mask-export-{name[-3:]}.png")
         window.xdotool("key", "Return")
         window.wait(name, lambda s: (folder / name).exists() and not s["open_dialog"] and name in s["notice"])
+    window.xdotool("key", "Escape")  # what was written is told over the picture
+    window.wait("no word of it", lambda s: not s["written"])
     written = info_of(program, folder / "seen.swc")
     check(written["branches"] == visible, f"the SWC has the {visible} branches that are seen")
     check(written["roots"] == 2, "in two pieces: portal vein and artery")
@@ -177,6 +179,40 @@ def exports(program, window, folder):
 
 def kept(status):
     return {key: status[key] for key in ("edits", "systems", "states", "reading", "options", "comparison")}
+
+
+def asked(program, screen, folder):
+    """A mask on the command line, one from the menu: one dialog says what it holds and asks what becomes of it."""
+    (folder / "vessels.nii").write_bytes(mask())
+    window = Window(program, screen, folder, [folder / "vessels.nii", "--size", "1100x860"])
+    try:
+        status = window.wait("what the mask holds", lambda s: s["volume_dialog"] == {"open": True, "read": True})
+        check({"Label 1", "Label 2", "Labels together"} <= set(status["controls"]), "the dialog lists the labels")
+        picture(window, "mask-asked.png")
+        window.xdotool("key", "b")
+        window.wait("the dialog as before", lambda s: s["volume_dialog"]["open"])
+        check(True, "without a tree there is nothing to show it beside, and B does nothing")
+        click(window, "Label 2")
+        window.xdotool("key", "Return")
+        status = window.wait("the tree", lambda s: s["surface_ready"] and s["branch_count"] > 0)
+        check(status["reading"].get("labels") in ("1", [[1]]), f"a tree is made of the label that is chosen: {status['reading']}")
+        picture(window, "mask-one-label.png")
+        window.xdotool("key", "ctrl+o")
+        window.wait("the file dialog", lambda s: s["open_dialog"])
+        window.xdotool("type", "vessels.nii")
+        window.xdotool("key", "Return")
+        window.wait("the dialog", lambda s: s["volume_dialog"] == {"open": True, "read": True})
+        click(window, "Label 1")
+        picture(window, "mask-asked-again.png")
+        click(window, "Show as the surface it is")
+        status = window.wait("the surface", lambda s: len(s.get("context", [])) == 1 and s["surface_ready"])
+        item = status["context"][0]
+        check(item["label"] == 2 and item["opacity"] == 1.0 and item["exact"],
+              f"the other label stands beside it as the surface it is: {item}")
+        picture(window, "mask-surface.png")
+        check(window.quit() == 0, "the window closes")
+    finally:
+        window.end()
 
 
 def journey(program, screen, folder):
@@ -210,4 +246,4 @@ def journey(program, screen, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_journeys(journey, size=(1240, 940)))
+    sys.exit(run_journeys(asked, journey, size=(1240, 940)))

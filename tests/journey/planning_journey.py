@@ -11,7 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from screen import SMALL_TREE, Window, below_tools, check, differing, picture_pixels, project, run_journeys
+from screen import (SMALL_TREE, Window, below_tools, check, differing, picture_pixels, project, run_journeys,
+                    saved_picture, saved_session)
 
 
 def commands(program, tree, folder, lines, session):
@@ -44,12 +45,11 @@ def focus(program, window, folder, tree):
     status = window.wait("the rest out of focus", lambda s: len(s["states"]["defocused"]) == 2)
     check(sorted(chosen + status["states"]["defocused"]) == [0, 1, 2, 3, 4], "the rest becomes glass in one step")
     check(differing(before, window.pixels(x, y, width, height)) > 0.02, "and it can be seen")
-    window.xdotool("key", "ctrl+s")
-    window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
-    saved = Path(window.status()["notice"].split("Session saved: ")[1])
-    window.xdotool("key", "F12")
-    window.wait("the picture's name", lambda s: "Picture saved: " in s["notice"])
-    picture = Path(window.status()["notice"].split("Picture saved: ")[1])
+    saved = saved_session(window)
+    picture = saved_picture(window)
+    window.xdotool("key", "Escape")  # what was written is told over the picture
+    window.wait("no word of it", lambda s: not s["written"])
+    window.xdotool("mousemove", x + width // 2, y + height + 10)
     seen = window.pixels(x, y, width, height)
     check(differing(below_tools(seen, view), below_tools(picture_pixels(picture), view)) <= 0.001,
           "F12 keeps the picture that the window shows")

@@ -9,7 +9,7 @@ import signal
 import sys
 import time
 
-from screen import PATIENCE, SMALL_TREE, Failure, Window, check, differing, run_journeys
+from screen import PATIENCE, SMALL_TREE, Failure, Window, check, differing, run_journeys, saved_session
 
 # What a session is, of what the status says.
 KEPT = ("tree", "selection", "states", "lesions", "lesion_meshes", "cuts", "measurements", "names", "camera", "options")
@@ -88,7 +88,7 @@ def recover(program, screen, folder, tree):
         share = differing(seen, window.pixels(x, y, width, height))
         check(share <= 0.001, f"and it looks as it did ({100 * share:.4f} % of the pixels differ)")
         check(len(kept(folder)) == 1, "until it is saved, the work stays on the disk")
-        window.xdotool("key", "ctrl+s")
+        saved_session(window)
         saved = folder / "tree.ramus.json"
         window.wait("the session file", lambda s: saved.exists() and not s["modified"])
         session = json.loads(saved.read_text())

@@ -150,11 +150,39 @@ def choose(window, words, entry):
     click(window, entry)
 
 
+def accept_dialog(window):
+    """Enter, in the dialog that asks where a file goes: the place and the name that it suggests."""
+    window.wait("the field for the name", lambda s: s["open_dialog"] and s["typing"])
+    window.xdotool("key", "Return")
+    window.wait("no dialog", lambda s: not s["open_dialog"])
+
+
 def saved_session(window):
-    """Saves the session with Ctrl+S; its file."""
+    """Saves the session with Ctrl+S, the first time where the dialog suggests; its file."""
+    known = window.status()["session_file"]
     window.xdotool("key", "ctrl+s")
+    if not known:
+        accept_dialog(window)
     status = window.wait("the session's name", lambda s: "Session saved: " in s["notice"])
     return Path(status["notice"].split("Session saved: ")[1])
+
+
+def saved_picture(window):
+    """Saves the picture with F12, as the dialog suggests it: that of the window; its file."""
+    window.xdotool("key", "F12")
+    accept_dialog(window)
+    status = window.wait("the picture's name", lambda s: "Picture saved: " in s["notice"])
+    return Path(status["notice"].split("Picture saved: ")[1])
+
+
+PAGES = {"explore": "Systems, selection and branches", "surface": "Surface, glass, context and comparison",
+         "plan": "Lesions, cuts and measurements"}
+
+
+def page(window, name):
+    """Opens a page of the side panel."""
+    click(window, PAGES[name])
+    window.wait(f"the page {name}", lambda s: s["page"] == name)
 
 
 def slide(window, words, share):

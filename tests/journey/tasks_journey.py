@@ -149,7 +149,7 @@ def picture_for_a_talk(hands, folder):
 def export_for_print(hands, folder):
     hands.begin("a surface for a printer")
     hands.key("ctrl+e")
-    hands.window.wait("the dialog", lambda s: s["export"].startswith("surface") and s["typing"])
+    hands.window.wait("the dialog", lambda s: s["export"] and s["typing"])
     hands.type("print.stl")
     hands.press(PRINTING)
     hands.press("Write it")

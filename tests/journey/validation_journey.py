@@ -6,7 +6,7 @@ Usage: validation_journey.py PROGRAM
 
 import sys
 
-from screen import Window, check, choose, click, project, run_journeys
+from screen import Window, check, choose, click, page, project, run_journeys
 
 # Two tubes of radius 1 that cross 1.8 mm apart: they overlap by 0.2.
 CROSSING = "1 2 0 -10 0 1 -1\n2 2 0 10 0 1 1\n3 2 -10 0 1.8 1 -1\n4 2 10 0 1.8 1 3\n"
@@ -29,6 +29,7 @@ def validation(program, screen, folder):
         status = window.wait("the validation", there)
         check(MERGED in status["controls"], "the panel answers the questions")
         apart = status["validation"]["count"]
+        page(window, "surface")
         choose(window, BLEND, "Wherever close")
         status = window.wait("that of the other surface", lambda s: s["options"]["blend"] == "paper" and there(s)
                              and s["validation"]["count"] > apart)

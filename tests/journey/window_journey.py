@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 from screen import (SMALL_TREE, Window, below_tools, check, cropped, differing, looks_along, picture_pixels,
-                    project, run_journeys)
+                    project, run_journeys, saved_picture, saved_session)
 
 
 def explore(program, screen, folder):
@@ -93,7 +93,7 @@ def save_and_compare(program, window, folder, status):
     view = x, y, width, height = status["viewport"]
     window.xdotool("mousemove", x + width // 2, y + height + 10)  # on the status bar
     window.wait("nothing under the pointer", lambda s: s["hovered"] == -1)
-    window.xdotool("key", "ctrl+s")
+    saved_session(window)
     session = folder / "small tree.ramus.json"
     window.wait("the session file", lambda s: session.exists())
     seen = window.pixels(x, y, width, height)
@@ -104,9 +104,9 @@ def save_and_compare(program, window, folder, status):
         subprocess.run(["convert", "-size", f"{width}x{height}", "-depth", "8", "rgb:-", "window.png"], input=seen, check=True)
         shutil.copy(picture, "headless.png")
     check(share <= 0.001, f"window and headless picture are the same ({100 * share:.4f} % of the pixels differ)")
-    window.xdotool("key", "F12")
-    shot = folder / "small tree.png"
-    window.wait("the picture file", lambda s: shot.exists())
+    shot = saved_picture(window)
+    window.xdotool("key", "Escape")  # what was written is told over the picture
+    window.wait("no word of it", lambda s: not s["written"])
     check(differing(below_tools(seen, view), below_tools(picture_pixels(shot), view)) <= 0.001,
           "F12 saves what the window shows")
 

@@ -25,12 +25,17 @@ public:
         cameras.push_back(camera);
         return render::Image(drawn.x / 10, drawn.y / 10);
     }
+    Result<void> write_figure(const app::FigureRequest& request, Job& /*job*/) override {
+        figures.push_back(request);
+        return {};
+    }
     void camera_leapt() override { ++leaps; }
 
     glm::ivec2 size{400, 300};
     std::shared_ptr<const render::PagedMesh> mesh;
     // What was asked of it.
     std::vector<std::filesystem::path> pictures;
+    std::vector<app::FigureRequest> figures;
     std::vector<render::Camera> cameras;
     int leaps = 0;
 };

@@ -45,7 +45,7 @@ TEST_CASE("a mask that is dropped on a tree asks what becomes of it; the last an
     const auto drop = [&] {
         viewer.files().dropped(mask);
         stage.settle();
-        REQUIRE(viewer.interface().drop.open());
+        REQUIRE(viewer.interface().volume.open());
         CHECK(viewer.interface().dialog_open());
     };
     const auto marks = [&]() -> const app::Marks& { return stage.workspace.document.marks(); };
@@ -53,23 +53,23 @@ TEST_CASE("a mask that is dropped on a tree asks what becomes of it; the last an
 
     drop();
     press(stage, GLFW_KEY_ESCAPE, "Escape");
-    CHECK_FALSE(viewer.interface().drop.open());
+    CHECK_FALSE(viewer.interface().volume.open());
     CHECK(marks().context.empty());
     CHECK(stage.workspace.document.branch_count() == branches);
 
     drop();
-    CHECK_FALSE(viewer.interface().drop.beside);
+    CHECK(viewer.interface().volume.as == app::VolumeDialog::As::kTree);
     press(stage, GLFW_KEY_DOWN, "Down");
-    CHECK(viewer.interface().drop.beside);
+    CHECK(viewer.interface().volume.as == app::VolumeDialog::As::kContext);
     press(stage, GLFW_KEY_ENTER, "Return");
-    CHECK_FALSE(viewer.interface().drop.open());
+    CHECK_FALSE(viewer.interface().volume.open());
     REQUIRE(marks().context.size() == 1);
     CHECK(marks().context[0].file == mask.string());
     CHECK(viewer.files().settings().drop_beside);
 
     REQUIRE(app::run_command(viewer.actions(), std::vector<std::string>{"undo"}));
     drop();
-    CHECK(viewer.interface().drop.beside); // as last time
+    CHECK(viewer.interface().volume.as == app::VolumeDialog::As::kContext); // as last time
     press(stage, GLFW_KEY_T, "T");
     CHECK(stage.workspace.document.session().tree.path == mask);
     CHECK(stage.workspace.document.branch_count() == 1);
@@ -105,12 +105,14 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
             std::equal(with.pixel(x, middle.y), with.pixel(x, middle.y) + 3, before.pixel(x, middle.y)) ? 0 : 1;
     CHECK(differing > 40);
 
-    viewer.files().dropped(bad); // a mask by its name: it asks
+    viewer.files().dropped(bad); // a mask by its name: what it holds cannot be read
     stage.settle();
-    press(stage, GLFW_KEY_B, "B");
+    CHECK_FALSE(viewer.interface().volume.open());
     CHECK(marks.context.size() == 1);
-    CHECK(viewer.interface().notice.trouble);
-    CHECK(viewer.interface().notice.text.find("bad.nii") != std::string::npos);
+    REQUIRE(viewer.interface().errors.size() == 1);
+    CHECK(viewer.interface().errors.front().message().find("bad.nii") != std::string::npos);
+    press(stage, GLFW_KEY_ESCAPE, "Escape");
+    CHECK(viewer.interface().errors.empty());
 
     viewer.actions().window->toggle("plan");
     viewer.files().dropped(ball);
@@ -118,4 +120,24 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     CHECK(marks.context.size() == 1);
     CHECK(marks.lesion_meshes == std::vector<std::string>{ball.string()});
     CHECK(stage.workspace.document.step_count() == 2);
+}
+
+TEST_CASE("the labels that are chosen are those that commands get") {
+    app::VolumeDialog dialog;
+    CHECK(dialog.label_words().empty()); // nothing is known of the file yet: all
+    CHECK(dialog.context_labels() == std::vector<std::int32_t>{0});
+    app::VolumeFacts facts;
+    facts.mask = true;
+    for (const int label : {1, 2, 5}) facts.labels.push_back({label, "", 1, 1.0});
+    dialog.take(facts);
+    CHECK(dialog.label_words().empty());
+    dialog.together = true;
+    CHECK(dialog.label_words() == "together");
+    dialog.labels[1] = 0;
+    CHECK(dialog.label_words() == "1+5");
+    CHECK(dialog.context_labels() == std::vector<std::int32_t>{1, 5});
+    dialog.together = false;
+    CHECK(dialog.label_words() == "1,5");
+    dialog.labels = {0, 0, 0};
+    CHECK(dialog.context_labels().empty());
 }

@@ -53,5 +53,5 @@ TEST_CASE("an export's command says what means something for its format") {
     choice.follow("a.csv");
     CHECK(choice.words("/a.csv") == Words{"table", "/a.csv", "--of", "selected"});
     choice.follow("a.png");
-    CHECK(choice.words("/a.png") == Words{"picture", "/a.png"});
+    CHECK(choice.words("/a.png") == Words{"picture", "/a.png", "--size", "1280x960", "--background", "dark"});
 }

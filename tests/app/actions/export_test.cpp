@@ -92,8 +92,17 @@ TEST_CASE("a tree and a table are exported of the same branches") {
 TEST_CASE("a picture is that of the picture's host, whatever is selected") {
     ExportStage stage;
     stage.exported("picture", "seen.png");
-    REQUIRE(stage.host.pictures.size() == 1);
-    CHECK(stage.host.pictures[0] == stage.folder.path() / "seen.png");
+    REQUIRE(stage.host.figures.size() == 1);
+    CHECK(stage.host.figures[0].file == stage.folder.path() / "seen.png");
+    CHECK(stage.host.figures[0].size == stage.host.size);
+    CHECK(stage.exported("sheet", "four.png", "--size 800x600 --caption \"a b\"") ==
+          "Sheet saved: " + stage.at("four.png"));
+    CHECK(stage.host.figures[1].size == glm::ivec2(800, 600));
+    CHECK((stage.host.figures[1].options.sheet && stage.host.figures[1].options.caption == "a b"));
+    stage.exported("turntable", "t.png", "--pictures 12");
+    CHECK(stage.host.figures[2].options.turntable == 12);
+    stage.exported("report", "r.html");
+    CHECK(stage.folder.text("r.html").find("<html") != std::string::npos);
     stage.good("select-invert\nhide");
     stage.exported("picture", "empty.png");
 }
@@ -114,7 +123,15 @@ TEST_CASE("an export that cannot be says why, and writes nothing") {
     ExportStage stage;
     const auto refused = [&](const std::string& words) { return stage.bad("export " + words); };
     CHECK(refused("sculpture x.stl").find("there is no export of \"sculpture\"") != std::string::npos);
-    CHECK(refused("surface").find("takes a file") != std::string::npos);
+    CHECK(refused("surface").find("needs a file here") != std::string::npos);
+    CHECK(refused("surface --of all").find("takes a file") != std::string::npos);
+    CHECK(refused("picture a.png --pictures 12").find("only a turntable") != std::string::npos);
+    CHECK(refused("picture a.png --size 10").find("not a size") != std::string::npos);
+    CHECK(refused("table a.csv --rows leaves").find("--rows takes branches") != std::string::npos);
+    CHECK(refused("table \"" + stage.at("a.csv") + "\" --rows cuts").find("nothing to report of cuts") !=
+          std::string::npos);
+    CHECK(refused("tree a.swc --rows cuts").find("only a table") != std::string::npos);
+    CHECK(refused("report a.csv").find("of type .html") != std::string::npos);
     CHECK(refused("surface a.stl b.stl").find("one file") != std::string::npos);
     CHECK(refused("surface a.stl --off all").find("export surface|tree") != std::string::npos);
     CHECK(refused("surface a.stl --of some").find("visible, selected or all") != std::string::npos);

@@ -57,7 +57,7 @@ TEST_CASE("settings survive their file") {
     settings.window = {1920, 1080};
     settings.panel_open = false;
     settings.recent_files = 3;
-    settings.last_folder = "/data/trees of \"1999\"";
+    settings.folders = {{"open", "/data/trees of \"1999\""}, {"export", "/out"}};
     settings.drop_beside = true;
     const fs::path place = folder.path() / "ramus";
     REQUIRE(write_settings(settings, place));
@@ -75,9 +75,9 @@ TEST_CASE("settings that cannot be understood are told of, kept aside, and do no
     const TemporaryFolder folder;
     CHECK(read_settings(folder.path()).trouble.empty()); // none yet
     CHECK(read_settings({}).trouble.empty());
-    for (const char* text :
-         {"", "no JSON", "[]", R"({"window": [10, 10]})", R"({"window": "large"})", R"({"ui_scale": 99})",
-          R"({"panel_open": 1})", R"({"recent_files": 2.5})", R"({"last_folder": {}})", R"({"drop_beside": "yes"})"}) {
+    for (const char* text : {"", "no JSON", "[]", R"({"window": [10, 10]})", R"({"window": "large"})",
+                             R"({"ui_scale": 99})", R"({"panel_open": 1})", R"({"recent_files": 2.5})",
+                             R"({"last_folder": {}})", R"({"folders": 3})", R"({"drop_beside": "yes"})"}) {
         CAPTURE(text);
         std::ofstream(folder.path() / "settings.json") << text;
         const StoredSettings read = read_settings(folder.path());

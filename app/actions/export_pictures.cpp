@@ -1,0 +1,77 @@
+// Export of pictures, sheets, turntables, reports and tables. What draws long is done where no window waits for it.
+#include "app/actions/arguments.h"
+#include "app/actions/command_runner.h"
+#include "app/actions/export_words.h"
+#include "app/assets/assets.h"
+#include "app/picture/video_file.h"
+#include "app/reports/table_kinds.h"
+#include "core/io/output_file.h"
+
+namespace ramus::app::actions {
+
+namespace {
+
+// Written at once, on this thread.
+Result<Outcome> written_now(ActionContext& context, const Export& wanted, const std::string& sentence) {
+    return outcome_of(has_written(wanted.file, sentence)(context));
+}
+
+std::vector<int> ids_of(const std::vector<std::uint8_t>& exported) {
+    std::vector<int> ids;
+    for (std::size_t id = 0; id < exported.size(); ++id)
+        if (exported[id] != 0) ids.push_back(static_cast<int>(id));
+    return ids;
+}
+
+Result<Outcome> write_figure_here(ActionContext& context, const Export& wanted, const FigureRequest& request,
+                                  const std::string& sentence) {
+    Job job;
+    if (auto written = context.picture.write_figure(request, job); !written) return tl::unexpected(written.error());
+    return written_now(context, wanted, sentence);
+}
+
+} // namespace
+
+Result<Outcome> export_table(ActionContext& context, const Export& wanted) {
+    if (auto fits = expect_extension(wanted, ".csv", "a table"); !fits) return tl::unexpected(fits.error());
+    complete_lesions(context.assets, context.document);
+    const Document& document = context.document;
+    const TableKind* const kind = wanted.table.empty() ? nullptr : table_kind_named(wanted.table);
+    if (kind != nullptr && !kind->there(document, context.assets))
+        return fail("there is nothing to report of " + wanted.table, {},
+                    "cut, place a lesion, select or measure first");
+    const Table table = kind != nullptr
+                            ? kind->table(document, context.assets)
+                            : branches_table(document, context.assets, ids_of(exported_branches(document, wanted.of)));
+    if (auto written = io::write_file(wanted.file, csv_of(table)); !written) return tl::unexpected(written.error());
+    return written_now(context, wanted, saved_text("Table", wanted));
+}
+
+Result<Outcome> export_report(ActionContext& context, const Export& wanted) {
+    if (auto fits = expect_extension(wanted, ".html", "a report"); !fits) return tl::unexpected(fits.error());
+    const std::vector<std::string> words{wanted.file.string()};
+    return find_command("report")->action(context, words);
+}
+
+Result<Outcome> export_figure(ActionContext& context, const Export& wanted) {
+    const bool turns = wanted.what == ExportWhat::kTurntable;
+    if (!turns || !is_video(wanted.file))
+        if (auto fits = expect_extension(wanted, ".png", "a picture"); !fits) return tl::unexpected(fits.error());
+    if (turns && is_video(wanted.file) && !can_make_videos())
+        return fail(kNoVideos, {}, "install it, or choose PNG pictures");
+    const std::string sentence = saved_text(wanted.kind().label, wanted);
+    FigureRequest request{wanted.file, wanted.size, wanted.figure};
+    if (!request.size) request.size = context.picture.whole_size();
+    std::vector<std::string> words{"export", std::string(wanted.kind().key), wanted.file.string()};
+    const auto options = figure_words(request);
+    words.insert(words.end(), options.begin(), options.end());
+    RAMUS_TRY(elsewhere, context.picture.done_elsewhere(words));
+    if (!elsewhere) return write_figure_here(context, wanted, request, sentence);
+    return Pending{"Drawing " + wanted.file.filename().string(),
+                   [work = elsewhere, file = wanted.file, sentence](Job& job) -> Result<Continuation> {
+                       if (auto done = work(job); !done) return tl::unexpected(done.error());
+                       return has_written(file, sentence);
+                   }};
+}
+
+} // namespace ramus::app::actions

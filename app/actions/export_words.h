@@ -1,0 +1,45 @@
+// The words of the command `export` as a value, and what its kinds share.
+#pragma once
+
+#include "app/actions/action.h"
+#include "app/actions/export_kinds.h"
+#include "core/io/meshes/mesh_names.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ramus::app::actions {
+
+inline constexpr const char* kExportUsage =
+    "export surface|tree|table|picture|sheet|turntable|report FILE; of a surface, tree or table [--of "
+    "visible|selected|all]; of a surface [--parts branch|system|none] [--for-printing]; of a table [--rows "
+    "branches|cuts|bands|selection|measurements|systems|contacts|validation]; of pictures --size, --background and "
+    "more";
+
+struct Export {
+    ExportWhat what{};
+    ExportOf of = ExportOf::kVisible;
+    std::filesystem::path file;
+    std::optional<io::PartsBy> parts; // none: what is usual
+    bool for_printing = false;
+    std::string table;    // the name of a TableKind; empty: branches
+    FigureOptions figure; // of pictures
+    std::optional<glm::ivec2> size;
+    [[nodiscard]] const ExportKind& kind() const { return export_kinds()[static_cast<std::size_t>(what)]; }
+};
+
+[[nodiscard]] Result<Export> export_in(ActionContext& context, Arguments arguments);
+
+[[nodiscard]] std::string saved_text(const char* what, const Export& wanted); // "Surface saved: /data/liver.stl"
+[[nodiscard]] Result<void> expect_extension(const Export& wanted, std::string_view extension, const char* what);
+// The end of pending work: nothing is changed, something is said, and the window offers the folder.
+[[nodiscard]] Continuation has_written(std::filesystem::path file, std::string sentence);
+
+// What the kinds do; the words are checked.
+[[nodiscard]] Result<Outcome> export_table(ActionContext& context, const Export& wanted);
+[[nodiscard]] Result<Outcome> export_report(ActionContext& context, const Export& wanted);
+[[nodiscard]] Result<Outcome> export_figure(ActionContext& context, const Export& wanted);
+
+} // namespace ramus::app::actions

@@ -1,0 +1,234 @@
+// A mask or a scan was opened or dropped: a tree is made of it, or its surface is shown beside the tree that there is.
+#include "app/panels/volume_dialog.h"
+
+#include "app/panels/interface.h"
+#include "app/panels/theme.h"
+#include "app/panels/widgets.h"
+#include "app/session/numbers.h"
+#include "core/base/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <optional>
+#include <utility>
+
+namespace ramus::app {
+
+std::vector<std::int32_t> VolumeDialog::chosen() const {
+    std::vector<std::int32_t> found;
+    for (std::size_t i = 0; facts && i < facts->labels.size(); ++i)
+        if (labels[i] != 0) found.push_back(facts->labels[i].label);
+    return found;
+}
+
+void VolumeDialog::take(VolumeFacts read) {
+    labels.assign(read.labels.size(), 1);
+    facts = std::make_shared<const VolumeFacts>(std::move(read));
+}
+
+std::string VolumeDialog::label_words() const {
+    const std::vector<std::int32_t> some = chosen();
+    const bool all = !facts || some.size() == facts->labels.size();
+    if (all && (some.size() < 2 || !together)) return {};
+    if (all) return "together";
+    return joined(some, together ? "+" : ",", [](std::int32_t label) { return std::to_string(label); });
+}
+
+std::vector<std::int32_t> VolumeDialog::context_labels() const {
+    const std::vector<std::int32_t> some = chosen();
+    return !facts || some.size() == facts->labels.size() ? std::vector<std::int32_t>{0} : some;
+}
+
+namespace {
+
+using As = VolumeDialog::As;
+
+struct Choice {
+    As as;
+    const char *label, *key;
+    std::string words;
+    std::string why_not; // empty: it can be done
+};
+
+// A button with a line below that says what it does, or why it cannot be done now. `key`: a letter that does the same.
+bool draw_choice(const Choice& choice, bool marked) {
+    const float scale = theme::scale();
+    const float height = 2.0F * ImGui::GetTextLineHeight() + 18.0F * scale;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool can = choice.why_not.empty();
+    const ImVec4 ground = marked && can ? theme::kAccentDim : ImGui::GetStyleColorVec4(ImGuiCol_Button);
+    ImGui::BeginDisabled(!can);
+    ImGui::PushID(choice.label);
+    const bool pressed = widgets::button("##choice", {width, height}, ground);
+    ImGui::PopID();
+    ImGui::EndDisabled();
+    widgets::note_item(choice.label);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float left = std::round(at.x + 12.0F * scale), top = std::round(at.y + 8.0F * scale);
+    list.AddText({left, top}, ImGui::GetColorU32(can ? theme::kText : theme::kQuiet), choice.label);
+    const ImU32 quiet = ImGui::GetColorU32(marked && can ? theme::kText : theme::kQuiet);
+    const std::string words = widgets::fitted(can ? choice.words : choice.why_not, width - 24.0F * scale);
+    list.AddText({left, top + ImGui::GetTextLineHeight() + 2.0F * scale}, quiet, words.c_str());
+    list.AddText({std::round(at.x + width - 12.0F * scale - ImGui::CalcTextSize(choice.key).x), top}, quiet,
+                 choice.key);
+    return pressed;
+}
+
+// A key that brought the dialog does not answer it.
+bool pressed(int key) { return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(key, false); }
+
+std::string sizes(const glm::dvec3& v) { return digits(v.x) + " x " + digits(v.y) + " x " + digits(v.z); }
+
+void draw_facts(const VolumeFacts& facts) {
+    const Lengths lengths(facts.claims);
+    widgets::fact("Size", std::to_string(facts.size.x) + " x " + std::to_string(facts.size.y) + " x " +
+                              std::to_string(facts.size.z) + " voxels");
+    widgets::fact("Spacing", sizes(facts.spacing_mm) + " " + lengths.unit());
+    widgets::fact("Axes lead to", facts.orientation.empty() ? "not said" : facts.orientation);
+    widgets::fact("File", facts.type);
+}
+
+// Which of them; one alone leaves nothing to choose.
+void draw_labels(VolumeDialog& dialog, float height) {
+    const VolumeFacts& facts = *dialog.facts;
+    const Lengths lengths(facts.claims);
+    const bool several = facts.labels.size() > 1;
+    ImGui::BeginChild("labels", {0.0F, height});
+    if (ImGui::BeginTable("labels", 3, ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("label", 0, 2.0F);
+        ImGui::TableSetupColumn("volume", 0, 1.0F);
+        ImGui::TableSetupColumn("voxels", 0, 1.0F);
+        widgets::clipped(facts.labels.size(), [&](std::size_t i) {
+            const LabelFacts& label = facts.labels[i];
+            const std::string number = "Label " + std::to_string(label.label);
+            const std::string name = number + (label.name.empty() ? "" : ", " + label.name);
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            bool taken = dialog.labels[i] != 0;
+            if (several && ImGui::Checkbox(name.c_str(), &taken)) dialog.labels[i] = taken ? 1 : 0;
+            if (!several) ImGui::TextUnformatted(name.c_str());
+            widgets::note_item(number.c_str());
+            ImGui::TableNextColumn();
+            widgets::text_right(lengths.volume(label.volume_mm3));
+            ImGui::TableNextColumn();
+            widgets::quiet_right(grouped(label.voxels));
+        });
+        ImGui::EndTable();
+    }
+    ImGui::EndChild();
+    ImGui::BeginDisabled(!several);
+    ImGui::Checkbox("As a tree, the labels are one vessel system", &dialog.together);
+    ImGui::EndDisabled();
+    widgets::note_item("Labels together");
+}
+
+// As high before the file is read as after it, so that nothing moves under the pointer.
+void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
+    const float line = ImGui::GetTextLineHeightWithSpacing(), row = ImGui::GetFrameHeightWithSpacing();
+    const float labels = 5.0F * row;
+    ImGui::BeginChild("contents", {0.0F, 5.0F * line + labels + row + 8.0F * theme::scale()}, false,
+                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    if (!dialog.facts) {
+        widgets::quiet("Reading what the file holds\xE2\x80\xA6");
+        ImGui::ProgressBar(context.interface.volume_progress, {-1.0F, 6.0F * theme::scale()}, "");
+    } else {
+        widgets::quiet(words_for(*dialog.facts).c_str());
+        draw_facts(*dialog.facts);
+        if (!dialog.facts->labels.empty()) draw_labels(dialog, labels);
+        for (const std::string& suspicion : dialog.facts->suspicions) widgets::trouble(window_words(suspicion).c_str());
+    }
+    ImGui::EndChild();
+}
+
+std::array<Choice, 3> choices_for(const InterfaceContext& context, const VolumeDialog& dialog) {
+    const Document& document = context.workspace.document;
+    const bool tree = document.branch_count() > 0;
+    const std::string shown = document.session().tree.path.filename().string();
+    std::string why_not; // for all
+    if (dialog.facts && !dialog.facts->mask)
+        why_not = "Its values are no labels: vessels or organs have to be marked in it first";
+    else if (dialog.facts && !dialog.facts->labels.empty() && dialog.context_labels().empty())
+        why_not = "No label is chosen";
+    const std::string no_tree = why_not.empty() && !tree ? "There is no tree to show it beside yet" : why_not;
+    return {{{As::kTree, "Open as a new tree", "T",
+              "Centerlines and radii are made of it" + (tree ? ", in the place of " + shown : std::string()), why_not},
+             {As::kContext, "Show beside the tree", "B", "As context: smooth and clear, around " + shown, no_tree},
+             {As::kSurface, "Show as the surface it is", "S", "Solid, with every step of its voxels, beside " + shown,
+              no_tree}}};
+}
+
+void move_choice(VolumeDialog& dialog, const std::array<Choice, 3>& choices, int step) {
+    auto at = static_cast<int>(dialog.as);
+    for (std::size_t tries = 0; tries < choices.size(); ++tries) {
+        at = (at + step + 3) % 3;
+        if (choices[static_cast<std::size_t>(at)].why_not.empty()) break;
+    }
+    dialog.as = static_cast<As>(at);
+}
+
+std::optional<As> chosen_by_key(const VolumeDialog& dialog) {
+    constexpr int kT = 'T', kB = 'B', kS = 'S'; // as GLFW numbers them
+    if (pressed(kT)) return As::kTree;
+    if (pressed(kB)) return As::kContext;
+    if (pressed(kS)) return As::kSurface;
+    if (pressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) || pressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)))
+        return dialog.as;
+    return {};
+}
+
+void carry_out(InterfaceContext& context, const VolumeDialog& dialog, As as) {
+    const std::string file = dialog.file.string();
+    context.interface.settings.drop_beside = as != As::kTree;
+    if (as == As::kTree) {
+        std::vector<std::string> words{file, "--tree"};
+        if (const std::string labels = dialog.label_words(); !labels.empty())
+            words.insert(words.end(), {"--labels", labels});
+        return context.perform("open", words);
+    }
+    for (const std::int32_t label : dialog.context_labels()) {
+        std::vector<std::string> words{file};
+        if (label != 0) words.insert(words.end(), {"--label", std::to_string(label)});
+        if (as == As::kSurface) words.insert(words.end(), {"--exact", "--opacity", "1"});
+        context.perform("context", words);
+    }
+}
+
+} // namespace
+
+void draw_volume_dialog(InterfaceContext& context) {
+    VolumeDialog& dialog = context.interface.volume;
+    if (!dialog.open() || !context.interface.errors.empty() || context.interface.unsaved.open()) return;
+    if (!widgets::begin_dialog("volume", 520.0F, 0.0F)) return;
+    const float scale = theme::scale(), width = ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(theme::title_font());
+    const std::string title = widgets::fitted(dialog.file.filename().string(), width);
+    ImGui::PopFont();
+    widgets::heading(title.c_str());
+    ImGui::Dummy({0.0F, 2.0F * scale});
+    draw_contents(context, dialog);
+    const auto choices = choices_for(context, dialog);
+    const std::optional<As> by_key = chosen_by_key(dialog);
+    bool decided = by_key.has_value();
+    As as = by_key.value_or(dialog.as);
+    for (const Choice& choice : choices)
+        if (draw_choice(choice, dialog.as == choice.as)) decided = true, as = choice.as;
+    decided = decided && choices[static_cast<std::size_t>(as)].why_not.empty();
+    ImGui::Dummy({0.0F, 4.0F * scale});
+    const float cancel_width = 90.0F * scale;
+    widgets::align_right(cancel_width);
+    const bool cancelled = ImGui::Button("Cancel", {cancel_width, 0.0F});
+    widgets::tooltip("Nothing is opened", "Escape");
+    if (pressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) move_choice(dialog, choices, -1);
+    for (const ImGuiKey key : {ImGuiKey_DownArrow, ImGuiKey_Tab})
+        if (pressed(ImGui::GetKeyIndex(key))) move_choice(dialog, choices, 1);
+    if (decided || cancelled) {
+        ImGui::CloseCurrentPopup();
+        const VolumeDialog answered = std::exchange(dialog, {});
+        if (decided) carry_out(context, answered, as);
+    }
+    widgets::end_dialog();
+}
+
+} // namespace ramus::app

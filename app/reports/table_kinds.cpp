@@ -1,0 +1,34 @@
+#include "app/reports/table_kinds.h"
+
+#include "app/assets/assets.h"
+
+#include <algorithm>
+
+namespace ramus::app {
+
+const std::array<TableKind, 7>& table_kinds() {
+    static constexpr std::array<TableKind, 7> kKinds{
+        {{"cuts", "Cuts", cuts_table, [](const Document& d, const Assets&) { return !d.marks().cuts.empty(); }},
+         {"bands", "Margins of lesions", bands_table,
+          [](const Document&, const Assets& a) { return !a.plan->bands.empty(); }},
+         {"selection", "Selected branches", selection_table,
+          [](const Document& d, const Assets&) { return !d.marks().selection.empty(); }},
+         {"measurements", "Measurements", measurements_table,
+          [](const Document& d, const Assets&) { return !d.marks().measurements.empty(); }},
+         {"systems", "Systems", systems_table,
+          [](const Document& d, const Assets&) { return !d.tree()->systems.empty(); }},
+         {"contacts", "Contacts", contacts_table,
+          [](const Document& d, const Assets& a) {
+              return a.contacts.fits(d.marks().options) && !a.contacts.list->empty();
+          }},
+         {"validation", "Validation", validation_table,
+          [](const Document& d, const Assets& a) { return a.validation.fits(validation_of(d.tree(), d.marks())); }}}};
+    return kKinds;
+}
+
+const TableKind* table_kind_named(std::string_view name) {
+    const auto* const found = std::ranges::find(table_kinds(), name, &TableKind::name);
+    return found == table_kinds().end() ? nullptr : found;
+}
+
+} // namespace ramus::app

@@ -1,0 +1,22 @@
+// The tables that a report has, by name: one row for each.
+#pragma once
+
+#include "app/reports/report_tables.h"
+
+#include <array>
+#include <string_view>
+
+namespace ramus::app {
+
+struct TableKind {
+    std::string_view name;
+    const char* label; // for people
+    Table (*table)(const Document&, const Assets&);
+    bool (*there)(const Document&, const Assets&); // what its rows are about
+};
+
+// In the order of what is written when no kind is named.
+[[nodiscard]] const std::array<TableKind, 7>& table_kinds();
+[[nodiscard]] const TableKind* table_kind_named(std::string_view name); // null: there is none
+
+} // namespace ramus::app

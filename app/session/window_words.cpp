@@ -1,0 +1,81 @@
+#include "app/session/window_words.h"
+
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace ramus::app {
+
+namespace {
+
+using Words = std::pair<std::string_view, std::string_view>;
+
+// The longer of two that begin alike comes first.
+constexpr std::array<Words, 38> kWindowWords{{
+    {"repair with --repair or edit the file", "choose more repairs (Shift+D) or edit the file"},
+    {"allow it with --repair usual or --repair ", "allow all repairs when the file is read (Shift+D), such as "},
+    {"--repair all makes it a root", "with all repairs (Shift+D) it is a root"},
+    {"--repair all takes", "a repair (Shift+D) takes"},
+    {"prune with --prune", "prune"},
+    {"say which are vessels: --label N,M", "mark the vessels in it"},
+    {"choose an --isovalue, or a --label", "choose a label"},
+    {"choose an --isovalue", "choose a mask of whole numbers"},
+    {"leave out --label", "choose no label"},
+    {"--label chooses one of a mask's", "a label is one of a mask's"},
+    {"ramus info lists the labels of a mask", "the dialog that opens a mask lists its labels"},
+    {"ramus info lists the labels", "the dialog that opens a mask lists its labels"},
+    {"ramus mesh --method iso makes the surface of a mask", "open it as the surface of a mask, beside a tree"},
+    {"use a file that `ramus convert` wrote", "use a file that File, Export wrote"},
+    {"or write it anew with `ramus convert`", "or write it anew with the program that made it"},
+    {"`ramus compare` takes meshes; a tree needs centerlines",
+     "meshes are shown beside a tree; a tree needs centerlines"},
+    {"leave out --orientation, or ", ""},
+    {"say which one it is with --units", "say which one it is: View, What the file does not say"},
+    {"say which they are with --units", "say which they are: View, What the file does not say"},
+    {"--units takes", "the unit takes"},
+    {"--units with the size", "the unit with the size"},
+    {"--units um", "the unit um"},
+    {"--units cm", "the unit cm"},
+    {"--units m", "the unit m"},
+    {"correct --units", "correct the unit"},
+    {"allow more with --memory", "close other programs"},
+    {"raise --cell or --memory", "lower the detail"},
+    {"more --memory", "more memory"},
+    {"raise --memory", "close other programs"},
+    {"raise --cell", "raise the size of cells"},
+    {"lower --cell", "lower the size of cells"},
+    {"set --cell", "lower the detail"},
+    {"--detail", "the detail"},
+    {"a lower the detail", "a lower detail"},
+    {"give --blend paper", "choose Blend, Wherever close"},
+    {"--islands", "Islands (Shift+D)"},
+    {"a --width", "a width"},
+    {"another --kernel", "another kernel"},
+}};
+
+} // namespace
+
+std::string window_words(std::string text) {
+    for (const auto& [words, instead] : kWindowWords)
+        for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + instead.size()))
+            text.replace(at, words.size(), instead);
+    // Any other flag is the word that it is made of.
+    for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
+        const bool flag = at + 2 < text.size() && std::islower(static_cast<unsigned char>(text[at + 2])) != 0 &&
+                          (at == 0 || text[at - 1] == ' ' || text[at - 1] == '(');
+        if (flag)
+            text.erase(at, 2);
+        else
+            at += 2;
+    }
+    return text;
+}
+
+Error in_window_words(Error error) {
+    error.what = window_words(std::move(error.what));
+    error.hint = window_words(std::move(error.hint));
+    return error;
+}
+
+} // namespace ramus::app

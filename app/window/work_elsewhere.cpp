@@ -1,0 +1,89 @@
+#include "app/window/work_elsewhere.h"
+
+#include "app/session/progress_lines.h"
+#include "app/session/session_file.h"
+#include "core/base/child_program.h"
+#include "core/base/scratch_folder.h"
+#include "core/base/words.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+namespace ramus::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr float kSurfacesShare = 0.3F; // of the progress, before pictures are drawn
+
+// As a commands file has it.
+std::string script_line(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) {
+        line += line.empty() ? "\"" : " \"";
+        for (const char c : word) {
+            if (c == '"' || c == '\\') line += '\\';
+            line += c == '\n' || c == '\r' ? ' ' : c;
+        }
+        line += '"';
+    }
+    return line + "\n";
+}
+
+Result<void> put(const fs::path& path, std::string_view text) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    return file ? Result<void>() : fail("the file cannot be written", path.string(), "free some space there");
+}
+
+// True for a line that tells how far it is.
+bool follow(std::string_view line, Job& job) {
+    if (!line.starts_with(kProgressLine)) return false;
+    line.remove_prefix(std::string_view(kProgressLine).size());
+    const std::size_t blank = line.find(' ');
+    const auto done = parsed<float>(line.substr(0, blank));
+    if (!done || blank == std::string_view::npos) return true;
+    const float share = std::clamp(*done, 0.0F, 1.0F);
+    const bool draws = line.substr(blank + 1) == "pictures";
+    job.report(
+        std::max(job.progress(), draws ? kSurfacesShare + (1.0F - kSurfacesShare) * share : kSurfacesShare * share));
+    return true;
+}
+
+// What it says of the script that it was given means nothing to a person.
+Error without_script(Error error, const fs::path& script) {
+    const std::string before = "ramus: ", line = script.string() + ":1: ";
+    if (error.what.starts_with(before)) error.what.erase(0, before.size());
+    if (error.what.starts_with(line)) error.what.erase(0, line.size());
+    return error;
+}
+
+} // namespace
+
+Result<std::function<Result<void>(Job&)>> work_elsewhere(const Session& session, const std::vector<std::string>& words,
+                                                         bool software) {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (error) return fail("the program's own file is not known: " + error.message());
+    return [program, session, script = script_line(words), software](Job& job) -> Result<void> {
+        RAMUS_TRY(scratch, ScratchFolder::create());
+        const fs::path file = scratch.path() / "session.ramus.json", commands = scratch.path() / "commands";
+        if (auto written = write_session(session, file); !written) return written;
+        if (auto written = put(commands, script); !written) return written;
+        std::vector<std::string> run{program.string(), "render",          "--session", file.string(),
+                                     "--commands",     commands.string(), "--size",    "64x64"};
+        if (!software) run.insert(run.end(), {"--backend", "egl"});
+        if (const std::uint64_t memory = session.marks.options.memory_bytes; memory > 0)
+            run.insert(run.end(), {"--memory", std::to_string(memory)});
+        RAMUS_TRY(child, ChildProgram::start(run, {std::string(kProgressVariable) + "=" + kProgressLines}));
+        if (auto done = child.wait(job, [&job](std::string_view line) { return follow(line, job); }); !done)
+            return tl::unexpected(without_script(done.error(), commands));
+        return {};
+    };
+}
+
+} // namespace ramus::app
