@@ -15,6 +15,8 @@ void add_figure_flags(CLI::App& command, FigureOptions& flags) {
     add_option(command, "--samples", "N", flags.samples,
                "Samples a pixel: 16 (default), or 4 in a quarter of the time; with --supersample 4 for each")
         ->check(CLI::IsMember({4, 16}).description(""));
+    command.add_flag("--moving", flags.moving,
+                     "The quick picture that a window without a graphics card shows meanwhile");
     add_option(command, "--caption", "TEXT", flags.caption, "Words at the top left");
     CLI::Option* overlays = add_option(command, "--overlays", "LIST", flags.overlays,
                                        "What lies over the tree: none, or some of cube,scale,legend,letters (default "

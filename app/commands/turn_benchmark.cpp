@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 namespace ramus::app {
@@ -18,8 +19,15 @@ void look_from(render::Sheet& sheet, const render::Camera& camera, render::Quali
     }
 }
 
-// How far the picture that moves is from the one that rests: the mean over the vessels' pixels of both, of 255.
-Result<double> difference_at_rest(render::SheetRenderer& renderer, render::Sheet sheet, const render::Camera& camera) {
+// How far the picture that moves is from the one that rests, over the vessels' pixels of both.
+struct Difference {
+    double mean = 0.0;  // of 255
+    double apart = 0.0; // share of the pixels that differ so much that an edge has moved there
+};
+constexpr double kEdgeMoved = 60.0; // of 255
+
+Result<Difference> difference_at_rest(render::SheetRenderer& renderer, render::Sheet sheet,
+                                      const render::Camera& camera) {
     const auto drawn = [&](render::Quality quality) -> Result<render::Image> {
         look_from(sheet, camera, quality);
         if (auto done = renderer.draw(sheet); !done) return tl::unexpected(done.error());
@@ -30,13 +38,17 @@ Result<double> difference_at_rest(render::SheetRenderer& renderer, render::Sheet
     RAMUS_TRY(resting, drawn(render::Quality::kFull));
     const std::vector<bool> here = renderer.read_covered();
     double sum = 0.0;
-    std::size_t pixels = 0;
+    std::size_t pixels = 0, apart = 0;
     for (std::size_t i = 0; i < here.size(); ++i) {
         if (!here[i] && !there[i]) continue;
+        double difference = 0.0;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) difference += std::abs(moving.rgba[k] - resting.rgba[k]) / 3.0;
         ++pixels;
-        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) sum += std::abs(moving.rgba[k] - resting.rgba[k]) / 3.0;
+        apart += difference > kEdgeMoved ? 1 : 0;
+        sum += difference;
     }
-    return sum / static_cast<double>(std::max<std::size_t>(pixels, 1));
+    const auto all = static_cast<double>(std::max<std::size_t>(pixels, 1));
+    return Difference{sum / all, static_cast<double>(apart) / all};
 }
 
 } // namespace
@@ -51,6 +63,7 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     render::SheetRenderer::finish();
     std::uint64_t triangles = 0, cones = 0;
     const Stopwatch watch;
+    const std::clock_t processor = std::clock();
     for (int i = 0; i < frames; ++i) {
         look_from(sheet, camera_at(static_cast<double>(i + 1) / frames), quality);
         RAMUS_TRY(done, renderer.draw(sheet));
@@ -59,6 +72,7 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
         render::SheetRenderer::finish();
     }
     const double seconds = watch.seconds(), fps = frames / std::max(seconds, 1e-9);
+    report["processor_seconds"] = static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
     report["frames"] = frames;
     report["seconds"] = seconds;
     report["fps"] = fps;
@@ -66,13 +80,15 @@ Result<void> run_turn_benchmark(render::SheetRenderer& renderer, render::Sheet s
     report["cones"] = static_cast<double>(cones) / frames;
     report["panes"] = sheet.viewports.size();
     report["quality"] = hurry ? "interactive" : "full";
-    double difference = 0.0;
+    Difference difference;
     constexpr int kAtRest = 4;
     for (int i = 0; i < kAtRest && hurry; ++i) {
         RAMUS_TRY(found, difference_at_rest(renderer, sheet, camera_at((i + 0.3) / kAtRest)));
-        difference += found / kAtRest;
+        difference.mean += found.mean / kAtRest;
+        difference.apart += found.apart / kAtRest;
     }
-    report["difference"] = difference;
+    report["difference"] = difference.mean;
+    report["apart"] = difference.apart;
     return {};
 }
 

@@ -46,6 +46,7 @@ struct FigureOptions {
     int samples = 16;    // of each pixel, where nothing is drawn larger
     int turntable = 0;   // pictures once around; 0: one picture
     bool sheet = false;
+    bool moving = false;               // as while the view moves
     bool whole = true;                 // a turntable comes so near that the tree stays whole
     int frames_a_second = 30;          // of a video
     std::string caption;               // UTF-8

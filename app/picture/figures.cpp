@@ -166,6 +166,17 @@ void label(render::Sheet& sheet, std::size_t view, bool table) {
     if (view > 0) sheet.heading.clear();
 }
 
+// The window shows its quick picture from the second view on that moves.
+Result<void> draw_moving(render::SheetRenderer& renderer, render::Sheet& sheet) {
+    const render::Camera there = sheet.viewports.front().frame.camera;
+    for (render::Sheet::Viewport& viewport : sheet.viewports) viewport.frame.quality = render::Quality::kInteractive;
+    for (const double turn : {1.0, 0.0}) {
+        look_from(sheet, render::turned(there, turn, 0.0));
+        if (const auto drawn = renderer.draw(sheet); !drawn) return tl::unexpected(drawn.error());
+    }
+    return {};
+}
+
 // The bar that pictures have in common.
 void keep_common(std::optional<render::ScaleBar>& common, const std::optional<render::ScaleBar>& next, bool first) {
     if (first)
@@ -198,7 +209,9 @@ Result<Figure> draw_figure(render::SheetRenderer& renderer, render::Sheet sheet,
     make_room_for_caption(sheet);
     if (auto fits = check_enlarged(sheet.size, options); !fits) return tl::unexpected(fits.error());
     if (const auto drawn = renderer.draw_with_scale(sheet); !drawn) return tl::unexpected(drawn.error());
-    if (options.samples > 4 && options.supersample == 1)
+    if (options.moving) {
+        if (const auto moved = draw_moving(renderer, sheet); !moved) return tl::unexpected(moved.error());
+    } else if (options.samples > 4 && options.supersample == 1)
         if (const auto finer = renderer.refine(sheet); !finer) return tl::unexpected(finer.error());
     Figure figure{render::reduced(renderer.read_image(), options.supersample), renderer.scale_bar()};
     if (figure.scale_bar) figure.scale_bar->pixels /= options.supersample;

@@ -121,10 +121,12 @@ HWY_INLINE void smooth_with_field(const Block& block, int lane, const Samples& s
     const DU du;
     const Mask surface = p.hit && !has({p.all_bits}, kLine | kSolid);
     const Float pixel_mm = tile.view.flat ? Float(tile.view.mm_a_pixel) : tile.view.mm_a_pixel * p.nearest;
-    const Mask goes_on = surface && (p.whole || p.farthest - p.nearest < 3.0F * pixel_mm);
-    if (tile.field.segments == nullptr || !any(goes_on)) return;
-    const Vec3 at = point_on(tile.view, pixel_rays(block, lane), p.mean_depth);
+    const Mask on_surface = surface && (p.whole || p.farthest - p.nearest < 3.0F * pixel_mm);
+    if (tile.field.segments == nullptr || !any(on_surface)) return;
     const VU cones = hn::Load(du, samples.cone[block.index] + lane);
+    const Mask goes_on = on_surface && Uint{cones} != kNoCone; // triangles have their vertices' normals
+    if (!any(goes_on)) return;
+    const Vec3 at = point_on(tile.view, pixel_rays(block, lane), p.mean_depth);
     p.normal_sum = field_normals(tile.field, goes_on, cones, at, p.normal_sum);
     p.whole = p.whole || (goes_on && p.one_surface);
     const auto smooth = hn::RebindMask(du, goes_on.m);
@@ -217,28 +219,45 @@ void resolve_lanes(const TileTask& tile, const Samples& samples, const PictureAr
     }
 }
 
+// In the middles of pixels whose samples the triangle has all of, else where it has the first of them: as software
+// OpenGL does in geometry.frag.
+HWY_INLINE Vec3 centroid_normal(const Triangle& t, const Block& block, int lane, const Coverage* of_samples) {
+    const Vec3 middle = pixel_normal(t, block, lane);
+    const Mask turned_away = middle.z < kLeastFacing * sqrt(dot(middle, middle));
+    Vec3 normal = middle;
+    Mask whole = of_samples[0].covered;
+    for (int s = 1; s < kSamples; ++s) whole = whole && of_samples[s].covered;
+    for (int s = kSamples - 1; s >= 0; --s) {
+        const Mask in_part = of_samples[s].covered && !whole && turned_away;
+        if (any(in_part)) normal = select(in_part, normal_at(t, block, lane, kSampleX[s], kSampleY[s]), normal);
+    }
+    return normal;
+}
+
 template <bool Flat> HWY_INLINE void raster_block(const Triangle& t, const Block& block, Samples& samples) {
     const D d;
     const DU du;
     const int b = block.index;
     Float farthest = 0.0F;
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
-        bool any_covered = false;
-        VU normal = hn::Zero(du);
-        for (int sample = 0; sample < kSamples; ++sample) {
-            float* depths = samples.depth[b][sample] + lane;
-            const Float old = hn::Load(d, depths);
-            const Coverage found = coverage<Flat>(t, block, lane, sample);
-            const Mask nearer = found.covered && found.depth < old;
-            farthest = max(farthest, select(nearer, found.depth, old));
-            if (!any(nearer)) continue;
-            if (!any_covered) normal = packed_normal(pixel_normal(t, block, lane));
-            any_covered = true;
-            hn::BlendedStore(found.depth.v, nearer.m, d, depths);
-            const auto which = hn::RebindMask(du, nearer.m);
-            hn::BlendedStore(hn::Set(du, t.id), which, du, samples.id[b][sample] + lane);
-            hn::BlendedStore(normal, which, du, samples.normal[b][sample] + lane);
-            if (block.tile.with_values) hn::BlendedStore(hn::Zero(d), nearer.m, d, samples.value[b][sample] + lane);
+        Coverage found[kSamples];
+        Mask nearer[kSamples], seen = {hn::FirstN(d, 0)};
+        for (int s = 0; s < kSamples; ++s) {
+            const Float old = hn::Load(d, samples.depth[b][s] + lane);
+            found[s] = coverage<Flat>(t, block, lane, s);
+            nearer[s] = found[s].covered && found[s].depth < old;
+            seen = seen || nearer[s];
+            farthest = max(farthest, select(nearer[s], found[s].depth, old));
+        }
+        if (!any(seen)) continue;
+        const VU normal = packed_normal(centroid_normal(t, block, lane, found));
+        for (int s = 0; s < kSamples; ++s) {
+            const auto which = hn::RebindMask(du, nearer[s].m);
+            hn::BlendedStore(found[s].depth.v, nearer[s].m, d, samples.depth[b][s] + lane);
+            hn::BlendedStore(hn::Set(du, t.id), which, du, samples.id[b][s] + lane);
+            hn::BlendedStore(normal, which, du, samples.normal[b][s] + lane);
+            if (s == 0) hn::BlendedStore(hn::Set(du, kNoCone), which, du, samples.cone[b] + lane);
+            if (block.tile.with_values) hn::BlendedStore(hn::Zero(d), nearer[s].m, d, samples.value[b][s] + lane);
         }
     }
     samples.farthest[b] = hn::GetLane(hn::MaxOfLanes(d, farthest.v));

@@ -110,13 +110,15 @@ struct TileTask {
     int x, y;         // lower left pixel
 };
 
+inline constexpr std::uint32_t kNoCone = ~0U;
+
 // Nearest hit of every sample of a tile. [block][sample][4 * row + column].
 struct alignas(64) Samples {
     float depth[kBlocks * kBlocks][kSamples][kBlockPixels];
     std::uint32_t id[kBlocks * kBlocks][kSamples][kBlockPixels];
     std::uint32_t normal[kBlocks * kBlocks][kSamples][kBlockPixels]; // octahedral, y up and z towards the eye
     float value[kBlocks * kBlocks][kSamples][kBlockPixels];
-    std::uint32_t cone[kBlocks * kBlocks][kBlockPixels]; // that the first sample hit
+    std::uint32_t cone[kBlocks * kBlocks][kBlockPixels]; // that the first sample hit; kNoCone: a triangle
     float farthest[kBlocks * kBlocks];                   // of the block's depths
     bool touched[kBlocks * kBlocks];                     // else it holds nothing, and what is above means nothing
 };

@@ -232,10 +232,14 @@ std::size_t Caster::draw(const Frame& frame, const View& view, const glm::dmat4&
     append_lesions(view_, content.data.lesions, cones_);
     solid_triangles_.clear();
     clear_triangles_.clear();
+    const bool with_values = content.uniforms.scale.w > 0.0F || !content.data.cuts.empty();
+    if (content.surface != nullptr && !with_values) {
+        const Surface surface{*content.surface, to_eye, content.surface_to_clip};
+        draw_thick_vessels(surface, view_, cones_, solid_triangles_);
+    }
     for (const Body& body : content.bodies)
         project_triangles(body, view_, to_eye, body.clear ? clear_triangles_ : solid_triangles_);
     const Binned binned = bin();
-    const bool with_values = content.uniforms.scale.w > 0.0F || !content.data.cuts.empty();
     for_tiles([&](int tile) { cast(tile, binned, with_values); });
     occlude();
     shade(shading_of(frame, content), tiles_with_outline(content));

@@ -10,11 +10,13 @@
 
 #include "render/caster/bins.h"
 #include "render/caster/cast_types.h"
+#include "render/caster/thick_vessels.h"
 #include "render/caster/triangles.h"
 #include "render/caster/vessel_cones.h"
 #include "render/scene/frame.h"
 #include "render/scene/layer.h"
 #include "render/scene/look_data.h"
+#include "render/scene/paged_mesh.h"
 
 #include <array>
 #include <cstdint>
@@ -32,6 +34,8 @@ struct Content {
     const std::vector<std::array<std::uint16_t, 4>>& records; // of branches: linear colour and flags, as in ids.glsl
     const LookData& data;
     const std::vector<Body>& bodies; // lesions that are meshes, and context
+    const PagedMesh* surface;        // the vessels' surface as it is at rest; null: it is not there
+    glm::dmat4 surface_to_clip;      // from positions relative to its origin
 };
 
 class Caster {

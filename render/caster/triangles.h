@@ -1,16 +1,32 @@
-// Triangles of meshes beside the tree as the caster takes them: in the picture, with what is linear there.
+// Triangles of meshes as the caster takes them: in the picture, with what is linear there.
 #pragma once
 
 #include "render/caster/cast_types.h"
 #include "render/gpu/shape_triangles.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <vector>
 
 namespace ramus::render::caster {
 
-// A mesh to draw. `id`: kSolid and its number + 1, and kContext where it is no lesion.
+struct Corner {
+    glm::vec3 at;     // eye space
+    glm::vec3 normal; // y up and z towards the eye
+};
+
+// How triangles of one kind are seen.
+struct TriangleKind {
+    bool closed;      // backs are never seen
+    float half_width; // as of Body
+};
+
+// Appends what can be seen of the triangle in the picture, cut off before the eye. `id` as in ids.glsl.
+void project_triangle(const std::array<Corner, 3>& corners, const TriangleKind& kind, std::uint32_t id,
+                      const View& view, std::vector<Triangle>& triangles);
+
+// A mesh beside the tree to draw. `id`: kSolid and its number + 1, and kContext where it is no lesion.
 struct Body {
     const ShapeTriangles* shape;
     std::uint32_t id;

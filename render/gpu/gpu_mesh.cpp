@@ -3,8 +3,6 @@
 #include "render/gl/bindings.h"
 
 #include <algorithm>
-#include <array>
-#include <glm/vec4.hpp>
 
 namespace ramus::render {
 
@@ -16,20 +14,6 @@ constexpr std::size_t kValuePageBytes = sizeof(ValuePage::values);
 constexpr GLuint kVertexSource = 0, kValueSource = 1; // of a vertex array
 
 std::size_t with_reserve(std::size_t pages) { return pages + pages / 8 + 1; }
-
-// Outside means: all corners of the box beyond one plane of the clip volume.
-bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4& to_clip) {
-    std::array<int, 4> beyond{};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec4 p = to_clip * glm::dvec4(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
-                                                  corner & 4 ? upper.z : lower.z, 1.0);
-        beyond[0] += p.x < -p.w ? 1 : 0;
-        beyond[1] += p.x > p.w ? 1 : 0;
-        beyond[2] += p.y < -p.w ? 1 : 0;
-        beyond[3] += p.y > p.w ? 1 : 0;
-    }
-    return std::ranges::none_of(beyond, [](int count) { return count == 8; });
-}
 
 template <class Pages> std::size_t differing(const Pages& have, const Pages& want) {
     std::size_t count = 0;

@@ -29,6 +29,7 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     shapes_.follow(wanted.context, wanted.lesions);
     if (wanted.surface_awaited && wanted.quality == Quality::kInteractive && casts(wanted)) {
         drawn_ = nullptr;
+        whole_surface_ = nullptr;
         done.quality = wanted.quality;
         Frame frame = wanted;
         frame.mesh = frame.preview = nullptr;
@@ -52,6 +53,7 @@ Result<Frame> SceneOnCard::take_up(const Frame& wanted, std::size_t upload_budge
     const bool quick = preview_there && frame.quality == Quality::kInteractive;
     const GpuMesh& mesh = quick || done.coarse ? preview_ : mesh_;
     drawn_ = mesh.shown() && mesh.shown()->triangle_count() > 0 ? &mesh : nullptr;
+    whole_surface_ = mesh_there && !done.coarse ? wanted.mesh : nullptr;
     frame.mesh = mesh.shown();
     frame.preview = nullptr;
     // The surface before may have values, but the frame's scale is not theirs.
@@ -83,6 +85,7 @@ bool SceneOnCard::casts(const Frame& frame) const {
 
 void SceneOnCard::let_go() {
     drawn_ = nullptr;
+    whole_surface_ = nullptr;
     mesh_ = {};
     preview_ = {};
     lines_ = {};

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] std::size_t surface_bytes() const { return surface_bytes_; }
     // Of the frame taken up last; an empty one: there is no surface.
     [[nodiscard]] const GpuMesh& mesh() const { return drawn_ != nullptr ? *drawn_ : none_; }
+    // The surface of the frame taken up last in full; null: it is not there, or only its preview is.
+    [[nodiscard]] const std::shared_ptr<const PagedMesh>& whole_surface() const { return whole_surface_; }
     [[nodiscard]] GpuLines& lines() { return lines_; }
     [[nodiscard]] const GpuLines& lines() const { return lines_; }
     [[nodiscard]] const GpuShapes& shapes() const { return shapes_; }
@@ -50,7 +52,8 @@ private:
     GpuShapes shapes_;
     BranchLayers branch_layers_;
     const GpuMesh* drawn_ = nullptr; // null: nothing
-    std::size_t surface_bytes_;      // that surfaces may take
+    std::shared_ptr<const PagedMesh> whole_surface_;
+    std::size_t surface_bytes_; // that surfaces may take
 };
 
 // What a view shows. All of it outlives the drawing.

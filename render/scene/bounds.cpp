@@ -2,8 +2,11 @@
 
 #include "core/base/bounds.h"
 
+#include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 
 namespace ramus::render {
 
@@ -42,6 +45,20 @@ Box bounds_of(const Centerlines& lines) {
     for (std::size_t i = 0; i < lines.points.size(); ++i)
         box.hold(glm::vec3(lines.points[i]), 0.5F * lines.details[i].diameter_mm);
     return {lines.origin + glm::dvec3(box.least), lines.origin + glm::dvec3(box.most)};
+}
+
+// Outside means: all corners of the box beyond one plane of the clip volume.
+bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4& to_clip) {
+    std::array<int, 4> beyond{};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 p = to_clip * glm::dvec4(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
+                                                  corner & 4 ? upper.z : lower.z, 1.0);
+        beyond[0] += p.x < -p.w ? 1 : 0;
+        beyond[1] += p.x > p.w ? 1 : 0;
+        beyond[2] += p.y < -p.w ? 1 : 0;
+        beyond[3] += p.y > p.w ? 1 : 0;
+    }
+    return std::ranges::none_of(beyond, [](int count) { return count == 8; });
 }
 
 } // namespace ramus::render

@@ -6,6 +6,7 @@
 #include "core/tree/vessel_tree.h"
 #include "render/scene/centerlines.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 namespace ramus::render {
@@ -24,5 +25,8 @@ struct Box {
 [[nodiscard]] Box bounds_of(const mesh::TriangleMesh& mesh);
 [[nodiscard]] Box bounds_of(const tree::VesselTree& tree); // of its points
 [[nodiscard]] Box bounds_of(const Centerlines& lines);     // the vessels, balls around every point
+
+// Whether anything in the box between these corners may be in the picture that `to_clip` makes.
+[[nodiscard]] bool in_picture(const glm::vec3& lower, const glm::vec3& upper, const glm::dmat4& to_clip);
 
 } // namespace ramus::render

@@ -98,9 +98,11 @@ std::uint64_t CastPass::draw(const Subject& subject, const ViewSetup& view, Bran
     const bool glass = std::ranges::find(subject.layers, Layer::kGlass) != subject.layers.end();
     const LookData data = look_data_of(frame, frame.centerlines.get(), eye);
     const caster::Uniforms uniforms{view.block, look_of(frame, view, glass, outlined), data.block};
-    return caster_.draw(
-        frame, view_of(frame, view), eye,
-        {uniforms, outlined, subject.layers, records.records(), data, bodies_of(frame, subject.scene.shapes())});
+    const std::shared_ptr<const PagedMesh>& surface = subject.scene.whole_surface();
+    return caster_.draw(frame, view_of(frame, view), eye,
+                        {uniforms, outlined, subject.layers, records.records(), data,
+                         bodies_of(frame, subject.scene.shapes()), surface.get(),
+                         surface ? view.clip_from(surface->origin()) : glm::dmat4(1.0)});
 }
 
 void CastPass::send_picture(const PictureTarget& to) const {
