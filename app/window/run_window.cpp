@@ -9,6 +9,7 @@
 #include "app/storage/user_folders.h"
 #include "app/window/glfw_window.h"
 #include "app/window/imgui_renderer.h"
+#include "app/window/loop_watch.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
 #include "core/base/printable.h"
@@ -35,7 +36,7 @@ namespace {
 class StatusFile {
 public:
     explicit StatusFile(std::string path) : path_(std::move(path)) {}
-    void update(const Viewer& viewer, const Workspace& workspace); // nothing without a path
+    void update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch); // nothing without a path
 
 private:
     std::string path_, written_;
@@ -90,7 +91,7 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["recoveries"] = interface.recovery.entries.size();
 }
 
-void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
+void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch) {
     if (path_.empty()) return;
     const Layout& layout = viewer.layout();
     const Interface& interface = viewer.interface();
@@ -141,6 +142,11 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace) {
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
+    const LoopWatch::Gap& gap = watch.longest();
+    status["longest_gap"] = {{"seconds", gap.seconds},
+                             {"processor_seconds", gap.processor_seconds},
+                             {"doing", gap.doing},
+                             {"command", gap.command}};
     if (viewer.controls()) status["controls"] = *viewer.controls();
     std::string text = io::printed_json(status, -1) + "\n";
     if (text == written_) return;
@@ -247,6 +253,8 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
                   const WindowOptions& options, std::optional<std::vector<ScriptLine>> script) {
     StatusFile status(options.status);
     SpareMemory spare_memory;
+    LoopWatch watch;
+    watch.looked();
     if (!options.status.empty()) viewer.note_controls();
     while (!viewer.files().closing()) {
         if (window.close_wanted()) {
@@ -254,22 +262,32 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
             viewer.files().quit(); // asks first when something would be lost
             continue;
         }
-        if (viewer.draw(glfwGetTime(), 0)) window.swap();
+        const bool drawn = viewer.draw(glfwGetTime(), 0);
+        watch.did("draw");
+        if (drawn) window.swap();
+        watch.did("swap");
         if (script && workspace.surface_ready() && viewer.resting()) {
             viewer.set_script_runs(true);
             auto done = run_script(viewer.actions(), *std::exchange(script, std::nullopt), options.commands);
             viewer.set_script_runs(false);
             if (!done) return done;
             viewer.redraw();
+            watch.looked(); // nobody is there to wait for a script
             continue;
         }
         window.set_title(viewer.title());
         window.set_cursor(viewer.input().cursor());
-        status.update(viewer, workspace);
+        status.update(viewer, workspace, watch);
+        watch.did("status");
         keeper.update(window, viewer, workspace.document, glfwGetTime());
+        watch.did("keep");
         const double now = glfwGetTime();
         spare_memory.update(workspace.busy() || viewer.commands().busy(), now);
+        watch.did("spare memory");
+        const CommandLine& last = viewer.interface().last_command;
+        watch.looks(last.empty() ? std::string() : last.front());
         window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now)}));
+        watch.looked();
     }
     return {};
 }
