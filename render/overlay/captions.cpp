@@ -9,18 +9,26 @@
 namespace ramus::render {
 
 Image haloed(const Coverage& ink, int halo) {
+    constexpr double kDark = 0.85, kEdge = 0.4; // next to the letters; of that at the halo's edge
+    const int side = 2 * halo + 1;
+    std::vector<double> weights(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    for (int i = 0; i < side * side; ++i) {
+        const double away = std::hypot(i % side - halo, i / side - halo) / halo;
+        weights[static_cast<std::size_t>(i)] = away > 1.0 ? 0.0 : std::min(1.0, 1.0 + kEdge - away);
+    }
     Image image(ink.width, ink.height);
     for (int y = 0; y < ink.height; ++y)
         for (int x = 0; x < ink.width; ++x) {
-            int around = 0;
-            for (int dy = -halo; dy <= halo; ++dy)
-                for (int dx = -halo; dx <= halo; ++dx) around = std::max<int>(around, ink.at(x + dx, y + dy));
-            const double light = ink.at(x, y) / 255.0, dark = 0.55 * around / 255.0;
+            double around = 0.0;
+            for (int i = 0; i < side * side; ++i)
+                around = std::max(around, weights[static_cast<std::size_t>(i)] *
+                                              ink.at(x + i % side - halo, y + i / side - halo));
+            const double light = ink.at(x, y) / 255.0, dark = kDark * around / 255.0;
             const double alpha = light + dark * (1.0 - light);
             if (alpha <= 0.0) continue;
             std::uint8_t* out = image.pixel(x, y);
             for (int k = 0; k < 3; ++k)
-                out[k] = static_cast<std::uint8_t>(std::lround((light * 226.0 + (1.0 - light) * dark * 10.0) / alpha));
+                out[k] = static_cast<std::uint8_t>(std::lround((light * 235.0 + (1.0 - light) * dark * 10.0) / alpha));
             out[3] = static_cast<std::uint8_t>(std::lround(255.0 * alpha));
         }
     return image;
@@ -44,7 +52,7 @@ std::string orientation_letters(const glm::dvec3& direction, const AxisNames& ax
 
 Image paint_caption(const std::string& text, double pixel_ratio, int width) {
     const double capital = 10.0 * pixel_ratio;
-    const int halo = std::max(1, static_cast<int>(std::lround(pixel_ratio)));
+    const int halo = std::max(2, static_cast<int>(std::lround(2.0 * pixel_ratio)));
     std::vector<Coverage> lines;
     std::istringstream words(text);
     std::string line;

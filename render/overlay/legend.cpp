@@ -80,7 +80,7 @@ Image paint_label(const std::string& text, double pixel_ratio) {
     const Coverage letters = draw_text(text, 8.5 * pixel_ratio);
     const int side = static_cast<int>(std::lround(5.0 * pixel_ratio)),
               edge = static_cast<int>(std::lround(1.0 * pixel_ratio));
-    Plate plate(letters.width + 2 * side, letters.height + 2 * edge, 3.0 * pixel_ratio, 0.72);
+    Plate plate(letters.width + 2 * side, letters.height + 2 * edge, 3.0 * pixel_ratio, 0.85);
     plate.write(letters, side, edge, kPlateInk);
     return std::move(plate).take();
 }
@@ -111,7 +111,7 @@ Image paint_legend(const Legend& legend, double pixel_ratio, glm::ivec2 most) {
     for (const Coverage& label : labels) width = std::max(width, patch + gap + label.width);
     height += row * static_cast<int>(labels.size());
 
-    Plate plate(std::min(width + 2 * margin, most.x), height, 4.0 * pixel_ratio, 0.66);
+    Plate plate(std::min(width + 2 * margin, most.x), height, 4.0 * pixel_ratio, 0.85);
     plate.write(title, margin, margin - pixels(2), kPlateInk);
     plate.write(subtitle, margin, below_title - pixels(2), kQuietInk);
     int top = head;

@@ -89,7 +89,7 @@ std::string place_of(const ScaleBar& bar) {
 // The length over the bar, in its middle; where it holds below, from its left end on.
 Image paint_scale_bar(const ScaleBar& bar, double pixel_ratio) {
     const int line = std::max(1, whole_pixels(1.5 * pixel_ratio)), tick = std::max(3, whole_pixels(5.0 * pixel_ratio));
-    const int halo = std::max(1, whole_pixels(pixel_ratio)), gap = whole_pixels(2.0 * pixel_ratio);
+    const int halo = std::max(2, whole_pixels(2.0 * pixel_ratio)), gap = whole_pixels(2.0 * pixel_ratio);
     const int length = std::max(line, whole_pixels(bar.pixels));
     const Coverage label = draw_text(scale_bar_label(bar.length_mm, bar.unit_known), 9.5 * pixel_ratio);
     const std::string where = place_of(bar);
