@@ -42,7 +42,7 @@ TEST_CASE("the scale bar is as long as it says") {
     const auto sprites = painted(frame);
     REQUIRE(sprites.size() == 1);
     const Image& bar = sprites[0].image;
-    const int row = bar.height - 2; // halo below, then the line
+    const int row = bar.height - 3; // two pixels of halo below, then the line
     int ink = 0;
     for (int x = 0; x < bar.width; ++x) ink += bar.pixel(x, row)[0] > 200 ? 1 : 0;
     CHECK(ink == 100);
