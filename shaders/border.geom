@@ -15,9 +15,6 @@ in float corner_value[];
 #endif
 
 out vec3 normal_eye;
-#ifndef TRANSPARENT
-centroid out vec3 normal_inside; // of the triangle, also where the pixel's middle is not
-#endif
 out vec3 shares; // of the corners' branches
 flat out ivec3 branch_ids;
 #ifdef VALUE
@@ -40,9 +37,6 @@ void main() {
     for (int corner = 0; corner < 3; ++corner) {
         gl_Position = gl_in[corner].gl_Position;
         normal_eye = corner_normal[corner];
-#ifndef TRANSPARENT
-        normal_inside = corner_normal[corner];
-#endif
         shares = vec3(share(corner, 0), share(corner, 1), share(corner, 2));
         branch_ids = ivec3(corner_branch[0], corner_branch[1], corner_branch[2]);
 #ifdef VALUE

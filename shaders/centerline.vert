@@ -6,7 +6,6 @@ layout(location = kUniformToClip) uniform mat4 to_clip;
 layout(location = kUniformHalfPicture) uniform vec3 half_picture; // half the size in pixels, half the width of a line
 
 out vec3 normal_eye;
-centroid out vec3 normal_inside;
 flat out int branch_id;
 
 void main() {
@@ -25,5 +24,5 @@ void main() {
     vec2 offset = half_picture.z * (side * vec2(-along.y, along.x) + (at_end ? along : -along));
     gl_Position.xy += offset / half_picture.xy * gl_Position.w;
     if (branch_id != line_branch(segment + 1) || (before_a < 0.0 && before_b < 0.0)) gl_Position = kOutside;
-    normal_eye = normal_inside = vec3(0.0, 0.0, 1.0);
+    normal_eye = vec3(0.0, 0.0, 1.0);
 }

@@ -3,7 +3,6 @@
 // centerlines; VALUE for surfaces with a value for each vertex.
 
 in vec3 normal_eye;
-centroid in vec3 normal_inside;
 #ifdef BORDER
 #include "border.glsl"
 #ifdef FLOOR
@@ -34,7 +33,6 @@ void main() {
 #endif
     uint id = uint(branch + 1);
     vec3 normal = normalize(normal_eye);
-    if (normal.z < kLeastFacing) normal = normalize(normal_inside);
 #ifdef LINE
     id |= kLine;
 #else

@@ -28,9 +28,6 @@ out float corner_value;
 #endif
 #else
 out vec3 normal_eye;
-#if !defined(TRANSPARENT) && !defined(CONTEXT)
-centroid out vec3 normal_inside; // of the triangle, also where the pixel's middle is not
-#endif
 #ifdef VALUE
 centroid out float value_here;
 #endif
@@ -56,9 +53,6 @@ void main() {
 #endif
 #else
     normal_eye = to_eye * normal;
-#if !defined(TRANSPARENT) && !defined(CONTEXT)
-    normal_inside = normal_eye;
-#endif
 #ifdef VALUE
     value_here = value;
 #endif

@@ -3,6 +3,3 @@ const int kMostSamples = 4;  // a pixel
 const int kMostMargins = 16; // bands around lesions
 const float kNotKnown = -1e30F;    // in place of a value on a scale
 const float kLeastKnown = -1e15F; // below: mixed with one that is not known, if only a little
-// Where a vessel's normal in the middle of a pixel faces the eye by less, it is taken where a triangle or cone is: the
-// middle may lie beyond the outline.
-const float kLeastFacing = 0.5F;

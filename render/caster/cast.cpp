@@ -219,21 +219,6 @@ void resolve_lanes(const TileTask& tile, const Samples& samples, const PictureAr
     }
 }
 
-// In the middles of pixels whose samples the triangle has all of, else where it has the first of them: as software
-// OpenGL does in geometry.frag.
-HWY_INLINE Vec3 centroid_normal(const Triangle& t, const Block& block, int lane, const Coverage* of_samples) {
-    const Vec3 middle = pixel_normal(t, block, lane);
-    const Mask turned_away = middle.z < kLeastFacing * sqrt(dot(middle, middle));
-    Vec3 normal = middle;
-    Mask whole = of_samples[0].covered;
-    for (int s = 1; s < kSamples; ++s) whole = whole && of_samples[s].covered;
-    for (int s = kSamples - 1; s >= 0; --s) {
-        const Mask in_part = of_samples[s].covered && !whole && turned_away;
-        if (any(in_part)) normal = select(in_part, normal_at(t, block, lane, kSampleX[s], kSampleY[s]), normal);
-    }
-    return normal;
-}
-
 template <bool Flat> HWY_INLINE void raster_block(const Triangle& t, const Block& block, Samples& samples) {
     const D d;
     const DU du;
@@ -250,7 +235,7 @@ template <bool Flat> HWY_INLINE void raster_block(const Triangle& t, const Block
             farthest = max(farthest, select(nearer[s], found[s].depth, old));
         }
         if (!any(seen)) continue;
-        const VU normal = packed_normal(centroid_normal(t, block, lane, found));
+        const VU normal = packed_normal(pixel_normal(t, block, lane));
         for (int s = 0; s < kSamples; ++s) {
             const auto which = hn::RebindMask(du, nearer[s].m);
             hn::BlendedStore(found[s].depth.v, nearer[s].m, d, samples.depth[b][s] + lane);

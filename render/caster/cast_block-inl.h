@@ -51,24 +51,6 @@ HWY_INLINE void write(const Block& block, const RoundCone& cone, std::uint32_t n
     hn::Store(select(hit.where, value, hn::Load(d, values)).v, d, values);
 }
 
-// Which way the cone faces in each sample: as in the pixel's middle; at its outline as where it is hit, for in the
-// resting picture (geometry.frag) triangles have their own normals there.
-template <bool Flat>
-HWY_INLINE void pixel_normals(const Block& block, const RoundCone& cone, int lane, Mask whole, Mask seen, VU* normals) {
-    const Vec3 in_middle = pixel_normal<Flat>(cone, pixel_rays(block, lane));
-    const VU middle = packed_normal(in_middle);
-    const Mask turned_away = in_middle.z * in_middle.z < kLeastFacing * kLeastFacing * dot(in_middle, in_middle);
-    const Mask in_part = seen && !whole && turned_away;
-    const bool any_in_part = any(in_part);
-    const auto apart = hn::RebindMask(DU(), in_part.m);
-    for (int s = 0; s < kSamples; ++s) {
-        normals[s] = middle;
-        if (!any_in_part) continue;
-        const VU own = packed_normal(pixel_normal<Flat>(cone, sample_rays(block, lane, s)));
-        normals[s] = hn::IfThenElse(apart, own, middle);
-    }
-}
-
 // Two samples at a time.
 template <bool Flat>
 HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint32_t number, Samples& samples) {
@@ -76,27 +58,25 @@ HWY_INLINE void cast_block(const Block& block, const RoundCone& cone, std::uint3
     clear_untouched(block.index, samples);
     Float farthest = 0.0F;
     for (int lane = 0; lane < kBlockPixels; lane += kN) {
-        Mask nearer[kSamples], whole = {hn::FirstN(d, kBlockPixels)}, seen = {hn::FirstN(d, 0)};
-        Float depth[kSamples], along[kSamples];
+        bool any_hit = false; // normals are those at the pixels' middles, once there is a sample to have them
+        VU normal = hn::Zero(DU());
         for (int sample = 0; sample < kSamples; sample += 2) {
             const auto depths = [&](int s) { return Float(hn::Load(d, samples.depth[block.index][s] + lane)); };
             const Rays<Float> first = sample_rays(block, lane, sample), second = sample_rays(block, lane, sample + 1);
             const auto found = intersect<Flat, false>(cone, Rays<FloatPair>{{first.x, second.x}, {first.y, second.y}});
             const FloatPair old{depths(sample), depths(sample + 1)};
-            const MaskPair before = found.hit && found.depth < old;
-            const FloatPair now = select(before, found.depth, old);
-            whole = whole && found.hit.a && found.hit.b;
-            seen = seen || before.a || before.b;
-            nearer[sample] = before.a, nearer[sample + 1] = before.b;
-            depth[sample] = now.a, depth[sample + 1] = now.b;
-            along[sample] = found.along.a, along[sample + 1] = found.along.b;
+            const MaskPair nearer = found.hit && found.depth < old;
+            if (!any(nearer)) {
+                farthest = max(farthest, max(old.a, old.b));
+                continue;
+            }
+            const FloatPair now = select(nearer, found.depth, old);
             farthest = max(farthest, max(now.a, now.b));
+            if (!any_hit) normal = packed_normal(pixel_normal<Flat>(cone, pixel_rays(block, lane)));
+            any_hit = true;
+            write(block, cone, number, sample, lane, {nearer.a, now.a, found.along.a, normal}, samples);
+            write(block, cone, number, sample + 1, lane, {nearer.b, now.b, found.along.b, normal}, samples);
         }
-        if (!any(seen)) continue;
-        VU normals[kSamples];
-        pixel_normals<Flat>(block, cone, lane, whole, seen, normals);
-        for (int s = 0; s < kSamples; ++s)
-            write(block, cone, number, s, lane, {nearer[s], depth[s], along[s], normals[s]}, samples);
     }
     samples.farthest[block.index] = hn::GetLane(hn::MaxOfLanes(d, farthest.v));
 }
@@ -120,7 +100,7 @@ HWY_INLINE void cast_mixed_block(const Block& block, const RoundCone& cone, std:
             const Mask front = own(before, found.depth), open = before && found.exit < old && !front;
             const Mask lid = any(open) ? own(open, found.exit) : open, seen = front || lid;
             const Float depth = select(seen, select(lid, found.exit, found.depth), old);
-            const Vec3 normal = select(lid, Vec3(0.0F, 0.0F, 1.0F), pixel_normal<Flat>(cone, rays));
+            const Vec3 normal = select(lid, Vec3(0.0F, 0.0F, 1.0F), pixel_normal<Flat>(cone, pixel_rays(block, lane)));
             write(block, cone, number, sample, lane, {seen, depth, found.along, packed_normal(normal)}, samples);
         }
     }

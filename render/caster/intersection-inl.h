@@ -216,9 +216,9 @@ template <bool Flat> HWY_INLINE Coverage coverage(const Triangle& t, const Block
     return found;
 }
 
-// At `right` and `up` of the pixels' corners: of any length; of lines, in x how much of the pixel they take.
-HWY_INLINE Vec3 normal_at(const Triangle& t, const Block& block, int lane, float right, float up) {
-    const EdgeFunctions edges = edge_functions(t, block, lane, right, up);
+// At the pixels' middles, as in fragment.frag: of any length; of lines, in x how much of the pixel they take.
+HWY_INLINE Vec3 pixel_normal(const Triangle& t, const Block& block, int lane) {
+    const EdgeFunctions edges = edge_functions(t, block, lane, 0.5F, 0.5F);
     if (t.half_width > 0.0F) { // as line_share() of context.frag
         Float nearest = kNothing;
         for (int i = 0; i < 3; ++i) nearest = min(nearest, abs(edges.of[i]) * (t.share / t.slope[i]));
@@ -230,10 +230,6 @@ HWY_INLINE Vec3 normal_at(const Triangle& t, const Block& block, int lane, float
     for (int i = 0; i < 3; ++i)
         sum = sum + edges.of[i] * t.share * Vec3(t.normal[i][0], t.normal[i][1], t.normal[i][2]);
     return sum;
-}
-// In their middles, as in fragment.frag.
-HWY_INLINE Vec3 pixel_normal(const Triangle& t, const Block& block, int lane) {
-    return normal_at(t, block, lane, 0.5F, 0.5F);
 }
 
 } // namespace ramus::render::caster::HWY_NAMESPACE
