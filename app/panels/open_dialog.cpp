@@ -125,7 +125,7 @@ const std::array<Purpose, 7>& purposes() {
                        [](const fs::path& path) { return can_be_lesion_mesh(path) || can_be_mask(path); },
                        context_extensions};
     const Shown exports{"What was exported", can_be_export, [] { return std::string("such"); }};
-    static const std::array<Purpose, 7> kPurposes{
+    static const std::array<Purpose, 7> all{
         {{FilePurpose::kOpen,
           "Open a vessel tree, a mask, a scan or a session",
           {all_opened, trees, volumes, sessions},
@@ -145,7 +145,7 @@ const std::array<Purpose, 7>& purposes() {
           "deviation-from",
           true},
          {FilePurpose::kExport, "Export", {exports}, "export"}}};
-    return kPurposes;
+    return all;
 }
 
 const Purpose& purpose_of(const OpenDialog& dialog) {

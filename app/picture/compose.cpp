@@ -71,6 +71,15 @@ void draw_measurements(render::Frame& frame, std::span<const Result<Measured>> m
     }
 }
 
+void show_glass(render::Appearance& appearance, const GlassLook& glass) {
+    appearance.glass_opacity = static_cast<float>(glass.opacity);
+    // A grey with a cool tint, as bright as it says.
+    appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
+    // Many thin vessels of glass are mostly centerlines: no brighter than vessels in focus.
+    constexpr float kLineShare = 0.66F; // tuned on a tree of 2,000 branches
+    appearance.centerline = kLineShare * appearance.glass;
+}
+
 } // namespace
 
 void show_claims(render::Frame& frame, const tree::Claims& claims) {
@@ -93,13 +102,7 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
     frame.quality = viewing.quality;
     for (const DepthCue& cue : depth_cues())
         frame.appearance.*cue.strength = session.marks.depth_cues.has(cue) ? 1.0F : 0.0F;
-    const GlassLook& glass = viewing.glass ? *viewing.glass : session.marks.glass;
-    frame.appearance.glass_opacity = static_cast<float>(glass.opacity);
-    // A grey with a cool tint, as bright as it says.
-    frame.appearance.glass = glm::min(static_cast<float>(glass.grey) * glm::vec3(0.943F, 1.0F, 1.086F), 1.0F);
-    // Many thin vessels of glass are mostly centerlines: no brighter than vessels in focus.
-    constexpr float kLineShare = 0.66F; // tuned on a tree of 2,000 branches
-    frame.appearance.centerline = kLineShare * frame.appearance.glass;
+    show_glass(frame.appearance, viewing.glass ? *viewing.glass : session.marks.glass);
     show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     if (!assets.tree) return frame;
     const tree::VesselTree& tree = *assets.tree;

@@ -91,6 +91,13 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["recoveries"] = interface.recovery.entries.size();
 }
 
+nlohmann::json to_json(const LoopWatch::Gap& gap) {
+    return {{"seconds", gap.seconds},
+            {"processor_seconds", gap.processor_seconds},
+            {"doing", gap.doing},
+            {"command", gap.command}};
+}
+
 void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch) {
     if (path_.empty()) return;
     const Layout& layout = viewer.layout();
@@ -142,11 +149,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
-    const LoopWatch::Gap& gap = watch.longest();
-    status["longest_gap"] = {{"seconds", gap.seconds},
-                             {"processor_seconds", gap.processor_seconds},
-                             {"doing", gap.doing},
-                             {"command", gap.command}};
+    status["longest_gap"] = to_json(watch.longest());
     if (viewer.controls()) status["controls"] = *viewer.controls();
     std::string text = io::printed_json(status, -1) + "\n";
     if (text == written_) return;

@@ -74,7 +74,7 @@ fs::path find_program(const std::string& name) {
     std::string_view rest = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
     while (!rest.empty()) {
         const std::size_t end = rest.find(':');
-        const fs::path one = fs::path(rest.substr(0, end)) / name;
+        fs::path one = fs::path(rest.substr(0, end)) / name;
         rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
         std::error_code ignored;
         if (one.is_absolute() && fs::is_regular_file(one, ignored) && ::access(one.c_str(), X_OK) == 0) return one;

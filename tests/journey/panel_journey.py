@@ -7,6 +7,7 @@ Usage: panel_journey.py PROGRAM [FOLDER for pictures]
 
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 from screen import SMALL_TREE, Window, check, choose, click, middle_of, page, project, run_journeys
@@ -56,14 +57,16 @@ def table(window):
     x, y, width, height = status["controls"]["The window of branches"]
     check(height > 15 * 18, f"the table has room for more than a dozen rows: {height} pixels")
     picture(window, "panel-table.png")
-    grip = (x + width - 4, y + height - 4)
-    window.xdotool("mousemove", *grip)
-    window.wait("the pointer on its corner", lambda s: s["branch_window"])
-    for step in (("mousedown", 1), ("mousemove", grip[0] + 40, grip[1] - 60), ("mousemove", grip[0] + 80, grip[1] - 90)):
-        window.xdotool(*step)
-        window.wait("that", lambda s: s["branch_window"])
-    window.xdotool("mouseup", 1)
-    status = window.wait("another size", lambda s: s["controls"]["The window of branches"][2] > width)
+    for _ in range(5):  # a grip is pressed again where the pointer was not seen on it yet
+        x, y, width_now, height = window.status()["controls"]["The window of branches"]
+        grip = (x + width_now - 4, y + height - 4)
+        for step in (("mousemove", *grip), ("mousedown", 1), ("mousemove", grip[0] + 40, grip[1] - 60),
+                     ("mousemove", grip[0] + 80, grip[1] - 90), ("mouseup", 1)):
+            window.xdotool(*step)
+            time.sleep(0.2)
+        if window.status()["controls"]["The window of branches"][2] > width:
+            break
+    window.wait("another size", lambda s: s["controls"]["The window of branches"][2] > width)
     click(window, "Shows the table of branches here again")
     window.wait("the table in the panel", lambda s: not s["branch_window"] and SELECT in s["controls"])
     check(True, "it takes another size, and goes back into the panel")
