@@ -49,15 +49,15 @@ TEST_CASE("text of both themes has a contrast of 4.5 : 1 on every ground it stan
                                  std::pair{"hovered entry", p.entry_hovered},
                                  std::pair{"chosen", p.accent_dim},
                                  std::pair{"losing", p.trouble_dim}};
-        for (const auto& [name, ground] : plain) {
-            CAPTURE(name);
+        for (const auto& one : plain) {
+            CAPTURE(one.first);
             for (const ImVec4& words :
                  {p.text, p.quiet, p.disabled, p.accent, p.highlight, p.trouble, p.good, p.suspect, p.overlap, p.gap})
-                CHECK(contrast(words, ground) >= kLeast);
+                CHECK(contrast(words, one.second) >= kLeast);
         }
-        for (const auto& [name, ground] : pressed) {
-            CAPTURE(name);
-            CHECK(contrast(p.text, ground) >= kLeast);
+        for (const auto& one : pressed) {
+            CAPTURE(one.first);
+            CHECK(contrast(p.text, one.second) >= kLeast);
         }
         // Marks of the status bar are pressed in these colours.
         for (const ImVec4& words : {p.accent, p.highlight}) CHECK(contrast(words, p.button_hovered) >= kLeast);
