@@ -55,9 +55,10 @@ std::vector<RadiusLine> lines_of(const TreeValidation& validation) {
 
 BranchPlot plot_of(const TreeValidation& validation, int branch) {
     const std::vector<RadiusPlace>& places = validation.found->radii;
-    const auto range = std::ranges::equal_range(places, branch, {}, &RadiusPlace::branch);
-    BranchPlot plot{places, static_cast<std::size_t>(range.begin() - places.begin()),
-                    static_cast<std::size_t>(range.end() - places.begin()), lines_of(validation)};
+    const auto begin = std::ranges::lower_bound(places, branch, {}, &RadiusPlace::branch);
+    const auto end = std::ranges::upper_bound(places, branch, {}, &RadiusPlace::branch);
+    BranchPlot plot{places, static_cast<std::size_t>(begin - places.begin()),
+                    static_cast<std::size_t>(end - places.begin()), lines_of(validation)};
     if (plot.end - plot.first < 2) return plot;
     plot.length_mm = places[plot.end - 1].along_mm;
     // At joints other surfaces are as wide as the joint: what is read there, and what lies apart, has to fit.
