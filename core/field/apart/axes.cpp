@@ -50,11 +50,18 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
     for (std::size_t n = 0; n < axes.count; n += hn::Lanes(d)) {
         const Vector u = load(axes.rows, kAlongX, n);
         const Vector from = minus(p, load(axes.rows, kStartX, n));
-        const Real t = limited(dot(from, u), zero, hn::LoadU(d, axes.rows.row(kAxisLength) + n));
+        const Real along_axis = dot(from, u);
+        const Real t = limited(along_axis, zero, hn::LoadU(d, axes.rows.row(kAxisLength) + n));
         const Vector off = along(from, hn::Neg(t), u);
         const Real distance2 = dot(off, off);
-        const Real radius =
-            hn::MulAdd(hn::LoadU(d, axes.rows.row(kAxisSlope) + n), t, hn::LoadU(d, axes.rows.row(kAxisRadius) + n));
+        const Real slope = hn::LoadU(d, axes.rows.row(kAxisSlope) + n);
+        const Real radius = hn::MulAdd(slope, t, hn::LoadU(d, axes.rows.row(kAxisRadius) + n));
+        // As radius_along() of segment_foot-inl.h has it.
+        const Real excess = hn::Sub(along_axis, t), size = hn::Abs(excess);
+        const Real room =
+            hn::MulAdd(hn::Max(hn::LoadU(d, axes.rows.row(kAxisBeyond) + n), hn::Set(d, 1e-9)), radius, size);
+        const Real carried = hn::Sub(hn::Set(d, 1.0), hn::Div(size, hn::Max(room, hn::Set(d, 1e-300))));
+        const Real least = hn::Min(radius, hn::MulAdd(hn::Mul(slope, excess), carried, radius));
         const Real relative2 = hn::Div(distance2, hn::Mul(radius, radius));
         const Vector foot = minus(p, off);
         hn::StoreU(foot.x, d, feet.rows.row(kFootX) + n);
@@ -63,7 +70,7 @@ void find_feet(const Axes& axes, const glm::dvec3& point, double radii, AxisFeet
         hn::StoreU(distance2, d, feet.rows.row(kFootDistance2) + n);
         hn::StoreU(radius, d, feet.rows.row(kFootRadius) + n);
         hn::StoreU(relative2, d, feet.rows.row(kFootRelative2) + n);
-        const auto near = hn::Lt(relative2, reach2);
+        const auto near = hn::Lt(distance2, hn::Mul(reach2, hn::Mul(least, least)));
         if (hn::AllFalse(d, near)) continue;
         HWY_ALIGN std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, near, bits);
@@ -160,11 +167,13 @@ HWY_EXPORT(find_feet);
 HWY_EXPORT(find_left_out);
 HWY_EXPORT(nearest_shadow);
 
-void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope) {
+void Axes::add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope,
+               double beyond) {
     const auto put = [&](AxisRow row, double number) { rows.row(row)[count] = number; };
     put(kStartX, start.x), put(kStartY, start.y), put(kStartZ, start.z);
     put(kAlongX, along.x), put(kAlongY, along.y), put(kAlongZ, along.z);
     put(kAxisLength, length), put(kAxisRadius, radius), put(kAxisSlope, slope);
+    put(kAxisBeyond, beyond);
     ++count;
 }
 

@@ -39,7 +39,8 @@ private:
     std::vector<double> numbers_;
 };
 
-// An axis: start (mm), unit direction, length (mm), radius at the start (mm) and its change per mm.
+// An axis: start (mm), unit direction, length (mm), radius at the start (mm) and its change per mm, and how far that
+// goes on beyond the ends (FieldSegment::beyond).
 enum AxisRow : std::uint8_t {
     kStartX,
     kStartY,
@@ -50,6 +51,7 @@ enum AxisRow : std::uint8_t {
     kAxisLength,
     kAxisRadius,
     kAxisSlope,
+    kAxisBeyond,
     kAxisRows
 };
 
@@ -58,7 +60,8 @@ struct Axes {
     std::size_t count = 0;
 
     void clear(std::size_t most) { rows.resize(most), count = 0; }
-    void add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope);
+    void add(const glm::dvec3& start, const glm::dvec3& along, double length, double radius, double slope = 0.0,
+             double beyond = 0.0);
 };
 
 // Of a point, on each of some axes: the nearest place (mm), how far it is from the point (mm^2), the radius there (mm),
@@ -71,7 +74,8 @@ struct AxisFeet {
 
     // With room for so many axes.
     void reserve(std::size_t most);
-    // Those nearer than so many radii, ascending.
+    // Those nearer than so many radii, ascending; beyond an end from which radii go on shrinking, of the radius that it
+    // has there: as far as the field reaches.
     [[nodiscard]] std::span<const std::uint32_t> near() const { return std::span(places).first(near_count); }
     [[nodiscard]] double of(std::uint32_t axis, FootRow row) const { return rows.row(row)[axis]; }
     [[nodiscard]] glm::dvec3 foot(std::uint32_t axis) const {

@@ -90,13 +90,18 @@ void VesselViews::list_axes() {
     for (std::uint32_t n = 0; n < list_.size(); ++n) {
         const FieldSegment& s = segments_[list_[n]];
         axes_.add({s.ax, s.ay, s.az}, {s.ux, s.uy, s.uz}, static_cast<double>(s.length), static_cast<double>(s.radius),
-                  static_cast<double>(s.slope));
-        if (piece(n) < 0) continue;
-        moved_[n] = contacts_.shape(piece(n)).move != tree::AxisMove{} ? 1 : 0;
+                  static_cast<double>(s.slope), static_cast<double>(s.beyond));
+        const PieceShape* const shape = shape_of(n);
+        moved_[n] = shape != nullptr && shape->move != tree::AxisMove{} ? 1 : 0;
         any_moved_ = any_moved_ || moved_[n] != 0;
     }
     feet_.reserve(list_.size());
     if (any_moved_) list_counted_axes();
+}
+
+// Also of a piece whose partners are not in the brick's list: they are in another one's that has the same points.
+const PieceShape* VesselViews::shape_of(std::uint32_t place) const {
+    return contacts_.all().shape(contacts_.all().of_segment(list_[place]));
 }
 
 // Radii are not asked for.
@@ -107,7 +112,7 @@ void VesselViews::list_counted_axes() {
         const FieldSegment& s = segments_[list_[n]];
         glm::dvec3 start(s.ax, s.ay, s.az), end = start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz);
         if (moved_[n] != 0) {
-            const PieceShape& shape = contacts_.shape(piece(n));
+            const PieceShape& shape = *shape_of(n);
             for (glm::dvec3* const place : {&start, &end})
                 *place += shape.move.at(tree::share_along(*place - shape.start, shape.end - shape.start));
         }
@@ -255,14 +260,16 @@ VesselView VesselViews::view(std::uint32_t own) {
 // What else a brick knows of changes nothing: bricks that a point belongs to agree.
 glm::dvec3 VesselViews::foot_as_it_counts(std::uint32_t own) {
     if (piece(own) < 0 || !any_moved_) return foot(own);
-    if (std::ranges::none_of(kept_apart_, [&](std::uint32_t n) { return moved_[n] != 0 && !apart(own, n); }))
+    if (std::ranges::none_of(seen(), [&](std::uint32_t n) { return moved_[n] != 0 && !apart(own, n); }))
         return foot(own);
     if (!counted_known_) find_feet(counted_axes_, point_, 0.0, counted_feet_);
     counted_known_ = true;
     std::uint32_t nearest = own;
-    for (const std::uint32_t other : kept_apart_)
+    for (const std::uint32_t other : seen()) {
+        if (shape_of(other) == nullptr) continue; // of no vessel that is in contact with any other one
         if (counted_feet_.of(other, kFootDistance2) < counted_feet_.of(nearest, kFootDistance2) && !apart(own, other))
             nearest = other;
+    }
     return counted_feet_.foot(nearest);
 }
 

@@ -113,6 +113,7 @@ private:
     [[nodiscard]] glm::dvec3 foot_as_it_counts(std::uint32_t own);
     void add_term(std::uint32_t place, double share, VesselView& view) const;
     void find_zone(const GridAxes& axes);
+    [[nodiscard]] const PieceShape* shape_of(std::uint32_t place) const; // null: it is in contact with nothing
     void list_axes();
     void list_counted_axes();
     [[nodiscard]] const ApartAxes& apart_from(int piece); // of all axes, in one row
@@ -126,8 +127,9 @@ private:
 
     Kernel kernel_;
     double surface_measure_;
-    // In radii at the foot, what is looked at. So far each segment is in the list of every brick around a point; what
-    // it may reach beyond its ends, where radii go on growing, is next to nothing.
+    // In radii at the foot, what is looked at; less beyond ends from which radii go on shrinking. So far each segment
+    // is in the list of every brick around a point; what it may reach beyond ends from which they grow is next to
+    // nothing.
     double reach_radii_;
     const FieldSegment* segments_;
 
