@@ -91,6 +91,26 @@ bool Specks::goes_on_in(const Octree& octree, const Brick& brick, const std::arr
     return true;
 }
 
+// Loops through halves of edges alone are around points at which corners of finer cells hang.
+void Specks::add_around_hanging_corners(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick) {
+    for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
+        const int cell = std::countr_zero(left);
+        if (cells.first[static_cast<std::size_t>(cell)] == kNoVertex) continue;
+        const CellRecord& record = record_of(cells, made, cell);
+        std::uint64_t seen = 0, whole = 0;
+        for (int m = 0; m < kCrossings; ++m) {
+            const std::uint8_t loop = loop_of(record, made, m);
+            if (loop == kNoLoop) continue;
+            seen |= std::uint64_t{1} << loop;
+            const auto [from, to] = ends_of_edge(m);
+            const glm::ivec3 along = to - from;
+            if (along.x + along.y + along.z == 4) whole |= std::uint64_t{1} << loop;
+        }
+        for (std::uint64_t loops = seen & ~whole; loops != 0; loops &= loops - 1)
+            candidates_.push_back({brick, cell, static_cast<std::uint8_t>(std::countr_zero(loops))});
+    }
+}
+
 // A speck is around points inside that are connected to no others, or around such points outside; or it is that of a
 // wall which ends on all sides, where loops cross an edge for both of its ends.
 void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick) {
@@ -123,6 +143,7 @@ void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick) {
     for_small_parts(inside, cells.walls == kNoWalls ? kNone : made.walls[cells.walls].edges,
                     [&](GridBits points) { add_around(points, true); });
     for_small_parts(kAllPoints & ~inside, kNone, [&](GridBits points) { add_around(points, false); });
+    if (in.neighbours[brick].finer != 0) add_around_hanging_corners(cells, made, brick);
     if (cells.walls == kNoWalls) return;
     for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
         const int cell = std::countr_zero(left);

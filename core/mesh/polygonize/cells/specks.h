@@ -28,6 +28,7 @@ public:
 
 private:
     void list_candidates(const FilledSubtree& in, std::uint32_t brick);
+    void add_around_hanging_corners(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick);
     [[nodiscard]] bool goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits points, bool inside);
     [[nodiscard]] bool goes_on_in(const Octree& octree, const Brick& brick, const std::array<glm::ivec3, 4>& line,
                                   bool inside);
