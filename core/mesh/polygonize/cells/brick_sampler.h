@@ -18,7 +18,7 @@ class BrickSampler {
 public:
     // The field must outlive it.
     explicit BrickSampler(const field::Field& field)
-        : field_(field.in_brick()), isovalue_(field.isovalue()), contact_(field.in_brick()) {}
+        : field_(field.in_brick()), isovalue_(field.isovalue()), contact_(field) {}
 
     // Bricks come next that follow each other in a subtree.
     void begin(const Octree& octree, std::uint32_t first_brick, std::uint32_t brick_count, SurfaceVertices& vertices);

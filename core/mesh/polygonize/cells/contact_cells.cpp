@@ -63,6 +63,7 @@ bool ContactCells::is_coarser_fanned(int direction, const glm::ivec3& cell) {
     const glm::ivec3 covering = (corner - other.corner) / cell_units(other.level);
     for (const CoarserCell& known : coarser_cells_)
         if (known.direction == direction && known.cell == covering) return known.fanned;
+    if (coarser_ == nullptr) coarser_ = all_.in_brick();
     if (coarser_in_ != direction)
         coarser_->enter(octree_->segments_of(other), grid_axes(octree_->lattice, other)), coarser_in_ = direction;
     const auto cell_mm = static_cast<float>(octree_->lattice.cell_mm(other.level));

@@ -3,22 +3,21 @@
 // different size meet.
 #pragma once
 
-#include "core/field/brick_field.h"
+#include "core/field/field.h"
 #include "core/mesh/polygonize/octree/neighbours.h"
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace ramus::mesh::bricks {
 
 class ContactCells {
 public:
-    // `coarser`: the field in coarser bricks.
-    explicit ContactCells(std::unique_ptr<field::BrickField> coarser) : coarser_(std::move(coarser)) {}
+    // The field must outlive it.
+    explicit ContactCells(const field::Field& all) : all_(all) {}
     // The field is in the brick; it, the octree and the neighbours outlive the stay there.
     void begin(field::BrickField& field, const Octree& octree, std::uint32_t brick, const Neighbourhood& neighbours);
 
@@ -42,7 +41,8 @@ private:
     [[nodiscard]] bool is_coarser_fanned(int direction, const glm::ivec3& cell);
 
     static constexpr int kSide = 6; // cells of the brick, and one more all around
-    std::unique_ptr<field::BrickField> coarser_;
+    const field::Field& all_;
+    std::unique_ptr<field::BrickField> coarser_; // in a coarser brick, where it is asked
     field::BrickField* field_ = nullptr;
     const Octree* octree_ = nullptr;
     const Brick* brick_ = nullptr;
