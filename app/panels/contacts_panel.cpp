@@ -86,25 +86,12 @@ void draw_row(InterfaceContext& context, const Contact& contact, std::size_t ind
 }
 
 void draw_rows(InterfaceContext& context, const std::vector<Contact>& list, float bottom) {
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
-                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
-    constexpr std::size_t kMostRows = 18; // more are scrolled to
-    ImGui::PushFont(theme::small_font());
-    const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float wanted = static_cast<float>(std::min(list.size(), kMostRows) + 1) * row_height + 2.0F * theme::scale();
-    const float most = std::max(bottom - ImGui::GetCursorScreenPos().y, 3.0F * row_height);
-    if (ImGui::BeginTable("contacts", 5, kFlags, {0.0F, std::min(wanted, most)})) {
-        ImGui::TableSetupScrollFreeze(0, 1);
-        constexpr std::array<std::pair<const char*, float>, 5> kColumns{
-            {{"No.", 0.45F}, {"Branches", 1.05F}, {"Between", 1.4F}, {"Narrowed", 1.1F}, {"", 0.6F}}};
-        for (const auto& [heading, weight] : kColumns) ImGui::TableSetupColumn(heading, 0, weight);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-        ImGui::TableHeadersRow();
-        ImGui::PopStyleColor();
-        widgets::clipped(list.size(), [&](std::size_t n) { draw_row(context, list[n], n); });
-        ImGui::EndTable();
-    }
-    ImGui::PopFont();
+    constexpr std::array<widgets::ListColumn, 5> kColumns{
+        {{"No.", 0.45F}, {"Branches", 1.05F}, {"Between", 1.4F}, {"Narrowed", 1.1F}, {"", 0.6F}}};
+    if (!widgets::begin_list({.id = "contacts", .columns = kColumns, .most_rows = 18, .bottom = bottom}, list.size()))
+        return;
+    widgets::clipped(list.size(), [&](std::size_t n) { draw_row(context, list[n], n); });
+    widgets::end_list();
 }
 
 std::string summary_of(const std::vector<Contact>& list) {

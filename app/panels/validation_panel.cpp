@@ -83,25 +83,12 @@ void draw_finding(InterfaceContext& context, const Finding& finding, std::size_t
 }
 
 void draw_findings(InterfaceContext& context, const std::vector<Finding>& list, float bottom) {
-    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
-                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
-    constexpr std::size_t kMostRows = 12; // more are scrolled to
-    ImGui::PushFont(theme::small_font());
-    const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float wanted = static_cast<float>(std::min(list.size(), kMostRows) + 1) * row_height + 2.0F * theme::scale();
-    const float most = std::max(bottom - ImGui::GetCursorScreenPos().y, 3.0F * row_height);
-    if (ImGui::BeginTable("findings", 4, kFlags, {0.0F, std::min(wanted, most)})) {
-        ImGui::TableSetupScrollFreeze(0, 1);
-        constexpr std::array<std::pair<const char*, float>, 4> kColumns{
-            {{"No.", 0.28F}, {"What", 0.62F}, {"Branches", 1.0F}, {"", 2.1F}}};
-        for (const auto& [heading, weight] : kColumns) ImGui::TableSetupColumn(heading, 0, weight);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
-        ImGui::TableHeadersRow();
-        ImGui::PopStyleColor();
-        widgets::clipped(list.size(), [&](std::size_t n) { draw_finding(context, list[n], n); });
-        ImGui::EndTable();
-    }
-    ImGui::PopFont();
+    constexpr std::array<widgets::ListColumn, 4> kColumns{
+        {{"No.", 0.28F}, {"What", 0.62F}, {"Branches", 1.0F}, {"", 2.1F}}};
+    if (!widgets::begin_list({.id = "findings", .columns = kColumns, .most_rows = 12, .bottom = bottom}, list.size()))
+        return;
+    widgets::clipped(list.size(), [&](std::size_t n) { draw_finding(context, list[n], n); });
+    widgets::end_list();
 }
 
 // Whether what is listed is of the tree and the surface as they are; and if it is not, what becomes of it.

@@ -194,6 +194,30 @@ void tooltip(const char* text, const char* key) {
     ImGui::PopStyleVar(2);
 }
 
+bool begin_list(const ListTable& table, std::size_t rows) {
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_ScrollY |
+                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
+    ImGui::PushFont(theme::small_font());
+    const float row_height = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const float wanted = static_cast<float>(std::min(rows, table.most_rows) + 1) * row_height + 2.0F * theme::scale();
+    const float most = std::max(table.bottom - ImGui::GetCursorScreenPos().y, 3.0F * row_height);
+    if (!ImGui::BeginTable(table.id, static_cast<int>(table.columns.size()), kFlags, {0.0F, std::min(wanted, most)})) {
+        ImGui::PopFont();
+        return false;
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (const ListColumn& column : table.columns) ImGui::TableSetupColumn(column.heading, 0, column.share);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kQuiet);
+    ImGui::TableHeadersRow();
+    ImGui::PopStyleColor();
+    return true;
+}
+
+void end_list() {
+    ImGui::EndTable();
+    ImGui::PopFont();
+}
+
 std::string fitted(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     const auto starts_character = [&](std::size_t at) { return at >= text.size() || (text[at] & 0xC0) != 0x80; };

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,22 @@ template <class Row> void clipped(std::size_t count, const Row& row, float heigh
     while (clipper.Step())
         for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) row(static_cast<std::size_t>(n));
 }
+
+// The list of a panel over the picture, in small letters: as high as its rows, but for what is beyond `most_rows` or
+// `bottom`, to which it scrolls.
+struct ListColumn {
+    const char* heading;
+    float share; // of the width
+};
+struct ListTable {
+    const char* id;
+    std::span<const ListColumn> columns;
+    std::size_t most_rows;
+    float bottom; // of the room there is, on the screen
+};
+// False: it is not seen, and has no end.
+[[nodiscard]] bool begin_list(const ListTable& table, std::size_t rows);
+void end_list();
 
 // As ImGui's lists of lines and boxes take colours.
 [[nodiscard]] inline ImU32 packed(const glm::vec4& colour) {
