@@ -100,11 +100,7 @@ std::vector<std::string> figure_words(const FigureRequest& request) {
     if (request.size) say("--size", std::to_string(request.size->x) + "x" + std::to_string(request.size->y));
     if (options.ground) say("--background", std::string(kGrounds[static_cast<std::size_t>(*options.ground)].key));
     if (!options.caption.empty()) say("--caption", options.caption);
-    if (options.overlays_given) {
-        std::string list;
-        for (const std::string& one : options.overlays) list += (list.empty() ? "" : ",") + one;
-        say("--overlays", list.empty() ? "none" : list);
-    }
+    if (options.overlays_given) say("--overlays", options.overlays.empty() ? "none" : joined(options.overlays, ","));
     if (options.text_size != usual.text_size) say("--text-size", exact_text(options.text_size));
     if (options.supersample != usual.supersample) say("--supersample", std::to_string(options.supersample));
     if (options.turntable != usual.turntable) say("--pictures", std::to_string(options.turntable));

@@ -5,10 +5,10 @@
 #include "core/base/child_program.h"
 #include "core/base/scratch_folder.h"
 #include "core/base/words.h"
+#include "core/io/output_file.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 namespace ramus::app {
@@ -31,13 +31,6 @@ std::string script_line(const std::vector<std::string>& words) {
         line += '"';
     }
     return line + "\n";
-}
-
-Result<void> put(const fs::path& path, std::string_view text) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    return file ? Result<void>() : fail("the file cannot be written", path.string(), "free some space there");
 }
 
 // True for a line that tells how far it is.
@@ -73,7 +66,7 @@ Result<std::function<Result<void>(Job&)>> work_elsewhere(const Session& session,
         RAMUS_TRY(scratch, ScratchFolder::create());
         const fs::path file = scratch.path() / "session.ramus.json", commands = scratch.path() / "commands";
         if (auto written = write_session(session, file); !written) return written;
-        if (auto written = put(commands, script); !written) return written;
+        if (auto written = io::write_file(commands, script); !written) return written;
         std::vector<std::string> run{program.string(), "render",          "--session", file.string(),
                                      "--commands",     commands.string(), "--size",    "64x64"};
         if (!software) run.insert(run.end(), {"--backend", "egl"});
