@@ -2,7 +2,7 @@
 selected or all, asks before it replaces, and says what went wrong. Pictures have any size and ground and are seen before
 they are written; turntables and reports are made behind the window, which goes on, and can be cancelled.
 
-Usage: export_journey.py PROGRAM [FOLDER for pictures of the dialog]
+Usage: export_journey.py PROGRAM
 """
 
 import json
@@ -11,25 +11,10 @@ import struct
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 from screen import PATIENCE, SMALL_TREE, Failure, Window, check, choose, click, info_of, middle_of, run_journeys
 
 PRINTING = "Makes sure that the surface is closed and in mm, and says how thin it is at its thinnest place"
-PICTURES = Path(sys.argv[2]) if len(sys.argv) > 2 else None
-
-
-def picture(window, name):
-    """Of the whole screen, for the eye."""
-    if PICTURES is not None:
-        window.wait("the finest picture", lambda s: s["picture"]["refined"])
-        subprocess.run(["import", "-window", "root", PICTURES / name], env=window.environment, check=True)
-
-
-def picture_now(window, name):
-    """The same while something goes on."""
-    if PICTURES is not None:
-        subprocess.run(["import", "-window", "root", PICTURES / name], env=window.environment, check=True)
 
 
 def nodes_of(path):
@@ -86,7 +71,7 @@ def slides(window, folder):
     click(window, "Words at the top left")
     window.xdotool("type", "Portal vein")
     window.wait("the caption", lambda s: s["typing"])
-    picture(window, "export-slide.png")
+    window.shot("export-slide")
     click(window, "Write it")
     slide = folder / "small tree.png"
     exported(window, slide)
@@ -94,7 +79,7 @@ def slides(window, folder):
           "a picture has the size that was chosen, whatever the window's is")
     check(ground_of(slide, 0, 1079) == [255, 255, 255], "on white")
     status = window.wait("what was written", lambda s: s["written"] == str(slide))
-    picture(window, "export-written.png")
+    window.shot("export-written")
     click(window, "Shows the file's folder in the desktop's file manager")
     until(window, "the folder", lambda s: (folder / "opened").exists())
     check((folder / "opened").read_text() == f"{folder}\n", "a button opens the folder of what was written")
@@ -107,12 +92,12 @@ def turning(window, folder):
     dialog(window)
     click(window, TURNTABLE)
     window.wait("the turntable's page", lambda s: s["export"] == "turntable .png" and "Preview" in s["controls"])
-    picture(window, "export-turntable.png")
+    window.shot("export-turntable")
     write_as(window, "around")
     status = until(window, "the work", lambda s: not s["open_dialog"] and "Cancel what goes on" in s["controls"])
     window.xdotool("key", "F1")
     until(window, "help while it draws", lambda s: s["help"] and "Cancel what goes on" in s["controls"])
-    picture_now(window, "export-working.png")
+    window.shot("export-working", rests=False)
     window.xdotool("key", "Escape")
     until(window, "no help", lambda s: not s["help"])
     until(window, "some pictures", lambda s: (folder / "around_002.png").exists())
@@ -137,7 +122,7 @@ def reported(window, folder):
     dialog(window)
     click(window, "Four views on one sheet, all at one scale.")
     window.wait("the sheet's page", lambda s: s["export"] == "sheet .png" and "Preview" in s["controls"])
-    picture(window, "export-sheet.png")
+    window.shot("export-sheet")
     write_as(window, "views")
     exported(window, folder / "views.png")
     check(ground_of(folder / "views.png", 0, 1079) == [255, 255, 255], "a sheet has the size and ground of the picture before")
@@ -155,7 +140,7 @@ def export(program, screen, folder):
     try:
         window.wait("the surface", lambda s: s["surface_ready"])
         dialog(window)
-        picture(window, "export-surface.png")
+        window.shot("export-surface")
         write_as(window, "all.stl")
         exported(window, folder / "all.stl")
         check((folder / "all.stl").stat().st_size > 100_000, "Ctrl+E asks, and an STL is written")
@@ -168,17 +153,17 @@ def export(program, screen, folder):
         status = window.wait("parts", lambda s: s["export"] == "surface .glb"
                              and "What is an object of its own" in s["controls"])
         check(PRINTING not in status["controls"], "GLB has objects, and is not for printing")
-        picture(window, "export-glb.png")
+        window.shot("export-glb")
         click(window, "Write it")
         glb = folder / "small tree.glb"
         exported(window, glb)
         check(len(nodes_of(glb)) == info_of(program, tree)["branches"], "a GLB has a node for each branch")
-        picture(window, "export-done.png")
+        window.shot("export-done")
 
         dialog(window)
         click(window, "Centerlines and radii, as they were read.")
         window.wait("the tree's formats", lambda s: s["export"] == "tree .swc")
-        picture(window, "export-tree.png")
+        window.shot("export-tree")
         write_as(window, "copy")
         exported(window, folder / "copy.swc")
         figures = ("branches", "segments", "length_mm")
@@ -188,7 +173,7 @@ def export(program, screen, folder):
         dialog(window)
         write_as(window, "copy")
         window.wait("the question", lambda s: s["open_dialog"])
-        picture(window, "export-replace.png")
+        window.shot("export-replace")
         before = (folder / "copy.swc").stat().st_mtime_ns
         click(window, "Write it")
         window.wait("no dialog", lambda s: not s["open_dialog"]
@@ -205,7 +190,7 @@ def export(program, screen, folder):
         dialog(window)
         click(window, "What the window shows of the tree.")
         window.wait("the picture's format", lambda s: s["export"] == "picture .png")
-        picture(window, "export-picture.png")
+        window.shot("export-picture")
         write_as(window, "seen.png")
         exported(window, folder / "seen.png")
         check((folder / "seen.png").read_bytes().startswith(b"\x89PNG"), "a picture is a PNG")
@@ -217,7 +202,7 @@ def export(program, screen, folder):
         dialog(window)
         write_as(window, "nowhere/x.png")
         window.wait("the refusal", lambda s: not s["open_dialog"] and s["notice"])
-        picture(window, "export-refused.png")
+        window.shot("export-refused")
         check("nowhere" in window.status()["notice"], "what cannot be written is told")
         window.xdotool("key", "ctrl+q")
         check(window.process.wait(timeout=60) == 0, "nothing of this is unsaved work")

@@ -2,12 +2,11 @@
 recoloured, a false connection is cut, surface and tree are exported; the session has all of it when it opens again. The
 panel makes the tree in other ways, and refuses to while it is edited. Who opens a mask is asked what becomes of it.
 
-Usage: mask_journey.py PROGRAM [FOLDER for pictures]
+Usage: mask_journey.py PROGRAM
 """
 
 import json
 import struct
-import subprocess
 import sys
 from pathlib import Path
 
@@ -15,7 +14,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
 from nifti import nifti, voxels
 from screen import Window, check, choose, click, differing, info_of, project, run_journeys, saved_session, slide
 
-PICTURES = Path(sys.argv[2]) if len(sys.argv) > 2 else None
 SIZE, VOXEL_MM = (46, 36, 44), 2.0
 
 # Centerlines in mm with their radius. A portal vein that forks, with an artery beside it under the same label.
@@ -53,13 +51,6 @@ def mask():
     return nifti(SIZE, values, rows=rows)
 
 
-def picture(window, name):
-    """Of the whole screen, for the eye."""
-    if PICTURES is not None:
-        window.wait("the finest picture", lambda s: s["picture"]["refined"])
-        subprocess.run(["import", "-window", "root", PICTURES / name], env=window.environment, check=True)
-
-
 def names(status):
     return {words[len("Hide "):] for words in status["controls"] if words.startswith("Hide ")}
 
@@ -83,7 +74,7 @@ def systems(window):
     check(status["options"]["colour_by"] == "system" and status["comparison"]["mode"] == "side-by-side",
           "coloured as such, with the mask's own surface beside the tree")
     away(window)
-    picture(window, "mask-opened.png")
+    window.shot("mask-opened")
     click(window, "Hide label 2")
     status = window.wait("it hidden", lambda s: s["states"]["hidden"] and s["surface_ready"])
     return status["states"]["hidden"]
@@ -95,7 +86,7 @@ def options(window, hidden):
     if not before["doctor"]["open"]:
         click(window, LINE)
     window.wait("the panel", lambda s: LABELS in s["controls"])
-    picture(window, "mask-panel.png")
+    window.shot("mask-panel")
     slide(window, ISLANDS, 0.12)
     status = window.wait("fewer pieces", lambda s: s["pieces"] == before["pieces"] - 1 and s["surface_ready"])
     check(status["reading"]["islands"] > 5 and status["undo"].startswith("read as islands"),
@@ -105,7 +96,7 @@ def options(window, hidden):
     status = window.wait("one tree", lambda s: s["reading"].get("labels") == "together" and s["surface_ready"])
     check(not names(status) & {"portal vein", "label 2"} and status["options"]["colour_by"] == "nothing",
           "labels together have no systems")
-    picture(window, "mask-together.png")
+    window.shot("mask-together")
     window.xdotool("key", "ctrl+z")
     status = window.wait("systems again", lambda s: "labels" not in s["reading"] and s["surface_ready"]
                          and "Show label 2" in s["controls"])
@@ -138,7 +129,7 @@ def cut(window):
           f"the bridge is cut, the artery is a piece of its own: {status['notice']}")
     click(window, "Navigate")
     away(window)
-    picture(window, "mask-cut.png")
+    window.shot("mask-cut")
     click(window, LINE)
     window.wait("the panel", lambda s: LOOPS in s["controls"])
     click(window, LOOPS)
@@ -161,7 +152,7 @@ def exports(program, window, folder):
         window.wait("the field", lambda s: s["typing"])
         window.xdotool("key", "ctrl+a")
         window.xdotool("type", name)
-        picture(window, f"mask-export-{name[-3:]}.png")
+        window.shot(f"mask-export-{name[-3:]}")
         window.xdotool("key", "Return")
         window.wait(name, lambda s: (folder / name).exists() and not s["open_dialog"] and name in s["notice"])
     window.xdotool("key", "Escape")  # what was written is told over the picture
@@ -188,7 +179,7 @@ def asked(program, screen, folder):
     try:
         status = window.wait("what the mask holds", lambda s: s["volume_dialog"] == {"open": True, "read": True})
         check({"Label 1", "Label 2", "Labels together"} <= set(status["controls"]), "the dialog lists the labels")
-        picture(window, "mask-asked.png")
+        window.shot("mask-asked")
         window.xdotool("key", "b")
         window.wait("the dialog as before", lambda s: s["volume_dialog"]["open"])
         check(True, "without a tree there is nothing to show it beside, and B does nothing")
@@ -196,20 +187,20 @@ def asked(program, screen, folder):
         window.xdotool("key", "Return")
         status = window.wait("the tree", lambda s: s["surface_ready"] and s["branch_count"] > 0)
         check(status["reading"].get("labels") in ("1", [[1]]), f"a tree is made of the label that is chosen: {status['reading']}")
-        picture(window, "mask-one-label.png")
+        window.shot("mask-one-label")
         window.xdotool("key", "ctrl+o")
         window.wait("the file dialog", lambda s: s["open_dialog"])
         window.xdotool("type", "vessels.nii")
         window.xdotool("key", "Return")
         window.wait("the dialog", lambda s: s["volume_dialog"] == {"open": True, "read": True})
         click(window, "Label 1")
-        picture(window, "mask-asked-again.png")
+        window.shot("mask-asked-again")
         click(window, "Show as the surface it is")
         status = window.wait("the surface", lambda s: len(s.get("context", [])) == 1 and s["surface_ready"])
         item = status["context"][0]
         check(item["label"] == 2 and item["opacity"] == 1.0 and item["exact"],
               f"the other label stands beside it as the surface it is: {item}")
-        picture(window, "mask-surface.png")
+        window.shot("mask-surface")
         check(window.quit() == 0, "the window closes")
     finally:
         window.end()
@@ -238,7 +229,7 @@ def journey(program, screen, folder):
         status = window.wait("the session", lambda s: s["surface_ready"])
         check(kept(status) == before, "the session opens with all of it: hidden, edited, named, read as before")
         away(window)
-        picture(window, "mask-again.png")
+        window.shot("mask-again")
         check(differing(seen, window.pixels(*status["viewport"])) < 0.002, "and looks as before")
         check(window.quit() == 0, "and closes again")
     finally:

@@ -2,27 +2,17 @@
 selected, the table of branches comes into a window of its own, and the file dialog takes a click for a choice, a double
 click for entering, lists what can be read, and remembers its folder for each kind of file.
 
-Usage: panel_journey.py PROGRAM [FOLDER for pictures]
+Usage: panel_journey.py PROGRAM
 """
 
-import subprocess
 import sys
 import time
-from pathlib import Path
 
 from screen import SMALL_TREE, Window, check, choose, click, middle_of, page, project, run_journeys
 
 SELECT = "Selects the branches that are listed"
 HIGHLIGHT = "Highlight"
 SHOW = "Which files are listed"
-PICTURES = Path(sys.argv[2]) if len(sys.argv) > 2 else None
-
-
-def picture(window, name):
-    """Of the whole screen, for the eye."""
-    if PICTURES is not None:
-        window.wait("the finest picture", lambda s: s["picture"]["refined"])
-        subprocess.run(["import", "-window", "root", PICTURES / name], env=window.environment, check=True)
 
 
 def places(status):
@@ -39,7 +29,7 @@ def still(window):
     at = project(status, [0, 0, -20])
     window.xdotool("mousemove", *at, "click", 1)
     status = window.wait("one branch", lambda s: len(s["selection"]) == 1)
-    picture(window, "panel-selection.png")
+    window.shot("panel-selection")
     check(places(status) == before, "nothing in the panel moves when a branch is selected")
     window.xdotool("key", "ctrl+i")
     status = window.wait("the others", lambda s: len(s["selection"]) == 4)
@@ -56,7 +46,7 @@ def table(window):
     status = window.wait("the window of branches", lambda s: s["branch_window"] and "The window of branches" in s["controls"])
     x, y, width, height = status["controls"]["The window of branches"]
     check(height > 15 * 18, f"the table has room for more than a dozen rows: {height} pixels")
-    picture(window, "panel-table.png")
+    window.shot("panel-table")
     for _ in range(5):  # a grip is pressed again where the pointer was not seen on it yet
         x, y, width_now, height = window.status()["controls"]["The window of branches"]
         grip = (x + width_now - 4, y + height - 4)
@@ -77,7 +67,7 @@ def dialog(window, folder):
     status = window.wait("the dialog", lambda s: s["open_dialog"] and "trees/" in s["controls"])
     check("notes.txt" not in status["controls"] and "small tree.swc" in status["controls"],
           "files that cannot be opened are not listed")
-    picture(window, "panel-open.png")
+    window.shot("panel-open")
     click(window, "trees/")
     window.wait("the choice", lambda s: s["open_dialog"] and "trees/" in s["controls"])
     check("Open what is chosen" in window.status()["controls"], "a click on a folder chooses it, and enters nothing")
@@ -109,7 +99,7 @@ def folders(window, folder):
     window.xdotool("type", str(folder / "out" / "away"))
     window.xdotool("key", "Return")
     window.wait("the file", lambda s: not s["open_dialog"] and (folder / "out" / "away.ply").exists() and s["written"])
-    picture(window, "panel-written.png")
+    window.shot("panel-written")
     window.xdotool("key", "Escape")
     window.wait("no word of it", lambda s: not s["written"])
     window.xdotool("key", "ctrl+e")

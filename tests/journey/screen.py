@@ -103,11 +103,13 @@ class Window:
         return subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
                               env=self.environment, check=True, stdout=subprocess.PIPE).stdout
 
-    def shot(self, name):
-        """A picture of the screen in the folder RAMUS_JOURNEY_PICTURES, for who wants to look; without it, none."""
+    def shot(self, name, rests=True):
+        """A picture of the screen in the folder RAMUS_JOURNEY_PICTURES, for who wants to look; without it, none.
+        As fine as it gets, or, if the window does not rest, as it is."""
         folder = os.environ.get("RAMUS_JOURNEY_PICTURES")
         if folder:
-            self.wait("a rest", lambda s: True)
+            if rests:
+                self.wait("the finest picture", lambda s: s["picture"]["refined"])
             subprocess.run(["import", "-window", "root", str(Path(folder) / f"{name}.png")], env=self.environment, check=True)
 
     def quit(self):
