@@ -10,10 +10,10 @@
 #include "app/window/glfw_window.h"
 #include "app/window/imgui_renderer.h"
 #include "app/window/loop_watch.h"
+#include "app/window/status_file.h"
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
 #include "core/base/printable.h"
-#include "core/io/json_text.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
 
@@ -23,139 +23,12 @@
 #include <imgui.h>
 #include <iostream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 namespace ramus::app {
 
 namespace {
-
-// What a window shows, as one JSON object in a file: for scripts that drive it from outside and have to know when it is
-// done. Written anew (whole or not at all) only when something differs.
-class StatusFile {
-public:
-    explicit StatusFile(std::string path) : path_(std::move(path)) {}
-    void update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch); // nothing without a path
-
-private:
-    std::string path_, written_;
-};
-
-// What the lists of notes and of contacts say, and where one has gone from them; and what was measured.
-void add_lists(nlohmann::json& status, const Interface& interface, const Workspace& workspace) {
-    status["doctor"] = {{"open", interface.doctor.open}, {"note", interface.doctor.current + 1}};
-    status["unsaid"] = interface.unsaid.open;
-    status["warnings"] = {{"open", interface.warnings.open},
-                          {"unread", interface.warnings.list.unread()},
-                          {"count", interface.warnings.list.all().size()}};
-    if (const auto& tree = workspace.document.tree())
-        status["claims"] = {{"units", tree->claims.unit_word()}, {"orientation", tree->claims.axes_word()}};
-    const auto& contacts = workspace.assets.contacts.list;
-    status["contacts"] = {{"open", interface.contacts.open},
-                          {"contact", interface.contacts.current + 1},
-                          {"count", contacts ? static_cast<int>(contacts->size()) : -1}};
-    const auto& findings = workspace.assets.validation.findings;
-    status["validation"] = {{"open", interface.validation.open},
-                            {"finding", interface.validation.current + 1},
-                            {"count", findings && !workspace.validating() ? static_cast<int>(findings->size()) : -1}};
-    const SurfaceDeviation& deviation = workspace.assets.deviation;
-    status["deviation_measured"] = deviation.valued_mesh != nullptr && !workspace.measuring_deviation();
-    status["deviation_most_mm"] = deviation.most_mm;
-    status["measured"] = nlohmann::json::array();
-    if (workspace.assets.measurements)
-        for (const Result<Measured>& found : workspace.assets.measurements->found)
-            status["measured"].push_back(found ? found->sentence() : found.error().message());
-    if (const auto& facts = workspace.document.facts()) {
-        status["radius_mm"] = {facts->statistics.radius_mm.min, facts->statistics.radius_mm.max};
-        status["notes"] = workspace.document.tree()->notes.size();
-    }
-}
-
-// Which dialogs are open.
-void add_dialogs(nlohmann::json& status, const Interface& interface) {
-    status["help"] = interface.help_open;
-    status["palette"] = {{"open", interface.palette.open}, {"trouble", interface.palette.trouble}};
-    status["menu"] = interface.menu_open || interface.context_menu.open;
-    status["open_menu"] = interface.open_menu;
-    status["light_theme"] = interface.settings.light_theme;
-    status["open_dialog"] = interface.open_dialog.open;
-    status["rename"] = interface.rename.open && !interface.rename.fresh;
-    status["save_dialog"] = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kSave;
-    const ExportChoice& choice = interface.open_dialog.exported;
-    const bool exporting = interface.open_dialog.open && interface.open_dialog.purpose == FilePurpose::kExport;
-    status["export"] = exporting ? std::string(choice.kind().key) + " " + choice.format().extension : "";
-    status["unsaved_dialog"] = interface.unsaved.open();
-    status["volume_dialog"] = {{"open", interface.volume.open()}, {"read", interface.volume.facts != nullptr}};
-    status["recovery_dialog"] = interface.recovery.open;
-    status["recoveries"] = interface.recovery.entries.size();
-}
-
-nlohmann::json to_json(const LoopWatch::Gap& gap) {
-    return {{"seconds", gap.seconds},
-            {"processor_seconds", gap.processor_seconds},
-            {"doing", gap.doing},
-            {"command", gap.command}};
-}
-
-void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const LoopWatch& watch) {
-    if (path_.empty()) return;
-    const Layout& layout = viewer.layout();
-    const Interface& interface = viewer.interface();
-    nlohmann::json status = to_json(workspace.document.session(), "/");
-    status["window"] = {layout.window.x, layout.window.y};
-    status["viewport"] = {layout.view_at.x, layout.view_at.y, layout.view_size.x, layout.view_size.y};
-    status["viewports"] = nlohmann::json::array();
-    for (const glm::ivec2 at : layout.viewports_at)
-        status["viewports"].push_back(
-            {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
-    status["surface_ready"] = workspace.surface_ready();
-    const ReadySurface& shown = workspace.shown();
-    status["triangles"] = shown.mesh ? shown.mesh->triangle_count() : 0;
-    const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;
-    status["shown"] = !shown.mesh ? "nothing" : cones ? "cones" : shown.provisional ? "preview" : "surface";
-    status["picture"] = {{"of", viewer.picture().cast() ? "centerlines" : "mesh"},
-                         {"width", viewer.picture().pictured_width()},
-                         {"refined", viewer.refined()}};
-    status["problem"] = workspace.surface_problem();
-    status["resting"] = viewer.resting();
-    status["hovered"] = interface.hovered;
-    status["nothing_in_view"] = interface.nothing_in_view;
-    if (const auto& bar = viewer.picture().scale_bar())
-        status["scale_bar"] = {{"mm", bar->length_mm}, {"pixels", bar->pixels}, {"at", render::name_of_place(bar->at)}};
-    else
-        status["scale_bar"] = nullptr;
-    status["tooltip"] = interface.tooltip && interface.hovered != tree::kNoBranch;
-    status["tool"] = interface.tool_kind->name;
-    status["tool_busy"] = interface.tool && interface.tool->busy();
-    status["last_command"] = interface.last_command;
-    status["lasso"] = {{"mode", interface.tool_settings.lasso_any_part ? "any" : "half"},
-                       {"depth", interface.tool_settings.lasso_visible ? "visible" : "through"}};
-    status["tool_texts"] = nlohmann::json::array();
-    for (const auto& text : interface.tool_drawing.texts) status["tool_texts"].push_back(text.text);
-    status["planning"] = interface.page == PanelPage::kPlan;
-    status["page"] = key_of(interface.page);
-    status["branch_window"] = interface.list.apart;
-    add_lists(status, interface, workspace);
-    add_dialogs(status, interface);
-    const Document& document = workspace.document;
-    status["modified"] = document.modified();
-    status["session_file"] = document.file().string();
-    status["written"] = interface.written.open ? interface.written.file.string() : "";
-    status["branch_count"] = document.branch_count();
-    status["pieces"] = document.tree() ? document.tree()->roots.size() : 0;
-    status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
-    status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
-    status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
-    status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
-    status["notice"] = interface.notice.text;
-    status["longest_gap"] = to_json(watch.longest());
-    if (viewer.controls()) status["controls"] = *viewer.controls();
-    std::string text = io::printed_json(status, -1) + "\n";
-    if (text == written_) return;
-    written_ = std::move(text);
-    (void)io::write_file(path_, written_); // a script that misses its file will say so
-}
 
 int complain(const Error& error) {
     std::cerr << "ramus: " << printable(error.message()) << '\n';
@@ -289,7 +162,9 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         watch.did("spare memory");
         const CommandLine& last = viewer.interface().last_command;
         watch.looks(last.empty() ? std::string() : last.front());
-        window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now)}));
+        status.look_for_question();
+        window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now),
+                              status.wait_seconds()}));
         watch.looked();
     }
     return {};

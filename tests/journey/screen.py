@@ -70,32 +70,62 @@ class Window:
         self.folder = Path(folder)
         self.status_file = self.folder / "status.json"
         self.status_file.unlink(missing_ok=True)
+        self.questions = self.folder / "status.json.ask"
+        self.questions.unlink(missing_ok=True)
+        self.asked = 0
+        self.input_since = False  # since the last question
         self.environment = dict(os.environ, DISPLAY=screen.display, XDG_STATE_HOME=str(state or self.folder / "state"),
                                 XDG_CONFIG_HOME=str(self.folder / "config"), HOME=str(self.folder), LIBGL_ALWAYS_SOFTWARE="1")
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.process = subprocess.Popen([program, "--status", str(self.status_file), *map(str, arguments)],
                                         cwd=self.folder, env=self.environment)
 
-    def status(self):
+    def written_status(self):
+        """What the window wrote last: it may not know the input that it got since. None before it wrote anything."""
         try:
             return json.loads(self.status_file.read_text())
         except FileNotFoundError:
             return None
 
+    def ask(self):
+        """Asks for a status that knows all input so far, if there was any since the last question."""
+        if self.input_since:
+            self.asked += 1
+            written = self.questions.with_suffix(".new")
+            written.write_text(str(self.asked))
+            written.replace(self.questions)  # whole or not at all
+            self.input_since = False
+
+    def answered(self, status):
+        return status is not None and status["answered"] >= self.asked
+
+    def status(self):
+        """What the window shows after all input so far, whether or not it rests."""
+        self.ask()
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None and not self.answered(status := self.written_status()):
+            if time.monotonic() > end:
+                raise Failure(f"waited {PATIENCE} s for a status")
+            time.sleep(0.005)
+        return self.written_status()
+
     def wait(self, what, condition):
-        """Until `condition(status)` holds and the window rests; returns the status."""
+        """Until the window knows all input so far, rests, and `condition(status)` holds; returns the status."""
+        self.ask()
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             if self.process.poll() is not None:
                 raise Failure(f"ramus ended with {self.process.returncode} while waiting for: {what}")
-            status = self.status()
-            if status and status["resting"] and condition(status):
+            status = self.written_status()
+            if self.answered(status) and status["resting"] and condition(status):
                 return status
             time.sleep(0.02)
-        raise Failure(f"waited {PATIENCE} s for: {what}\n{json.dumps(self.status())}")
+        raise Failure(f"waited {PATIENCE} s for: {what}\n{json.dumps(self.written_status())}")
 
     def xdotool(self, *words):
+        """All of it has reached the window's connection when this returns."""
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+        self.input_since = True
 
     def pixels(self, x, y, width, height):
         """A part of the screen as bytes, three a pixel, once the picture is as fine as it gets."""
@@ -120,7 +150,7 @@ class Window:
             status = self.status()
             if status and status["unsaved_dialog"]:
                 self.xdotool("key", "d")
-            time.sleep(0.1)
+            time.sleep(0.02)
         return self.process.poll()
 
     def end(self):
