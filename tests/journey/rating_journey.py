@@ -77,16 +77,26 @@ class Browser:
         return codes[:len(codes) // len(CRITERIA)]
 
     def downloaded(self):
+        """The file that was saved. chromium takes its name with an empty file first, which goes away again if the browser
+        is closed before the content is there."""
         deadline = time.monotonic() + PATIENCE
         while time.monotonic() < deadline:
-            files = [file for file in self.downloads.iterdir() if file.suffix == ".json"]
-            if files:
+            files = list(self.downloads.iterdir())
+            if len(files) == 1 and files[0].suffix == ".json" and files[0].stat().st_size > 0:
                 return files[0]
-            time.sleep(0.1)
-        raise Failure("no file was saved")
+            time.sleep(0.05)
+        raise Failure(f"no file was saved: {files}")
 
     def close(self):
         self.driver.quit()
+
+
+def becomes(truth, what):
+    """As `check`, of what the page does after an input: chromium may answer the driver before the page is done."""
+    deadline = time.monotonic() + PATIENCE
+    while not truth() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    check(truth(), what)
 
 
 def ramus(program, *arguments, status=0):
@@ -147,17 +157,17 @@ def nothing_missing_is_saved(program, folder, key):
             browser.click("next")
             shown.append(browser.shown())
             answer_by_keys(browser, methods, shown[-1])
-        check(browser.driver.switch_to.active_element.get_attribute("id") == "next",
-              "after the last question of a scene the keyboard is at the button that goes on")
-        check(browser.by("progress").text == "24 of 48 answers", "progress is told")
+        becomes(lambda: browser.driver.switch_to.active_element.get_attribute("id") == "next",
+                "after the last question of a scene the keyboard is at the button that goes on")
+        becomes(lambda: browser.by("progress").text == "24 of 48 answers", "progress is told")
     finally:
         browser.close()
 
     browser = Browser(folder)  # the next day
     try:
         browser.open(page)
-        check(browser.by("progress").text == "24 of 48 answers", "nothing is lost when the browser is closed")
-        check(browser.by("title").text.startswith("Scene 2 of 4"), "and the sheet opens where it was left")
+        becomes(lambda: browser.by("progress").text == "24 of 48 answers", "nothing is lost when the browser is closed")
+        becomes(lambda: browser.by("title").text.startswith("Scene 2 of 4"), "and the sheet opens where it was left")
         check(browser.shown() == shown[1], "with the pictures in the same order")
         for scene in range(2):
             browser.click("next")
@@ -165,19 +175,19 @@ def nothing_missing_is_saved(program, folder, key):
             answer_by_keys(browser, methods, shown[-1], ("transitions", shown[-1][1]) if scene == 0 else None)
         browser.all("#steps button")[-1].click()
         browser.click("save-answers")
-        check("Not saved" in browser.by("save-result").text and "1 answer is missing" in browser.by("save-result").text,
-              "a sheet with an answer missing is not saved")
+        becomes(lambda: all(words in browser.by("save-result").text for words in ("Not saved", "1 answer is missing")),
+                "a sheet with an answer missing is not saved")
         check(browser.texts("#missing button") == ["Picture B: Branchings"] and "Scene 3" in browser.by("missing").text,
               "and which answer it is, is told")
         check(list(browser.downloads.iterdir()) == [], "no file is written")
         browser.all("#missing button")[0].click()
-        check(browser.by("title").text.startswith("Scene 3 of 4"), "the button leads to the scene")
-        focused = browser.driver.switch_to.active_element
-        check(focused.get_attribute("name") == f"{shown[2][1]}-transitions", "and to the question")
-        focused.send_keys(str(SCORES[methods[shown[2][1]]]))
+        becomes(lambda: browser.by("title").text.startswith("Scene 3 of 4"), "the button leads to the scene")
+        becomes(lambda: browser.driver.switch_to.active_element.get_attribute("name") == f"{shown[2][1]}-transitions",
+                "and to the question")
+        browser.driver.switch_to.active_element.send_keys(str(SCORES[methods[shown[2][1]]]))
         browser.all("#steps button")[-1].click()
         browser.click("save-answers")
-        check("Saved" in browser.by("save-result").text, "a whole sheet is saved")
+        becomes(lambda: "Saved" in browser.by("save-result").text, "a whole sheet is saved")
         file = browser.downloaded()
         check(file.name == f"ratings_{key['study']}_rater_1.json", "under a name that says whose it is")
         browser.all("summary")[0].click()
@@ -227,11 +237,11 @@ def the_browser_sends_nothing(folder):
         browser.click("next")
         picture = browser.all(".scene:not([hidden]) .picture")[0]
         picture.send_keys(Keys.ENTER)
-        check(browser.by("closer-name").text == "Picture A", "a picture can be looked at closely")
+        becomes(lambda: browser.by("closer-name").text == "Picture A", "a picture can be looked at closely")
         browser.driver.switch_to.active_element.send_keys(Keys.ARROW_RIGHT)
-        check(browser.by("closer-name").text == "Picture B", "and the next one in its place")
+        becomes(lambda: browser.by("closer-name").text == "Picture B", "and the next one in its place")
         browser.driver.switch_to.active_element.send_keys(Keys.ESCAPE)
-        check(browser.driver.switch_to.active_element == picture, "Escape leads back")
+        becomes(lambda: browser.driver.switch_to.active_element == picture, "Escape leads back")
     finally:
         browser.close()
 
