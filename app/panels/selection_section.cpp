@@ -74,7 +74,8 @@ void draw_actions(InterfaceContext& context) {
 void draw_facts_of_selection(const Document& document, const TreeFacts& facts) {
     const auto& selection = document.marks().selection;
     if (selection.empty())
-        widgets::quiet_wrapped("Click a vessel to select it; Alt+click takes all that depends on it.");
+        widgets::quiet_wrapped(
+            "Click a vessel to select it; Alt+click or Ctrl+Shift+click takes all that depends on it.");
     else if (selection.size() == 1)
         draw_one(document, facts, selection.front());
     else

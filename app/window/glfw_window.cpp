@@ -188,11 +188,18 @@ void GlfwWindow::resized() {
 
 void GlfwWindow::connect() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        if (Viewer* viewer = self(window)->viewer_) viewer->input().mouse_moved(self(window)->pixels(x, y));
+        Viewer* viewer = self(window)->viewer_;
+        if (viewer == nullptr) return;
+        self(window)->pointer_ = self(window)->pixels(x, y);
+        viewer->input().mouse_moved(self(window)->pointer_);
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
         Viewer* viewer = self(window)->viewer_;
-        if (viewer != nullptr && entered == GLFW_FALSE) viewer->input().mouse_left();
+        if (viewer == nullptr) return;
+        if (entered == GLFW_FALSE) return viewer->input().mouse_left();
+        // A window manager that looks at a press first takes the pointer away and gives it back where it was, which
+        // GLFW takes for no move. Where it is now may be farther on already.
+        viewer->input().mouse_moved(self(window)->pointer_);
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
         Viewer* viewer = self(window)->viewer_;

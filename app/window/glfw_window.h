@@ -50,6 +50,7 @@ private:
     Cursor cursor_ = Cursor::kArrow;
     std::map<Cursor, GLFWcursor*> cursors_; // made when first wanted
     float cursor_scale_ = 0.0F;             // that they were made for
+    glm::dvec2 pointer_{0.0};               // where it was last, in pixels
 };
 
 // May be called from any thread: wait() returns. Does nothing while there is no window.

@@ -33,10 +33,10 @@ def focus(program, window, folder, tree):
     window.xdotool("mousemove", *at)
     status = window.wait("the branch under the pointer", lambda s: s["tooltip"])
     branch = status["hovered"]
-    window.xdotool("keydown", "alt", "click", 1, "keyup", "alt")
+    window.xdotool("keydown", "ctrl", "keydown", "shift", "click", 1, "keyup", "shift", "keyup", "ctrl")
     status = window.wait("the branch and what depends on it", lambda s: len(s["selection"]) == 3)
     chosen = status["selection"]
-    check(branch in chosen, "Alt+click selects the branch under the pointer and what depends on it")
+    check(branch in chosen, "Ctrl+Shift+click selects the branch under the pointer and what depends on it")
     view = x, y, width, height = status["viewport"]
     window.xdotool("mousemove", x + width // 2, y + height + 10)
     window.wait("nothing under the pointer", lambda s: s["hovered"] == -1)

@@ -41,16 +41,27 @@ def check(truth, what):
 
 
 def missing_tools():
-    return [tool for tool in ("Xvfb", "xdotool", "import", "convert") if shutil.which(tool) is None]
+    return [tool for tool in ("Xvfb", "icewm", "xdotool", "import", "convert") if shutil.which(tool) is None]
+
+
+FRAME = (60, 80)  # what a window manager puts around a window, in pixels, and a little more
+# No pictures, sounds or task bar; what remains is what a person has: title bars, Alt with the mouse moves windows.
+MANAGER_PREFERENCES = """\
+ShowTaskBar=0
+ShowAboutDialog=0
+SupportSystemSound=0
+DesktopBackgroundColor="rgb:40/40/40"
+"""
 
 
 class Screen:
-    """Xvfb at 24 bit with GLX, on a number that it chooses itself."""
+    """Xvfb at 24 bit with GLX, on a number that it chooses itself, and a window manager on it. There is room for a window
+    of this size and its frame."""
 
-    def __init__(self, width, height):
+    def __init__(self, width, height, folder):
         read, write = os.pipe()
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp",
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width + FRAME[0]}x{height + FRAME[1]}x24", "-nolisten", "tcp",
              "+extension", "GLX", "-noreset"],
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
@@ -59,10 +70,16 @@ class Screen:
         if not number:
             raise Failure("Xvfb did not start")
         self.display = ":" + number
+        settings = Path(folder) / "icewm"
+        settings.mkdir()
+        (settings / "preferences").write_text(MANAGER_PREFERENCES)
+        self.manager = subprocess.Popen(["icewm", "--replace"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                        env=dict(os.environ, DISPLAY=self.display, ICEWM_PRIVCFG=str(settings), HOME=str(folder)))
 
     def close(self):
-        self.process.terminate()
-        self.process.wait()
+        for process in (self.manager, self.process):
+            process.terminate()
+            process.wait()
 
 
 class Window:
@@ -79,6 +96,7 @@ class Window:
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.process = subprocess.Popen([program, "--status", str(self.status_file), *map(str, arguments)],
                                         cwd=self.folder, env=self.environment)
+        self.number = None  # of the X window
 
     def written_status(self):
         """What the window wrote last: it may not know the input that it got since. None before it wrote anything."""
@@ -122,25 +140,43 @@ class Window:
             time.sleep(0.02)
         raise Failure(f"waited {PATIENCE} s for: {what}\n{json.dumps(self.written_status())}")
 
+    def window(self):
+        """The X window, once the window manager has put it on the screen."""
+        end = time.monotonic() + PATIENCE
+        while self.number is None:  # xdotool fails where it meets a window that goes away meanwhile
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(self.process.pid)],
+                                   env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            numbers = found.stdout.split()
+            if found.returncode == 0 and numbers:
+                self.number = numbers[-1]
+            elif time.monotonic() > end:
+                raise Failure("no window came")
+            else:
+                time.sleep(0.05)
+        return self.number
+
     def xdotool(self, *words):
-        """All of it has reached the window's connection when this returns."""
-        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+        """Places are in the window. All of it has reached the window's connection when this returns."""
+        placed = []
+        for word in words:
+            placed += [word, "--window", self.window()] if word == "mousemove" else [str(word)]
+        subprocess.run(["xdotool", *placed], env=self.environment, check=True, stdout=subprocess.DEVNULL)
         self.input_since = True
 
     def pixels(self, x, y, width, height):
-        """A part of the screen as bytes, three a pixel, once the picture is as fine as it gets."""
+        """A part of the window as bytes, three a pixel, once the picture is as fine as it gets."""
         self.wait("the finest picture", lambda s: s["picture"]["refined"])
-        return subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
+        return subprocess.run(["import", "-window", self.window(), "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
                               env=self.environment, check=True, stdout=subprocess.PIPE).stdout
 
     def shot(self, name, rests=True):
-        """A picture of the screen in the folder RAMUS_JOURNEY_PICTURES, for who wants to look; without it, none.
+        """A picture of the window in the folder RAMUS_JOURNEY_PICTURES, for who wants to look; without it, none.
         As fine as it gets, or, if the window does not rest, as it is."""
         folder = os.environ.get("RAMUS_JOURNEY_PICTURES")
         if folder:
             if rests:
                 self.wait("the finest picture", lambda s: s["picture"]["refined"])
-            subprocess.run(["import", "-window", "root", str(Path(folder) / f"{name}.png")], env=self.environment, check=True)
+            subprocess.run(["import", "-window", self.window(), str(Path(folder) / f"{name}.png")], env=self.environment, check=True)
 
     def quit(self):
         """Ctrl+Q, and what is not saved is discarded."""
@@ -296,7 +332,7 @@ def run_journeys(*journeys, size=(1200, 800)):
         print("SKIPPED: not installed:", ", ".join(missing))
         return 0
     with tempfile.TemporaryDirectory() as name:
-        screen = Screen(*size)
+        screen = Screen(*size, name)
         try:
             for journey in journeys:
                 journey(program, screen, Path(name))

@@ -32,13 +32,11 @@ class Hands:
         self.count += 1
         self.window.xdotool("type", text)
 
-    def click(self, at, modifier=None):
+    def click(self, at, modifiers=()):
         self.count += 1
         self.window.xdotool("mousemove", *at)
-        if modifier:
-            self.window.xdotool("keydown", modifier, "click", 1, "keyup", modifier)
-        else:
-            self.window.xdotool("click", 1)
+        held = [word for key in modifiers for word in ("keydown", key)]
+        self.window.xdotool(*held, "click", 1, *[word for key in modifiers for word in ("keyup", key)])
 
     def press(self, words):
         """The control that these words explain."""
@@ -65,7 +63,7 @@ def open_a_file(hands):
 
 def what_depends(hands):
     hands.begin("what depends on a vessel")
-    hands.click(project(hands.window.status(), [25, 6.5, 20]), modifier="alt")
+    hands.click(project(hands.window.status(), [25, 6.5, 20]), modifiers=("ctrl", "shift"))
     hands.window.wait("it and what depends on it", lambda s: len(s["selection"]) == 3)
     hands.end()
 

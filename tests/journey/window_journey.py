@@ -34,10 +34,10 @@ def explore(program, screen, folder):
         window.xdotool("click", 1)
         window.wait("the selection", lambda s: s["selection"] == [branch])
         check(True, "a click selects the branch under the pointer")
-        window.xdotool("keydown", "alt", "click", 1, "keyup", "alt")
+        window.xdotool("keydown", "ctrl", "keydown", "shift", "click", 1, "keyup", "shift", "keyup", "ctrl")
         status = window.wait("what depends on it", lambda s: len(s["selection"]) == 3)
         dependents = status["selection"]
-        check(branch in dependents, "Alt+click selects the branch and all that depends on it")
+        check(branch in dependents, "Ctrl+Shift+click selects the branch and all that depends on it")
         window.xdotool("key", "h")
         window.wait("the highlight", lambda s: s["states"]["highlighted"] == dependents)
         check(True, "H highlights the selection")
@@ -155,6 +155,33 @@ def bad_file(program, screen, folder):
         window.end()
 
 
+def managed(program, screen, folder):
+    """What a window manager does: it closes the window, makes it as large as the screen and small again."""
+    tree = folder / "managed.swc"
+    tree.write_text(SMALL_TREE)
+    window = Window(program, screen, folder, [tree, "--units", "mm", "--orientation", "RAS", "--size", "900x600"])
+    try:
+        status = window.wait("the surface", lambda s: s["surface_ready"])
+        small = status["window"]
+        window.xdotool("key", "ctrl+i")
+        window.xdotool("key", "h")
+        window.wait("a change", lambda s: s["modified"])
+        window.xdotool("key", "alt+F4")
+        window.wait("the question", lambda s: s["unsaved_dialog"])
+        window.xdotool("key", "Escape")
+        window.wait("the window", lambda s: not s["unsaved_dialog"])
+        check(True, "closed by the window manager it asks what becomes of changes, and stays if it should")
+        window.xdotool("key", "alt+F10")
+        status = window.wait("a large window", lambda s: s["window"][0] > small[0] and s["window"][1] > small[1])
+        x, y, width, height = status["viewport"]
+        check(len(set(window.pixels(x, y + height // 2, width, 1))) > 20, "maximised, it shows the tree")
+        window.xdotool("key", "alt+F10")
+        window.wait("the window as it was", lambda s: s["window"] == small)
+        check(window.quit() == 0, "and small again; Ctrl+Q closes it")
+    finally:
+        window.end()
+
+
 def without_display(program, screen, folder):
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(folder)}
     result = subprocess.run([program], env=environment, stderr=subprocess.PIPE, text=True)
@@ -163,4 +190,4 @@ def without_display(program, screen, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run_journeys(without_display, explore, bad_file))
+    sys.exit(run_journeys(without_display, explore, managed, bad_file))
