@@ -26,6 +26,7 @@
 #include "core/io/output_file.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/headless_context.h"
+#include "render/image/image.h"
 #include "render/image/perceived.h"
 #include "render/renderer/renderer.h"
 
@@ -183,8 +184,12 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
         RAMUS_TRY(read, read_script(flags.commands));
         inputs.script = std::move(read);
     }
-    if (!flags.output.empty())
+    if (!flags.output.empty()) {
+        const bool is_picture = flags.figure.turntable == 0 || !is_video(flags.output);
+        if (auto fits = is_picture ? render::check_png_name(flags.output) : Result<void>(); !fits)
+            return tl::unexpected(fits.error());
         if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
+    }
     if (!flags.reference.empty())
         if (auto can = render::read_png(flags.reference); !can) return tl::unexpected(can.error());
     return inputs;

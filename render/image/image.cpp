@@ -1,6 +1,7 @@
 #include "render/image/image.h"
 
 #include "core/io/output_file.h"
+#include "core/io/text_numbers.h"
 #include "render/scene/colour.h"
 
 #include <algorithm>
@@ -84,7 +85,16 @@ Result<std::string> encode_png(const Image& image) {
     return encoded;
 }
 
+Result<void> check_png_name(const std::filesystem::path& path) {
+    const std::string ending = io::lower_case(path.extension().string());
+    if (ending.empty() || ending == ".png") return {};
+    std::filesystem::path better = path.filename();
+    return fail("pictures are written as PNG", path.string(),
+                "give the name " + better.replace_extension(".png").string());
+}
+
 Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+    if (auto fits = check_png_name(path); !fits) return fits;
     auto encoded = encode_png(image);
     if (encoded) return io::write_file(path, *encoded);
     encoded.error().where = path.string();

@@ -41,6 +41,8 @@ void straighten(Image& image);
 // Any PNG (grey, palette, 16 bit, ...) as 8-bit RGBA.
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& path);
 [[nodiscard]] Result<std::string> encode_png(const Image& image);
+// A name that ends as another format's files do (.jpg, .gif) is refused: it would say what the file is not.
+[[nodiscard]] Result<void> check_png_name(const std::filesystem::path& path);
 [[nodiscard]] Result<void> write_png(const Image& image, const std::filesystem::path& path);
 
 struct Comparison {

@@ -63,6 +63,12 @@ class Figures(CommandLineTest):
         environment["PATH"] = path or environment["PATH"]
         return self.run_ramus("render", "tree.swc", "-o", "v.mp4", "--turntable", "3", "--size", "64x48", env=environment)
 
+    def test_names_of_other_formats(self):
+        for name, words in (("p.gif", ()), ("p.jpg", ()), ("v.webm", ("--turntable", "3")), ("p.mp4", ())):
+            self.expect_failure("render", "tree.swc", "-o", name, "--size", "64x48", *words, says=[name, "PNG", ".png"])
+        self.assertEqual([n for n in self.names() if n.startswith(("p", "v"))], [])
+        self.expect_done("render", "tree.swc", "-o", "P.PNG", "--size", "64x48")
+
     def test_a_video_without_ffmpeg(self):
         done = self.video(str(self.folder))
         self.assertEqual(done.returncode, 1)
