@@ -187,7 +187,7 @@ void tooltip(const char* text, const char* key) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     if (key != nullptr) {
-        ImGui::SameLine();
+        ImGui::SameLine(0.0F, 12.0F * theme::scale()); // whatever stands between items here
         quiet(key);
     }
     ImGui::EndTooltip();
