@@ -48,10 +48,12 @@ void draw_answers(const std::vector<Finding>& findings) {
 
 std::string percent(double share) { return digits(100.0 * share, 2) + " %"; }
 
-void draw_errors(const validate::RadiusError& error) {
+void draw_errors(const validate::RadiusError& error, int smooth_passes) {
     if (error.places == 0) return widgets::quiet("No place is alone enough to compare radii.");
     widgets::fact("Error of the radius, median", percent(error.median));
     widgets::fact("    95 % below", percent(error.p95));
+    if (smooth_passes > 0)
+        widgets::quiet_wrapped("Smoothing evens out radii; with Smooth 0 the surface has them as read.");
 }
 
 std::string branches_text(const Finding& finding) {
@@ -134,7 +136,7 @@ void draw_validation(InterfaceContext& context) {
     if (now.found) {
         ImGui::BeginDisabled(!fits);
         draw_answers(*now.findings);
-        draw_errors(now.found->radius_error);
+        draw_errors(now.found->radius_error, document.marks().options.smooth_passes);
         widgets::rule();
         draw_radius_plot(document, now, fits, panel.current);
         if (!now.findings->empty()) {
