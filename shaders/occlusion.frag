@@ -1,4 +1,5 @@
 // Ambient occlusion of the picture's opaque surfaces, with the noise of its taps: see look/occlusion.glsl.
+// Variant: SHADOWS, and the shadows that they throw on each other, likewise: see look/shadow.glsl.
 #include "view.glsl"
 #include "look/occlusion.glsl"
 #include "look/taps.glsl"
@@ -8,15 +9,22 @@ layout(binding = kUnitOpaqueDepth) uniform sampler2D opaque_depth;
 layout(location = kUniformTaps) uniform int taps;
 layout(location = kUniformTurned) uniform float turned; // all of them, of a sixteenth of the way around
 
-layout(location = 0) out float occlusion;
+float opaque_depth_at(vec2 at) {
+    return texelFetch(opaque_depth, clamp(ivec2(at), ivec2(0), ivec2(picture.xy) - 1), 0).x;
+}
+#include "look/shadow_ray.glsl"
+#include "look/shadow.glsl"
+
+layout(location = 0) out vec2 taken; // of the sky; of the key light
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(opaque_depth, pixel, 0).x;
-    occlusion = 0.0;
+    taken = vec2(0.0);
     if (depth >= kNothing) return;
     vec3 centre = eye_position(gl_FragCoord.xy, depth);
-    vec3 n = unpack_normal(texelFetch(id_normal, pixel, 0).y) * vec3(1.0, 1.0, -1.0); // depth is +z here
+    vec3 normal = unpack_normal(texelFetch(id_normal, pixel, 0).y);
+    vec3 n = normal * vec3(1.0, 1.0, -1.0); // depth is +z here
     float turn = first_turn(pixel.x, pixel.y) + 0.39269908 * turned;
     OcclusionScale scale = occlusion_scale(depth);
     ivec2 last = ivec2(picture.xy) - 1;
@@ -32,5 +40,8 @@ void main() {
         if (tap_depth >= kNothing) continue;
         sum = with_tap(sum, eye_position(vec2(tap) + 0.5, tap_depth) - centre, n, scale);
     }
-    occlusion = occlusion_of_sum(sum, float(taps));
+    taken.x = occlusion_of_sum(sum, float(taps));
+#ifdef SHADOWS
+    taken.y = shadowed(centre, normal, shadow_ray(pixel.x, pixel.y, turned));
+#endif
 }

@@ -38,6 +38,7 @@ float opaque_depth_at(vec2 at) {
     return texelFetch(opaque_depth, clamp(ivec2(at), ivec2(0), ivec2(picture.xy) - 1), 0).x;
 }
 #endif
+vec2 taken_at(vec2 at) { return texelFetch(occlusion, clamp(ivec2(at), ivec2(0), ivec2(picture.xy) - 1), 0).xy; }
 #ifdef OUTLINE
 bool selected_at(vec2 at) {
     uint id = texelFetch(id_normal, clamp(ivec2(at), ivec2(0), ivec2(picture.xy) - 1), 0).x;
@@ -75,7 +76,7 @@ SurfacePoint point_of_branch(uint id, vec3 normal, vec3 position) {
     return p;
 }
 
-vec3 shade(uint id, vec3 normal, vec3 position, float occluded, float value) {
+vec3 shade(uint id, vec3 normal, vec3 position, vec2 taken, float value) {
 #ifdef CONTEXT
     bool context = (id & kContext) != 0u;
     SurfacePoint p = point_of_branch(context ? 1u : id, normal, position);
@@ -88,7 +89,7 @@ vec3 shade(uint id, vec3 normal, vec3 position, float occluded, float value) {
     SurfacePoint p = point_of_branch(id, normal, position);
 #endif
     p.value = value;
-    return radiance_of(p, occluded);
+    return radiance_of(p, taken);
 }
 
 #ifdef GLASS
@@ -132,7 +133,7 @@ void main() {
     samples = changed ? samples : 0;
 #endif
     vec4 behind = background_top.w > 0.5 ? vec4(0.0) : vec4(to_linear(background(gl_FragCoord.y / picture.y)), 1.0);
-    float occluded = texelFetch(occlusion, pixel, 0).x;
+    vec2 taken = taken_at(gl_FragCoord.xy);
 
     uvec2 first = texelFetch(surface_samples, pixel, 0).xy;
     bool whole = first.x != 0u;
@@ -195,11 +196,14 @@ void main() {
         bool is_line = (found.x & kLine) != 0u;
         found.x &= ~kLine;
 #endif
+#ifdef SHADOWS
+        if (!whole) taken = taken_beside(gl_FragCoord.xy, position.z);
+#endif
         float own_value = mean_of_values;
 #ifdef VALUES
         if (!whole) own_value = texelFetch(value_samples, pixel, s).x;
 #endif
-        vec4 here = vec4(shade(max(found.x, 1u), normal, position, occluded, own_value), 1.0);
+        vec4 here = vec4(shade(max(found.x, 1u), normal, position, taken, own_value), 1.0);
         if (found.x == 0u) here = behind;
 #ifdef GLASS
         if (is_line) here.rgb = line_radiance(point_of_branch(found.x, normal, position));

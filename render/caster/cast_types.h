@@ -33,6 +33,7 @@ struct View {
     bool flat = false;                     // orthographic
     ViewBlock block{};                     // as the shaders have it
     int taps = 20;                         // of the occlusion, 0: none
+    bool shadows = false;
 };
 
 // The hull of two balls in eye space. What cone.frag explains about the intersection of a ray with it holds here.
@@ -144,8 +145,11 @@ struct PictureArrays {
     // plane to plane. There the taps of pixels that lie four apart lie side by side.
     float* depth_planes;
     std::ptrdiff_t plane_stride, plane_size;
-    float* occlusion;          // before and
-    float* smoothed_occlusion; // after its noise is removed
+    struct Taken {     // of what light there is
+        float* rough;  // before and
+        float* smooth; // after its noise is removed
+    };
+    Taken sky, key; // by the occlusion, and by shadows
 };
 
 // All uniform blocks of shade.frag.

@@ -84,7 +84,7 @@ void Caster::resize(const View& view) {
     // Taps to the left and right of the picture read the padding.
     const std::size_t pixels = std::size_t(view.stride) * std::size_t(up_ * kTile) + 2 * kTile;
     for (auto* array : {&depths_, &picked_}) array->assign(pixels, kNothing);
-    for (auto* array : {&occlusion_, &smoothed_}) array->assign(pixels, 0.0F);
+    for (auto* array : {&rough_sky_, &smooth_sky_, &rough_key_, &smooth_key_}) array->assign(pixels, 0.0F);
     for (auto* array : {&ids_, &normals_}) array->assign(pixels, 0);
     rgba_.assign(std::size_t(view.width) * std::size_t(view.height), 0);
     tiles_ = std::vector<Tile>(std::size_t(across_) * std::size_t(up_));
@@ -92,9 +92,16 @@ void Caster::resize(const View& view) {
     const auto beside = static_cast<std::ptrdiff_t>(view.block.depth_range.z) / 4 + 2;
     const std::ptrdiff_t plane_stride = view.stride / 4 + 2 * beside, plane_size = plane_stride * view.height;
     depth_planes_.assign(4 * std::size_t(plane_size), kNothing);
-    picture_ = {depths_.data() + kTile,        picked_.data() + kTile, ids_.data() + kTile, normals_.data() + kTile,
-                depth_planes_.data() + beside, plane_stride,           plane_size,          occlusion_.data() + kTile,
-                smoothed_.data() + kTile};
+    const auto inside = [](auto& array) { return array.data() + kTile; };
+    picture_ = {inside(depths_),
+                inside(picked_),
+                inside(ids_),
+                inside(normals_),
+                depth_planes_.data() + beside,
+                plane_stride,
+                plane_size,
+                {inside(rough_sky_), inside(smooth_sky_)},
+                {inside(rough_key_), inside(smooth_key_)}};
 }
 
 template <class Call> void Caster::for_tiles(const Call& call) const {
@@ -124,7 +131,7 @@ void Caster::cast(int index, const Binned& binned, bool with_values) {
         raster_tile(task, in_blocks(solid_triangles_, binned.solid_triangles), scratch.samples);
     Records opaque = scratch.records(with_values);
     resolve_tile(task, scratch.samples, picture_, opaque);
-    if (view_.taps > 0) split_depths(task.x, task.y, view_, picture_);
+    if (view_.taps > 0 || view_.shadows) split_depths(task.x, task.y, view_, picture_);
     tile.opaque.keep(opaque);
     tile.glass.count = 0;
     const TileCones glass_cones = sorted(binned.glass);
@@ -145,22 +152,26 @@ Caster::Binned Caster::bin() const {
             bins_of(across_, up_, solid_triangles_), bins_of(across_, up_, clear_triangles_)};
 }
 
+// How much of the sky and of the key light what is around takes. Noise is removed once it is there for all tiles.
 void Caster::occlude() {
-    if (view_.taps == 0) {
-        std::ranges::fill(smoothed_, 0.0F);
-        return;
-    }
+    if (view_.taps == 0) std::ranges::fill(smooth_sky_, 0.0F);
+    if (view_.taps == 0 && !view_.shadows) return;
     const Taps taps = taps_of(view_);
+    const ShadowRays rays = shadow_rays();
     for_tiles([&](int tile) {
         const int column = tile % across_;
         if (column % kOccludedTiles != 0) return;
         const auto first = tiles_.begin() + tile;
-        if (std::any_of(first, first + std::min(kOccludedTiles, across_ - column),
-                        [](const Tile& one) { return one.opaque.count > 0; }))
-            occlude_tiles(view_, taps, left(tile), low(tile), picture_);
+        if (std::none_of(first, first + std::min(kOccludedTiles, across_ - column),
+                         [](const Tile& one) { return one.opaque.count > 0; }))
+            return;
+        if (view_.taps > 0) occlude_tiles(view_, taps, left(tile), low(tile), picture_);
+        if (view_.shadows) shadow_tiles(view_, rays, left(tile), low(tile), picture_);
     });
     for_tiles([&](int tile) {
-        if (tiles_[std::size_t(tile)].opaque.count > 0) smooth_tile(view_, left(tile), low(tile), picture_);
+        if (tiles_[std::size_t(tile)].opaque.count == 0) return;
+        if (view_.taps > 0) smooth_tile(view_, left(tile), low(tile), picture_.depth, picture_.sky);
+        if (view_.shadows) smooth_tile(view_, left(tile), low(tile), picture_.depth, picture_.key);
     });
 }
 

@@ -93,7 +93,8 @@ private:
     View view_;
     int across_ = 0, up_ = 0; // tiles
     std::vector<Tile> tiles_;
-    std::vector<float> depths_, depth_planes_, picked_, occlusion_, smoothed_;
+    std::vector<float> depths_, depth_planes_, picked_;
+    std::vector<float> rough_sky_, smooth_sky_, rough_key_, smooth_key_; // as PictureArrays has them
     std::vector<std::uint32_t> ids_, normals_;
     std::vector<std::uint32_t> rgba_; // a pixel each
     PictureArrays picture_{};

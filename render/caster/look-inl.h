@@ -61,6 +61,7 @@ public:
         const auto channel = [&](int c) { return Float(gather(shading_.context + c, first)); };
         return {channel(0), channel(1), channel(2), channel(3)};
     }
+    HWY_INLINE bool shadows() const { return more.w > 0.0F; }
     HWY_INLINE Vec4 lesion() const { return {Vec3(lesion_colour), lesion_colour.w}; }
 
 private:
@@ -72,6 +73,10 @@ private:
         return index_of(held(pixel.y, shading_.height), hn::Set(DI(), shading_.stride), held(pixel.x, shading_.width));
     }
     HWY_INLINE Float opaque_depth_at(Vec2 pixel) const { return gather(arrays_.depth, index_at(pixel)); }
+    HWY_INLINE Vec2 taken_at(Vec2 pixel) const {
+        const VI at = index_at(pixel);
+        return {gather(arrays_.sky.smooth, at), gather(arrays_.key.smooth, at)};
+    }
     HWY_INLINE Mask selected_at(Vec2 pixel) const {
         const DU du;
         const VU id = gather(arrays_.id, index_at(pixel));

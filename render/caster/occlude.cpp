@@ -92,7 +92,7 @@ void occlude_lanes(const View& view, const Taps& taps, int x0, int y0, const Pic
                                                   : occlusion_of<false>(view, taps, picture, pixels);
                 found[k] = hn::IfThenElseZero(there[k], occlusion.v);
             }
-            hn::StoreInterleaved4(found[0], found[1], found[2], found[3], d, picture.occlusion + first);
+            hn::StoreInterleaved4(found[0], found[1], found[2], found[3], d, picture.sky.rough + first);
         }
     }
 }
@@ -120,7 +120,7 @@ HWY_INLINE V blurred(OcclusionOfPixels& formulas, const float* depths, std::ptrd
 }
 
 // Along rows, of the tile's and of those around it that the blur across needs; then across them.
-void smooth_lanes(const View& view, int x0, int y0, const PictureArrays& picture) {
+void smooth_lanes(const View& view, int x0, int y0, const float* picture_depths, const PictureArrays::Taken& taken) {
     const D d;
     OcclusionOfPixels formulas{view.block};
     alignas(64) float half[kBlurRows * kTile];
@@ -130,15 +130,15 @@ void smooth_lanes(const View& view, int x0, int y0, const PictureArrays& picture
                 call(std::ptrdiff_t{y} * view.stride + x, (y - y0 + kBlurReach) * kTile + x - x0, y);
     };
     for_rows(kBlurReach, [&](std::ptrdiff_t at, int in_half, int) { // into the padding, at the picture's sides
-        const float *depths = picture.depth + at, *values = picture.occlusion + at;
+        const float *depths = picture_depths + at, *values = taken.rough + at;
         hn::Store(blurred(formulas, depths, 1, values, 1, -kBlurReach, kBlurReach), d, half + in_half);
     });
     for_rows(0, [&](std::ptrdiff_t at, int in_half, int y) {
         const int first = y < kBlurReach ? -y : -kBlurReach, above = view.height - 1 - y;
-        const float* depths = picture.depth + at;
+        const float* depths = picture_depths + at;
         hn::StoreU(blurred(formulas, depths, view.stride, half + in_half, kTile, first,
                            above < kBlurReach ? above : kBlurReach),
-                   d, picture.smoothed_occlusion + at);
+                   d, taken.smooth + at);
     });
 }
 
@@ -183,8 +183,8 @@ void split_depths(int x, int y, const View& view, const PictureArrays& picture) 
 void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture) {
     HWY_DYNAMIC_DISPATCH(occlude_lanes)(view, taps, x, y, picture);
 }
-void smooth_tile(const View& view, int x, int y, const PictureArrays& picture) {
-    HWY_DYNAMIC_DISPATCH(smooth_lanes)(view, x, y, picture);
+void smooth_tile(const View& view, int x, int y, const float* depths, const PictureArrays::Taken& taken) {
+    HWY_DYNAMIC_DISPATCH(smooth_lanes)(view, x, y, depths, taken);
 }
 
 } // namespace ramus::render::caster

@@ -20,6 +20,7 @@ HWY_INLINE void spread(Vec4 colour, float* to) {
 struct ShadedPoints {
     SurfacePoint point;
     VI in_picture;
+    Mask whole; // the pixel, of all samples
 };
 
 HWY_INLINE ShadedPoints points_of(LookOfPixels& look, const Shading& shading, const Records& records, std::size_t first,
@@ -29,7 +30,8 @@ HWY_INLINE ShadedPoints points_of(LookOfPixels& look, const Shading& shading, co
     const DI di;
     ShadedPoints found;
     SurfacePoint& p = found.point;
-    const VU pixel = hn::And(hn::LoadU(du, records.position + first), hn::Set(du, kPixelMask));
+    const VU position = hn::LoadU(du, records.position + first), pixel = hn::And(position, hn::Set(du, kPixelMask));
+    found.whole = {any_of(position, kWhole)};
     static_assert(kTile == 32);
     const VU in_row = hn::And(pixel, hn::Set(du, std::uint32_t{kTile - 1}));
     const VI column = hn::Add(hn::BitCast(di, in_row), hn::Set(di, tile.x));
@@ -97,7 +99,12 @@ HWY_INLINE Vec3 radiance_of(LookOfPixels& look, const ShadedPoints& points, cons
         const Vec4 mesh = look.context_mesh(p.id);
         p.albedo = select(p.fixed_colour, Vec3(mesh.x, mesh.y, mesh.z), p.albedo);
     }
-    Vec3 radiance = look.radiance_of(p, gather(picture.smoothed_occlusion, points.in_picture));
+    Vec2 taken(gather(picture.sky.smooth, points.in_picture), 0.0F);
+    if (look.shadows()) {
+        taken.y = gather(picture.key.smooth, points.in_picture);
+        if (any(!points.whole)) taken = select(points.whole, taken, look.taken_beside(p.pixel, p.position.z));
+    }
+    Vec3 radiance = look.radiance_of(p, taken);
     const Mask line = has(p.id, kLine);
     if (any(line)) radiance = select(line, look.line_radiance(p), radiance);
     return radiance;

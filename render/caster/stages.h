@@ -46,7 +46,15 @@ struct Taps {
 // when it is occluded, and occlusion be there for the tiles around when it is smoothed.
 void split_depths(int x, int y, const View& view, const PictureArrays& picture);
 void occlude_tiles(const View& view, const Taps& taps, int x, int y, const PictureArrays& picture);
-void smooth_tile(const View& view, int x, int y, const PictureArrays& picture);
+void smooth_tile(const View& view, int x, int y, const float* depths, const PictureArrays::Taken& taken);
+
+// Shadows, likewise; what occlusion.frag does for them. Rays are the same for all pixels whose column and row are the
+// same modulo 4; of what is in w see look/shadow_ray.glsl.
+struct ShadowRays {
+    vec4 of[4][4]; // [row][column]
+};
+[[nodiscard]] ShadowRays shadow_rays();
+void shadow_tiles(const View& view, const ShadowRays& rays, int x, int y, const PictureArrays& picture);
 
 // The caster's last stage: light. What shade.frag does for a picture at rest, with the same formulas (shaders/look).
 

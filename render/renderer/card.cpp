@@ -76,7 +76,8 @@ InParts<Result<std::uint64_t>> Passes::draw_view(Subject subject, ViewTargets& t
     }
     co_await kPartEnds;
     note_gl_errors("drawing surfaces");
-    if (frame.appearance.occlusion > 0.0F) occlusion.draw(view, targets.resolved, targets.occlusion, frame.quality);
+    if (frame.appearance.occlusion > 0.0F || frame.appearance.shadows > 0.0F)
+        occlusion.draw(frame, view, targets.resolved, targets.occlusion);
     note_gl_errors("the occlusion");
     co_return triangles;
 }

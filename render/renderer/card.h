@@ -7,7 +7,7 @@
 // | SceneOnCard (surfaces) | pages of mesh and preview                    | GpuMesh::bytes(), surface_bytes
 // | SceneOnCard (the rest) | centerlines, skeleton, context and lesions   | 24 a point and vertex, 12 a triangle
 // | ShadePass              | branches, cuts, lesions, ramp, distances     | 8 a branch; 4 a grid's sample
-// | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 27 a pixel
+// | ViewTargets            | samples, resolved, occlusion, lit: targets.h | 12 s + 30 a pixel
 // | ViewTargets.lists      | glass from OpenGL 4.3 on                     | 4 a pixel, 16 a fragment: kGlassBytes
 // | ViewTargets.layers     | glass before that                            | 16 s + 64 a pixel
 // | PictureTarget          | the picture                                  | 4 a pixel

@@ -34,9 +34,9 @@ void ViewTargets::make(int samples_a_pixel) {
     resolved.id_normal = make_texture(GL_RG32UI, w, h);
     resolved.opaque_depth = make_texture(GL_R32F, w, h);
     resolved.picked_depth = make_texture(GL_R32F, w, h);
-    occlusion.raw = make_texture(GL_R8, w, h);
-    occlusion.half_blurred = make_texture(GL_R8, w, h);
-    occlusion.blurred = make_texture(GL_R8, w, h);
+    occlusion.raw = make_texture(GL_RG8, w, h);
+    occlusion.half_blurred = make_texture(GL_RG8, w, h);
+    occlusion.blurred = make_texture(GL_RG8, w, h);
     lit.colour = make_texture(GL_RGBA8, w, h);
     glTextureParameteri(lit.colour, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     samples.framebuffer = make_framebuffer({samples.id_normal}, samples.depth);

@@ -31,8 +31,8 @@ struct ResolvedTarget {   // ResolvePass: one value a pixel
     Framebuffer framebuffer;
 };
 
-struct OcclusionTarget {                // OcclusionPass, 3 bytes
-    Texture raw, half_blurred, blurred; // R8
+struct OcclusionTarget {                // OcclusionPass, 6 bytes
+    Texture raw, half_blurred, blurred; // RG8: of the sky; of the key light
     Framebuffer raw_target, half_target, blurred_target;
 };
 

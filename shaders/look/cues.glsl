@@ -61,12 +61,29 @@ INLINE Float halo(SurfacePoint p) {
 }
 #endif
 
-// What leaves an opaque surface towards the eye, linear. `occluded`: how much of the sky its surroundings take.
-INLINE Vec3 radiance_of(SurfacePoint p, Float occluded) {
+#ifdef SHADOWS
+// What is taken of the light of a sample on an edge: the pixel's own number is that of the nearest surface it shows.
+// One that lies behind has that of a pixel beside it where it is the nearest.
+INLINE Vec2 taken_beside(Vec2 pixel, Float depth) {
+    Float least = abs(opaque_depth_at(pixel) - depth) - 0.1F * depth_range.w * (picture.w > 0.5F ? Float(1.0F) : depth);
+    Vec2 from = pixel;
+    for (int i = 0; i < 4; ++i) {
+        Vec2 beside = pixel + Vec2(float(i / 2 * (2 * i - 5)), float((1 - i / 2) * (2 * i - 1)));
+        Float apart = abs(opaque_depth_at(beside) - depth);
+        from = select(apart < least, beside, from);
+        least = min(apart, least);
+    }
+    return taken_at(from);
+}
+#endif
+
+// What leaves an opaque surface towards the eye, linear. `taken`: how much of the sky its surroundings take, and how
+// much of the key light.
+INLINE Vec3 radiance_of(SurfacePoint p, Vec2 taken) {
     Mask highlighted = has(p.flags, kHighlighted);
     Vec3 albedo = shown_colour(p);
     Float facing = facing_eye(p), aside = 1.0F - facing;
-    Vec3 radiance = lit(p, albedo, 1.0F - more.x * occluded, aside);
+    Vec3 radiance = lit(p, albedo, 1.0F - more.x * taken.x, taken.y, aside);
     if (ANY(highlighted)) radiance = select(highlighted, 1.10F * radiance + 0.05F * albedo, radiance);
 #ifdef CONTOURS
     if (cues.y > 0.0F) radiance = contour(facing) * radiance;

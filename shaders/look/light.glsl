@@ -29,36 +29,18 @@ INLINE Float mirrored(SurfacePoint p, Vec3 light) { return max(dot(p.normal, nor
 
 INLINE Float facing_eye(SurfacePoint p) { return clamp(dot(p.normal, p.towards_eye), 0.0F, 1.0F); }
 
-#ifdef SHADOWS
-// How much of the key light what the picture shows takes from a point: steps towards the light, shorter ones first, and
-// asks whether something lies before them, but not far before.
-INLINE Float shadowed(SurfacePoint p) {
-    Float reach = 2.2F * depth_range.w * (picture.w > 0.5F ? Float(1.0F) : p.position.z);
-    Float least = 0.012F * reach, per_reach = 1.0F / reach, hidden = 0.0F;
-    Vec3 start = p.position + least * Vec3(p.normal.x, p.normal.y, -p.normal.z);
-    Vec3 key = key_light();
-    Vec3 way = reach * Vec3(key.x, key.y, -key.z);
-    for (int i = 1; i <= 30; ++i) {
-        float part = float(i) / 30.0F, t = part * (0.3F + 0.7F * part);
-        Vec3 at = start + t * way;
-        Float before = at.z - opaque_depth_at(pixel_of(at));
-        Float inside = clamp((before - least) / mad(0.12F * t, reach, 2.0F * least), 0.0F, 1.0F);
-        Float near = clamp(mad(-2.0F, before * per_reach, 2.0F), 0.0F, 1.0F);
-        hidden = max(hidden, inside * near * (1.0F - t));
-    }
-    return hidden;
-}
-#endif
-
-// `open`: how much of the sky reaches the point; `aside`: 0 where it faces the eye, 1 at its outline.
-INLINE Vec3 lit(SurfacePoint p, Vec3 albedo, Float open, Float aside) {
+// `open`: how much of the sky reaches the point; `shadowed`: how much of the key light does not; `aside`: 0 where the
+// point faces the eye, 1 at its outline.
+INLINE Vec3 lit(SurfacePoint p, Vec3 albedo, Float open, Float shadowed, Float aside) {
     Float shadow = mad(0.75F, open - 1.0F, 1.0F); // the key is soft: what takes the sky takes some of it as well
     Float fill_share = 1.0F;
 #ifdef SHADOWS
     if (more.w > 0.0F) {
-        Float lit_share = mad(-0.85F * more.w, shadowed(p), 1.0F);
-        shadow = shadow * lit_share;
-        fill_share = mad(0.45F, lit_share, 0.55F);
+        // What is turned away from the key has no shadow of it: else the fill would end where the vessel turns.
+        Float turned_to = clamp(2.5F * dot(p.normal, key_light()), 0.0F, 1.0F);
+        Float taken = 0.85F * more.w * shadowed;
+        shadow = shadow * (1.0F - taken);
+        fill_share = mad(-0.45F * turned_to, taken, 1.0F);
     }
 #endif
     Vec3 ambient = mix(Vec3(0.085F, 0.070F, 0.074F), Vec3(0.190F, 0.205F, 0.240F), mad(0.5F, p.normal.y, 0.5F));

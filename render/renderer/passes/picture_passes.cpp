@@ -42,7 +42,8 @@ caster::View view_of(const Frame& frame, const ViewSetup& from) {
             .mm_a_pixel = pixel.z,
             .flat = frame.camera.orthographic,
             .block = from.block,
-            .taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0};
+            .taps = frame.appearance.occlusion > 0.0F ? kCastTaps : 0,
+            .shadows = frame.appearance.shadows > 0.0F};
 }
 
 } // namespace

@@ -47,17 +47,19 @@ void ResolvePass::draw(What what, ViewTargets& targets, Band band) const {
 
 Result<void> OcclusionPass::make() {
     if (auto made = taps_.make("occlusion.frag"); !made) return made;
+    if (auto made = with_shadows_.make("occlusion.frag", "#define SHADOWS\n"); !made) return made;
     return blur_.make("occlusion_blur.frag");
 }
 
-void OcclusionPass::draw(const ViewSetup& view, const ResolvedTarget& from, const OcclusionTarget& to,
-                         Quality quality) const {
+void OcclusionPass::draw(const Frame& frame, const ViewSetup& view, const ResolvedTarget& from,
+                         const OcclusionTarget& to) const {
+    const Fullscreen& taps = frame.appearance.shadows > 0.0F ? with_shadows_ : taps_;
     glBindTextureUnit(kUnitIdNormal, from.id_normal);
     glBindTextureUnit(kUnitOpaqueDepth, from.opaque_depth);
     glBindFramebuffer(GL_FRAMEBUFFER, to.raw_target);
-    glProgramUniform1i(taps_, kUniformTaps, quality == Quality::kFull ? kTaps : kInteractiveTaps);
-    glProgramUniform1f(taps_, kUniformTurned, static_cast<float>(view.shift) / float{kFineViews});
-    taps_.draw(Fullscreen::Pixels::kCovered);
+    glProgramUniform1i(taps, kUniformTaps, frame.quality == Quality::kFull ? kTaps : kInteractiveTaps);
+    glProgramUniform1f(taps, kUniformTurned, static_cast<float>(view.shift) / float{kFineViews});
+    taps.draw(Fullscreen::Pixels::kCovered);
     for (const bool across : {true, false}) {
         glBindTextureUnit(kUnitOcclusion, across ? to.raw : to.half_blurred);
         glBindFramebuffer(GL_FRAMEBUFFER, across ? to.half_target : to.blurred_target);

@@ -19,14 +19,15 @@ private:
     Fullscreen opaque_, glass_, lesions_;
 };
 
+// And shadows, where the frame has any.
 class OcclusionPass {
 public:
     [[nodiscard]] Result<void> make();
     // From what ResolvePass left. Blurred where `from` is covered, along one axis and then the other.
-    void draw(const ViewSetup& view, const ResolvedTarget& from, const OcclusionTarget& to, Quality quality) const;
+    void draw(const Frame& frame, const ViewSetup& view, const ResolvedTarget& from, const OcclusionTarget& to) const;
 
 private:
-    Fullscreen taps_, blur_;
+    Fullscreen taps_, with_shadows_, blur_;
 };
 
 // The lists of glass, for a program that is to draw or to read a band's.
