@@ -13,23 +13,35 @@ LoopWatch::Moment LoopWatch::now() {
     return {seconds(CLOCK_MONOTONIC), seconds(CLOCK_THREAD_CPUTIME_ID)};
 }
 
-void LoopWatch::looked() {
-    begun_ = last_ = now();
+void LoopWatch::waits() {
+    last_ = now();
+    gap_ = {};
     longest_step_ = 0.0;
     step_ = "";
+    waiting_ = true;
 }
 
+// Events are answered at the end of a wait: of its time that on a processor counts.
 void LoopWatch::did(const char* step) {
     const Moment at = now();
     const double took = at.processor - last_.processor;
+    gap_.processor_seconds += took;
+    gap_.seconds += waiting_ ? took : at.clock - last_.clock;
+    waiting_ = false;
     if (took >= longest_step_) longest_step_ = took, step_ = step;
     last_ = at;
 }
 
-void LoopWatch::looks(const std::string& command) {
-    const Moment at = now();
-    if (at.processor - begun_.processor <= longest_.processor_seconds) return;
-    longest_ = {at.clock - begun_.clock, at.processor - begun_.processor, step_, command};
+void LoopWatch::spare() { last_ = now(); }
+
+void LoopWatch::ends(const std::string& command) {
+    if (gap_.processor_seconds < kFelt && gap_.seconds < kFeltByClock) return;
+    gap_.ended = now().clock;
+    gap_.doing = step_;
+    gap_.command = command;
+    if (gap_.processor_seconds > longest_.processor_seconds) longest_ = gap_;
+    latest_.push_back(gap_);
+    if (latest_.size() > kKept) latest_.pop_front();
 }
 
 } // namespace ramus::app

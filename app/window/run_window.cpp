@@ -130,7 +130,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
     StatusFile status(options.status);
     SpareMemory spare_memory;
     LoopWatch watch;
-    watch.looked();
+    watch.waits();
     if (!options.status.empty()) viewer.note_controls();
     while (!viewer.files().closing()) {
         if (window.close_wanted()) {
@@ -148,24 +148,26 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
             viewer.set_script_runs(false);
             if (!done) return done;
             viewer.redraw();
-            watch.looked(); // nobody is there to wait for a script
+            watch.waits(); // nobody is there to wait for a script
             continue;
         }
         window.set_title(viewer.title());
         window.set_cursor(viewer.input().cursor());
+        watch.did("title");
         status.update(viewer, workspace, watch);
-        watch.did("status");
+        watch.spare();
         keeper.update(window, viewer, workspace.document, glfwGetTime());
         watch.did("keep");
         const double now = glfwGetTime();
         spare_memory.update(workspace.busy() || viewer.commands().busy(), now);
         watch.did("spare memory");
         const CommandLine& last = viewer.interface().last_command;
-        watch.looks(last.empty() ? std::string() : last.front());
+        watch.ends(last.empty() ? std::string() : last.front());
         status.look_for_question();
+        watch.waits();
         window.wait(std::min({viewer.wait_seconds(now), keeper.wait_seconds(now), spare_memory.wait_seconds(now),
                               status.wait_seconds()}));
-        watch.looked();
+        watch.did("events");
     }
     return {};
 }

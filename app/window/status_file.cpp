@@ -68,7 +68,8 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
 }
 
 nlohmann::json to_json(const LoopWatch::Gap& gap) {
-    return {{"seconds", gap.seconds},
+    return {{"ended", gap.ended},
+            {"seconds", gap.seconds},
             {"processor_seconds", gap.processor_seconds},
             {"doing", gap.doing},
             {"command", gap.command}};
@@ -138,6 +139,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;
     status["longest_gap"] = to_json(watch.longest());
+    status["gaps"] = nlohmann::json::array();
+    for (const LoopWatch::Gap& gap : watch.latest()) status["gaps"].push_back(to_json(gap));
     status["answered"] = asked_;
     if (viewer.controls()) status["controls"] = *viewer.controls();
     std::string text = io::printed_json(status, -1) + "\n";
