@@ -90,6 +90,8 @@ bool is_software_rasteriser() {
     return false;
 }
 
+bool gl_takes_own_memory() { return is_software_rasteriser() && has_extension("GL_AMD_pinned_memory"); }
+
 double graphics_memory_bytes() {
     if (is_software_rasteriser()) return memory_limit(0.0);
     std::array<GLint, 4> kilobytes{};

@@ -50,6 +50,9 @@ void limit_gl_version(GlVersion newest);
 // Whether the processor draws, triangle by triangle, instead of a graphics card.
 [[nodiscard]] bool is_software_rasteriser();
 
+// Whether the processor draws and takes buffers in memory of this process's own (GL_AMD_pinned_memory).
+[[nodiscard]] bool gl_takes_own_memory();
+
 // What the current context has to draw with, in bytes: a graphics card's own memory where its driver tells
 // (GL_NVX_gpu_memory_info, GL_ATI_meminfo), half of the machine's where the processor draws, infinite elsewhere.
 [[nodiscard]] double graphics_memory_bytes();

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <string>
+#include <sys/mman.h>
+#include <thread>
 #include <vector>
 
 namespace ramus::render {
@@ -91,6 +93,35 @@ Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags) {
     Buffer buffer = created<Buffer>(glCreateBuffers);
     allocate(bytes, [&] { glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, flags); });
     return buffer;
+}
+
+namespace {
+
+constexpr GLenum kOwnMemory = 0x9160; // GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD
+
+} // namespace
+
+// What was drawn from them is waited for. The system takes long for many pages: another thread waits for that.
+void GiveBackPages::operator()(void* pages) const {
+    glFinish();
+    std::thread([pages, all = bytes] { munmap(pages, all); }).detach();
+}
+
+LargeBuffer::LargeBuffer(std::size_t bytes) {
+    constexpr std::size_t kLarge = std::size_t{1} << 20;
+    if (bytes < kLarge || !gl_takes_own_memory()) {
+        buffer_ = make_buffer(bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+        return;
+    }
+    buffer_ = created<Buffer>(glCreateBuffers);
+    allocate(bytes, [&] {
+        void* pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (pages == MAP_FAILED) throw OutOfGraphicsMemory(bytes);
+        pages_ = {pages, GiveBackPages{bytes}};
+        glBindBuffer(kOwnMemory, buffer_);
+        glBufferData(kOwnMemory, static_cast<GLsizeiptr>(bytes), pages, GL_DYNAMIC_DRAW);
+        glBindBuffer(kOwnMemory, 0);
+    });
 }
 
 void set_filter(GLuint texture, GLint filter) {

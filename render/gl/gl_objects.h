@@ -12,6 +12,7 @@
 #include <glad/gl.h>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -97,6 +98,31 @@ private:
 
 // `flags` as of glBufferStorage; `data` may be null.
 [[nodiscard]] Buffer make_buffer(std::size_t bytes, const void* data, GLbitfield flags = 0);
+struct GiveBackPages {
+    std::size_t bytes = 0;
+    void operator()(void* pages) const;
+};
+
+// A buffer for much that comes in pieces, by glNamedBufferSubData. A software rasteriser clears a buffer when it makes
+// it, which takes seconds where it is large: there it lies in pages of this process's own memory, which the system
+// clears as each is written (GL_AMD_pinned_memory).
+class LargeBuffer {
+public:
+    LargeBuffer() = default;
+    explicit LargeBuffer(std::size_t bytes);
+    LargeBuffer(LargeBuffer&& other) noexcept = default;
+    LargeBuffer& operator=(LargeBuffer&& other) noexcept {
+        std::swap(pages_, other.pages_);
+        std::swap(buffer_, other.buffer_);
+        return *this;
+    }
+    ~LargeBuffer() = default;
+    operator GLuint() const { return buffer_; } // NOLINT: it stands for its name
+
+private:
+    std::unique_ptr<void, GiveBackPages> pages_; // none: the memory is the driver's
+    Buffer buffer_;                              // goes before its memory
+};
 [[nodiscard]] inline VertexArray make_vertex_array() { return created<VertexArray>(glCreateVertexArrays); }
 // What is read of the one buffer that the array has.
 void use_attributes(GLuint array, std::initializer_list<GLuint> attributes, GLuint source = 0);

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kVertexPageBytes = sizeof(VertexPage::vertices);
 constexpr std::size_t kTrianglePageBytes = sizeof(TrianglePage::triangles);
 constexpr std::size_t kValuePageBytes = sizeof(ValuePage::values);
+constexpr std::size_t kCostOfFresh = 3;               // of memory, measured on a software rasteriser
 constexpr GLuint kVertexSource = 0, kValueSource = 1; // of a vertex array
 
 std::size_t with_reserve(std::size_t pages) { return pages + pages / 8 + 1; }
@@ -63,8 +64,8 @@ void GpuMesh::Ranges::add(std::size_t first, std::size_t count) {
 GpuMesh::Copy::Copy(const PagedMesh& mesh)
     : vertex_array(make_vertex_array()), vertex_pages(with_reserve(mesh.vertex_pages().size())),
       triangle_pages(with_reserve(mesh.triangle_pages().size())) {
-    vertices = make_buffer(vertex_pages.size() * kVertexPageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
-    triangles = make_buffer(triangle_pages.size() * kTrianglePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    vertices = LargeBuffer(vertex_pages.size() * kVertexPageBytes);
+    triangles = LargeBuffer(triangle_pages.size() * kTrianglePageBytes);
     glVertexArrayVertexBuffer(vertex_array, kVertexSource, vertices, 0, sizeof(GpuVertex));
     glVertexArrayElementBuffer(vertex_array, triangles);
     glVertexArrayAttribFormat(vertex_array, kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(GpuVertex, position));
@@ -78,7 +79,7 @@ GpuMesh::Copy::Copy(const PagedMesh& mesh)
 void GpuMesh::Copy::make_room_for_values() {
     if (values != 0) return;
     value_pages.resize(vertex_pages.size());
-    values = make_buffer(value_pages.size() * kValuePageBytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    values = LargeBuffer(value_pages.size() * kValuePageBytes);
     glVertexArrayVertexBuffer(vertex_array, kValueSource, values, 0, sizeof(float));
     glVertexArrayAttribFormat(vertex_array, kAttributeValue, 1, GL_FLOAT, GL_FALSE, 0);
     use_attributes(vertex_array, {kAttributeValue}, kValueSource);
@@ -139,7 +140,12 @@ void GpuMesh::follow(const std::shared_ptr<const PagedMesh>& mesh, std::size_t& 
         return;
     }
     if (!coming_ || !coming_->fits(*mesh)) coming_ = std::make_unique<Copy>(*mesh);
-    if (!coming_->send(*mesh, budget)) return;
+    // Memory that nothing was written to costs the system more than the copying.
+    const std::size_t part = budget / kCostOfFresh + (budget % kCostOfFresh != 0 ? 1 : 0);
+    std::size_t left = part;
+    const bool whole = coming_->send(*mesh, left);
+    budget -= part - left;
+    if (!whole) return;
     drawn_ = std::move(coming_);
     shown_ = mesh;
 }

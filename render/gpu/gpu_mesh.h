@@ -61,7 +61,7 @@ private:
     // Buffers and what is in them, page by page.
     struct Copy {
         VertexArray vertex_array;
-        Buffer vertices, triangles, values; // the last when it has any
+        LargeBuffer vertices, triangles, values; // the last when it has any
         PagedMesh::VertexPages vertex_pages;
         PagedMesh::TrianglePages triangle_pages;
         PagedMesh::ValuePages value_pages;
