@@ -93,12 +93,13 @@ void add_lesions(std::vector<glm::vec3>& positions, const ActionContext& context
 
 } // namespace
 
-std::vector<glm::vec3> visible_positions(const ActionContext& context) {
+std::vector<glm::vec3> visible_positions(const ActionContext& context, const render::Camera& camera, glm::ivec2 size) {
     const auto mesh = context.picture.picture_mesh();
     if (!mesh) return {};
     const Marks& marks = context.document.marks();
-    auto positions =
-        mesh->positions([&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
+    auto positions = mesh->farthest(render::fitting_directions(camera, size), [&](int branch) {
+        return state_of(marks, branch) != render::BranchState::kHidden;
+    });
     add_lesions(positions, context);
     for (const ContextItem& item : marks.context)
         if (const auto shape = item.visible ? context.assets.context_shape(source_of(item)) : nullptr;

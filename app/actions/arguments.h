@@ -27,8 +27,10 @@ namespace ramus::app::actions {
 // "on" or "off"; without a word, the other than now. None: it is something else.
 [[nodiscard]] std::optional<bool> switched(Arguments arguments, bool now);
 // Points of all that is in the picture: the surface but for branches that were hidden since it was made, lesions,
-// context that is shown. Empty: there is no surface.
-[[nodiscard]] std::vector<glm::vec3> visible_positions(const ActionContext& context);
+// context that is shown. Of the surface those that a camera which looks as `camera` does is fitted to, for a picture of
+// this size. Empty: there is no surface.
+[[nodiscard]] std::vector<glm::vec3> visible_positions(const ActionContext& context, const render::Camera& camera,
+                                                       glm::ivec2 size);
 // The camera leaps there. Succeeds.
 Result<void> move_camera(ActionContext& context, const render::Camera& camera);
 

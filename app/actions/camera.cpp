@@ -14,10 +14,10 @@ constexpr const char* kNoClipboard = "there is no clipboard without a window";
 
 // All that is not hidden, from where `camera` looks.
 render::Camera fitted_to_picture(const ActionContext& context, const render::Camera& camera) {
-    const auto visible = visible_positions(context);
+    const glm::ivec2 size = context.picture.picture_size();
+    const auto visible = visible_positions(context, camera, size);
     if (visible.empty()) return camera;
-    return with_room(render::fitted(camera, visible, context.picture.picture_size()),
-                     context.document.marks().comparison);
+    return with_room(render::fitted(camera, visible, size), context.document.marks().comparison);
 }
 
 Result<void> view(ActionContext& context, Arguments arguments) {

@@ -44,10 +44,12 @@ Result<std::vector<ReportPicture>> take_pictures(ActionContext& context) {
         glm::ivec2 size;
     };
     std::vector<Wanted> wanted{{"As it was looked at", current, kLarge}};
-    if (const auto visible = visible_positions(context); !visible.empty())
-        for (const auto& [caption, view] :
-             {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}})
-            wanted.push_back({caption, render::camera_for(visible, view, kSmall, current.orthographic), kSmall});
+    for (const auto& [caption, view] :
+         {std::pair{"Anterior", render::View::kAnterior}, std::pair{"Left", render::View::kLeft}}) {
+        const render::Camera from = render::looking({.orthographic = current.orthographic}, view);
+        if (const auto visible = visible_positions(context, from, kSmall); !visible.empty())
+            wanted.push_back({caption, render::fitted(from, visible, kSmall), kSmall});
+    }
     std::vector<ReportPicture> pictures;
     for (const Wanted& one : wanted) {
         RAMUS_TRY(image, context.picture.draw_picture(one.camera, one.size));

@@ -101,10 +101,12 @@ std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, co
 
 // A box around what can be seen of the surfaces in the viewports.
 render::Box visible_box(const render::Sheet& sheet) {
+    constexpr std::array kAlongAxes{glm::dvec3(1, 0, 0),  glm::dvec3(0, 1, 0),  glm::dvec3(0, 0, 1),
+                                    glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1)};
     render::Box visible, all;
     for (const auto& [at, frame, has_branches] : sheet.viewports) {
         if (!frame.mesh) continue;
-        const auto positions = frame.mesh->positions([&states = frame.states](int branch) {
+        const auto positions = frame.mesh->farthest(kAlongAxes, [&states = frame.states](int branch) {
             const auto index = static_cast<std::size_t>(branch);
             return index >= states.size() || states[index] != render::BranchState::kHidden;
         });

@@ -99,10 +99,13 @@ void Viewer::take_news() {
 
 // Nothing that was begun on the tree before goes on.
 void Viewer::begin_tree(const Workspace::Opened& opened) {
-    if (const auto mesh = picture_.picture_mesh(); mesh && !opened.has_camera)
+    if (const auto mesh = picture_.picture_mesh(); mesh && !opened.has_camera) {
+        const glm::ivec2 size = picture_.picture_size();
+        const render::Camera from = render::looking({}, render::View::kAnterior);
+        const auto positions = mesh->farthest(render::fitting_directions(from, size));
         state_.workspace.document.set_camera(
-            with_room(render::camera_for(mesh->positions(), render::View::kAnterior, picture_.picture_size()),
-                      state_.workspace.document.marks().comparison));
+            with_room(render::fitted(from, positions, size), state_.workspace.document.marks().comparison));
+    }
     picture_.stop_gliding();
     state_.interface.forget_tree();
     input_.use_tool(input_.tool());

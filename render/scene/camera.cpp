@@ -178,6 +178,20 @@ Camera fitted(const Camera& camera, std::span<const glm::vec3> points, glm::ivec
     return result;
 }
 
+// Of the box, and of the four sides of the picture.
+std::array<glm::dvec3, 10> fitting_directions(const Camera& camera, glm::ivec2 size) {
+    const CameraAxes axes = axes_of(camera);
+    const double t = camera.orthographic ? 0.0 : tan_half_angle(camera) / kMargin, wide = aspect(size);
+    std::array<glm::dvec3, 10> directions{axes.right - wide * t * axes.forward, -axes.right - wide * t * axes.forward,
+                                          axes.up - t * axes.forward, -axes.up - t * axes.forward};
+    for (int i = 0; i < 3; ++i)
+        for (const int side : {0, 1}) {
+            directions.at(static_cast<std::size_t>(4 + 2 * i + side)) = glm::dvec3(0.0);
+            directions.at(static_cast<std::size_t>(4 + 2 * i + side))[i] = side == 0 ? -1.0 : 1.0;
+        }
+    return directions;
+}
+
 Camera fitted(const Camera& camera, const Box& box, glm::ivec2 size) {
     const glm::vec3 lower(box.empty() ? glm::dvec3(-0.5) : box.lower), upper(box.empty() ? glm::dvec3(0.5) : box.upper);
     std::array<glm::vec3, 8> corners;

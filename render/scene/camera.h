@@ -89,6 +89,8 @@ using AxisNames = std::array<std::string, 6>;
 // The same as tightly as these points (a mesh's positions) allow, and centred on the picture that they make: the tree
 // fills the view. Takes a few milliseconds for a million points.
 [[nodiscard]] Camera fitted(const Camera& camera, std::span<const glm::vec3> points, glm::ivec2 size);
+// Points that lie farthest along these are all of a mesh that fitted() looks at (PagedMesh::farthest()).
+[[nodiscard]] std::array<glm::dvec3, 10> fitting_directions(const Camera& camera, glm::ivec2 size);
 // A fresh camera: looking() and fitted() in one.
 [[nodiscard]] Camera camera_for(std::span<const glm::vec3> points, View view, glm::ivec2 size,
                                 bool orthographic = false);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
 #include <oneapi/tbb/parallel_for.h>
+#include <optional>
 #include <utility>
 
 namespace ramus::render {
@@ -215,6 +218,44 @@ std::vector<glm::vec3> PagedMesh::positions(const std::function<bool(int)>& want
                 if (!wanted || wanted(vertex(v).branch)) found.push_back(position(v));
             }
         }
+    }
+    return found;
+}
+
+// From the page that may reach farthest on, until none that is left can.
+std::vector<glm::vec3> PagedMesh::farthest(std::span<const glm::dvec3> directions,
+                                           const std::function<bool(int)>& wanted) const {
+    const auto accepts = [&](int branch) { return !wanted || wanted(branch); };
+    const auto in_mm = [&](const glm::vec3& corner) { return glm::dvec3(glm::vec3(origin_ + glm::dvec3(corner))); };
+    std::vector<const TrianglePage*> pages;
+    for (const auto& page : triangle_pages_) {
+        const bool any_run = std::ranges::any_of(page->runs, [&](const auto& run) { return accepts(run.branch); });
+        if (any_run ||
+            std::ranges::any_of(page->borders, [&](const auto& b) { return accepts(b[0]) || accepts(b[1]); }))
+            pages.push_back(page.get());
+    }
+    std::vector<glm::vec3> found;
+    std::vector<std::pair<double, const TrianglePage*>> reaches(pages.size());
+    for (const glm::dvec3& direction : directions) {
+        std::ranges::transform(pages, reaches.begin(), [&](const TrianglePage* page) {
+            const glm::bvec3 up = glm::greaterThan(direction, glm::dvec3(0.0));
+            return std::pair(glm::dot(glm::mix(in_mm(page->lower), in_mm(page->upper), up), direction), page);
+        });
+        std::ranges::make_heap(reaches);
+        double most = std::numeric_limits<double>::lowest();
+        std::optional<glm::vec3> at;
+        for (auto end = reaches.end(); end != reaches.begin() && reaches.front().first >= most; --end) {
+            const TrianglePage& page = *reaches.front().second;
+            std::ranges::pop_heap(reaches.begin(), end);
+            for (std::uint32_t i = 0; i < page.count; ++i)
+                for (int corner = 0; corner < 3; ++corner) {
+                    const std::uint32_t v = page.triangles[i][corner];
+                    const glm::vec3 place = position(v);
+                    const double reach = glm::dot(glm::dvec3(place), direction);
+                    if (reach > most && accepts(vertex(v).branch)) most = reach, at = place;
+                }
+        }
+        if (at) found.push_back(*at);
     }
     return found;
 }

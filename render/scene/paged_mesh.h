@@ -93,6 +93,12 @@ public:
     // milliseconds for a million triangles.
     [[nodiscard]] std::vector<glm::vec3> positions(const std::function<bool(int)>& wanted = {}) const;
 
+    // Of the positions of branches that `wanted` accepts those that lie farthest along any of these directions, of any
+    // length: what a box, or a camera (fitting_directions()), is fitted to. Looks at few triangles. Empty: no branch is
+    // wanted.
+    [[nodiscard]] std::vector<glm::vec3> farthest(std::span<const glm::dvec3> directions,
+                                                  const std::function<bool(int)>& wanted = {}) const;
+
 private:
     void summarise();
     [[nodiscard]] const GpuVertex& vertex(std::uint32_t number) const {

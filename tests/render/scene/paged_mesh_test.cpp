@@ -10,6 +10,8 @@
 #include "tests/support/tube_mesh.h"
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <vector>
 
 using namespace ramus;
 using namespace ramus::render;
@@ -150,4 +152,26 @@ TEST_CASE("what no triangle uses influences nothing") {
     CHECK(gaps.branch_count() == 3);
     CHECK(gaps.positions() == plain.positions());
     CHECK(gaps.positions([](int branch) { return branch != 2; }).empty());
+}
+
+// Of linear functions: a camera that is fitted to the few points is the one that is fitted to all of them.
+TEST_CASE("the farthest positions of a surface are all that a camera is fitted to, with and without hidden branches") {
+    Explorer explorer;
+    const PagedMesh& mesh = *explorer.mesh;
+    const glm::ivec2 size(300, 200);
+    for (const int hidden : {tree::kNoBranch, 0, 3, 40}) {
+        const auto wanted = [&](int branch) { return branch != hidden; };
+        for (const View view : kViews)
+            for (const bool orthographic : {false, true}) {
+                const Camera from = looking({.orthographic = orthographic}, view);
+                const auto few = mesh.farthest(fitting_directions(from, size), wanted);
+                CHECK(few.size() <= fitting_directions(from, size).size());
+                const Camera by_few = fitted(from, few, size), by_all = fitted(from, mesh.positions(wanted), size);
+                // The same numbers in another order of sums: apart by rounding.
+                CHECK(glm::distance(by_few.position, by_all.position) < 1e-9);
+                CHECK(glm::distance(by_few.focal_point, by_all.focal_point) < 1e-9);
+                CHECK(by_few.scale == doctest::Approx(by_all.scale).epsilon(1e-12));
+            }
+    }
+    CHECK(mesh.farthest(std::vector{glm::dvec3(1, 0, 0)}, [](int) { return false; }).empty());
 }
