@@ -81,11 +81,12 @@ Result<DrawStatistics> Renderer::draw(const Frame& wanted, std::size_t upload_bu
     }
 }
 
-// The picture turns, and nothing else about it changes: then the eye takes cones for the surface. Until the view rests
-// it stays with them.
+// The picture turns or has another size, and nothing else about it changes: then the eye takes cones for the surface.
+// Until the view rests it stays with them.
 bool Renderer::moves(const Frame& wanted, const Frame& frame) const {
     return frame.quality == Quality::kInteractive && last_ && wanted_mesh_ == wanted.mesh &&
-           last_->states == frame.states && (state_.by_caster() || last_->camera != frame.camera);
+           last_->states == frame.states &&
+           (state_.by_caster() || last_->camera != frame.camera || last_->size != frame.size);
 }
 
 Renderer::Plan Renderer::plan_for(const Frame& wanted, const Frame& frame, const std::vector<Layer>& layers) const {
