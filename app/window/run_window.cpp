@@ -14,6 +14,7 @@
 #include "app/window/viewer.h"
 #include "core/base/memory.h"
 #include "core/base/printable.h"
+#include "core/base/worker.h"
 #include "core/io/output_file.h"
 #include "core/io/volumes/volume_file.h"
 
@@ -106,12 +107,13 @@ private:
 class SpareMemory {
 public:
     void update(bool busy, double now) {
+        returner_.drain();
         if (busy) {
             returned_ = false;
             idle_since_ = now;
         }
         if (!returned_ && now >= idle_since_ + kIdleSeconds) {
-            release_unused_memory();
+            returner_.start("Giving back memory", [](Job&, const Worker::Post&) { release_unused_memory(); });
             returned_ = true;
         }
     }
@@ -123,6 +125,7 @@ private:
     static constexpr double kIdleSeconds = 20.0;
     double idle_since_ = 0.0;
     bool returned_ = true;
+    Worker returner_{[] {}}; // the system takes long for much of it
 };
 
 Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keeper& keeper,
