@@ -13,10 +13,18 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "journey"))
-from screen import Failure, Window, drag, run_journeys  # noqa: E402
+from screen import Failure, Window, click, drag, run_journeys, saved_session  # noqa: E402
 
 KIDNEY = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "trees" / "kidney_77922_segments.swc"
 PROMISED = 0.1  # seconds
+EXPORTS = {  # by what their pages are said to be
+    "picture": "What the window shows of the tree.",
+    "report": "A page with pictures and tables of the plan.",
+    "table": "The figures of each branch.",
+    "surface": "The smooth surface, as triangles.",
+    "tree": "Centerlines and radii, as they were read.",
+}
+FILTER = "Conditions, all of which hold: "  # and examples
 PART = sys.argv[2] if len(sys.argv) > 2 else ""
 
 
@@ -65,21 +73,35 @@ class Explorer:
     def key(self, name, *keys):
         self.step(name, lambda: self.window.xdotool("key", *keys))
 
-    def palette(self, line):
-        """Runs a command as the palette takes it: its name, then its arguments."""
-        name, _, arguments = line.partition(" ")
-        self.window.xdotool("key", "ctrl+k")
-        self.window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
-        self.window.xdotool("type", name)
-        self.window.xdotool("key", "Return")
+    def palette(self, title, arguments=""):
+        """Runs a command by its row in the palette, which has this title ("Menu › Label", or a name)."""
+        window = self.window
+        window.xdotool("key", "ctrl+k")
+        window.wait("the palette", lambda s: s["palette"]["open"] and s["typing"])
+        window.xdotool("type", title.replace("›", "").replace("…", ""))
+        controls = window.wait("its row", lambda s: title in s["controls"])["controls"]
+        left, top, width, _ = controls[title]
+        above = sum(at[0] == left and at[2] == width and at[1] < top for at in controls.values())
+        window.xdotool("key", *["Down"] * above, "Return")
         if arguments:
-            self.window.wait("it asks", lambda s: s["palette"]["open"] and s["typing"])
-            self.window.xdotool("type", arguments)
-            self.window.xdotool("key", "Return")
-        self.window.wait("the palette gone", lambda s: not s["palette"]["open"])
+            window.wait("what it asks", lambda s: s["palette"]["open"] and s["typing"])
+            window.xdotool("type", arguments)
+            window.xdotool("key", "Return")
+        window.wait("no palette", lambda s: not s["palette"]["open"])
 
-    def command(self, line):
-        self.step(line, lambda: self.palette(line))
+    def command(self, title, arguments=""):
+        self.step(f"{title} {arguments}".strip(), lambda: self.palette(title, arguments))
+
+    def exported(self, what, kind):
+        """By the dialog, as it suggests: only the kind is chosen."""
+        def act():
+            self.window.xdotool("key", "ctrl+e")
+            self.window.wait("the dialog", lambda s: s["open_dialog"] and "Write it" in s["controls"])
+            click(self.window, kind)
+            self.window.wait("its page", lambda s: s["export"].startswith(what))
+            click(self.window, "Write it")
+            self.window.wait("the file", lambda s: not s["open_dialog"])
+        self.step(f"export: {what}", act)
 
 
 def turn_and_zoom(explorer):
@@ -94,12 +116,13 @@ def turn_and_zoom(explorer):
 
 
 def mark(explorer):
-    explorer.command("select 3")
+    explorer.command("select", "3")
     explorer.key("hide", "x")
     explorer.key("undo hide", "ctrl+z")
-    explorer.command("select-dependents")
+    explorer.key("select dependents", "d")
     explorer.key("highlight", "h")
     explorer.key("defocus", "g")
+    explorer.key("turn with glass", "Left", "Left", "Left")
     explorer.key("defocus others", "shift+g")
     explorer.key("select all", "ctrl+a")
     explorer.key("defocus all", "g")
@@ -107,78 +130,87 @@ def mark(explorer):
     explorer.key("redo defocus all", "ctrl+shift+z")
     explorer.key("hide all", "x")
     explorer.key("show all", "shift+n")
-    explorer.command("filter-diameter 0.5 hide")
+    explorer.command("Plan › Hide vessels below 1 mm")
     explorer.key("undo filter", "ctrl+z")
-    explorer.command("select-diameter 0 1")
-    explorer.command("select-invert")
+    explorer.command("select diameter", "0 1")
+    explorer.key("select the others", "ctrl+i")
     explorer.key("select nothing", "Escape")
 
 
 def colour_and_view(explorer):
-    for quantity in ("generation", "diameter", "strahler", "branch", "none"):
-        explorer.command(f"colour-by {quantity}")
+    for quantity in ("Generation", "Diameter", "Branch", "State"):
+        explorer.command(f"Colour › {quantity}")
     for key in "135":
         explorer.key(f"view {key}", key)
     explorer.key("fit", "f")
-    explorer.command("orthographic")
-    explorer.command("skeleton")
-    explorer.command("skeleton")
-    explorer.command("overview")
-    explorer.command("overview distance")
-    explorer.command("overview")
+    explorer.key("orthographic", "o")
+    explorer.key("perspective", "o")
+    explorer.command("View › Skeleton with radii")
+    explorer.command("View › Skeleton with radii")
+    explorer.key("overview", "t")
+    explorer.key("no overview", "t")
 
 
 def plan(explorer):
-    explorer.command("lesion 10,0,0,8")
-    explorer.command("bands 5 10")
-    explorer.command("cut 3 0.5")
-    explorer.command("cut-clear")
-    explorer.command("lesion-clear")
-    explorer.command("measure path 0 30")
-    explorer.command("panel plan")
-    explorer.command("panel explore")
+    explorer.command("lesion", "10,0,0,8")
+    explorer.command("Plan › Margins 5, 10, 20 mm")
+    explorer.command("select", "3")
+    explorer.key("cut", "c")
+    explorer.command("Plan › Remove all cuts")
+    explorer.command("Plan › Remove all lesions")
+    explorer.command("measure", "path 0 30")
+    explorer.key("page plan", "b")
+    explorer.key("page explore", "b")
 
 
 def look_up(explorer):
-    explorer.step("palette, typing", lambda: explorer.window.xdotool("key", "ctrl+k", "d", "i", "a", "m", "Escape"))
-    explorer.command("contacts")
-    explorer.command("contacts")
-    explorer.command("validation")
-    explorer.step("validation done", lambda: explorer.window.wait("findings", lambda s: s["validation"]["count"] >= 0))
-    explorer.command("validation")
-    explorer.command("doctor")
-    explorer.key("no doctor", "Escape")
-    explorer.command("branches")
-    explorer.command("branches")
+    window = explorer.window
+    explorer.step("palette, typing", lambda: window.xdotool("key", "ctrl+k", "d", "i", "a", "m", "Escape"))
+    explorer.key("list of contacts", "shift+t")
+    explorer.key("no contacts", "shift+t")
+
+    def validate():
+        window.xdotool("key", "shift+v")
+        window.wait("findings", lambda s: s["validation"]["count"] >= 0)
+    explorer.step("validation", validate)
+    explorer.key("no validation", "shift+v")
+    explorer.key("doctor", "shift+d")
+    explorer.key("no doctor", "shift+d")
+    explorer.command("View › Branches in a window")
+    explorer.command("View › Branches in a window")
+
+    def find():
+        click(window, next(words for words in window.status()["controls"] if words.startswith(FILTER)))
+        window.xdotool("type", "d>3")
+        window.xdotool("key", "Return")
+    explorer.step("find in the list", find)
+    explorer.key("select nothing again", "Escape", "Escape")
 
 
 def change_surface(explorer):
-    explorer.command("surface width 2")
+    explorer.command("surface", "width 2")
     explorer.key("undo width", "ctrl+z")
-    explorer.command("surface detail 8")
+    explorer.command("surface", "detail 8")
     explorer.key("undo detail", "ctrl+z")
-    explorer.command("surface method cones")
+    explorer.command("surface", "smooth 3")
+    explorer.key("undo smooth", "ctrl+z")
+    explorer.command("surface", "method cones")
     explorer.key("undo cones", "ctrl+z")
-    explorer.command("compare side-by-side")
-    explorer.command("compare off")
 
 
 def edit(explorer):
-    explorer.command("disconnect 20 0.5")
+    explorer.command("select", "20")
+    explorer.command("Edit › Disconnect the selected")
     explorer.key("undo disconnect", "ctrl+z")
-    explorer.command("name 3 renal subtree")
+    explorer.command("name", "3 renal subtree")
 
 
 def put_out(explorer):
-    folder = explorer.folder
-    explorer.step("export dialog", lambda: explorer.window.xdotool("key", "F12"))
+    explorer.key("export dialog", "F12")
     explorer.key("close it", "Escape")
-    explorer.command(f"export surface {folder}/out.stl")
-    explorer.command(f"export picture {folder}/large.png --size 4000x3000 --supersample 2")
-    explorer.command(f"export report {folder}/report.html")
-    explorer.command(f"export table {folder}/table.csv")
-    explorer.command(f"export tree {folder}/tree.swc")
-    explorer.command(f"save {folder}/session.ramus.json")
+    for what, kind in EXPORTS.items():
+        explorer.exported(what, kind)
+    explorer.step("save", lambda: saved_session(explorer.window))
 
 
 def resize(explorer):
@@ -216,4 +248,5 @@ def kidney(program, screen, folder):
     explore(program, screen, folder, KIDNEY, "kidney")
 
 
-sys.exit(run_journeys(grown, kidney, size=(1600, 1000)))
+if __name__ == "__main__":
+    sys.exit(run_journeys(grown, kidney, size=(1600, 1000)))
