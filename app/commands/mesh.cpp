@@ -40,22 +40,19 @@ struct MaskFlags {
     volume::Selection selection;
 };
 
-// --label and --isovalue.
+// --label; --isovalue, which is one of reading, too.
 void add_mask_flags(CLI::App& command, MaskFlags& flags) {
     CLI::Option* label = add_option_taking<std::string>(
                              command, "--label", "N[,N...]",
                              [&flags](const std::string& list) { flags.selection.labels = *label_list(list); },
                              "With iso: these labels of the mask alone, as 1 or 1,2 (default: all)")
                              ->check(expecting(" is not a list of whole numbers other than 0", label_list));
-    add_option_taking<double>(
-        command, "--isovalue", "VALUE", [&flags](double value) { flags.selection.isovalue = value; },
-        "With iso: what is at least that is inside (default for fractions: 0.5)")
-        ->excludes(label);
+    command.get_option("--isovalue")->excludes(label);
 }
 
 // Throws CLI::ValidationError for options that do not go with the method chosen.
 void check_mask_flags(const CLI::App& command, const MaskFlags& flags) {
-    const std::vector<std::string> of_masks = {"--label", "--isovalue"};
+    const std::vector<std::string> of_masks = {"--label"};
     std::vector<std::string> of_trees = {"--session", "--repair",  "--parts",      "--system",    "--labels",
                                          "--root",    "--islands", "--fill-holes", "--bulge-size"};
     for (const SurfaceOption& option : surface_options())
@@ -166,7 +163,9 @@ Result<int> run_mesh(const MeshFlags& flags) {
     if (flags.mask.iso) {
         double load_s = 0.0;
         target.names.name = std::filesystem::path(flags.file).stem().stem().string();
-        RAMUS_TRY(written, mesh_of_mask(flags.file, flags.mask, flags.surface, target, load_s));
+        MaskFlags mask = flags.mask;
+        mask.selection.isovalue = flags.surface.read.mask.isovalue;
+        RAMUS_TRY(written, mesh_of_mask(flags.file, mask, flags.surface, target, load_s));
         report(flags, written, target.names.claims, load_s);
         return kDone;
     }

@@ -100,9 +100,11 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     RAMUS_TRY(mask, load_volume(flags.file, flags.reading));
     warn_about(flags.file, mask);
     seconds.load = watch.lap();
-    auto systems = volume::systems_of(mask, flags.labels);
+    const auto isovalue = flags.reading.read.mask.isovalue;
+    auto systems = isovalue ? std::vector<volume::SystemMask>{{.labels = {}, .isovalue = isovalue}}
+                            : volume::systems_of(mask, flags.labels);
     if (!systems) return fail(systems.error().what, flags.file, systems.error().hint);
-    if (!flags.labels && volume::label_counts(mask).size() > 1)
+    if (!flags.labels && !isovalue && volume::label_counts(mask).size() > 1)
         say(flags.reading, flags.file + ": all labels are taken together; --label all makes each a system");
     volume::SkeletonizeFigures figures;
     const auto options =
@@ -114,6 +116,7 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
     RAMUS_TRY(tree, with_progress("skeleton", make, kNothingWritten));
     seconds.skeleton = watch.lap();
     tree.claims = claims;
+    if (isovalue) tree.notes.push_back(threshold_note(*isovalue));
     tree.source = std::filesystem::path(flags.file).filename().string();
     if (auto written =
             io::write_tree(tree, flags.output, {"written by ramus " RAMUS_VERSION, "source: " + tree.source});
@@ -125,12 +128,14 @@ Result<int> run_skeletonize(const SkeletonizeFlags& flags) {
 }
 
 void add_mask_options(CLI::App& command, SkeletonizeFlags& flags) {
-    add_option_taking<std::string>(
-        command, "--label", "N[,M...]|all", [&flags](const std::string& list) { flags.labels = system_list(list); },
-        "Labels that are vessels, each a system of its own that is joined with no other; 1+3 makes one of two "
-        "(default: all that is inside is one)")
-        ->check(expecting(" is neither all nor a list of whole numbers other than 0", system_list));
+    CLI::Option* label =
+        add_option_taking<std::string>(
+            command, "--label", "N[,M...]|all", [&flags](const std::string& list) { flags.labels = system_list(list); },
+            "Labels that are vessels, each a system of its own that is joined with no other; 1+3 makes one of two "
+            "(default: all that is inside is one)")
+            ->check(expecting(" is neither all nor a list of whole numbers other than 0", system_list));
     add_mask_reading_flags(command, flags.reading.read.mask);
+    command.get_option("--isovalue")->excludes(label);
     add_units_flag(command, flags.reading.read);
     add_option(command, "--memory", "SIZE", flags.reading.surface.memory_bytes,
                "Most memory to use, as 800M or 4G (default 0: half of the machine's)")
@@ -145,7 +150,8 @@ void register_skeletonize(CLI::App& app, Action& chosen) {
         "The tree has the pieces of the mask, and its tunnels as loops. Radii are those of circles with the "
         "area of the mask's cross-sections.");
     const auto flags = std::make_shared<SkeletonizeFlags>();
-    add_option(*command, "MASK", "", flags->file, "Segmentation mask (" + io::readable_volume_extensions() + ")")
+    add_option(*command, "MASK", "", flags->file,
+               "Segmentation mask, or with --isovalue a scan (" + io::readable_volume_extensions() + ")")
         ->required();
     add_option(*command, "-o,--output", "TREE", flags->output, "Tree file to write: " + io::writable_tree_extensions())
         ->required();

@@ -95,6 +95,9 @@ void add_mask_reading_flags(CLI::App& command, io::MaskReading& mask) {
         "Of a mask: the end nearest to this place (mm, RAS) is the root of its piece (default: the thickest end of "
         "each)")
         ->delimiter(',');
+    add_option(
+        command, "--isovalue", "VALUE", mask.isovalue,
+        "Of a scan: what is at least that is inside; a threshold, and no segmentation (default for fractions: 0.5)");
     command.add_flag_callback(
         "--fill-holes", [&mask] { mask.fill_holes = true; },
         "Of a mask: close loops, each where it is thinnest: vessels that touch, holes in the mask");

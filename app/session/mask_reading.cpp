@@ -12,7 +12,7 @@ namespace ramus::app {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kKeys{"labels", "fill-holes", "bulge-size", "islands", "root"};
+constexpr std::array<std::string_view, 6> kKeys{"labels", "isovalue", "fill-holes", "bulge-size", "islands", "root"};
 
 std::optional<double> number_in(std::string_view text, double least) {
     const auto value = parsed<double>(text);
@@ -43,6 +43,9 @@ Result<io::MaskReading> with(io::MaskReading mask, std::string_view key, const s
             mask.labels.emplace();
         else if (!reset && value != "apart" && !(mask.labels = label_groups(value)))
             return refused("labels takes apart, together, those of each system as 1+3,2, or auto");
+    } else if (key == "isovalue") {
+        mask.isovalue = number_in(value, -HUGE_VAL);
+        if (!mask.isovalue && !reset) return refused("isovalue takes a number, or auto");
     } else if (key == "fill-holes") {
         mask.fill_holes = reset ? std::nullopt : std::optional(value == "on");
         if (!reset && value != "on" && value != "off") return refused("fill-holes takes on, off or auto");
@@ -56,13 +59,15 @@ Result<io::MaskReading> with(io::MaskReading mask, std::string_view key, const s
         mask.root = place_in(value);
         if (!mask.root && !reset) return refused("root takes a place as X,Y,Z in mm (RAS), or auto");
     } else {
-        return fail(std::string(key) + " is no option of masks", {}, "labels, fill-holes, bulge-size, islands or root");
+        return fail(std::string(key) + " is no option of masks", {},
+                    "labels, isovalue, fill-holes, bulge-size, islands or root");
     }
     return mask;
 }
 
 io::MaskReading over(const io::MaskReading& said, io::MaskReading session) {
     if (said.labels) session.labels = said.labels;
+    if (said.isovalue) session.isovalue = said.isovalue;
     if (said.bulge_size) session.bulge_size = said.bulge_size;
     if (said.islands_mm) session.islands_mm = said.islands_mm;
     if (said.fill_holes) session.fill_holes = said.fill_holes;

@@ -4,6 +4,8 @@
 #include "app/session/mask_reading.h"
 #include "app/session/reading_options.h"
 
+#include <cmath>
+
 namespace ramus::app::session_json {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 void read_mask(const json& value, io::MaskReading& mask) {
     constexpr double kMost = 1e9;
     if (value.contains("fill_holes")) mask.fill_holes = truth(value["fill_holes"], "fill_holes");
+    if (value.contains("isovalue")) mask.isovalue = number(value["isovalue"], "isovalue", -HUGE_VAL, HUGE_VAL);
     if (value.contains("bulge_size")) mask.bulge_size = number(value["bulge_size"], "bulge_size", 0.0, kMost);
     if (value.contains("islands")) mask.islands_mm = number(value["islands"], "islands", 0.0, kMost);
     if (!value.contains("root")) return;
@@ -32,6 +35,7 @@ json reading_json(const io::ReadOptions& reading) {
     if (!reading.columns.empty()) value["columns"] = reading.columns;
     const io::MaskReading& mask = reading.mask;
     if (mask.labels) value["labels"] = spelled(*mask.labels);
+    if (mask.isovalue) value["isovalue"] = *mask.isovalue;
     if (mask.fill_holes) value["fill_holes"] = *mask.fill_holes;
     if (mask.bulge_size) value["bulge_size"] = *mask.bulge_size;
     if (mask.islands_mm) value["islands"] = *mask.islands_mm;
@@ -41,8 +45,8 @@ json reading_json(const io::ReadOptions& reading) {
 
 io::ReadOptions reading_in(const json& value) {
     expect_only(value, "reading",
-                {"units", "radius_is", "orientation", "axes", "repair", "columns", "labels", "fill_holes", "bulge_size",
-                 "islands", "root"});
+                {"units", "radius_is", "orientation", "axes", "repair", "columns", "labels", "isovalue", "fill_holes",
+                 "bulge_size", "islands", "root"});
     io::ReadOptions reading;
     for (const auto& [name, key] :
          {std::pair("units", "units"), std::pair("radius_is", "radius-is"), std::pair("axes", "axes"),

@@ -33,6 +33,7 @@ constexpr std::array kTopics{std::pair{"units", "Unit of length"},
                              std::pair{"systems", "Systems"},
                              std::pair{"mask", "Mask"},
                              std::pair{"labels", "Labels"},
+                             std::pair{"threshold", "Threshold"},
                              std::pair{"fill-holes", "Holes"},
                              std::pair{"islands", "Islands"}};
 
@@ -101,8 +102,9 @@ Result<io::ReadOptions> with(io::ReadOptions options, std::string_view key, cons
         RAMUS_TRY(mask, with(options.mask, key, value));
         options.mask = std::move(mask);
     } else {
-        return fail(std::string(key) + " is no option of reading", {},
-                    "units, radius-is, orientation, repair; of masks labels, fill-holes, bulge-size, islands, root");
+        return fail(
+            std::string(key) + " is no option of reading", {},
+            "units, radius-is, orientation, repair; of masks labels, isovalue, fill-holes, bulge-size, islands, root");
     }
     return options;
 }

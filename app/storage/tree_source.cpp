@@ -1,5 +1,6 @@
 #include "app/storage/tree_source.h"
 
+#include "app/session/numbers.h"
 #include "app/session/of_file.h"
 #include "core/io/volumes/volume_file.h"
 #include "core/io/volumes/volume_unit.h"
@@ -50,19 +51,28 @@ std::vector<tree::Note> notes_on(const volume::Volume& mask, std::size_t systems
     return notes;
 }
 
+// What the reading says of labels, or a threshold.
+Result<std::vector<volume::SystemMask>> systems_in(const volume::Volume& mask, const io::MaskReading& reading) {
+    if (reading.isovalue && reading.labels && !reading.labels->empty())
+        return fail("labels and a threshold are asked for at once", {}, "leave out one of them");
+    if (reading.isovalue) return std::vector<volume::SystemMask>{{.labels = {}, .isovalue = reading.isovalue}};
+    volume::LabelGroups groups(std::in_place); // each label one
+    if (reading.labels && reading.labels->empty())
+        groups.reset();
+    else if (reading.labels)
+        groups = reading.labels;
+    return volume::systems_of(mask, groups);
+}
+
 Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOptions& options, double memory_bytes,
                                       Job& job) {
     if (options.orientation)
         return fail("the axes of a mask are those of its file, and cannot be said otherwise", path.string(),
                     "leave out --orientation, or write the mask anew with the program that made it");
     RAMUS_TRY(mask, io::read_volume(path, {memory_bytes, options.unit}, job));
-    volume::LabelGroups groups(std::in_place); // each label one
-    if (options.mask.labels && options.mask.labels->empty())
-        groups.reset();
-    else if (options.mask.labels)
-        groups = options.mask.labels;
-    RAMUS_TRY(systems, of_file(volume::systems_of(mask, groups), path.string()));
-    const std::vector<tree::Note> notes = notes_on(mask, options.mask.labels ? 0 : systems.size());
+    RAMUS_TRY(systems, of_file(systems_in(mask, options.mask), path.string()));
+    std::vector<tree::Note> notes = notes_on(mask, options.mask.labels ? 0 : systems.size());
+    if (options.mask.isovalue) notes.push_back(threshold_note(*options.mask.isovalue));
     const volume::SkeletonizeOptions how = skeletonize_options(options.mask, memory_bytes);
     const tree::Claims claims = io::claims_of(mask, options.unit);
     auto tree = of_file(volume::skeletonize(std::move(mask), systems, how, job), path.string());
@@ -74,6 +84,14 @@ Result<tree::VesselTree> tree_of_mask(const fs::path& path, const io::ReadOption
 }
 
 } // namespace
+
+tree::Note threshold_note(double isovalue) {
+    return {tree::Note::Kind::kAssumed,
+            "threshold",
+            "vessels are what is at least " + exact_text(isovalue) +
+                " in the scan: a threshold, no segmentation; whatever else is as bright is in the tree, too",
+            {}};
+}
 
 volume::SkeletonizeOptions skeletonize_options(const io::MaskReading& mask, double memory_bytes) {
     volume::SkeletonizeOptions options;

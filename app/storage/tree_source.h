@@ -17,6 +17,9 @@ namespace ramus::app {
 // What people say of a mask, over what is usual.
 [[nodiscard]] volume::SkeletonizeOptions skeletonize_options(const io::MaskReading& mask, double memory_bytes);
 
+// Said of a tree that a threshold has made of a scan.
+[[nodiscard]] tree::Note threshold_note(double isovalue);
+
 // The tree in a file; of a segmentation mask the one that ramus::volume::skeletonize() makes of it as `options` say,
 // each label a system of its own where they say nothing. `memory_bytes`: most that the process shall take for that; 0 =
 // half of the machine's. Fails like io::read_tree(), io::read_volume() and skeletonize().

@@ -146,8 +146,7 @@ class Refusals(CommandLineTest):
                         ["--session", "none.json"]):
             with self.subTest(options):
                 self.expect_failure("mesh", "mask.nii", "-o", "out.ply", "--method", "iso", *options, status=2)
-        for options in (["--label", "1"], ["--isovalue", "1"]):
-            self.expect_failure("mesh", "tree.swc", "-o", "out.ply", *options, status=2, says=["--method iso"])
+        self.expect_failure("mesh", "tree.swc", "-o", "out.ply", "--label", "1", status=2, says=["--method iso"])
 
     def test_bad_files(self):
         good = nifti(SIZE, BARS)

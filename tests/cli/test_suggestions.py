@@ -49,7 +49,7 @@ class SuggestionsTest(CommandLineTest):
 
     def test_an_option_of_another_command(self):
         self.write("tree.swc", GOOD)
-        self.refused("info", "tree.swc", "--isovalue", "1", says=("--isovalue is an option of ramus mesh",))
+        self.refused("info", "tree.swc", "--for-printing", says=("--for-printing is an option of ramus mesh",))
 
     def test_an_option_like_none(self):
         self.write("tree.swc", GOOD)

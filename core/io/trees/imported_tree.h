@@ -29,6 +29,7 @@ struct MaskReading {
     // As in volume::SkeletonizeOptions.
     std::optional<double> bulge_size, islands_mm;
     std::optional<bool> fill_holes;
+    std::optional<double> isovalue; // of a scan: what is at least that is vessel; its values are no labels then
     std::optional<glm::dvec3> root;
     bool operator==(const MaskReading&) const = default;
 };

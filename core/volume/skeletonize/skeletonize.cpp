@@ -181,7 +181,7 @@ Result<tree::VesselTree> skeletonize(Volume&& volume, std::span<const SystemMask
         const auto share = 1.0F / static_cast<float>(systems.size());
         for (std::size_t s = 0; s < systems.size(); ++s) {
             const JobRange part(job, share * static_cast<float>(s), share * static_cast<float>(s + 1));
-            RAMUS_TRY(mask, inside(volume, {systems[s].labels, std::nullopt}, part.part(0.0F, 0.2F)));
+            RAMUS_TRY(mask, inside(volume, {systems[s].labels, systems[s].isovalue}, part.part(0.0F, 0.2F)));
             if (s + 1 == systems.size()) volume.voxels = {};
             if (auto added = add_mask(masks, std::move(mask), static_cast<int>(s), volume.to_patient, options,
                                       part.part(0.2F, 1.0F));

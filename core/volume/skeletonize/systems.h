@@ -14,7 +14,8 @@ namespace ramus::volume {
 // One system of a tree: the part of a mask that it is made of, and how it is called.
 struct SystemMask {
     std::vector<std::int32_t> labels; // empty: everything that is inside
-    std::string name;                 // empty where it is the only one and the file does not name it
+    std::string name = {};            // empty where it is the only one and the file does not name it
+    std::optional<double> isovalue{}; // of a scan: what is at least that is inside
 };
 
 // Labels of each system; without any, each label is a system of its own. None: all labels are one system.
