@@ -128,8 +128,7 @@ std::vector<Command> reading_commands() {
             .in_menu("View", "Import doctor", {"Shift+D"})
             .when(has_tree)
             .in_use_when(shows_part("doctor")),
-        Command("note", "N",
-                "Goes to the place of the N-th note of the import doctor, as ramus info --json counts them.", note)
+        Command("note", "N", "Goes to the place of the N-th note of the import doctor, as the panel lists them.", note)
             .when(has_tree),
         Command(
             "orientation", "[XYZ|auto]",
