@@ -1,6 +1,7 @@
 #include "app/actions/arguments.h"
 
 #include "app/assets/assets.h"
+#include "app/picture/fit.h"
 #include "app/storage/user_folders.h"
 #include "core/base/words.h"
 
@@ -95,16 +96,15 @@ void add_lesions(std::vector<glm::vec3>& positions, const ActionContext& context
 
 std::vector<glm::vec3> visible_positions(const ActionContext& context, const render::Camera& camera, glm::ivec2 size) {
     const auto mesh = context.picture.picture_mesh();
-    if (!mesh) return {};
+    if (!mesh && context.document.tree()) return {};
     const Marks& marks = context.document.marks();
-    auto positions = mesh->farthest(render::fitting_directions(camera, size), [&](int branch) {
-        return state_of(marks, branch) != render::BranchState::kHidden;
-    });
+    std::vector<glm::vec3> positions;
+    if (mesh)
+        positions = mesh->farthest(render::fitting_directions(camera, size),
+                                   [&](int branch) { return state_of(marks, branch) != render::BranchState::kHidden; });
     add_lesions(positions, context);
-    for (const ContextItem& item : marks.context)
-        if (const auto shape = item.visible ? context.assets.context_shape(source_of(item)) : nullptr;
-            shape && item.opacity > 0.0)
-            positions.insert(positions.end(), shape->mesh->positions.begin(), shape->mesh->positions.end());
+    const auto shown = shown_positions(marks, context.assets);
+    positions.insert(positions.end(), shown.begin(), shown.end());
     return positions;
 }
 
@@ -145,6 +145,7 @@ Result<void> expect_selection(const Document& document) {
 }
 
 bool has_tree(const Document& document) { return document.branch_count() > 0; }
+bool has_scene(const Document& document) { return document.has_scene(); }
 bool has_selection(const Document& document) { return !document.marks().selection.empty(); }
 
 bool has_lesions(const Document& document) {

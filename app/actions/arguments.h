@@ -67,6 +67,7 @@ Result<void> select_these(ActionContext& context, std::vector<int> ids);
 
 // For Command::enabled.
 [[nodiscard]] bool has_tree(const Document& document);
+[[nodiscard]] bool has_scene(const Document& document); // a tree, or something without one
 [[nodiscard]] bool has_selection(const Document& document);
 [[nodiscard]] bool has_lesions(const Document& document);
 

@@ -69,7 +69,7 @@ bool is_orthographic(const Document& document) { return document.session().camer
 
 // Neutral where nobody knows the patient's sides.
 template <render::View Which> std::string view_label(const Document& document) {
-    return render::title_of(Which, !document.tree() || document.tree()->claims.has_sides());
+    return render::title_of(Which, document.claims().has_sides());
 }
 
 template <render::View Which> Command view_entry(const char* key, const char* help) {
@@ -77,7 +77,7 @@ template <render::View Which> Command view_entry(const char* key, const char* he
         .in_menu("View", render::title_of(Which, true), {key})
         .labelled(view_label<Which>)
         .giving({std::string(render::name_of(Which))})
-        .when(has_tree);
+        .when(has_scene);
 }
 
 } // namespace
@@ -86,8 +86,8 @@ std::vector<Command> camera_commands() {
     return {
         Command("view", "NAME",
                 "Looks from anterior, posterior, left, right, superior or inferior, or from +x, -x, +y, -y, +z or -z, "
-                "at the "
-                "whole tree.",
+                "at "
+                "all that is shown.",
                 view),
         view_entry<render::View::kAnterior>("A", "From +y: where sides are known, from in front of the patient."),
         view_entry<render::View::kPosterior>("P", "From -y: where sides are known, from behind the patient."),
@@ -95,22 +95,22 @@ std::vector<Command> camera_commands() {
         view_entry<render::View::kRight>("R", "From +x: where sides are known, from the patient's right."),
         view_entry<render::View::kSuperior>("S", "From +z: where sides are known, down from the head."),
         view_entry<render::View::kInferior>("I", "From -z: where sides are known, up from the feet."),
-        Command("fit", "", "Brings the whole tree into the picture, from where the viewer stands.", fit)
+        Command("fit", "", "Brings all that is shown into the picture, from where the viewer stands.", fit)
             .in_menu("View", "Fit", {"F", "0"})
-            .when(has_tree),
+            .when(has_scene),
         Command("orthographic", "[on|off]", "Switches between parallel and central projection.", orthographic)
             .in_menu("View", "Orthographic", {"O"})
-            .when(has_tree)
+            .when(has_scene)
             .checked_when(is_orthographic),
         Command("camera", "JSON|FILE",
                 "Looks from a camera that was copied as text: {\"position\": [0, -500, 0], ...}.", camera),
-        Command("camera-copy", "", "Copies the camera as text, for camera-paste, scripts and ramus render --camera.",
+        Command("camera-copy", "", "Copies the camera as text, for camera-paste, scripts and the command line.",
                 camera_copy)
             .in_menu("Edit", "Copy camera", {"Ctrl+C"})
-            .when(has_tree),
+            .when(has_scene),
         Command("camera-paste", "", "Looks from the camera that was copied as text.", camera_paste)
             .in_menu("Edit", "Paste camera", {"Ctrl+V"})
-            .when(has_tree),
+            .when(has_scene),
     };
 }
 

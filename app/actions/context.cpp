@@ -9,6 +9,7 @@
 #include "render/scene/bounds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -17,7 +18,7 @@ namespace ramus::app::actions {
 namespace {
 
 constexpr const char* kUsage =
-    "context FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]";
+    "context FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]";
 
 // Quiet, and well apart from vessels: an organ's brown, bone, and others that nothing in a body has.
 constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours{
@@ -39,11 +40,16 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
             item.wireframe = true;
         } else if (word == "--exact") {
             item.exact = true;
-        } else if (word == "--label" || word == "--colour" || word == "--opacity" || word == "--units") {
+        } else if (word == "--label" || word == "--isovalue" || word == "--colour" || word == "--opacity" ||
+                   word == "--units") {
             const std::string value = i + 1 < arguments.size() ? arguments[++i] : std::string();
             if (word == "--label") {
                 item.label = parsed<int>(value).value_or(0);
                 if (item.label == 0) return fail("--label takes a whole number other than 0", {}, kUsage);
+            } else if (word == "--isovalue") {
+                item.isovalue = parsed<double>(value);
+                if (!item.isovalue || !std::isfinite(*item.isovalue))
+                    return fail("--isovalue takes a number", {}, kUsage);
             } else if (word == "--units") {
                 if (!io::length_unit(value)) return fail("--units takes a unit of length: mm, um, cm or m", {}, kUsage);
                 item.units = value;
@@ -63,13 +69,16 @@ Result<ContextItem> item_in(Arguments arguments, const std::vector<ContextItem>&
         }
     }
     if (item.file.empty()) return fail("context takes a file", {}, kUsage);
+    if (item.isovalue && item.label != 0)
+        return fail("context takes a label of a mask or an isovalue of a scan, not both", {}, kUsage);
     item.opacity = opacity.value_or(item.wireframe ? 1.0 : item.opacity);
     return item;
 }
 
 // Something that lies far from the tree is of another patient, or in other coordinates.
-std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree& tree) {
-    const render::Box vessels = render::bounds_of(tree), box = render::bounds_of(mesh);
+std::string distance_text(const mesh::TriangleMesh& mesh, const tree::VesselTree* tree) {
+    if (tree == nullptr) return {};
+    const render::Box vessels = render::bounds_of(*tree), box = render::bounds_of(mesh);
     if (box.empty() || vessels.empty()) return {};
     const double away = glm::length(glm::max(glm::max(box.lower - vessels.upper, vessels.lower - box.upper), 0.0));
     return away > 0.0 ? "; it lies " + Lengths().text(away) + " beside the tree: is it in the same coordinates?"
@@ -90,18 +99,28 @@ Result<ContextItem> new_item(const Document& document, Arguments arguments) {
     return item;
 }
 
+render::Camera at_all(const ActionContext& context) {
+    const glm::ivec2 size = context.picture.picture_size();
+    const auto visible = visible_positions(context, render::looking({}, render::View::kAnterior), size);
+    return render::camera_for(visible, render::View::kAnterior, size);
+}
+
 Result<void> add_context(ActionContext& context, Arguments arguments, const ContextShape& shape) {
     const mesh::TriangleMesh& mesh = *shape.mesh;
     RAMUS_TRY(item, new_item(context.document, arguments));
     context.say(std::filesystem::path(item.file).filename().string() + ": " +
                 counted(mesh.triangles.size(), "triangle", "triangles") +
-                distance_text(mesh, *context.document.tree()) +
+                distance_text(mesh, context.document.tree().get()) +
                 (shape.suspicion.empty() ? "" : "; " + shape.suspicion));
-    return edit(context, [&](Marks& marks) { marks.context.push_back(item); });
+    // Without a tree all is looked at, until somebody looks otherwise.
+    const bool looks_at_all = !has_tree(context.document) &&
+                              (!has_scene(context.document) || context.document.session().camera == at_all(context));
+    auto added = edit(context, [&](Marks& marks) { marks.context.push_back(item); });
+    if (added && looks_at_all) context.document.set_camera(at_all(context));
+    return added;
 }
 
 Result<Outcome> context(ActionContext& context, Arguments arguments) {
-    if (!has_tree(context.document)) return fail("there is no tree to show it beside");
     if (arguments.empty())
         return outcome_of(
             ask_for_file(context, FilePurpose::kContext, fail("context needs a FILE here", {}, context_extensions())));
@@ -187,12 +206,13 @@ bool has_context(const Document& document) { return !document.marks().context.em
 std::vector<Command> context_commands() {
     return {
         Command(
-            "context", "[FILE [--label N] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]]",
-            "Shows the surface of a mask or a mesh beside the tree; without FILE, asks for one. A mask's steps between "
-            "voxels are smoothed, by half a voxel at most, unless it shall be exact.",
+            "context",
+            "[FILE [--label N] [--isovalue X] [--colour RRGGBB] [--opacity X] [--wireframe] [--exact] [--units UNIT]]",
+            "Shows the surface of a mask, of a scan at an isovalue, or of a mesh beside the tree, or alone where there "
+            "is none; without FILE, asks for one. A mask's steps between voxels are smoothed, by half a voxel at most, "
+            "unless it shall be exact.",
             context)
-            .in_menu("File", "Add context...")
-            .when(has_tree),
+            .in_menu("File", "Add context..."),
         Command("context-remove", "N", "Takes the N-th context mesh away.", context_remove).when(has_context),
         Command("context-clear", "", "Takes all context meshes away.", context_clear).when(has_context),
         Command("context-show", "N", "Shows the N-th context mesh again.", set_visible<true>).when(has_context),

@@ -51,15 +51,17 @@ std::vector<ExportFormat> report_formats() {
 
 const std::array<ExportKind, kExportKinds>& export_kinds() {
     static const std::array<ExportKind, kExportKinds> kinds{
-        {{ExportWhat::kPicture, "picture", "Picture", "What the window shows of the tree.", false, picture_formats()},
-         {ExportWhat::kSheet, "sheet", "Sheet", "Four views on one sheet, all at one scale.", false, picture_formats()},
-         {ExportWhat::kTurntable, "turntable", "Turntable", "Once around the tree, as pictures or as a video.", false,
+        {{ExportWhat::kPicture, "picture", "Picture", "What the window shows.", false, false, picture_formats()},
+         {ExportWhat::kSheet, "sheet", "Sheet", "Four views on one sheet, all at one scale.", false, false,
+          picture_formats()},
+         {ExportWhat::kTurntable, "turntable", "Turntable", "Once around, as pictures or as a video.", false, false,
           turntable_formats()},
-         {ExportWhat::kReport, "report", "Report", "A page with pictures and tables of the plan.", false,
+         {ExportWhat::kReport, "report", "Report", "A page with pictures and tables of the plan.", false, true,
           report_formats()},
-         {ExportWhat::kTable, "table", "Table", "The figures of each branch.", true, table_formats()},
-         {ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, surface_formats()},
-         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, tree_formats()}}};
+         {ExportWhat::kTable, "table", "Table", "The figures of each branch.", true, true, table_formats()},
+         {ExportWhat::kSurface, "surface", "Surface", "The smooth surface, as triangles.", true, true,
+          surface_formats()},
+         {ExportWhat::kTree, "tree", "Tree", "Centerlines and radii, as they were read.", true, true, tree_formats()}}};
     return kinds;
 }
 

@@ -30,6 +30,7 @@ struct ExportKind {
     const char* label;    // in the dialog
     const char* help;
     bool of_branches;                  // else it is of what the picture shows
+    bool of_tree;                      // else it takes no tree
     std::vector<ExportFormat> formats; // one at least
 };
 

@@ -112,7 +112,7 @@ Result<Outcome> export_tree(ActionContext& context, const Export& wanted) {
 }
 
 Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
-    if (!has_tree(context.document)) return fail("there is no tree to export");
+    if (!has_scene(context.document)) return fail("there is nothing to export");
     if (arguments.size() <= 1) { // a kind alone is its page of the dialog
         const std::string kind = arguments.empty() ? std::string() : arguments[0];
         if (!kind.empty() && !export_kind_named(kind))
@@ -122,6 +122,8 @@ Result<Outcome> export_file(ActionContext& context, Arguments arguments) {
         return Done{};
     }
     RAMUS_TRY(wanted, export_in(context, arguments));
+    if (wanted.kind().of_tree && !has_tree(context.document))
+        return fail("there is no tree to export", wanted.file.string(), "pictures can be exported");
     if (auto possible = io::check_output(wanted.file); !possible) return tl::unexpected(possible.error());
     const auto exported = exported_branches(context.document, wanted.of);
     if (wanted.kind().of_branches && wanted.table.empty() &&
@@ -154,7 +156,7 @@ Command export_command() {
                    "--caption; or report. Without a file, asks where and how.",
                    export_file)
         .in_menu("File", "Export...", {"Ctrl+E"})
-        .when(has_tree);
+        .when(has_scene);
 }
 
 } // namespace ramus::app::actions

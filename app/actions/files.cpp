@@ -1,6 +1,7 @@
 // Trees, sessions and pictures; the window itself.
 #include "app/actions/arguments.h"
 #include "app/actions/groups.h"
+#include "app/session/mask_reading.h"
 #include "app/session/session_file.h"
 #include "app/storage/settings.h"
 #include "core/base/child_program.h"
@@ -13,18 +14,25 @@ namespace {
 
 Result<void> open(ActionContext& context, Arguments arguments) {
     const bool as_tree = arguments.size() > 1 && arguments[1] == "--tree";
-    const bool labels = arguments.size() == 4 && arguments[2] == "--labels";
-    if (arguments.size() > 1 && !(as_tree && (arguments.size() == 2 || labels)))
+    const bool option = arguments.size() == 4 && (arguments[2] == "--labels" || arguments[2] == "--isovalue");
+    if (arguments.size() > 1 && !(as_tree && (arguments.size() == 2 || option)))
         return fail("open takes one file", {}, "put quotes around a name with blanks");
     if (!arguments.empty() && arguments[0].empty()) return fail("the name of a file is empty");
     if (arguments.empty()) return ask_for_file(context, FilePurpose::kOpen, fail("open needs a FILE here"));
     if (context.files == nullptr) return fail("a file cannot be opened from here", {}, "open it in a window");
-    if (as_tree) return context.files->open_as_tree(arguments[0], labels ? arguments[3] : "");
+    if (as_tree) {
+        io::MaskReading mask;
+        if (option) {
+            RAMUS_TRY(said, with(mask, arguments[2].substr(2), arguments[3]));
+            mask = std::move(said);
+        }
+        return context.files->open_as_tree(arguments[0], mask);
+    }
     return context.files->open(arguments[0]);
 }
 
 Result<void> save(ActionContext& context, Arguments arguments) {
-    if (!has_tree(context.document)) return fail("there is no tree to save a session of");
+    if (!has_scene(context.document)) return fail("there is nothing to save a session of");
     const bool asks = context.files != nullptr && context.files->asks();
     if (arguments.empty() && asks && context.document.file().empty()) {
         context.files->ask_for_file(FilePurpose::kSave);
@@ -144,10 +152,11 @@ Result<void> palette(ActionContext& context, Arguments) { return toggle_part(con
 
 std::vector<Command> file_commands() {
     return {
-        Command("open", "[FILE [--tree [--labels LIST]]]",
-                "Opens a tree, a session or a mask; without FILE, asks for one. A window asks what becomes of a mask, "
-                "unless it is to be a --tree.",
-                open)
+        Command(
+            "open", "[FILE [--tree [--labels LIST|--isovalue X]]]",
+            "Opens a tree, a session, a mask or a scan; without FILE, asks for one. A window asks what becomes of a "
+            "mask or a scan, unless it is to be a --tree.",
+            open)
             .in_menu("File", "Open...", {"Ctrl+O"}),
         Command(
             "save", "[FILE]",
@@ -155,10 +164,10 @@ std::vector<Command> file_commands() {
             "first time.",
             save)
             .in_menu("File", "Save session", {"Ctrl+S"})
-            .when(has_tree),
+            .when(has_scene),
         Command("save-as", "", "Asks where to write the session.", save_as)
             .in_menu("File", "Save session as...", {"Ctrl+Shift+S"})
-            .when(has_tree),
+            .when(has_scene),
         Command("recover", "[N]", "Shows what is left of runs that did not end well, or brings the N-th of them back.",
                 recover)
             .in_menu("File", "Recover..."),
@@ -167,7 +176,7 @@ std::vector<Command> file_commands() {
         Command("shot", "[FILE]", "Writes the picture as PNG; without FILE, asks where, how large and on what ground.",
                 shot)
             .in_menu("File", "Save picture...", {"F12"})
-            .when(has_tree),
+            .when(has_scene),
         export_command(),
         Command("open-folder", "", "Shows the folder of the file that was written last in the desktop's file manager.",
                 open_folder),

@@ -6,6 +6,7 @@
 #include "app/picture/fly_along.h"
 #include "core/base/error.h"
 #include "core/base/job.h"
+#include "core/io/trees/imported_tree.h"
 #include "render/image/image.h"
 #include "render/renderer/drawn.h"
 
@@ -65,8 +66,8 @@ class FileHost {
 public:
     virtual ~FileHost() = default;
     virtual Result<void> open(const std::filesystem::path& path) = 0; // of a mask asks what becomes of it
-    // A mask, with these labels (app/session/mask_reading.h; empty: as usual), and nobody is asked what becomes of it.
-    virtual Result<void> open_as_tree(const std::filesystem::path& path, const std::string& /*labels*/) {
+    // A mask or a scan, read like that, and nobody is asked what becomes of it.
+    virtual Result<void> open_as_tree(const std::filesystem::path& path, const io::MaskReading& /*how*/) {
         return open(path);
     }
     // Shows the dialog; the command that belongs to the purpose follows with the file.

@@ -60,6 +60,17 @@ std::optional<Error> Assets::trouble(const ContextSource& source) const {
     return loaded != nullptr && !loaded->value ? std::optional(loaded->value.error()) : std::nullopt;
 }
 
+tree::Claims Assets::claims_of(const std::vector<ContextItem>& context) const {
+    tree::Claims claims;
+    for (const ContextItem& item : context) {
+        const auto shape = item.visible ? context_shape(source_of(item)) : nullptr;
+        if (!shape) continue;
+        claims.unit = std::max(claims.unit, shape->claims.unit);
+        claims.orientation = std::max(claims.orientation, shape->claims.orientation);
+    }
+    return claims;
+}
+
 void Assets::put(const std::string& lesion_file, Loaded<LesionMesh> loaded) {
     lesion_meshes.insert_or_assign(lesion_file, std::move(loaded));
     plan.reset();

@@ -52,6 +52,9 @@ struct Assets {
     // Why it could not be read; none: it was, or nobody has tried.
     [[nodiscard]] std::optional<Error> trouble(const ContextSource& source) const;
 
+    // Who says the unit and the sides of all that is visible of `context`: somebody does where somebody does of each.
+    [[nodiscard]] tree::Claims claims_of(const std::vector<ContextItem>& context) const;
+
     void put(const std::string& lesion_file, Loaded<LesionMesh> loaded);
     void put(const ContextSource& source, Loaded<ContextShape> loaded);
 };

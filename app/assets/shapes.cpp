@@ -3,6 +3,7 @@
 #include "app/session/of_file.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/volumes/volume_file.h"
+#include "core/io/volumes/volume_unit.h"
 #include "core/mesh/coarse_mesh.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/relax_surface.h"
@@ -18,17 +19,22 @@ constexpr std::size_t kPreviewFrom = 80'000, kPreview = 40'000; // triangles; tu
 // Tuned on an organ whose slices are four times as thick as its pixels are wide.
 constexpr int kRelaxPasses = 60, kSmoothPasses = 2;
 
-Result<mesh::TriangleMesh> read_surface(const ContextSource& source, std::string& suspicion, Job& job) {
+// And what is said beside it.
+Result<mesh::TriangleMesh> read_surface(const ContextSource& source, ContextShape& shape, Job& job) {
     if (!io::is_volume(source.file)) {
-        if (source.label != 0)
-            return fail("a mesh has no labels", source.file,
-                        "--label chooses one of a mask's: " + io::readable_volume_extensions());
+        if (source.label != 0 || source.isovalue)
+            return fail("a mesh has neither labels nor values", source.file,
+                        "masks and scans have them: " + io::readable_volume_extensions());
+        shape.claims = {tree::SaidBy::kNobody, tree::SaidBy::kNobody};
         return io::read_mesh(source.file, io::Holes::kAllowed);
     }
-    auto volume = io::read_volume(source.file, {0.0, io::length_unit(source.units)}, job);
+    const auto unit = io::length_unit(source.units);
+    auto volume = io::read_volume(source.file, {0.0, unit}, job);
     if (!volume) return tl::unexpected(volume.error());
-    if (!volume->suspicions.empty()) suspicion = volume->suspicions.front();
+    if (!volume->suspicions.empty()) shape.suspicion = volume->suspicions.front();
+    shape.claims = io::claims_of(*volume, unit);
     volume::Selection selection;
+    selection.isovalue = source.isovalue;
     if (source.label != 0) selection.labels = {source.label};
     const glm::dmat4 to_patient = volume->to_patient;
     const bool has_steps = !volume::isovalue_of(*volume, selection);
@@ -42,10 +48,11 @@ Result<mesh::TriangleMesh> read_surface(const ContextSource& source, std::string
 Result<std::shared_ptr<const ContextShape>> read_shape(const ContextSource& source, Job& job) {
     try {
         ContextShape shape;
-        auto mesh = read_surface(source, shape.suspicion, job);
+        auto mesh = read_surface(source, shape, job);
         if (!mesh) return tl::unexpected(mesh.error());
         if (mesh->triangles.size() > kPreviewFrom)
             shape.preview = std::make_shared<const mesh::TriangleMesh>(mesh::coarse_mesh(*mesh, kPreview));
+        shape.box = render::bounds_of(*mesh);
         shape.mesh = std::make_shared<const mesh::TriangleMesh>(std::move(*mesh));
         return std::make_shared<const ContextShape>(std::move(shape));
     } catch (const std::bad_alloc&) {

@@ -6,11 +6,14 @@
 #include "core/base/job.h"
 #include "core/measure/mesh_distance.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/tree/vessel_tree.h"
+#include "render/scene/bounds.h"
 
 #include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -62,17 +65,20 @@ struct ContextSource {
     int label = 0;
     bool exact = false;                                     // of a mask: with the steps of its voxels
     std::string units = {};                                 // of a mask's lengths; empty: as its file says
+    std::optional<double> isovalue{};                       // of a scan
     auto operator<=>(const ContextSource&) const = default; // NOLINT(modernize-use-nullptr): the rule mistakes it
 };
 [[nodiscard]] inline ContextSource source_of(const ContextItem& item) {
-    return {item.file, item.label, item.exact || item.wireframe,
-            item.units}; // who looks at triangles wants the true ones
+    // Who looks at triangles wants the true ones.
+    return {item.file, item.label, item.exact || item.wireframe, item.units, item.isovalue};
 }
 
 struct ContextShape {
     std::shared_ptr<const mesh::TriangleMesh> mesh;
     std::shared_ptr<const mesh::TriangleMesh> preview; // fewer triangles; null: the mesh has few
     std::string suspicion;                             // of a mask: that its unit is likely another; may be empty
+    render::Box box;                                   // around it
+    tree::Claims claims;                               // who says its unit and its sides; of a mesh nobody does
 };
 
 // The mesh in this file, or the surface of the mask in it by marching cubes, relaxed within its voxels

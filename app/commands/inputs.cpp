@@ -89,7 +89,7 @@ Result<void> show_only(Marks& marks, const tree::VesselTree& tree, const std::ve
 } // namespace
 
 Result<OpenedSession> open_session(const std::string& tree_file, const std::string& session_file,
-                                   const SurfaceFlags& flags) {
+                                   const SurfaceFlags& flags, Alone alone) {
     SavedSession saved;
     if (session_file.empty()) {
         saved.session.marks.options = flags.surface;
@@ -102,6 +102,13 @@ Result<OpenedSession> open_session(const std::string& tree_file, const std::stri
     }
     OpenedSession opened{std::move(saved.session), nullptr, nullptr, saved.has_camera};
     if (!tree_file.empty()) opened.session.tree.path = std::filesystem::absolute(tree_file).lexically_normal();
+    if (opened.session.tree.path.empty()) {
+        if (alone == Alone::kRefused)
+            return fail("this session shows something without a tree, and a tree is needed", session_file,
+                        "name the file of a tree, too");
+        if (auto fits = check_against(opened.session, {}, {}, session_file); !fits) return tl::unexpected(fits.error());
+        return opened;
+    }
     auto tree = load_tree(tree_file.empty() ? opened.session.tree.path.string() : tree_file, flags,
                           opened.session.marks.reading);
     if (!tree) return tl::unexpected(tree.error());

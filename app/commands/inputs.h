@@ -44,9 +44,12 @@ struct OpenedSession {
     bool has_camera = false;
 };
 
+// A session that shows something without a tree is refused, unless `alone` says that it may be.
+enum class Alone { kRefused, kAllowed };
+
 // Either name may be empty, not both: a tree without a session is a fresh one, a session without a tree brings its own.
 // Options on the command line win over those of the session.
 [[nodiscard]] Result<OpenedSession> open_session(const std::string& tree_file, const std::string& session_file,
-                                                 const SurfaceFlags& flags);
+                                                 const SurfaceFlags& flags, Alone alone = Alone::kRefused);
 
 } // namespace ramus::app

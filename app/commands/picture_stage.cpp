@@ -15,6 +15,7 @@ Result<void> PictureStage::make_surface() {
         surface_ = {};
         compared_.clear();
     }
+    if (!tree_) return {}; // what is shown without one has no surface to make
     SurfaceRequest request = surface_request(document_.marks());
     request.options.threads = flags_.surface.threads; // the machine's business, not the session's
     if (surface_.mesh && surface_.request == request) return {};
@@ -47,7 +48,7 @@ Result<void> PictureStage::complete_assets() {
 
 Result<void> PictureStage::measure_deviation() {
     const Marks& marks = document_.marks();
-    if (marks.colour_by != ColourBy::kDeviation) return {};
+    if (marks.colour_by != ColourBy::kDeviation || !tree_) return {};
     const DeviationOf of = deviation_of(document_.tree(), marks, marks.options);
     if (assets.deviation.fits(of, surface_.mesh)) return {};
     const auto measure = [&](Job& job) {
@@ -83,7 +84,7 @@ Result<render::Sheet> PictureStage::sheet(glm::ivec2 size) {
     if (auto measured = measure_deviation(); !measured) return tl::unexpected(measured.error());
     const Marks& marks = document_.marks();
     ShownSurfaces surfaces;
-    for (const ComparedRequest& request : compared_requests(marks))
+    for (const ComparedRequest& request : tree_ ? compared_requests(marks) : std::vector<ComparedRequest>())
         if (auto made = make_compared_surface(request); !made) return tl::unexpected(made.error());
     for (const ComparedSurface& one : compared_) show(surfaces, one);
     surfaces.set_own(marks.options, surface_.mesh, nullptr);

@@ -22,6 +22,7 @@ public:
 
     // Computes the surface of the session's options, without its hidden branches, unless it is there already.
     Result<void> make_surface();
+    Result<void> complete_assets(); // reads and measures what a picture shows beside the surface
     void draw_with(render::Renderer& renderer) {
         renderer_ = &renderer;
         sheet_renderer_ = std::make_unique<render::SheetRenderer>(renderer);
@@ -54,8 +55,7 @@ private:
     ReadySurface surface_;
     std::shared_ptr<const tree::VesselTree> tree_; // that the surfaces are of: it may be edited
     std::vector<ComparedSurface> compared_;        // one a kind
-    Result<void> complete_assets();
-    Result<void> measure_deviation(); // of the surface, where colours show it
+    Result<void> measure_deviation();              // of the surface, where colours show it
     Result<void> make_compared_surface(ComparedRequest request);
 };
 

@@ -109,7 +109,7 @@ Result<int> judge(const render::Image& image, const RenderFlags& flags, nlohmann
 
 // Opens what was asked for; true when it has a camera.
 Result<bool> open_document(const RenderFlags& flags, Document& document) {
-    RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common));
+    RAMUS_TRY(opened, open_session(flags.file.string(), flags.session, flags.common, Alone::kAllowed));
     apply(flags.comparison, opened.session.marks);
     if (flags.colour_by) opened.session.marks.colour_by = *flags.colour_by;
     document.open(std::move(opened.tree), std::move(opened.session), nullptr, {}, std::move(opened.base));
@@ -227,12 +227,14 @@ Result<int> finish_picture(const render::Image& image, const RenderFlags& flags,
 // The camera that was given, or the session's, or one that sees the whole tree.
 void set_camera(Document& document, const Inputs& inputs, bool session_has_one, const RenderFlags& flags,
                 const PictureStage& stage) {
-    if (inputs.camera)
+    if (inputs.camera) {
         document.set_camera(*inputs.camera);
-    else if (!session_has_one || flags.view_given)
-        document.set_camera(with_room(
-            render::camera_for(stage.surface().mesh->positions(), flags.view, stage.picture_size(), flags.orthographic),
-            document.marks().comparison));
+    } else if (!session_has_one || flags.view_given) {
+        const auto seen =
+            stage.surface().mesh ? stage.surface().mesh->positions() : shown_positions(document.marks(), stage.assets);
+        document.set_camera(with_room(render::camera_for(seen, flags.view, stage.picture_size(), flags.orthographic),
+                                      document.marks().comparison));
+    }
     if (flags.orthographic) document.set_camera(render::with_projection(document.session().camera, true));
 }
 
@@ -266,6 +268,8 @@ Result<int> run_render(const RenderFlags& flags) {
     PictureStage stage(document, flags.common, viewing);
     if (auto made = of_file(stage.make_surface(), document.session().tree.path.string()); !made)
         return tl::unexpected(made.error());
+    if (!document.tree())
+        if (auto read = stage.complete_assets(); !read) return tl::unexpected(read.error());
     set_camera(document, inputs, has_camera, flags, stage);
     const auto context = open_context(flags);
     if (!context) return tl::unexpected(context.error());

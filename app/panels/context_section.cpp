@@ -72,6 +72,7 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
     draw_swatch(context, item, number, trial);
     std::string name = std::filesystem::path(item.file).filename().string();
     if (item.label != 0) name += "  label " + std::to_string(item.label);
+    if (item.isovalue) name += "  from " + rounded(*item.isovalue);
     const float available = ImGui::GetContentRegionAvail().x - 2.0F * side - 8.0F * theme::scale();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, trouble || gave_up       ? theme::kTrouble
@@ -109,7 +110,10 @@ void draw_row(InterfaceContext& context, const ContextItem& item, int number, Tr
 void draw_context(InterfaceContext& context) {
     Trial& trial = context.interface.editing.context;
     draw_title(context, "Context",
-               {{"Add\xE2\x80\xA6", "Show a mask or a mesh beside the tree: an organ, a bone", "context"}});
+               {{"Add\xE2\x80\xA6",
+                 context.workspace.document.tree() ? "Show a mask or a mesh beside the tree: an organ, a bone"
+                                                   : "Show another mask or mesh: an organ, a bone",
+                 "context"}});
     // A copy: what a row does changes the list.
     const std::vector<ContextItem> items = context.workspace.document.marks().context;
     if (trial.of > static_cast<int>(items.size())) trial.of = -1;

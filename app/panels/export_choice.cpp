@@ -40,11 +40,14 @@ const char* key_of(io::PartsBy parts) {
 
 } // namespace
 
-bool draw_export_kinds(ExportChoice& choice) {
+bool draw_export_kinds(ExportChoice& choice, bool has_tree) {
     const ExportWhat before = choice.what;
+    if (!has_tree && choice.kind().of_tree) choice.what = ExportWhat::kPicture;
     for (const ExportKind& kind : export_kinds()) {
         if (&kind != export_kinds().data()) ImGui::SameLine(0.0F, 18.0F * theme::scale());
+        ImGui::BeginDisabled(kind.of_tree && !has_tree);
         if (ImGui::RadioButton(kind.label, kind.what == choice.what)) choice.what = kind.what;
+        ImGui::EndDisabled();
         widgets::tooltip(kind.help);
     }
     return before != choice.what;

@@ -48,12 +48,12 @@ struct ExportChoice {
 
 // What a document has that can be exported.
 struct Exportable {
-    bool selection = false, systems = false;
+    bool tree = true, selection = false, systems = false;
     std::vector<std::string_view> tables; // names of those that have rows
 };
 
-// What. True when it is another than before.
-bool draw_export_kinds(ExportChoice& choice);
+// What, of what there is. True when it is another than before.
+bool draw_export_kinds(ExportChoice& choice, bool has_tree);
 // Of what, and how. True when what the name ends with is another.
 bool draw_export_choice(ExportChoice& choice, const Exportable& has);
 

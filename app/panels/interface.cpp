@@ -21,10 +21,10 @@ constexpr float kLeastOverviewHeight = 90.0F;
 
 // What to do when there is nothing to see.
 void draw_empty_view(InterfaceContext& context) {
-    if (context.workspace.shown().mesh) return;
+    if (context.workspace.shown().mesh || context.workspace.document.has_scene()) return;
     const bool busy = context.workspace.busy();
     const char* title = busy ? "Reading..." : "No vessel tree";
-    const char* hint = busy ? "" : "Drop a tree or a mask here, or press Ctrl+O";
+    const char* hint = busy ? "" : "Drop a tree, a mask or a scan here, or press Ctrl+O";
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const ImVec2 centre(
         static_cast<float>(context.layout.view_at.x) + 0.5F * static_cast<float>(context.layout.view_size.x),

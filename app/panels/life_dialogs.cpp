@@ -37,7 +37,7 @@ namespace {
 std::string title_of(const RecoveryDialog::Entry& entry) {
     if (!entry.problem.empty()) return entry.slot.file().filename().string();
     const auto& file = entry.snapshot.file;
-    return (file.empty() ? entry.snapshot.session.tree.path : file).filename().string();
+    return (file.empty() ? subject_of(entry.snapshot.session) : file).filename().string();
 }
 
 std::string about(const RecoveryDialog::Entry& entry) {
@@ -55,7 +55,7 @@ Choice draw_entry(const RecoveryDialog::Entry& entry, float height) {
     const ImVec2 at = ImGui::GetCursorPos();
     const float text_width = ImGui::GetContentRegionAvail().x - 2.0F * button - 3.0F * gap;
     ImGui::TextUnformatted(widgets::fitted(title_of(entry), text_width).c_str());
-    widgets::tooltip(entry.problem.empty() ? entry.snapshot.session.tree.path.c_str() : entry.slot.file().c_str());
+    widgets::tooltip(entry.problem.empty() ? subject_of(entry.snapshot.session).c_str() : entry.slot.file().c_str());
     widgets::quiet(widgets::fitted(about(entry), text_width).c_str());
     const ImVec2 end = ImGui::GetCursorPos();
     ImGui::SetCursorPos({at.x, std::round(at.y + 0.5F * (height - ImGui::GetFrameHeight()))});
@@ -124,8 +124,8 @@ void draw_unsaved_dialog(InterfaceContext& context) {
     widgets::heading("Save the changes first?");
     ImGui::Dummy({0.0F, 2.0F * scale});
     const std::size_t changes = document.unsaved_changes();
-    const std::string text = counted(changes, "change", "changes") + " to " +
-                             document.session().tree.path.filename().string() + " would be lost.";
+    const std::string text =
+        counted(changes, "change", "changes") + " to " + document.subject().filename().string() + " would be lost.";
     ImGui::TextWrapped("%s", text.c_str());
     widgets::quiet_wrapped(("Save writes " + target.string()).c_str());
     ImGui::Dummy({0.0F, 6.0F * scale});

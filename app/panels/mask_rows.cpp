@@ -97,6 +97,7 @@ void draw_root(InterfaceContext& context, const io::MaskReading& mask) {
 
 void draw_mask_reading(InterfaceContext& context, const io::MaskReading& mask) {
     const tree::VesselTree& tree = *context.workspace.document.tree();
+    if (mask.isovalue) widgets::fact("Threshold", "at least " + rounded(*mask.isovalue));
     if (mask.labels || tree.systems.size() > 1) draw_labels(context, mask);
     draw_sizes(context, mask);
     draw_root(context, mask);

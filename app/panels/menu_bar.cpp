@@ -125,8 +125,8 @@ void draw_views(InterfaceContext& context) {
     const float at = static_cast<float>(context.layout.window.x) - total - 8.0F * scale;
     if (at < ImGui::GetCursorPosX() + 12.0F * scale) return; // a narrow window keeps the menus
     const Document& document = context.workspace.document;
-    const bool enabled = document.branch_count() > 0;
-    const bool sides = !document.tree() || document.tree()->claims.has_sides();
+    const bool enabled = document.has_scene();
+    const bool sides = document.claims().has_sides();
     ImGui::SetCursorPosX(std::round(at));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, 0.0F});

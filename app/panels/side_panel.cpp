@@ -56,6 +56,22 @@ void draw_tree(InterfaceContext& context) {
     draw_doctor_line(context);
 }
 
+// What is shown without a tree.
+void draw_alone(InterfaceContext& context) {
+    const Document& document = context.workspace.document;
+    ImGui::PushFont(theme::title_font());
+    const std::string shown = widgets::fitted(document.subject().filename().string(), ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopFont();
+    widgets::tooltip(document.subject().c_str());
+    ImGui::Dummy({0.0F, 1.0F});
+    widgets::quiet_wrapped("There is no vessel tree. One that is opened comes in among what is shown.");
+    const tree::Claims& claims = document.claims();
+    widgets::fact("Unit of length", claims.has_unit() ? "mm" : "not said");
+    widgets::fact("Axes lead to", claims.has_sides() ? "RAS" : "not said");
+    draw_context(context);
+}
+
 std::string as_text(const SurfaceOption& option, float value) {
     if (option.whole) return std::to_string(static_cast<int>(value));
     return option.zero_is_off && value <= 0.0F ? "off" : digits(value, 2);
@@ -208,6 +224,8 @@ void draw_side_panel(InterfaceContext& context) {
             draw_plan(context);
             break;
         }
+    } else if (context.workspace.document.has_scene()) {
+        draw_alone(context);
     } else {
         widgets::quiet_wrapped("What ramus knows of a tree appears here.");
     }

@@ -32,8 +32,9 @@ void draw_path(InterfaceContext& context, float right_edge) {
     const int branch = branch_at_hand(context);
     const auto& tree = context.workspace.document.tree();
     if (branch == tree::kNoBranch || !tree) {
-        if (tree)
-            draw_sentence("Drag to turn, wheel to zoom, click to select, F1 for all keys",
+        if (context.workspace.document.has_scene())
+            draw_sentence(tree ? "Drag to turn, wheel to zoom, click to select, F1 for all keys"
+                               : "Drag to turn, wheel to zoom, F1 for all keys",
                           right_edge - ImGui::GetCursorPosX() - 24.0F * theme::scale());
         return;
     }

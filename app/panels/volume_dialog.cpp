@@ -24,9 +24,19 @@ std::vector<std::int32_t> VolumeDialog::chosen() const {
 
 void VolumeDialog::take(VolumeFacts read) {
     labels.assign(read.labels.size(), 1);
+    scan = !read.mask;
+    threshold = read.curve ? read.curve->otsu : 0;
     facts = std::make_shared<const VolumeFacts>(std::move(read));
 }
 
+std::string VolumeDialog::why_not() const {
+    if (!facts) return {};
+    if (scan && !facts->curve) return "All its values are equal: there is nothing to tell apart";
+    if (!scan && !facts->labels.empty() && chosen().empty()) return "No label is chosen";
+    return {};
+}
+
+// "1+3", "1,2"; empty: each label by itself, as usual.
 std::string VolumeDialog::label_words() const {
     const std::vector<std::int32_t> some = chosen();
     const bool all = !facts || some.size() == facts->labels.size();
@@ -35,9 +45,23 @@ std::string VolumeDialog::label_words() const {
     return joined(some, together ? "+" : ",", [](std::int32_t label) { return std::to_string(label); });
 }
 
-std::vector<std::int32_t> VolumeDialog::context_labels() const {
+std::string VolumeDialog::isovalue_text() const {
+    return facts && facts->curve ? exact_text(facts->curve->thresholds[threshold]) : std::string();
+}
+
+std::vector<std::string> VolumeDialog::tree_words() const {
+    if (scan) return {"--isovalue", isovalue_text()};
+    if (const std::string words = label_words(); !words.empty()) return {"--labels", words};
+    return {};
+}
+
+std::vector<std::vector<std::string>> VolumeDialog::context_words() const {
+    if (scan) return {{"--isovalue", isovalue_text()}};
     const std::vector<std::int32_t> some = chosen();
-    return !facts || some.size() == facts->labels.size() ? std::vector<std::int32_t>{0} : some;
+    if (!facts || (some.size() == facts->labels.size() && facts->all_at_once)) return {{}};
+    std::vector<std::vector<std::string>> words;
+    for (const std::int32_t label : some) words.push_back({"--label", std::to_string(label)});
+    return words;
 }
 
 namespace {
@@ -124,11 +148,66 @@ void draw_labels(VolumeDialog& dialog, float height) {
     widgets::note_item("Labels together");
 }
 
+// So many columns, each as high as the logarithm of the voxels with these values; those that are inside stand out.
+void draw_histogram(const volume::ThresholdCurve& curve, std::size_t threshold, const ImVec2& size) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::size_t bins = curve.thresholds.size();
+    const std::size_t columns = std::min(bins, static_cast<std::size_t>(size.x / (2.0F * theme::scale())));
+    const auto first_of = [&](std::size_t column) { return column * bins / columns; };
+    const auto voxels_of = [&](std::size_t column) {
+        const std::size_t next = first_of(column + 1);
+        return curve.voxels[first_of(column)] - (next < bins ? curve.voxels[next] : 0);
+    };
+    double most = 1.0;
+    for (std::size_t c = 0; c < columns; ++c) most = std::max(most, std::log1p(static_cast<double>(voxels_of(c))));
+    for (std::size_t c = 0; c < columns; ++c) {
+        const float share = static_cast<float>(std::log1p(static_cast<double>(voxels_of(c))) / most);
+        const float left = at.x + size.x * static_cast<float>(c) / static_cast<float>(columns);
+        const float right = at.x + size.x * static_cast<float>(c + 1) / static_cast<float>(columns);
+        list.AddRectFilled({left, at.y + size.y * (1.0F - share)}, {right, at.y + size.y},
+                           ImGui::GetColorU32(first_of(c) >= threshold ? theme::kAccent : theme::kLine));
+    }
+    list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(theme::kLine));
+}
+
+// The whole number of pieces that every step-th voxel shows is theirs, and about that of all.
+std::string pieces_text(const volume::ThresholdCurve& curve, std::size_t threshold) {
+    const std::string number = counted(curve.pieces[threshold], "piece", "pieces");
+    return curve.step == 1 ? number : "about " + number;
+}
+
+// From where on a scan's values are inside, and what that makes. In all the room there is.
+void draw_threshold(VolumeDialog& dialog) {
+    const VolumeFacts& facts = *dialog.facts;
+    const volume::ThresholdCurve& curve = *facts.curve;
+    const float below = ImGui::GetFrameHeightWithSpacing() + 3.0F * ImGui::GetTextLineHeightWithSpacing();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    draw_histogram(curve, dialog.threshold, {room.x, room.y - below - ImGui::GetStyle().ItemSpacing.y});
+    int place = static_cast<int>(dialog.threshold);
+    const int last = static_cast<int>(curve.thresholds.size()) - 1;
+    ImGui::SetNextItemWidth(room.x);
+    ImGui::SliderInt("##threshold", &place, 0, last, "", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    widgets::note_item("Threshold");    // no words over what it changes
+    constexpr int kFew = 1, kMany = 16; // of the curve's thresholds
+    const int step = ImGui::GetIO().KeyShift ? kMany : kFew;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow))) place -= step;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow))) place += step;
+    dialog.threshold = static_cast<std::size_t>(std::clamp(place, 0, last));
+    const std::uint64_t voxels = curve.voxels[dialog.threshold];
+    widgets::fact("Threshold (arrows make it finer)", "at least " + rounded(curve.thresholds[dialog.threshold]));
+    widgets::fact("Inside", grouped(voxels) + " voxels, " +
+                                Lengths(facts.claims).volume(static_cast<double>(voxels) * facts.voxel_mm3) + ", " +
+                                pieces_text(curve, dialog.threshold));
+    widgets::quiet("A threshold is no segmentation: whatever is as bright is inside.");
+}
+
 // As high before the file is read as after it, so that nothing moves under the pointer.
 void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
     const float line = ImGui::GetTextLineHeightWithSpacing(), row = ImGui::GetFrameHeightWithSpacing();
     const float labels = 5.0F * row;
-    ImGui::BeginChild("contents", {0.0F, 5.0F * line + labels + row + 8.0F * theme::scale()}, false,
+    ImGui::BeginChild("contents", {0.0F, 5.0F * line + labels + 2.0F * row + 8.0F * theme::scale()}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (!dialog.facts) {
         widgets::quiet("Reading what the file holds\xE2\x80\xA6");
@@ -136,7 +215,12 @@ void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
     } else {
         widgets::quiet(words_for(*dialog.facts).c_str());
         draw_facts(*dialog.facts);
-        if (!dialog.facts->labels.empty()) draw_labels(dialog, labels);
+        if (dialog.facts->may_be_either()) {
+            ImGui::Checkbox("Its values are greys, no labels", &dialog.scan);
+            widgets::note_item("Values are greys");
+        }
+        if (dialog.scan && dialog.facts->curve) draw_threshold(dialog);
+        if (!dialog.scan && !dialog.facts->labels.empty()) draw_labels(dialog, labels);
         for (const std::string& suspicion : dialog.facts->suspicions) widgets::trouble(window_words(suspicion).c_str());
     }
     ImGui::EndChild();
@@ -145,18 +229,18 @@ void draw_contents(InterfaceContext& context, VolumeDialog& dialog) {
 std::array<Choice, 3> choices_for(const InterfaceContext& context, const VolumeDialog& dialog) {
     const Document& document = context.workspace.document;
     const bool tree = document.branch_count() > 0;
-    const std::string shown = document.session().tree.path.filename().string();
-    std::string why_not; // for all
-    if (dialog.facts && !dialog.facts->mask)
-        why_not = "Its values are no labels: vessels or organs have to be marked in it first";
-    else if (dialog.facts && !dialog.facts->labels.empty() && dialog.context_labels().empty())
-        why_not = "No label is chosen";
-    const std::string no_tree = why_not.empty() && !tree ? "There is no tree to show it beside yet" : why_not;
-    return {{{As::kTree, "Open as a new tree", "T",
-              "Centerlines and radii are made of it" + (tree ? ", in the place of " + shown : std::string()), why_not},
-             {As::kContext, "Show beside the tree", "B", "As context: smooth and clear, around " + shown, no_tree},
-             {As::kSurface, "Show as the surface it is", "S", "Solid, with every step of its voxels, beside " + shown,
-              no_tree}}};
+    const std::string shown = document.session().tree.path.filename().string(), why_not = dialog.why_not();
+    const std::string place = tree ? "beside " + shown : std::string("alone in the picture");
+    return {
+        {{As::kTree, "Open as a new tree", "T",
+          "Centerlines and radii are made of it" + (tree ? ", in the place of " + shown : std::string()), why_not},
+         {As::kContext, tree ? "Show beside the tree" : "Show as context", "B",
+          tree ? "Smooth and clear, around " + shown : "Smooth and clear; a tree that is opened comes in among it",
+          why_not},
+         {As::kSurface, "Show as the surface it is", "S",
+          (dialog.scan ? "Solid, where the scan reaches the threshold, " : "Solid, with every step of its voxels, ") +
+              place,
+          why_not}}};
 }
 
 void move_choice(VolumeDialog& dialog, const std::array<Choice, 3>& choices, int step) {
@@ -182,14 +266,12 @@ void carry_out(InterfaceContext& context, const VolumeDialog& dialog, As as) {
     const std::string file = dialog.file.string();
     context.interface.settings.drop_beside = as != As::kTree;
     if (as == As::kTree) {
-        std::vector<std::string> words{file, "--tree"};
-        if (const std::string labels = dialog.label_words(); !labels.empty())
-            words.insert(words.end(), {"--labels", labels});
+        std::vector<std::string> words = dialog.tree_words();
+        words.insert(words.begin(), {file, "--tree"});
         return context.perform("open", words);
     }
-    for (const std::int32_t label : dialog.context_labels()) {
-        std::vector<std::string> words{file};
-        if (label != 0) words.insert(words.end(), {"--label", std::to_string(label)});
+    for (std::vector<std::string> words : dialog.context_words()) {
+        words.insert(words.begin(), file);
         if (as == As::kSurface) words.insert(words.end(), {"--exact", "--opacity", "1"});
         context.perform("context", words);
     }

@@ -11,10 +11,12 @@
 #include "app/picture/selection_outline.h"
 #include "app/session/session.h"
 #include "core/field/kernels/gaussian.h"
+#include "render/overlay/scale_bar.h"
 #include "render/scene/frame.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <span>
 
 namespace ramus::app {
@@ -87,12 +89,32 @@ void show_claims(render::Frame& frame, const tree::Claims& claims) {
     frame.overlays.unit_known = claims.has_unit();
 }
 
+namespace {
+
+// What is shown without a tree. Where all of it is clear no depth is read back of the picture: the scale is that of its
+// middle.
+void show_alone(render::Frame& frame, const Assets& assets, const std::vector<ContextItem>& context) {
+    show_claims(frame, assets.claims_of(context));
+    if (std::ranges::any_of(frame.context, [](const auto& item) { return item.shown() && !item.clear(); })) return;
+    render::Box box;
+    for (const ContextItem& item : context) {
+        const auto shape = item.visible && item.opacity > 0.0 ? assets.context_shape(source_of(item)) : nullptr;
+        if (!shape || shape->box.empty()) continue;
+        box.include(shape->box.lower);
+        box.include(shape->box.upper);
+    }
+    const glm::dvec3 half = 0.5 * (box.upper - box.lower), forward = glm::abs(render::axes_of(frame.camera).forward);
+    if (!box.empty())
+        frame.overlays.scale = render::scale_of(frame.camera, frame.size, {box.centre(), glm::dot(half, forward)});
+}
+
+} // namespace
+
 render::Frame compose(const Session& session, const Assets& assets, std::shared_ptr<const render::PagedMesh> mesh,
                       const Viewing& viewing) {
     render::Frame frame;
     frame.mesh = std::move(mesh);
     frame.camera = session.camera;
-    frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh != nullptr; // nothing to measure
     frame.size = viewing.size;
     frame.pixel_ratio = viewing.pixel_ratio;
     frame.states = session.marks.states;
@@ -104,6 +126,9 @@ render::Frame compose(const Session& session, const Assets& assets, std::shared_
         frame.appearance.*cue.strength = session.marks.depth_cues.has(cue) ? 1.0F : 0.0F;
     show_glass(frame.appearance, viewing.glass ? *viewing.glass : session.marks.glass);
     show_context(frame, assets, viewing.context ? *viewing.context : session.marks.context);
+    const bool alone = !assets.tree && std::ranges::any_of(frame.context, &render::ContextMesh::shown);
+    frame.overlays.orientation_cube = frame.overlays.scale_bar = frame.mesh || alone; // else nothing to measure
+    if (alone) show_alone(frame, assets, viewing.context ? *viewing.context : session.marks.context);
     if (!assets.tree) return frame;
     const tree::VesselTree& tree = *assets.tree;
     show_claims(frame, tree.claims);

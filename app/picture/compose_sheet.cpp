@@ -112,7 +112,7 @@ render::Sheet compose_sheet(const Session& session, const Assets& assets, const 
                                      .opacity = 0.9F,
                                      .wireframe = true});
         // They are the same in all: viewports beside each other share one each.
-        const bool there = assets.tree != nullptr;
+        const bool there = assets.tree || frame.overlays.scale_bar;
         frame.overlays.orientation_cube = there && (!beside || i + 1 == viewports.size());
         frame.overlays.scale_bar = there && (!beside || i == 0);
         if (i != with_legend) frame.overlays.legend = {};

@@ -99,13 +99,25 @@ std::vector<render::Camera> at_one_scale(std::vector<render::Camera> cameras, co
     return cameras;
 }
 
-// A box around what can be seen of the surfaces in the viewports.
+void include_context(render::Box& box, const render::Frame& frame) {
+    for (const render::ContextMesh& item : frame.context) {
+        const render::Box bounds = item.shown() ? render::bounds_of(*item.mesh) : render::Box();
+        if (bounds.empty()) continue;
+        box.include(bounds.lower);
+        box.include(bounds.upper);
+    }
+}
+
+// A box around what can be seen of the surfaces in the viewports; where there are none, of what is shown without them.
 render::Box visible_box(const render::Sheet& sheet) {
     constexpr std::array kAlongAxes{glm::dvec3(1, 0, 0),  glm::dvec3(0, 1, 0),  glm::dvec3(0, 0, 1),
                                     glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1)};
     render::Box visible, all;
     for (const auto& [at, frame, has_branches] : sheet.viewports) {
-        if (!frame.mesh) continue;
+        if (!frame.mesh) {
+            include_context(all, frame);
+            continue;
+        }
         const auto positions = frame.mesh->farthest(kAlongAxes, [&states = frame.states](int branch) {
             const auto index = static_cast<std::size_t>(branch);
             return index >= states.size() || states[index] != render::BranchState::kHidden;

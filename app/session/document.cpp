@@ -18,6 +18,7 @@ void Document::open(std::shared_ptr<const tree::VesselTree> tree, Session sessio
     base_ = base ? std::move(base) : tree_;
     facts_ = facts || !tree_ ? std::move(facts) : std::make_shared<const TreeFacts>(facts_of(*tree_));
     session_ = std::move(session);
+    claims_ = {};
     known_.clear();
     keep_tree();
     steps_.clear();

@@ -40,8 +40,14 @@ public:
     [[nodiscard]] const std::shared_ptr<const tree::VesselTree>& base_tree() const { return base_; }
     [[nodiscard]] const std::shared_ptr<const TreeFacts>& facts() const { return facts_; } // null without a tree
     [[nodiscard]] const tree::Dependency& dependency() const;                              // empty without a tree
+    // Whether there is something to see: a tree, or masks, scans and meshes without one.
+    [[nodiscard]] bool has_scene() const { return branch_count() > 0 || !session_.marks.context.empty(); }
+    [[nodiscard]] std::filesystem::path subject() const { return subject_of(session_); }
+    // Who says the unit and the sides of what is shown. Without a tree that is known to who has read what is shown.
+    [[nodiscard]] const tree::Claims& claims() const { return tree_ ? tree_->claims : claims_; }
+    void set_claims(const tree::Claims& claims) { claims_ = claims; }
     // How its lengths are written.
-    [[nodiscard]] Lengths lengths() const { return tree_ ? Lengths(tree_->claims) : Lengths(); }
+    [[nodiscard]] Lengths lengths() const { return Lengths(claims()); }
     [[nodiscard]] int branch_count() const { return tree_ ? static_cast<int>(tree_->branches.size()) : 0; }
     // The session file that it was read from or saved to last; empty: none yet.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -119,6 +125,7 @@ private:
     std::shared_ptr<const TreeFacts> facts_;
     std::vector<EditedState> known_; // ascending; so that undo need not make all edits again
     Session session_;
+    tree::Claims claims_; // without a tree
     std::filesystem::path file_;
     Marks saved_;
     bool unsaved_ = false;

@@ -6,6 +6,7 @@
 #include "core/base/words.h"
 #include "core/io/trees/imported_tree.h"
 
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -309,18 +310,21 @@ json context_json(const ContextItem& item, const fs::path& folder) {
                {"wireframe", item.wireframe},
                {"visible", item.visible}};
     if (item.label != 0) value["label"] = item.label;
+    if (item.isovalue) value["isovalue"] = *item.isovalue;
     if (item.exact) value["exact"] = true;
     if (!item.units.empty()) value["units"] = item.units;
     return value;
 }
 
 ContextItem context_item(const json& value, const fs::path& folder) {
-    expect_only(value, "context", {"path", "label", "colour", "opacity", "wireframe", "visible", "exact", "units"});
+    expect_only(value, "context",
+                {"path", "label", "isovalue", "colour", "opacity", "wireframe", "visible", "exact", "units"});
     ContextItem item;
     if (!value.contains("path")) throw Refusal{"a context mesh has no path"};
     item.file = (folder / text(value["path"], "path of a context mesh")).lexically_normal().string();
     if (value.contains("label"))
         item.label = integer(value["label"], "label", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    if (value.contains("isovalue")) item.isovalue = number(value["isovalue"], "isovalue", -HUGE_VAL, HUGE_VAL);
     if (value.contains("opacity")) item.opacity = number(value["opacity"], "opacity", 0.0, 1.0);
     if (value.contains("wireframe")) item.wireframe = truth(value["wireframe"], "wireframe");
     if (value.contains("exact")) item.exact = truth(value["exact"], "exact");

@@ -10,7 +10,12 @@ namespace ramus::app {
 
 using render::BranchState;
 
-std::string_view name_of(BranchState state) {
+std::filesystem::path subject_of(const Session& session) {
+    if (!session.tree.path.empty() || session.marks.context.empty()) return session.tree.path;
+    return session.marks.context.front().file;
+}
+
+std::string_view name_of(render::BranchState state) {
     constexpr std::array<std::string_view, 4> kNames{"normal", "highlighted", "defocused", "hidden"};
     return kNames[static_cast<std::size_t>(state)];
 }

@@ -20,6 +20,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -71,8 +72,9 @@ struct ContextItem {
     std::array<std::uint8_t, 3> colour{201, 130, 104}; // sRGB
     double opacity = 0.25;                             // where it faces the eye; 1: solid
     bool wireframe = false, visible = true;
-    bool exact = false; // of a mask: with the steps of its voxels
-    std::string units;  // of a mask's lengths, "cm"; empty: as its file says
+    bool exact = false;               // of a mask: with the steps of its voxels
+    std::string units;                // of a mask's lengths, "cm"; empty: as its file says
+    std::optional<double> isovalue{}; // of a scan: what is at least that is inside
     bool operator==(const ContextItem&) const = default;
 };
 
@@ -119,6 +121,9 @@ struct Session {
     render::Camera camera;
     bool operator==(const Session&) const = default;
 };
+
+// What it is of: the tree's file, else the first of what is shown without one; empty: of nothing.
+[[nodiscard]] std::filesystem::path subject_of(const Session& session);
 
 [[nodiscard]] std::string_view name_of(render::BranchState state); // "normal", "highlighted", "defocused", "hidden"
 [[nodiscard]] render::BranchState state_of(const Marks& marks, int branch);

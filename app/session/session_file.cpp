@@ -39,19 +39,21 @@ json to_json(const Session& session, const fs::path& folder) {
     for (const ContextItem& item : session.marks.context) context.push_back(context_json(item, folder));
     json measurements = json::array();
     for (const Measurement& m : session.marks.measurements) measurements.push_back(measurement_json(m));
-    json value{
-        {"version", kSessionVersion},
-        {"tree", {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}}},
-        {"selection", session.marks.selection},
-        {"states", states},
-        {"lesions", session.marks.lesions},
-        {"lesion_meshes", meshes},
-        {"context", context},
-        {"measurements", measurements},
-        {"cuts", session.marks.cuts},
-        {"names", names},
-        {"camera", render::to_json(session.camera)},
-        {"options", options_json(session.marks)}};
+    json tree; // null: something is shown without one
+    if (!session.tree.path.empty() || session.marks.context.empty())
+        tree = {{"path", written_path(session.tree.path, folder).string()}, {"checksum", session.tree.checksum}};
+    json value{{"version", kSessionVersion},
+               {"tree", tree},
+               {"selection", session.marks.selection},
+               {"states", states},
+               {"lesions", session.marks.lesions},
+               {"lesion_meshes", meshes},
+               {"context", context},
+               {"measurements", measurements},
+               {"cuts", session.marks.cuts},
+               {"names", names},
+               {"camera", render::to_json(session.camera)},
+               {"options", options_json(session.marks)}};
     if (!session.marks.names.empty()) value["subtree_names"] = session.marks.subtree_names;
     for (const tree::System& system : session.marks.systems)
         value["systems"].push_back({{"name", system.name}, {"colour", colour_text(system.colour)}});
@@ -63,6 +65,18 @@ json to_json(const Session& session, const fs::path& folder) {
     if (session.marks.reading != io::ReadOptions{}) value["reading"] = reading_json(session.marks.reading);
     return value;
 }
+
+namespace {
+
+TreeFile tree_file(const json& value, const fs::path& folder) {
+    expect_only(value, "tree", {"path", "checksum"});
+    if (!value.contains("path")) throw Refusal{"tree has no path"};
+    TreeFile file{(folder / text(value["path"], "path of the tree")).lexically_normal(), {}};
+    if (value.contains("checksum")) file.checksum = text(value["checksum"], "checksum");
+    return file;
+}
+
+} // namespace
 
 Result<SavedSession> session_from_json(const json& value, const fs::path& folder, const std::string& where) {
     try {
@@ -76,10 +90,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         SavedSession saved;
         Session& session = saved.session;
         if (!value.contains("tree")) throw Refusal{"no tree"};
-        expect_only(value["tree"], "tree", {"path", "checksum"});
-        if (!value["tree"].contains("path")) throw Refusal{"tree has no path"};
-        session.tree.path = (folder / text(value["tree"]["path"], "path of the tree")).lexically_normal();
-        if (value["tree"].contains("checksum")) session.tree.checksum = text(value["tree"]["checksum"], "checksum");
+        if (!value["tree"].is_null()) session.tree = tree_file(value["tree"], folder);
         if (value.contains("selection")) session.marks.selection = ids(value["selection"], "selection");
         if (value.contains("states")) read_states(value["states"], session.marks);
         if (value.contains("edits")) session.marks.edits = edits_in(value["edits"]);
@@ -94,6 +105,7 @@ Result<SavedSession> session_from_json(const json& value, const fs::path& folder
         if (value.contains("options")) read_options(value["options"], session.marks);
         if (value.contains("reading")) session.marks.reading = reading_in(value["reading"]);
         if (const auto few = check_counts(session.marks); !few) throw Refusal{few.error().what};
+        if (value["tree"].is_null() && session.marks.context.empty()) throw Refusal{"it shows nothing"};
         if (value.contains("camera")) {
             RAMUS_TRY(camera, render::camera_from_json(value["camera"], where));
             session.camera = camera;

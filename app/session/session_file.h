@@ -4,6 +4,8 @@
 // them), and `reading` where the tree's file is not read as usual. Writing and reading again gives an equal Session,
 // but for what is the machine's business: threads and memory.
 //
+// `tree` is null where masks, scans or meshes are shown without one: `context` has them.
+//
 // The tree's path is written relative to the session file when the tree lies in the same folder or below, so that the
 // two can move together; absolute otherwise. Reading refuses unknown names, wrong types and other versions with the
 // file's name in the message. Whether the branch ids exist is for whoever has the tree to check: check_against().

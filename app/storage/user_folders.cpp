@@ -91,7 +91,7 @@ bool writable(const fs::path& folder) {
 
 fs::path suggested_file(const Document& document, std::string_view extension) {
     const fs::path& file = document.file();
-    const fs::path& tree = document.session().tree.path;
+    const fs::path tree = document.subject();
     const bool session = extension == ".ramus.json";
     if (session && !file.empty()) return file;
 

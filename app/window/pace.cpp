@@ -4,9 +4,21 @@
 
 namespace ramus::app {
 
+namespace {
+
+double triangles_of(const render::Frame& frame) {
+    double count = frame.mesh ? static_cast<double>(frame.mesh->triangle_count()) : 0.0;
+    for (const render::ContextMesh& item : frame.context)
+        if (item.shown()) count += static_cast<double>(item.mesh->triangles.size());
+    return count;
+}
+
+} // namespace
+
 bool Pace::slow(const render::Frame& frame) const {
-    if (!frame.mesh || full_seconds_ == 0.0) return software_ && frame.mesh;
-    const double more = static_cast<double>(frame.mesh->triangle_count()) / full_triangles_;
+    const double triangles = triangles_of(frame);
+    if (triangles == 0.0 || full_seconds_ == 0.0) return software_ && triangles > 0.0;
+    const double more = triangles / full_triangles_;
     return full_seconds_ * std::max(1.0, more) > kSlowSeconds;
 }
 
@@ -26,9 +38,10 @@ render::Quality Pace::quality(const render::Frame& frame, bool moving, bool prov
 }
 
 void Pace::drawn(const render::Frame& frame, double seconds) {
-    if (frame.quality != render::Quality::kFull || !frame.mesh) return;
+    const double triangles = triangles_of(frame);
+    if (frame.quality != render::Quality::kFull || triangles == 0.0) return;
     full_seconds_ = seconds;
-    full_triangles_ = std::max(1.0, static_cast<double>(frame.mesh->triangle_count()));
+    full_triangles_ = triangles;
 }
 
 } // namespace ramus::app

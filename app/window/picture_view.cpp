@@ -131,7 +131,7 @@ void PictureView::compose_window(const std::vector<Viewport>& viewports, const S
     shown_camera_ = camera_on_its_way();
     render::Frame& first = sheet_.viewports.front().frame;
     first.camera = shown_camera_;
-    if (shows_own(viewports.front()) && pace_.slow(first) && !cast_) {
+    if (first.mesh && shows_own(viewports.front()) && pace_.slow(first) && !cast_) {
         workspace.await_preview();
         first.mesh = workspace.shown().mesh;
     }
@@ -154,7 +154,7 @@ void PictureView::dress(const std::vector<Viewport>& viewports, const ShownSurfa
     for (std::size_t i = 0; i < sheet_.viewports.size(); ++i) {
         render::Frame& frame = sheet_.viewports[i].frame;
         frame.camera = shown_camera_;
-        frame.overlays.scale = scale;
+        if (scale || state_.workspace.document.tree()) frame.overlays.scale = scale;
         frame.quality = quality;
         frame.preview = surfaces.preview_of(viewports[i].surface);
         if (!shows_own(viewports[i])) continue;

@@ -145,7 +145,7 @@ Result<void> loop(GlfwWindow& window, Viewer& viewer, Workspace& workspace, Keep
         watch.did("draw");
         if (drawn) window.swap();
         watch.did("swap");
-        if (script && workspace.surface_ready() && viewer.resting()) {
+        if (script && workspace.all_shown() && viewer.resting()) {
             viewer.set_script_runs(true);
             auto done = run_script(viewer.actions(), *std::exchange(script, std::nullopt), options.commands);
             viewer.set_script_runs(false);

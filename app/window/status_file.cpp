@@ -25,8 +25,9 @@ void add_lists(nlohmann::json& status, const Interface& interface, const Workspa
     status["warnings"] = {{"open", interface.warnings.open},
                           {"unread", interface.warnings.list.unread()},
                           {"count", interface.warnings.list.all().size()}};
-    if (const auto& tree = workspace.document.tree())
-        status["claims"] = {{"units", tree->claims.unit_word()}, {"orientation", tree->claims.axes_word()}};
+    const tree::Claims& claims = workspace.document.claims();
+    if (workspace.document.has_scene())
+        status["claims"] = {{"units", claims.unit_word()}, {"orientation", claims.axes_word()}};
     const auto& contacts = workspace.assets.contacts.list;
     status["contacts"] = {{"open", interface.contacts.open},
                           {"contact", interface.contacts.current + 1},
@@ -99,6 +100,7 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
         status["viewports"].push_back(
             {layout.view_at.x + at.x, layout.view_at.y + at.y, layout.viewport_size.x, layout.viewport_size.y});
     status["surface_ready"] = workspace.surface_ready();
+    status["all_shown"] = workspace.all_shown();
     const ReadySurface& shown = workspace.shown();
     status["triangles"] = shown.mesh ? shown.mesh->triangle_count() : 0;
     const bool cones = shown.request.options.method == mesh::Method::kTruncatedCones;

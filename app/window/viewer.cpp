@@ -173,9 +173,9 @@ bool Viewer::resting() const {
 
 std::string Viewer::title() const {
     const Document& document = state_.workspace.document;
-    if (!document.tree()) return "ramus";
+    if (!document.has_scene()) return "ramus";
     std::string text(document.modified() ? "*" : "");
-    text += document.session().tree.path.filename().string();
+    text += document.subject().filename().string();
     text += " \xE2\x80\x93 ramus";
     return text;
 }

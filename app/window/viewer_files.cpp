@@ -3,7 +3,9 @@
 #include "app/picture/video_file.h"
 #include "app/session/mask_reading.h"
 #include "app/storage/recent_files.h"
+#include "app/storage/tree_source.h"
 #include "app/storage/user_folders.h"
+#include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ Result<void> ViewerFiles::open_and_wait(const std::filesystem::path& path) {
         workspace.update();
         if (const auto error = workspace.take_error()) return tl::unexpected(*error);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    } while (workspace.busy() || (!workspace.surface_ready() && workspace.surface_problem().empty()));
+    } while (workspace.busy() || (!workspace.all_shown() && workspace.surface_problem().empty()));
     update();
     return {};
 }
@@ -39,17 +41,17 @@ Result<void> ViewerFiles::open(const std::filesystem::path& path) {
         ask_about_volume(path);
         return {};
     }
-    return open_as_tree(path, "");
+    return open_as_tree(path, io::MaskReading());
 }
 
-Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const std::string& labels) {
+Result<void> ViewerFiles::open_as_tree(const std::filesystem::path& path, const io::MaskReading& how) {
     io::ReadOptions reading = state_.workspace.reading;
-    if (!labels.empty()) {
-        RAMUS_TRY(mask, with(reading.mask, "labels", labels));
-        reading.mask = mask;
-    }
+    reading.mask = over(how, reading.mask);
     if (state_.script_runs) return open_and_wait(path);
-    when_saved([this, path, reading] {
+    // What is shown without a tree stays around the one that comes in.
+    const bool stays = !state_.workspace.document.tree() && !is_session_file(path);
+    const auto when = [&](std::function<void()> next) { stays ? next() : when_saved(std::move(next)); };
+    when([this, path, reading] {
         recovering_.clear();
         const io::ReadOptions usual = std::exchange(state_.workspace.reading, reading); // for this file
         state_.workspace.open(path);
@@ -71,7 +73,7 @@ void ViewerFiles::ask_for_file(FilePurpose purpose) {
         interface.open_dialog.show_to_save(in_remembered(suggested_file(state_.workspace.document, extension), purpose),
                                            purpose);
     } else {
-        const std::filesystem::path beside = state_.workspace.document.session().tree.path.parent_path();
+        const std::filesystem::path beside = state_.workspace.document.subject().parent_path();
         const std::filesystem::path opened = interface.settings.folder_of(key_of(FilePurpose::kOpen));
         interface.open_dialog.show(in_remembered((beside.empty() ? opened : beside) / "file", purpose).parent_path(),
                                    purpose);
@@ -107,7 +109,8 @@ void ViewerFiles::quit() {
 void ViewerFiles::dropped(const std::filesystem::path& path) {
     // A mesh is a lesion for who is planning.
     const bool lesion = state_.interface.page == PanelPage::kPlan && can_be_lesion_mesh(path);
-    const bool beside = state_.workspace.document.tree() && can_be_context(path.string());
+    // What can be a tree, too, is one where there is none.
+    const bool beside = can_be_context(path.string()) && (state_.workspace.document.tree() || !io::names_tree(path));
     Interface& interface = state_.interface;
     if (!lesion && io::is_volume(path)) {
         interface.help_open = interface.open_dialog.open = false;

@@ -24,6 +24,10 @@ Result<LoadedTree> load_tree_of(Session opened, const std::string& where, const 
     LoadedTree loaded;
     loaded.session = std::move(opened);
     Session& session = loaded.session;
+    if (session.tree.path.empty()) { // what is shown without a tree is read as all context is
+        if (auto fits = check_against(session, {}, {}, where); !fits) return tl::unexpected(fits.error());
+        return loaded;
+    }
     session.marks.reading = over(said, session.marks.reading);
     auto tree = read_tree_or_mask(session.tree.path, session.marks.reading,
                                   static_cast<double>(session.marks.options.memory_bytes), job);
@@ -75,7 +79,10 @@ Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like, co
     fresh.tree.path = std::filesystem::absolute(path).lexically_normal();
     fresh.marks.options = like.options;
     fresh.marks.colour_map = like.colour_map;
-    if (io::is_volume(path)) { // the mask's own surface beside that of the tree made of it
+    fresh.marks.context = like.context;
+    std::erase_if(fresh.marks.context, [&](const ContextItem& item) { return item.file == fresh.tree.path; });
+    // The mask's own surface beside that of the tree made of it. A scan is no mask to compare with.
+    if (io::is_volume(path) && !reading.mask.isovalue) {
         fresh.marks.comparison.mode = Comparison::Mode::kSideBySide;
         fresh.marks.comparison.surfaces = {Compared::kConvolutionSurface, Compared::kIsosurface};
         fresh.marks.comparison.mask = fresh.tree.path.string();
@@ -112,10 +119,11 @@ void TreeLoader::work(const std::filesystem::path& path, const Read& read, Job& 
     }
     const SurfaceRequest request = surface_request(loaded->session.marks);
     const auto maker = loaded->maker;
-    const std::size_t segments = loaded->assets.tree->segment_count();
+    const std::size_t segments = maker ? loaded->assets.tree->segment_count() : 0;
     // std::function wants something to copy.
     const auto shared = std::make_shared<LoadedTree>(std::move(*loaded));
     post([this, path, shared] { arrival_ = Arrival{path, std::move(*shared)}; });
+    if (!maker) return;
     auto first = first_surface(*maker, request, segments, job);
     if (first && !job.cancelled()) post([this, first] { first_ = *first; });
 }

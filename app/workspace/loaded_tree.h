@@ -19,9 +19,9 @@
 
 namespace ramus::app {
 
-// A tree, read and measured, with its cones for the first picture.
+// A tree, read and measured, with its cones for the first picture; or a session that shows something without a tree.
 struct LoadedTree {
-    Assets assets;                                // the tree and its facts; what else is known already
+    Assets assets;                                // the tree (null: none) and its facts; what else is known already
     std::shared_ptr<const tree::VesselTree> base; // as its file has it; null: the session has no edits
     Session session;
     bool has_camera = false;
@@ -32,8 +32,9 @@ struct LoadedTree {
     double seconds = 0.0; // reading
 };
 
-// A tree file, or a session (.json with a version) and its tree. For a tree, `options` and colours of `like` stay.
-// `reading` is what somebody says of the file, and wins over what the session says.
+// A tree file, or a session (.json with a version) and its tree. For a tree, options, colours and context of `like`
+// stay, but for context of the same file. `reading` is what somebody says of the file, and wins over what the session
+// says.
 [[nodiscard]] Result<LoadedTree> load(const std::filesystem::path& path, const Marks& like,
                                       const io::ReadOptions& reading, Job& job);
 

@@ -9,26 +9,50 @@
 
 namespace ramus::app {
 
+namespace {
+
+// Different values, 0 left out. Masks of whole bodies have more than a hundred labels, scans of 8 bits nearly all of
+// 255; in between somebody has to say.
+constexpr std::size_t kSurelyLabels = 64, kRatherLabels = 150, kMostLabels = 255;
+
+std::vector<LabelFacts> labels_of(const volume::Volume& volume, const std::vector<volume::LabelCount>& counts) {
+    const double voxel = volume::voxel_volume_mm3(volume.to_patient);
+    std::vector<LabelFacts> labels;
+    for (const auto& [label, voxels] : counts) {
+        const auto named = std::ranges::find(volume.label_names, label, &volume::LabelName::label);
+        labels.push_back({label, named == volume.label_names.end() ? std::string() : named->name, voxels,
+                          static_cast<double>(voxels) * voxel});
+    }
+    return labels;
+}
+
+} // namespace
+
 Result<VolumeFacts> read_volume_facts(const std::filesystem::path& path, const io::ReadOptions& options,
                                       double memory_bytes, Job& job) {
     RAMUS_TRY(volume, io::read_volume(path, {memory_bytes, options.unit}, job));
     VolumeFacts facts;
     facts.size = volume.size;
     facts.spacing_mm = volume::spacing_mm(volume.to_patient);
+    facts.voxel_mm3 = volume::voxel_volume_mm3(volume.to_patient);
     facts.claims = io::claims_of(volume, options.unit);
     facts.type = volume.type;
     facts.orientation = volume::says_sides(volume) ? volume::orientation(volume.to_patient) : "";
     facts.minimum = volume.minimum;
     facts.maximum = volume.maximum;
-    facts.mask = volume::looks_like_a_mask(volume);
     facts.suspicions = volume.suspicions;
-    if (!facts.mask) return facts;
-    const double voxel = volume::voxel_volume_mm3(volume.to_patient);
-    for (const auto& [label, voxels] : volume::label_counts(volume)) {
-        const auto named = std::ranges::find(volume.label_names, label, &volume::LabelName::label);
-        facts.labels.push_back({label, named == volume.label_names.end() ? std::string() : named->name, voxels,
-                                static_cast<double>(voxels) * voxel});
-    }
+    facts.all_at_once = volume::looks_like_a_mask(volume);
+    const std::vector<volume::LabelCount> counts = volume::label_counts(volume);
+    facts.mask = volume::holds_whole_numbers(volume)
+                     ? counts.size() <= kSurelyLabels ||
+                           (counts.size() <= kMostLabels && !volume.label_names.empty()) ||
+                           (counts.size() <= kRatherLabels && facts.all_at_once)
+                     : facts.all_at_once;
+    if (counts.size() <= kMostLabels) facts.labels = labels_of(volume, counts);
+    if (facts.mask && counts.size() <= kSurelyLabels) return facts;
+    auto curve = volume::threshold_curve(volume, JobRange(job, 0.0F, 1.0F));
+    if (job.cancelled()) return fail("cancelled");
+    if (curve) facts.curve = std::make_shared<const volume::ThresholdCurve>(std::move(*curve));
     return facts;
 }
 

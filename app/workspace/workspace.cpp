@@ -12,7 +12,10 @@ Workspace::Workspace(const std::function<void()>& wake)
 
 void Workspace::open(const std::filesystem::path& path) {
     io::note_input(path, io::InputKind::kSession); // until a tree is read from it
-    load_with(path, [path, like = document.marks(), how = reading](Job& job) { return load(path, like, how, job); });
+    // What is shown without a tree waits for one; what is shown beside a tree belongs to that.
+    Marks like = document.marks();
+    if (document.tree()) like.context.clear();
+    load_with(path, [path, like = std::move(like), how = reading](Job& job) { return load(path, like, how, job); });
 }
 
 void Workspace::recover(const autosave::Snapshot& snapshot) {
@@ -23,7 +26,7 @@ void Workspace::recover(const autosave::Snapshot& snapshot) {
         loaded->session.marks.options.memory_bytes = like.memory_bytes;
         return loaded;
     };
-    load_with(snapshot.file.empty() ? snapshot.session.tree.path : snapshot.file, read);
+    load_with(snapshot.file.empty() ? subject_of(snapshot.session) : snapshot.file, read);
 }
 
 void Workspace::load_with(const std::filesystem::path& path, TreeLoader::Read read) {
@@ -65,8 +68,8 @@ void Workspace::adopt(LoadedTree loaded, const std::filesystem::path& path) {
     keep_loaded(loaded.assets, std::exchange(assets, {}), loaded.session.marks);
     assets = std::move(loaded.assets);
     tried_.reset();
-    surface_.open(loaded.maker ? std::move(loaded.maker) : std::make_shared<SurfaceMaker>(assets.tree),
-                  std::move(loaded.cones));
+    if (!loaded.maker && assets.tree) loaded.maker = std::make_shared<SurfaceMaker>(assets.tree);
+    surface_.open(std::move(loaded.maker), std::move(loaded.cones));
     document.open(assets.tree, std::move(loaded.session), assets.facts, std::move(loaded.file), std::move(loaded.base));
     tree_shown_ = document.tree();
     if (loaded.unsaved_changes) document.mark_unsaved(*loaded.unsaved_changes);
@@ -251,7 +254,8 @@ bool Workspace::update() {
     comparison_.drain();
     contacts_.drain();
     take_failures();
-    if (document.tree() && context.update(document.marks().context, assets)) changed_ = true;
+    if (context.update(document.marks().context, assets)) changed_ = true;
+    if (!document.tree()) document.set_claims(assets.claims_of(document.marks().context));
     while (const auto error = context.take_error()) errors_.push_back(*error);
     follow_lesions();
     if (!surface_.take_just_shown()) follow_surface();

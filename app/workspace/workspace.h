@@ -66,6 +66,10 @@ public:
         return tree_shown_ == document.tree() && shown().mesh && !shown().provisional &&
                shown().request == surface_request(document.marks());
     }
+    // Whether all is there that the document shows, a tree's surface or what is shown without one.
+    [[nodiscard]] bool all_shown() const {
+        return document.tree() ? surface_ready() : document.has_scene() && !context.busy();
+    }
     // What is shown, and the surfaces that it is compared with, as far as they are there: those that are being made are
     // as they were before.
     [[nodiscard]] ShownSurfaces surfaces() const;
@@ -96,7 +100,7 @@ public:
     void try_options(const std::optional<mesh::SurfaceOptions>& options) { tried_ = options; }
     [[nodiscard]] const std::optional<mesh::SurfaceOptions>& tried_options() const { return tried_; }
     // Whether a surface is on its way, or about to be, that shall take the place of the one that is shown.
-    [[nodiscard]] bool surface_awaited() const { return surface_.awaited(request()); }
+    [[nodiscard]] bool surface_awaited() const { return document.tree() && surface_.awaited(request()); }
     // The surface of these options could not be made, or its making was cancelled; the cones or an older surface are
     // shown. Empty otherwise.
     [[nodiscard]] const std::string& surface_problem() const { return surface_.problem(); }

@@ -4,6 +4,7 @@ import json
 import struct
 import unittest
 
+from nifti import nifti as grey_nifti
 from ramus import CommandLineTest
 
 
@@ -56,6 +57,39 @@ class Skeletonize(CommandLineTest):
     def test_a_mask_is_read_wherever_a_tree_is(self):
         self.expect_done("mesh", "mask.nii", "-o", "surface.stl")
         self.expect_done("render", "mask.nii", "-o", "picture.png", "--size", "200x150")
+
+    def test_a_scan_becomes_a_tree_at_an_isovalue(self):
+        """Two tubes: one of 300, one of 150, in 10."""
+        values = [(10, 300, 150)[two_tubes(i, j, k)] + (i + j) % 3 for k in range(18) for j in range(22) for i in range(50)]
+        (self.folder / "scan.nii").write_bytes(grey_nifti((50, 22, 18), values, kind="h"))
+        report = json.loads(self.expect_done("skeletonize", "scan.nii", "-o", "bright.json", "--isovalue", "200", "--json").stdout)
+        self.assertEqual((report["roots"], report["branches"]), (1, 1))
+        self.assertTrue(any("no segmentation" in note for note in report["notes"]), report["notes"])
+        self.expect_done("convert", "scan.nii", "--isovalue", "200", "-o", "again.json")
+        self.assertEqual(self.json("info", "again.json", "--json")["length_mm"],
+                         self.json("info", "bright.json", "--json")["length_mm"])
+        self.expect_done("mesh", "scan.nii", "--method", "iso", "--isovalue", "200", "-o", "iso.ply")
+        self.expect_failure("skeletonize", "scan.nii", "-o", "x.json", "--isovalue", "1000", says=("nothing is inside",))
+        self.expect_failure("convert", "scan.nii", "--isovalue", "200", "--labels", "1", "-o", "x.json", says=("leave out one",))
+        for wrong in (("--isovalue", "much"), ("--isovalue", "200", "--label", "1")):
+            self.assertEqual(self.run_ramus("skeletonize", "scan.nii", "-o", "x.json", *wrong).returncode, 2, wrong)
+
+    def test_a_session_without_a_tree_is_pictured_and_makes_no_surface(self):
+        (self.folder / "s.ramus.json").write_text(json.dumps(
+            {"version": 1, "tree": None, "context": [{"path": "mask.nii", "label": 1, "exact": True, "opacity": 1}]}))
+        report = self.json("render", "--session", "s.ramus.json", "-o", "one.png", "--size", "200x150", "--json")
+        self.assertGreater(report["triangles"], 1000)
+        self.assertGreater(report["scale_bar"]["mm"], 0)
+        (self.folder / "commands.txt").write_text("view left\nexport picture two.png --size 160x120\n")
+        self.expect_done("render", "--session", "s.ramus.json", "--commands", "commands.txt", "--size", "64x64")
+        self.assertTrue((self.folder / "two.png").exists())
+        self.expect_done("render", "--session", "s.ramus.json", "--sheet", "-o", "four.png", "--size", "400x300")
+        for command in ("mesh", "convert"):
+            self.expect_failure(command, "--session", "s.ramus.json", "-o", "x.ply" if command == "mesh" else "x.swc",
+                                says=("without a tree",))
+        (self.folder / "commands.txt").write_text("export surface x.ply\n")
+        self.expect_failure("render", "--session", "s.ramus.json", "--commands", "commands.txt", says=("no tree to export",))
+        self.assertFalse((self.folder / "x.ply").exists())
 
     def test_how_a_mask_becomes_a_tree_is_asked_wherever_one_is_read(self):
         def branches(*arguments):

@@ -6,7 +6,11 @@
 #include "tests/support/viewer_stage.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <doctest/doctest.h>
+#include <memory>
+#include <string>
+#include <vector>
 
 using namespace ramus;
 
@@ -122,22 +126,112 @@ TEST_CASE("a mesh that is dropped on the window is context, or a lesion for who 
     CHECK(stage.workspace.document.step_count() == 2);
 }
 
+using Words = std::vector<std::string>;
+
 TEST_CASE("the labels that are chosen are those that commands get") {
     app::VolumeDialog dialog;
-    CHECK(dialog.label_words().empty()); // nothing is known of the file yet: all
-    CHECK(dialog.context_labels() == std::vector<std::int32_t>{0});
+    CHECK(dialog.tree_words().empty()); // nothing is known of the file yet: all
+    CHECK(dialog.context_words() == std::vector<Words>{{}});
     app::VolumeFacts facts;
-    facts.mask = true;
+    facts.mask = facts.all_at_once = true;
     for (const int label : {1, 2, 5}) facts.labels.push_back({label, "", 1, 1.0});
     dialog.take(facts);
-    CHECK(dialog.label_words().empty());
+    CHECK(dialog.tree_words().empty());
+    CHECK(dialog.context_words() == std::vector<Words>{{}});
     dialog.together = true;
-    CHECK(dialog.label_words() == "together");
+    CHECK(dialog.tree_words() == Words{"--labels", "together"});
     dialog.labels[1] = 0;
-    CHECK(dialog.label_words() == "1+5");
-    CHECK(dialog.context_labels() == std::vector<std::int32_t>{1, 5});
+    CHECK(dialog.tree_words() == Words{"--labels", "1+5"});
+    CHECK(dialog.context_words() == std::vector<Words>{{"--label", "1"}, {"--label", "5"}});
     dialog.together = false;
-    CHECK(dialog.label_words() == "1,5");
+    CHECK(dialog.tree_words() == Words{"--labels", "1,5"});
+    CHECK(dialog.why_not().empty());
     dialog.labels = {0, 0, 0};
-    CHECK(dialog.context_labels().empty());
+    CHECK(dialog.why_not() == "No label is chosen");
+    // Labels that are no mask's by themselves are named, all of them, too.
+    facts.all_at_once = false;
+    dialog.take(facts);
+    CHECK(dialog.context_words().size() == 3);
+}
+
+TEST_CASE("a scan begins at Otsu's threshold, and commands get the one that is chosen") {
+    app::VolumeFacts facts;
+    facts.curve = std::make_shared<const volume::ThresholdCurve>(
+        volume::ThresholdCurve{{-10.0, 0.5, 200.0}, {8, 4, 1}, {1, 2, 1}, 1, 1});
+    app::VolumeDialog dialog;
+    dialog.take(facts);
+    CHECK(dialog.scan);
+    CHECK(dialog.tree_words() == Words{"--isovalue", "0.5"});
+    dialog.threshold = 2;
+    CHECK(dialog.context_words() == std::vector<Words>{{"--isovalue", "200"}});
+    // What may be either is what somebody says.
+    for (const int label : {1, 2}) facts.labels.push_back({label, "", 1, 1.0});
+    dialog.take(facts);
+    CHECK(facts.may_be_either());
+    dialog.scan = false;
+    dialog.labels[1] = 0;
+    CHECK(dialog.tree_words() == Words{"--labels", "1"});
+    facts.curve = nullptr;
+    facts.labels.clear();
+    dialog.take(facts);
+    CHECK_FALSE(dialog.why_not().empty());
+}
+
+namespace {
+
+// Brighter toward the axis of a tube of about 6 mm in radius along x, from 400 there to 0; and 900 in a small cube.
+std::filesystem::path tube_scan(const std::filesystem::path& path) {
+    constexpr int kLength = 40, kSide = 24;
+    test::NiftiFile file;
+    file.dim = {3, kLength, kSide, kSide, 1, 1, 1, 1};
+    file.type = static_cast<int>(test::NiftiType::kInt16);
+    file.rows = {1, 0, 0, -20, 0, 1, 0, -12, 0, 0, 1, -12};
+    std::vector<std::int16_t> voxels;
+    for (int z = 0; z < kSide; ++z)
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kLength; ++x) {
+                const int away = (y - 12) * (y - 12) + (z - 12) * (z - 12);
+                const bool cube = x < 5 && y < 4 && z < 4;
+                voxels.push_back(static_cast<std::int16_t>(cube ? 900 : std::max(0, 400 - 6 * away) + x));
+            }
+    file.put(voxels);
+    return test::write_plain(path, file.bytes());
+}
+
+} // namespace
+
+TEST_CASE("without a tree a scan opens as the surface of its threshold, and a tree comes in among what is shown") {
+    test::ViewerStage stage("1 1 0 0 -20 3 -1\n2 1 0 0 0 2.5 1\n", {700, 500});
+    const auto scan = tube_scan(stage.folder.path() / "scan.nii");
+    app::Viewer& viewer = *stage.viewer;
+    stage.settle();
+    viewer.files().use_settings({});
+    stage.workspace.document.open(nullptr, {});
+    const auto rest = [&] {
+        for (int i = 0; i < 2000 && (i < 5 || !viewer.resting() || stage.workspace.busy()); ++i) stage.draw();
+    };
+    viewer.files().dropped(scan);
+    rest();
+    const app::VolumeDialog& dialog = viewer.interface().volume;
+    REQUIRE(dialog.facts);
+    CHECK(dialog.scan);
+    const double otsu = dialog.facts->curve->thresholds[dialog.threshold];
+    CHECK(otsu > 0.0);
+    CHECK(otsu < 900.0);
+    press(stage, GLFW_KEY_S, "S");
+    rest();
+    const app::Document& document = stage.workspace.document;
+    REQUIRE(document.marks().context.size() == 1);
+    CHECK(document.marks().context[0].isovalue == otsu);
+    CHECK(document.marks().context[0].opacity == 1.0);
+    CHECK_FALSE(document.tree());
+    CHECK(document.has_scene());
+    CHECK(stage.workspace.all_shown());
+    CHECK(viewer.title().find("scan.nii") != std::string::npos);
+    CHECK(viewer.picture().scale_bar().has_value()); // something solid is seen
+
+    viewer.files().dropped(stage.folder.path() / "tree.swc");
+    stage.settle();
+    CHECK(document.branch_count() == 1);
+    CHECK(document.marks().context.size() == 1);
 }

@@ -4,6 +4,7 @@
 #include "app/picture/compose.h"
 #include "app/session/colour_by.h"
 #include "app/session/session_file.h"
+#include "app/storage/tree_source.h"
 #include "app/workspace/workspace.h"
 #include "core/io/meshes/mesh_file.h"
 #include "render/scene/bounds.h"
@@ -14,6 +15,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 using namespace ramus;
 using namespace ramus::app;
@@ -123,7 +125,10 @@ TEST_CASE("what cannot be context is refused, and changes nothing") {
         {"context " + path("broken.stl"), "broken.stl"},
         {"context " + path("broken.nii"), "broken.nii"},
         {"context " + path("fork.swc"), "neither a mask nor a mesh"},
-        {"context \"" + good + "\" --label 1", "no labels"},
+        {"context \"" + good + "\" --label 1", "neither labels nor values"},
+        {"context \"" + good + "\" --isovalue 1", "neither labels nor values"},
+        {"context \"" + mask + "\" --isovalue much", "--isovalue"},
+        {"context \"" + mask + "\" --isovalue 1 --label 1", "not both"},
         {"context \"" + mask + "\" --label 7", "7"},
         {"context \"" + mask + "\" --label 0", "--label"},
         {"context \"" + mask + "\" --label", "--label"},
@@ -232,6 +237,96 @@ TEST_CASE("a session names its context, and the window reads it behind its back"
     CHECK(read.error().message().find("gone.stl") != std::string::npos);
     marks.context.pop_back();
     CHECK(load_context(workspace.assets, marks, job));
+}
+
+TEST_CASE("without a tree a mask is shown alone: looked at, measured by, saved and opened again") {
+    ContextStage stage;
+    const std::string mask = stage.mask("mask.nii"), ball = stage.ball("organ.stl", {100, 0, 0});
+    test::CommandStage alone(std::shared_ptr<const tree::VesselTree>{});
+    CHECK_FALSE(alone.document.has_scene());
+    alone.bad("save " + (stage.folder.path() / "nothing.json").string());
+    alone.good("context \"" + mask + "\" --exact --opacity 1");
+    CHECK(alone.document.has_scene());
+    CHECK(alone.document.subject() == mask);
+    // It was looked at: all corners are in the picture.
+    const auto in_view = [&](const glm::vec3& at) {
+        const auto pixel = render::project(alone.document.session().camera, alone.host.size, at);
+        return pixel && pixel->x > 0 && pixel->y > 0 && pixel->x < 400 && pixel->y < 300;
+    };
+    CHECK(in_view({0, 0, 0}));
+    CHECK(in_view({18, 3, 16}));
+    CHECK_FALSE(in_view({112, 0, 0}));
+    const auto frame = [&] { return compose(alone.document.session(), alone.current_assets(), nullptr, {}); };
+    CHECK(frame().overlays.scale_bar);
+    CHECK(frame().overlays.orientation_cube);
+    CHECK(frame().overlays.unit_known == (frame().overlays.axes == render::side_letters())); // NIfTI says both or none
+    CHECK_FALSE(frame().overlays.scale); // its depth is read of the picture
+    alone.good("context-opacity 1 0.3");
+    CHECK(frame().overlays.scale); // there is none to be read
+    alone.good("view superior\nfit\northographic");
+
+    // A mesh says neither its unit nor its sides; what is shown with it is as uncertain.
+    alone.good("orthographic\nview anterior\ncontext \"" + ball + "\"");
+    CHECK(in_view({112, 0, 0})); // nobody had looked elsewhere
+    CHECK_FALSE(frame().overlays.unit_known);
+    CHECK(frame().overlays.axes == render::plain_axes());
+    alone.good("context-hide 1\ncontext-hide 2");
+    CHECK_FALSE(frame().overlays.scale_bar);
+    alone.good("context-show 1");
+
+    const fs::path saved = stage.folder.path() / "alone.ramus.json";
+    alone.good("save \"" + saved.string() + "\"");
+    CHECK(is_session_file(saved));
+    Workspace workspace({});
+    workspace.open(saved);
+    REQUIRE(settle(workspace, [&] { return workspace.all_shown(); }));
+    CHECK(workspace.document.session() == alone.document.session());
+    CHECK(drawn(workspace).size() == 1);
+    CHECK_FALSE(workspace.document.tree());
+    CHECK_FALSE(workspace.document.modified());
+    // A tree comes in among it.
+    workspace.open(stage.tree);
+    REQUIRE(settle(workspace, [&] { return workspace.surface_ready(); }));
+    CHECK(workspace.document.marks().context == alone.marks().context);
+    // And takes it along when another one comes: that is of the tree before.
+    workspace.open(stage.tree);
+    REQUIRE(settle(workspace, [&] { return workspace.document.marks().context.empty(); }));
+}
+
+TEST_CASE("a session without a tree that names branches, or shows nothing, is refused") {
+    const TemporaryFolder folder;
+    Workspace workspace({});
+    for (const char* const text : {R"({"version": 1, "tree": null})",
+                                   R"({"version": 1, "tree": null, "context": [{"path": "a.stl"}], "selection": [0]})",
+                                   R"({"version": 1, "tree": {}, "context": [{"path": "a.stl"}]})"}) {
+        CAPTURE(text);
+        Job job;
+        const auto refused = load(folder.write("s.json", text), {}, {}, job);
+        REQUIRE_FALSE(refused);
+        CHECK(refused.error().where.find("s.json") != std::string::npos);
+    }
+}
+
+TEST_CASE("a scan is shown as the surface of its isovalue") {
+    ContextStage stage;
+    test::NiftiFile file; // a ramp along x: 0, 100, ... 900
+    file.dim = {3, 10, 4, 6, 1, 1, 1, 1};
+    file.type = static_cast<int>(test::NiftiType::kInt16);
+    file.rows = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    std::vector<std::int16_t> values;
+    for (int n = 0; n < 10 * 4 * 6; ++n) values.push_back(static_cast<std::int16_t>(100 * (n % 10)));
+    file.put(values);
+    const std::string scan = test::write_plain(stage.folder.path() / "ramp.nii", file.bytes()).string();
+    CHECK(stage.commands.bad("context \"" + scan + "\"").find("not those of a mask") != std::string::npos);
+    stage.commands.good("context \"" + scan + "\" --isovalue 250 --exact");
+    // Halfway between the voxels with 200 and 300.
+    CHECK(render::bounds_of(*stage.drawn()[0].mesh).lower.x == doctest::Approx(2.5));
+    stage.commands.good("context \"" + scan + "\" --isovalue 650 --exact"); // another surface of the same file
+    CHECK(render::bounds_of(*stage.drawn()[1].mesh).lower.x == doctest::Approx(6.5));
+    const auto once = to_json(stage.commands.document.session(), "/");
+    const auto again = session_from_json(once, "/", "s.json");
+    REQUIRE(again);
+    CHECK(again->session.marks.context == stage.context());
 }
 
 TEST_CASE("a picture is made of its arguments alone") {

@@ -39,6 +39,45 @@ TEST_CASE("what a mask holds: its size, its spacing, and how much each label has
     CHECK(words_for(*facts) == "A mask with 2 labels");
 }
 
+TEST_CASE("a scan has a curve of thresholds, a mask has labels, and what may be either has both") {
+    const TemporaryFolder folder;
+    Job job;
+    // 12 x 12 x 4 voxels of 0.5 mm, whose values run through so many whole numbers from `first` on.
+    const auto facts_of = [&](int first, int different) {
+        test::NiftiFile file;
+        file.dim = {3, 12, 12, 4, 1, 1, 1, 1};
+        file.type = static_cast<int>(test::NiftiType::kInt16);
+        file.rows = {0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0};
+        std::vector<std::int16_t> values;
+        for (int n = 0; n < 12 * 12 * 4; ++n) values.push_back(static_cast<std::int16_t>(first + n % different));
+        file.put(values);
+        auto facts = read_volume_facts(test::write_plain(folder.path() / "v.nii", file.bytes()), {}, 0.0, job);
+        REQUIRE(facts);
+        return std::move(*facts);
+    };
+    const VolumeFacts ct = facts_of(-200, 500);
+    CHECK_FALSE(ct.mask);
+    CHECK(ct.labels.empty());
+    REQUIRE(ct.curve);
+    CHECK(ct.curve->voxels.front() == 12 * 12 * 4);
+    CHECK(ct.voxel_mm3 == doctest::Approx(0.125));
+    CHECK(words_for(ct) == "A scan, values from -200 to 299");
+    const VolumeFacts organs = facts_of(0, 118); // labels of a whole body
+    CHECK(organs.mask);
+    CHECK(organs.labels.size() == 117);
+    CHECK(organs.may_be_either());
+    const VolumeFacts bytes = facts_of(0, 250); // a scan of 8 bits
+    CHECK_FALSE(bytes.mask);
+    CHECK(bytes.may_be_either());
+    const VolumeFacts labels = facts_of(998, 5); // as programs number what they know
+    CHECK(labels.mask);
+    CHECK_FALSE(labels.curve);
+    CHECK_FALSE(labels.all_at_once);
+    CHECK(labels.labels.size() == 5);
+    job.cancel();
+    CHECK_FALSE(read_volume_facts(folder.path() / "v.nii", {}, 0.0, job));
+}
+
 TEST_CASE("a file that is no volume is an error, not facts") {
     const TemporaryFolder folder;
     Job job;
