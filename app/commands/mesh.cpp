@@ -114,11 +114,35 @@ void warn_of_lost(const MeshFlags& flags, const WrittenSurface& written) {
               << "): far shorter than thick, thinner than cells, or inside of other vessels\n";
 }
 
+// "2 pieces fewer", "1 loop more"; nothing where there are as many.
+std::string difference_text(std::int64_t here, std::int64_t wanted, const char* one, const char* many) {
+    if (here == wanted) return {};
+    return counted(static_cast<std::uint64_t>(std::abs(here - wanted)), one, many) +
+           (here > wanted ? " more" : " fewer");
+}
+
+// A surface that connects what the tree keeps apart, or the other way round, says so.
+void warn_of_shape(const MeshFlags& flags, const WrittenSurface& written, mesh::Blend blend) {
+    if (!written.tree_shape || written.shape == *written.tree_shape) return;
+    std::string what = difference_text(written.shape.pieces, written.tree_shape->pieces, "piece", "pieces");
+    const std::string loops = difference_text(written.shape.loops, written.tree_shape->loops, "loop", "loops");
+    if (!what.empty() && !loops.empty()) what += " and ";
+    std::cerr << "ramus: " << flags.output << ": the surface has " << what << loops << " than the tree; "
+              << (blend == mesh::Blend::kPaper
+                      ? "vessels that come close are merged: --blend tree keeps them apart"
+                      : "look where axes all but cross: ramus info --contacts lists them, the closest first")
+              << '\n';
+}
+
 void report(const MeshFlags& flags, const WrittenSurface& written, const tree::Claims& claims, double load_s) {
     warn_of_lost(flags, written);
     if (flags.json) {
         nlohmann::ordered_json figures = {
-            {"vertices", written.vertices}, {"triangles", written.triangles}, {"components", written.components}};
+            {"vertices", written.vertices}, {"triangles", written.triangles}, {"components", written.shape.pieces}};
+        if (written.tree_shape) {
+            figures["loops"] = written.shape.loops;
+            figures["tree"] = {{"components", written.tree_shape->pieces}, {"loops", written.tree_shape->loops}};
+        }
         if (!flags.mask.iso) figures["evaluations"] = written.evaluations;
         figures.update({{"units", claims.unit_word()}, {"orientation", claims.axes_word()}});
         figures.update({{"load_s", load_s}, {"mesh_s", written.mesh_s}, {"write_s", written.write_s}});
@@ -128,8 +152,11 @@ void report(const MeshFlags& flags, const WrittenSurface& written, const tree::C
     } else {
         std::cout << flags.output << ": " << counted(written.triangles, "triangle", "triangles") << ", "
                   << counted(written.vertices, "vertex", "vertices") << ", "
-                  << counted(static_cast<std::uint64_t>(written.components), "component", "components") << " in "
-                  << rounded(load_s + written.mesh_s + written.write_s) << " s\n";
+                  << counted(static_cast<std::uint64_t>(written.shape.pieces), "component", "components")
+                  << (written.tree_shape && written.shape.loops > 0
+                          ? ", " + counted(static_cast<std::uint64_t>(written.shape.loops), "loop", "loops")
+                          : std::string())
+                  << " in " << rounded(load_s + written.mesh_s + written.write_s) << " s\n";
         if (flags.printing.wanted) std::cout << printing_text(written.thicknesses, Lengths(claims)) << '\n';
     }
     if (flags.printing.wanted) warn_about_printing(flags.printing, written, claims);
@@ -188,6 +215,7 @@ Result<int> run_mesh(const MeshFlags& flags) {
                                opened.session.tree.path.string()));
     say(flags.surface, counted(written.evaluations, "evaluation", "evaluations") + " of the field in " +
                            rounded(written.mesh_s) + " s" + (written.streamed ? ", streamed to the disk" : ""));
+    warn_of_shape(flags, written, opened.session.marks.options.blend);
     report(flags, written, target.names.claims, load_s);
     return kDone;
 }

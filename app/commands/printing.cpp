@@ -51,8 +51,9 @@ void warn_about_printing(const PrintingFlags& flags, const WrittenSurface& writt
         std::cerr << "ramus: " << thin
                   << "; print it larger, leave thin vessels out with --prune or hidden in a --session, or say with "
                      "--thinnest what your printer can do\n";
-    if (written.components > 1)
-        std::cerr << "ramus: " << counted(static_cast<std::uint64_t>(written.components), "piece comes", "pieces come")
+    if (written.shape.pieces > 1)
+        std::cerr << "ramus: "
+                  << counted(static_cast<std::uint64_t>(written.shape.pieces), "piece comes", "pieces come")
                   << " out of the printer: what is not connected falls apart\n";
 }
 

@@ -185,10 +185,10 @@ Result<Inputs> read_inputs(const RenderFlags& flags) {
         inputs.script = std::move(read);
     }
     if (!flags.output.empty()) {
+        if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
         const bool is_picture = flags.figure.turntable == 0 || !is_video(flags.output);
         if (auto fits = is_picture ? render::check_png_name(flags.output) : Result<void>(); !fits)
             return tl::unexpected(fits.error());
-        if (auto can = io::check_output(flags.output); !can) return tl::unexpected(can.error());
     }
     if (!flags.reference.empty())
         if (auto can = render::read_png(flags.reference); !can) return tl::unexpected(can.error());

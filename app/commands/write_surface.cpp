@@ -5,36 +5,63 @@
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
-#include "core/measure/mesh_components.h"
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/lost_pieces.h"
+#include "core/mesh/systems.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace ramus::app {
 
 namespace {
 
-// Counts the pieces of what passes through to the file.
+// Counts the pieces and loops of what passes through to the file.
 class CountingSink final : public mesh::SurfaceSink {
 public:
     CountingSink(io::SurfaceFile& file, std::size_t branches) : file_(file), seen_(branches) {}
 
     [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
-        components_.add(more.size());
+        sets_.add(more.size());
+        used_.resize(used_.size() + more.size(), false);
         seen_.add(more.branches);
         return file_.add_vertices(more);
     }
     [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
-        for (const glm::uvec3& t : more) components_.join(t.x, t.y), components_.join(t.x, t.z);
+        for (const glm::uvec3& t : more) {
+            sets_.join(t.x, t.y), sets_.join(t.x, t.z);
+            for (int corner = 0; corner < 3; ++corner) used_[t[corner]] = true;
+        }
+        triangles_ += static_cast<std::int64_t>(more.size());
         return file_.add_triangles(more, vertices);
     }
-    [[nodiscard]] int components() const { return static_cast<int>(components_.count()); }
+    [[nodiscard]] measure::Connectivity shape() const {
+        const auto unused = std::ranges::count(used_, false);
+        return measure::connectivity_of(static_cast<std::int64_t>(sets_.count()) - unused,
+                                        static_cast<std::int64_t>(used_.size()) - unused, triangles_);
+    }
     [[nodiscard]] const mesh::SeenBranches& seen() const { return seen_; }
 
 private:
     io::SurfaceFile& file_;
     mesh::SeenBranches seen_;
-    DisjointSets components_;
+    DisjointSets sets_;
+    std::vector<bool> used_;
+    std::int64_t triangles_ = 0;
 };
+
+// Cones are no closed surface.
+void compare_shapes(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
+                    std::span<const std::uint8_t> hidden, WrittenSurface& written) {
+    if (options.method != mesh::Method::kConvolutionSurface) return;
+    measure::Connectivity all;
+    for (const auto& but_one_system : mesh::hidden_by_system(tree, hidden)) { // each has a surface of its own
+        const measure::Connectivity one = measure::connectivity_of(tree, but_one_system);
+        all.pieces += one.pieces, all.loops += one.loops;
+    }
+    all.pieces -= static_cast<std::int64_t>(written.lost_pieces.size());
+    written.tree_shape = all;
+}
 
 Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::SurfaceOptions& options,
                                       std::span<const std::uint8_t> hidden, const std::filesystem::path& output) {
@@ -49,8 +76,9 @@ Result<WrittenSurface> write_streamed(const tree::VesselTree& tree, const mesh::
     written.vertices = file->vertex_count();
     written.triangles = file->triangle_count();
     written.evaluations = streamed->evaluations;
-    written.components = sink.components();
+    written.shape = sink.shape();
     written.lost_pieces = mesh::lost_pieces(tree, hidden, sink.seen());
+    compare_shapes(tree, options, hidden, written);
     written.streamed = true;
     written.mesh_s = watch.lap();
     if (auto committed = file->commit(); !committed) return tl::unexpected(committed.error());
@@ -68,7 +96,7 @@ Result<void> write_surface(const mesh::TriangleMesh& surface, const SurfaceTarge
         if (auto closed = mesh::check_closed(surface, target.file.string()); !closed) return closed;
         written.thicknesses = measure::least_thicknesses(surface, target.threads);
     }
-    written.components = measure::component_count(surface);
+    written.shape = measure::connectivity_of(surface);
     written.mesh_s += watch.lap();
     if (auto saved = io::write_mesh(surface, target.file, target.names); !saved) return saved;
     written.write_s = watch.lap();
@@ -91,6 +119,7 @@ Result<WrittenSurface> write_surface(const tree::VesselTree& tree, const mesh::S
     mesh::SeenBranches seen(tree.branches.size());
     seen.add(surface.mesh.branches);
     written.lost_pieces = mesh::lost_pieces(tree, hidden, seen);
+    compare_shapes(tree, options, hidden, written);
     written.mesh_s = watch.lap();
     if (auto saved = write_surface(surface.mesh, target, written); !saved) return tl::unexpected(saved.error());
     return written;

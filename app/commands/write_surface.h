@@ -4,11 +4,13 @@
 
 #include "core/base/error.h"
 #include "core/io/meshes/mesh_names.h"
+#include "core/measure/connectivity.h"
 #include "core/measure/wall_thickness.h"
 #include "core/mesh/surface.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +18,9 @@ namespace ramus::app {
 
 struct WrittenSurface {
     std::uint64_t vertices = 0, triangles = 0, evaluations = 0;
-    int components = 0;
+    measure::Connectivity shape; // loops: where it is closed
+    // Of the tree's branches that are on a closed surface of it: what that has to be like.
+    std::optional<measure::Connectivity> tree_shape;
     bool streamed = false;
     std::vector<std::vector<int>> lost_pieces; // of the tree, by branch: not on the surface (core/mesh/lost_pieces.h)
     double mesh_s = 0.0, write_s = 0.0;

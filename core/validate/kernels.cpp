@@ -2,7 +2,7 @@
 
 #include "core/field/kernel.h"
 #include "core/measure/deviation/deviation.h"
-#include "core/measure/mesh_components.h"
+#include "core/measure/connectivity.h"
 
 #include <array>
 #include <utility>

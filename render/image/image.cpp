@@ -94,6 +94,7 @@ Result<void> check_png_name(const std::filesystem::path& path) {
 }
 
 Result<void> write_png(const Image& image, const std::filesystem::path& path) {
+    if (auto possible = io::check_output(path); !possible) return possible; // says first what would be lost
     if (auto fits = check_png_name(path); !fits) return fits;
     auto encoded = encode_png(image);
     if (encoded) return io::write_file(path, *encoded);

@@ -2,7 +2,7 @@
 // width 1.
 #include "core/field/convolution_field.h"
 #include "core/field/kernels/gaussian.h"
-#include "core/measure/mesh_components.h"
+#include "core/measure/connectivity.h"
 #include "core/mesh/polygonize/polygonize.h"
 #include "tests/support/built_tree.h"
 #include "tests/support/mesh_topology.h"

@@ -1,5 +1,5 @@
 // Surfaces of several vessel systems: each is what it is without the others, however near they come.
-#include "core/measure/mesh_components.h"
+#include "core/measure/connectivity.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/systems.h"
 #include "core/tree/build_tree.h"

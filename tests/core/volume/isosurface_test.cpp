@@ -1,6 +1,6 @@
 // Surfaces of masks and fields: closed, manifold, with the topology of the voxels, and where geometry says they are.
 #include "core/base/memory.h"
-#include "core/measure/mesh_components.h"
+#include "core/measure/connectivity.h"
 #include "core/volume/isosurface.h"
 #include "tests/support/mesh_topology.h"
 #include "tests/support/voxel_topology.h"

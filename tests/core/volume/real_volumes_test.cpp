@@ -2,7 +2,7 @@
 #include "core/io/input_file.h"
 #include "core/io/trees/tree_file.h"
 #include "core/io/volumes/volume_file.h"
-#include "core/measure/mesh_components.h"
+#include "core/measure/connectivity.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/label_counts.h"
 #include "tests/support/mesh_topology.h"

@@ -1,5 +1,5 @@
 // Trees of masks whose vessels are known.
-#include "core/measure/mesh_components.h"
+#include "core/measure/connectivity.h"
 #include "core/volume/isosurface.h"
 #include "core/volume/skeletonize/skeletonize.h"
 #include "core/volume/skeletonize/topology.h"
