@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glad/gl.h>
 
 namespace ramus::app {
@@ -17,6 +18,16 @@ glm::ivec2 fitting(glm::ivec2 full, glm::ivec2 most) {
     return glm::max(glm::ivec2(glm::dvec2(full) * shrink + 0.5), glm::ivec2(1));
 }
 
+// Of large trees even the coarser surface takes longer to send and draw than a window may: centerlines are cast then,
+// as while the view moves.
+void cast_if_large(render::Frame& frame) {
+    constexpr std::uint64_t kMostDrawn = 300'000; // triangles
+    const bool needs_mesh = frame.only_mesh || frame.scale.value == render::ColourScale::Value::kSurface;
+    if (needs_mesh || !frame.centerlines || !frame.mesh || frame.mesh->triangle_count() <= kMostDrawn) return;
+    frame.surface_awaited = true;
+    frame.quality = render::Quality::kInteractive;
+}
+
 } // namespace
 
 // The coarser surface is as good as the fine one, so small.
@@ -26,9 +37,11 @@ render::Sheet FigurePreviewer::small_sheet(glm::ivec2 size) const {
     render::Sheet sheet =
         compose_sheet(workspace.document.session(), workspace.current_assets(), surfaces, {.size = size});
     const auto viewports = viewports_of(workspace.document.marks(), size, 1.0F);
-    for (std::size_t i = 0; i < sheet.viewports.size(); ++i)
+    for (std::size_t i = 0; i < sheet.viewports.size(); ++i) {
         if (auto preview = surfaces.preview_of(viewports[i].surface))
             sheet.viewports[i].frame.mesh = std::move(preview);
+        if (sheet.viewports[i].has_branches) cast_if_large(sheet.viewports[i].frame);
+    }
     return sheet;
 }
 
