@@ -8,6 +8,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <pthread.h>
 #include <sanitizer/common_interface_defs.h>
+#include <sanitizer/lsan_interface.h>
 
 namespace {
 
@@ -22,6 +23,14 @@ const Target& chosen_target() {
     std::exit(name == nullptr ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
+// After every so many inputs, where libFuzzer does not do so after each. The report says where what leaks was
+// allocated.
+void look_for_leaks() {
+    constexpr int kBetween = 1000;
+    static int inputs = 0;
+    if (++inputs % kBetween == 0 && __lsan_do_recoverable_leak_check() != 0) std::abort();
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
@@ -30,6 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // What one input does must not depend on threads; and a process that is forked must find no lock of another thread.
     static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     target.run({reinterpret_cast<const char*>(data), size});
+    look_for_leaks();
     return 0;
 }
 
