@@ -36,6 +36,12 @@ constexpr std::array<OptionWord, 2> kCenterlineWords = {{
     {tree::name_of(tree::Centerline::kLines), "Lines"},
 }};
 
+// In the order of mesh::Radii.
+constexpr std::array<OptionWord, 2> kRadiiWords = {{
+    {mesh::name_of(mesh::Radii::kPlain), "Plain"},
+    {mesh::name_of(mesh::Radii::kExact), "Exact"},
+}};
+
 // In the order of field::KernelKind.
 const std::vector<OptionWord> kKernelWords = [] {
     std::vector<OptionWord> words;
@@ -43,7 +49,7 @@ const std::vector<OptionWord> kKernelWords = [] {
     return words;
 }();
 
-const std::array<SurfaceOption, 9> kSurfaceOptions = {{
+const std::array<SurfaceOption, 10> kSurfaceOptions = {{
     {.key = "smooth",
      .unit = "N",
      .help = "Smoothing passes over points and radii (default 1)",
@@ -134,6 +140,23 @@ const std::array<SurfaceOption, 9> kSurfaceOptions = {{
      .slider_most = 1,
      .words = kCenterlineWords,
      .before_it_was = static_cast<double>(tree::Centerline::kLines)},
+    {.key = "radii",
+     .unit = "plain|exact",
+     .help =
+         "Which radii the surface has: plain, what the kernel makes of those of the tree, as in the paper (default); "
+         "exact, those of the tree, also in short stenoses",
+     .domain = "plain or exact",
+     .least = 0,
+     .most = 1,
+     .whole = true,
+     .of_session = true,
+     .value = value_of<&Options::radii>,
+     .set = set_to<&Options::radii>,
+     .label = "Radii",
+     .tooltip = "What the kernel makes of the radii, or exactly those of the tree, also in short stenoses",
+     .slider_most = 1,
+     .only_when_set = true,
+     .words = kRadiiWords},
     {.key = "detail",
      .unit = "N",
      .help = "Triangles around a vessel, thick or thin (default 16)",

@@ -13,6 +13,14 @@ double beyond_for(double slope) {
     return 1.0 / (1.0 + 4.0 * steepness * (1.0 + 8.0 * steepness));
 }
 
+namespace {
+
+double kernel_radius(const tree::PreparedTree& prepared, std::uint32_t point) {
+    return prepared.kernel_radii.empty() ? prepared.tree.points[point].radius : prepared.kernel_radii[point];
+}
+
+} // namespace
+
 Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
     const tree::VesselTree& tree = prepared.tree;
     const std::size_t count = tree.segment_count();
@@ -31,7 +39,9 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
             // Smoothing may pull two points of a tight zigzag onto each other; such a segment has no integral.
             if (!(length > 0.0)) continue;
             const glm::dvec3 direction = (to.position - from.position) / length;
-            const double slope = (to.radius - from.radius) / length;
+            const double radius = kernel_radius(prepared, branch.points[i - 1]);
+            const double end_radius = kernel_radius(prepared, branch.points[i]);
+            const double slope = (end_radius - radius) / length;
             const std::size_t index = prepared.segment_index.empty() ? ordinal : prepared.segment_index[ordinal];
             segments[index] = {from.position.x,
                                from.position.y,
@@ -40,17 +50,18 @@ Skeleton::Skeleton(const tree::PreparedTree& prepared, double support_radii) {
                                static_cast<float>(direction.y),
                                static_cast<float>(direction.z),
                                static_cast<float>(length),
-                               static_cast<float>(from.radius),
+                               static_cast<float>(radius),
                                static_cast<float>(slope),
                                static_cast<float>(smooth ? beyond_for(slope) : 0.0),
-                               prepared.segment_source[ordinal]};
+                               prepared.segment_source[ordinal],
+                               static_cast<float>(from.radius - radius),
+                               static_cast<float>((to.radius - end_radius - (from.radius - radius)) / length)};
             is_present[index] = 1;
 
-            const glm::dvec3 reach(support_radii *
-                                   std::max({from.radius, to.radius, double(segments[index].thickest())}));
+            const glm::dvec3 reach(support_radii * std::max({radius, end_radius, double(segments[index].thickest())}));
             frame_.lower = glm::min(frame_.lower, glm::min(from.position, to.position) - reach);
             frame_.upper = glm::max(frame_.upper, glm::max(from.position, to.position) + reach);
-            frame_.thinnest = std::min({frame_.thinnest, from.radius, to.radius});
+            frame_.thinnest = std::min({frame_.thinnest, radius, end_radius});
         }
     }
     present_.reserve(count);

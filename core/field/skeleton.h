@@ -19,14 +19,19 @@ namespace ramus::field {
 // Beyond an end, at x mm along the axis, the radius goes on from the end's radius r as r + slope x E / (|x| + E) with
 // E = beyond r: its slope does not jump there, so that the field's gradient does not either, and a cone cut in two
 // stays the cone that it was. With beyond = 0 it stays r, as in the paper.
+//
+// The tree's radius may be another one than the kernel's (exact_radii.h); `excess` is what it has more.
 struct alignas(64) FieldSegment {
     double ax, ay, az;           // start point, mm
     float ux, uy, uz;            // unit direction
     float length, radius, slope; // mm, mm at the start, radius change per mm
     float beyond;
-    std::int32_t branch; // id in the source tree
+    std::int32_t branch;                      // id in the source tree
+    float excess = 0.0F, excess_slope = 0.0F; // mm at the start, change per mm
 
     [[nodiscard]] float end_radius() const { return radius + slope * length; }
+    // The tree's radius so many mm along.
+    [[nodiscard]] float tree_radius(float along) const { return radius + excess + (slope + excess_slope) * along; }
     // The largest radius that any point sees, and the smallest.
     [[nodiscard]] float thickest() const {
         return slope > 0.0F ? end_radius() * (1.0F + slope * beyond) : radius * (1.0F - slope * beyond);

@@ -3,6 +3,7 @@
 #include "core/base/bounded.h"
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
+#include "core/field/exact_radii.h"
 #include "core/field/kernel.h"
 #include "core/field/vessel_field.h"
 #include "core/mesh/check_kernel.h"
@@ -122,9 +123,12 @@ field::Frame frame_of_all_parts(const tree::VesselTree& source, SurfaceOptions o
 field::ConvolutionField plain_sum(const tree::VesselTree& source, const SurfaceOptions& options,
                                   const PreparedTree& prepared) {
     const field::Kernel kernel = kernel_of(options);
-    if (!(options.prune_ratio > 0.0)) return {field::Skeleton(prepared, kernel.support_radii), kernel};
-    const field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii);
-    return {field::Skeleton(prepared, kernel.support_radii, frame), kernel};
+    const bool exact = options.radii == Radii::kExact;
+    const PreparedTree& ready = exact ? field::with_exact_radii(prepared, kernel) : prepared;
+    if (!(options.prune_ratio > 0.0)) return {field::Skeleton(ready, kernel.support_radii), kernel};
+    field::Frame frame = frame_of_all_parts(source, options, kernel.support_radii * (exact ? field::kWidest : 1.0));
+    if (exact) frame.thinnest *= field::kNarrowest;
+    return {field::Skeleton(ready, kernel.support_radii, frame), kernel};
 }
 
 // Of all systems. What cannot be met is known before contacts are looked for, which takes longer the thicker vessels

@@ -6,6 +6,7 @@
 #include "core/field/kernels/kernel_kind.h"
 #include "core/mesh/blend.h"
 #include "core/mesh/method.h"
+#include "core/mesh/radii.h"
 #include "core/mesh/surface_sink.h"
 #include "core/tree/prepare.h"
 
@@ -26,6 +27,7 @@ struct SurfaceOptions {
     field::KernelKind kernel = field::KernelKind::kGaussian;
     Blend blend = Blend::kTree; // where vessels blend
     tree::Centerline centerline = tree::Centerline::kSmooth;
+    Radii radii = Radii::kPlain; // which the surface has
     int detail = 16;                // triangles around a vessel
     double cell_mm = 0.0;           // one cell size everywhere instead of detail; 0 = use detail
     int threads = 0;                // 0 = all cores

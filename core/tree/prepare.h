@@ -17,6 +17,8 @@ struct PreparedTree {
     std::vector<std::uint32_t> segment_index;
     std::size_t source_segments = 0;
     Centerline centerline = Centerline::kLines;
+    // Radii that go into a kernel, by point, where those are not the tree's (core/field/exact_radii.h); else empty.
+    std::vector<double> kernel_radii{};
 };
 
 // Pruning of short leaf branches: the spurs that thinning leaves behind (after Hahn et al. 2001, the paper's [6]).

@@ -166,6 +166,13 @@ std::uint32_t VesselViews::nearest_in_radii(std::span<const std::uint32_t> place
 
 std::uint32_t VesselViews::nearest() const { return seen().empty() ? kNone : nearest_in_radii(seen()); }
 
+double VesselViews::tree_radius(std::uint32_t place) const {
+    const FieldSegment& s = segments_[list_[place]];
+    if (s.excess == 0.0F && s.excess_slope == 0.0F) return radius(place);
+    const double along = glm::distance(foot(place), glm::dvec3(s.ax, s.ay, s.az));
+    return radius(place) + static_cast<double>(s.excess) + static_cast<double>(s.excess_slope) * along;
+}
+
 double VesselViews::distance(std::uint32_t place) const { return std::sqrt(feet_.of(place, kFootDistance2)); }
 
 bool VesselViews::any_left_out() {

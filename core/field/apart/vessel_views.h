@@ -63,6 +63,7 @@ public:
     // Of a segment: the distance of its axis in mm, the radius at the foot, and the foot.
     [[nodiscard]] double distance(std::uint32_t place) const;
     [[nodiscard]] double radius(std::uint32_t place) const { return feet_.of(place, kFootRadius); }
+    [[nodiscard]] double tree_radius(std::uint32_t place) const; // the tree's there, not the kernel's
     [[nodiscard]] glm::dvec3 foot(std::uint32_t place) const { return feet_.foot(place); }
     [[nodiscard]] std::int32_t branch(std::uint32_t place) const { return segments_[list_[place]].branch; }
     [[nodiscard]] bool apart(std::uint32_t a, std::uint32_t b) const { return contacts_.apart(piece(a), piece(b)); }

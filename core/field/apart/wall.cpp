@@ -67,7 +67,7 @@ void name(VesselViews& views, std::uint32_t own, WallPoint& point) {
         const double share = (1.0 - left_out[n]) * views.term(n);
         if (views.branch(n) != branch.branch) rank(branch), branch = {views.branch(n), 0.0};
         branch.share += share;
-        if (share > strongest) strongest = share, point.radius = views.radius(n);
+        if (share > strongest) strongest = share, point.radius = views.tree_radius(n);
     }
     rank(branch);
     point.branch = most[0].branch;

@@ -10,7 +10,8 @@ void LocalSegments::enter(SegmentIndices segments_there, const GridAxes& axes_th
     const std::size_t needed = count + kWidestVector;
     if (needed <= x.size()) return;
     const std::size_t capacity = 2 * needed;
-    for (auto* array : {&x, &y, &z, &ux, &uy, &uz, &length, &radius, &slope, &beyond}) array->resize(capacity);
+    for (auto* array : {&x, &y, &z, &ux, &uy, &uz, &length, &radius, &slope, &beyond, &excess, &excess_slope})
+        array->resize(capacity);
     branch.resize(capacity);
     tables.resize(capacity * kTableStride);
     reaching.resize(kBoxes * capacity);

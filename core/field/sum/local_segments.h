@@ -23,6 +23,8 @@ struct LocalSegments {
     std::vector<float> x, y, z; // start relative to the corner, mm
     std::vector<float> ux, uy, uz, length, radius, slope, beyond;
     std::vector<std::int32_t> branch;
+    std::vector<float> excess, excess_slope; // of the tree's radius, as in FieldSegment
+    bool has_excess = false;                 // of any segment
     // Coordinates of the grid seen from the segment's start: 8 along x, 8 along y, 8 along z. Rounded once from double
     // precision: the same point of space gives the same float whatever the grid it is taken from.
     static constexpr std::size_t kTableStride = 32;

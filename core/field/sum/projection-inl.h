@@ -26,6 +26,7 @@ template <class T> struct Points {
     V x, y, z;
     V sum, gx, gy, gz;
     V best, best_scale; // of segments
+    V best_excess;      // of the tree's radius over the kernel's, mm
     V share;            // of the branch that is looked at
     V shares[3];        // of the branches that have most, the most first
     VI branches[3];
@@ -49,6 +50,14 @@ template <class T> HWY_INLINE void end_branch(Points<T>& p, std::int32_t branch)
     p.share = hn::Zero(d);
 }
 
+// By how much the tree's radius at the foot exceeds the kernel's, mm.
+template <class T>
+HWY_INLINE hn::Vec<T> excess_at(const LocalSegments& local, std::size_t segment, const Foot<1, T>& foot) {
+    const T d;
+    const auto t = hn::Max(hn::Min(foot.t.v[0], hn::Set(d, local.length[segment])), hn::Zero(d));
+    return hn::MulAdd(hn::Set(d, local.excess_slope[segment]), t, hn::Set(d, local.excess[segment]));
+}
+
 // Adds up the field and its gradient at a vector of points.
 template <class Profile, class T>
 HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local,
@@ -60,6 +69,7 @@ HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local
     p.sum = p.gx = p.gy = p.gz = hn::Zero(d);
     p.best = hn::Set(d, -1.0F);
     p.best_scale = hn::Set(d, 1.0F);
+    p.best_excess = hn::Zero(d);
     p.share = p.shares[0] = p.shares[1] = p.shares[2] = hn::Zero(d);
     p.branches[0] = p.branches[1] = p.branches[2] = hn::Set(di, local.branch[0]);
     // Segments are in order, and with them those of a branch are together.
@@ -82,6 +92,8 @@ HWY_INLINE void evaluate(T d, const Profile& profile, const LocalSegments& local
             const auto stronger = hn::Gt(value, p.best);
             p.best = hn::IfThenElse(stronger, value, p.best);
             p.best_scale = hn::IfThenElse(stronger, foot.scale.v[0], p.best_scale);
+            if (local.has_excess)
+                p.best_excess = hn::IfThenElse(stronger, excess_at(local, at.m[0], foot), p.best_excess);
             if (branch != before) end_branch(p, before);
             p.share = hn::Add(p.share, value);
         });
@@ -152,7 +164,7 @@ HWY_INLINE void write(T d, const Points<T>& p, float scale, const glm::dvec3& or
     const V g2 = hn::MulAdd(p.gz, p.gz, hn::MulAdd(p.gy, p.gy, hn::Mul(p.gx, p.gx)));
     const V unit = hn::Neg(reciprocal_root(d, hn::Max(g2, hn::Set(d, 1e-30F))));
     hn::StoreInterleaved3(hn::Mul(p.gx, unit), hn::Mul(p.gy, unit), hn::Mul(p.gz, unit), d, &to.normals[at].x);
-    hn::StoreU(hn::Div(hn::Set(d, scale), p.best_scale), d, to.radii + at);
+    hn::StoreU(hn::Add(hn::Div(hn::Set(d, scale), p.best_scale), p.best_excess), d, to.radii + at);
     hn::StoreU(p.branches[0], di, to.branches + at);
     const hn::Rebind<std::uint8_t, T> du8;
     const V tiny = hn::Set(d, 1e-30F);

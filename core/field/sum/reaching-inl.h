@@ -24,6 +24,7 @@ HWY_INLINE void subtract(const std::array<double, N>& axis, double start, float*
 
 // Fills in what is kept by segment, for the list and the axes that are there.
 inline void gather_segments(LocalSegments& local) {
+    local.has_excess = false;
     for (std::size_t m = 0; m < local.count; ++m) {
         const FieldSegment& s = local.segments[local.list[m]];
         float* table = local.tables.data() + m * LocalSegments::kTableStride;
@@ -34,6 +35,8 @@ inline void gather_segments(LocalSegments& local) {
         local.ux[m] = s.ux, local.uy[m] = s.uy, local.uz[m] = s.uz;
         local.length[m] = s.length, local.radius[m] = s.radius, local.slope[m] = s.slope, local.beyond[m] = s.beyond;
         local.branch[m] = s.branch;
+        local.excess[m] = s.excess, local.excess_slope[m] = s.excess_slope;
+        local.has_excess |= s.excess != 0.0F || s.excess_slope != 0.0F;
     }
 }
 
