@@ -58,7 +58,7 @@ class Screen:
     """Xvfb at 24 bit with GLX, on a number that it chooses itself, and a window manager on it. There is room for a window
     of this size and its frame."""
 
-    def __init__(self, width, height, folder):
+    def __init__(self, width, height):
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width + FRAME[0]}x{height + FRAME[1]}x24", "-nolisten", "tcp",
@@ -70,16 +70,17 @@ class Screen:
         if not number:
             raise Failure("Xvfb did not start")
         self.display = ":" + number
-        settings = Path(folder) / "icewm"
-        settings.mkdir()
-        (settings / "preferences").write_text(MANAGER_PREFERENCES)
+        self.folder = tempfile.TemporaryDirectory()
+        (Path(self.folder.name) / "preferences").write_text(MANAGER_PREFERENCES)
         self.manager = subprocess.Popen(["icewm", "--replace"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                        env=dict(os.environ, DISPLAY=self.display, ICEWM_PRIVCFG=str(settings), HOME=str(folder)))
+                                        env=dict(os.environ, DISPLAY=self.display, ICEWM_PRIVCFG=self.folder.name,
+                                                 HOME=self.folder.name))
 
     def close(self):
         for process in (self.manager, self.process):
             process.terminate()
             process.wait()
+        self.folder.cleanup()
 
 
 class Window:
@@ -332,7 +333,7 @@ def run_journeys(*journeys, size=(1200, 800)):
         print("SKIPPED: not installed:", ", ".join(missing))
         return 0
     with tempfile.TemporaryDirectory() as name:
-        screen = Screen(*size, name)
+        screen = Screen(*size)
         try:
             for journey in journeys:
                 journey(program, screen, Path(name))
