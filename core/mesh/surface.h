@@ -27,7 +27,7 @@ struct SurfaceOptions {
     field::KernelKind kernel = field::KernelKind::kGaussian;
     Blend blend = Blend::kTree; // where vessels blend
     tree::Centerline centerline = tree::Centerline::kSmooth;
-    Radii radii = Radii::kPlain; // which the surface has
+    Radii radii = Radii::kPlain;    // which the surface has
     int detail = 16;                // triangles around a vessel
     double cell_mm = 0.0;           // one cell size everywhere instead of detail; 0 = use detail
     int threads = 0;                // 0 = all cores

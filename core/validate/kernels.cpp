@@ -1,8 +1,8 @@
 #include "core/validate/kernels.h"
 
 #include "core/field/kernel.h"
-#include "core/measure/deviation/deviation.h"
 #include "core/measure/connectivity.h"
+#include "core/measure/deviation/deviation.h"
 
 #include <array>
 #include <utility>
