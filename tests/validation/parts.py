@@ -8,6 +8,7 @@ import resource
 import subprocess
 
 import plots
+import sections
 import support
 import trees
 
@@ -119,17 +120,20 @@ def radii():
 
 
 def stenoses():
-    """The narrowest radius of stenoses: how much wider the surface is than the tree."""
+    """The narrowest radius of stenoses: how much wider the surface is than the tree, and how far off it is beside that."""
     rows = []
-    for share in (0.2, 0.5, 0.8):
-        row = [f"{100 * share:.0f} %"]
-        for diameters in (1, 2, 3, 5):
-            tree = swc("stenosis", trees.stenosis(share, diameters))
-            ramus("validate", tree, "--smooth", 0, "--detail", 32, "--report", OUT / "stenosis")
-            with open(OUT / "stenosis" / "radii.csv", encoding="ascii", newline="") as file:
-                narrowest = min(float(line["surface_radius_mm"]) for line in csv.DictReader(file) if line["alone"] == "yes")
-            row.append(f"{100.0 * (narrowest / (2.0 * (1.0 - share)) - 1.0):+.2f}")
-        rows.append(row)
+    for radii in ("plain", "exact"):
+        for share in (0.2, 0.5, 0.8):
+            row = [f"{100 * share:.0f} %, `--radii {radii}`"]
+            for diameters in (1, 2, 3, 5):
+                tree = swc("stenosis", trees.stenosis(share, diameters))
+                ramus("validate", tree, "--smooth", 0, "--detail", 32, "--radii", radii, "--report", OUT / "stenosis")
+                with open(OUT / "stenosis" / "radii.csv", encoding="ascii", newline="") as file:
+                    alone = [line for line in csv.DictReader(file) if line["alone"] == "yes"]
+                narrowest = min(float(line["surface_radius_mm"]) for line in alone)
+                errors = [100.0 * (float(line["surface_radius_mm"]) / float(line["input_radius_mm"]) - 1.0) for line in alone]
+                row.append(f"{100.0 * (narrowest / (2.0 * (1.0 - share)) - 1.0):+.2f} ({min(errors):+.1f} to {max(errors):+.1f})")
+            rows.append(row)
     return table(("stenosis", *(f"over {n} diameter{'s' if n > 1 else ''}, %" for n in (1, 2, 3, 5))), rows)
 
 
@@ -163,6 +167,24 @@ def table1():
     return text + "\n" + figure("table1.svg", plots.box_plots("Surface to isosurface of the mask", "mm", boxes))
 
 
+def roundness():
+    """What of the distance to the isosurface is that of sections that are not round."""
+    if not (SHARED / "volumes").is_dir():
+        return MISSING
+    rows = []
+    for name, options in MASKS:
+        if "liver" not in name:
+            continue
+        tree, iso, report = OUT / "roundness.json", OUT / "roundness.obj", OUT / "roundness"
+        ramus("skeletonize", SHARED / "volumes" / name, "-o", tree, *options)
+        ramus("validate", tree, "--report", report)
+        ramus("mesh", SHARED / "volumes" / name, "-o", iso, "--method", "iso", *options)
+        count, *found = sections.distances(sections.Surface(iso), sections.read_places(report / "radii.csv"))
+        rows.append((" ".join((name.split(".")[0].replace("_", " "), "label", options[1])), str(count), *(f"{mm:.3f}" for mm in found)))
+    return table(("mask", "sections", "to the surface's circle: mean, mm", "to the circle of their own area", "to the nearest circle"),
+                 rows)
+
+
 def table3():
     """Table III: CPU seconds of all cores together, reading and writing included."""
     inputs = [(f"grown, {b} branches, seed {s}", grown(b, s)) for b, s in (*GROWN, (1504, 1))]
@@ -188,4 +210,4 @@ def study():
 
 
 PARTS = {"shapes": shapes, "joints": joints, "bounds": bounds, "radii": radii, "stenoses": stenoses, "table1": table1,
-         "table3": table3, "study": study}
+         "roundness": roundness, "table3": table3, "study": study}
