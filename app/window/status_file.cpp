@@ -68,6 +68,16 @@ void add_dialogs(nlohmann::json& status, const Interface& interface) {
     status["recoveries"] = interface.recovery.entries.size();
 }
 
+// What would be lost, and what can be taken back.
+void add_document(nlohmann::json& status, const Document& document) {
+    status["modified"] = document.modified();
+    status["session_file"] = document.file().string();
+    status["branch_count"] = document.branch_count();
+    status["pieces"] = document.tree() ? document.tree()->roots.size() : 0;
+    status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
+    status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
+}
+
 nlohmann::json to_json(const LoopWatch::Gap& gap) {
     return {{"ended", gap.ended},
             {"seconds", gap.seconds},
@@ -129,14 +139,8 @@ void StatusFile::update(const Viewer& viewer, const Workspace& workspace, const 
     status["branch_window"] = interface.list.apart;
     add_lists(status, interface, workspace);
     add_dialogs(status, interface);
-    const Document& document = workspace.document;
-    status["modified"] = document.modified();
-    status["session_file"] = document.file().string();
+    add_document(status, workspace.document);
     status["written"] = interface.written.open ? interface.written.file.string() : "";
-    status["branch_count"] = document.branch_count();
-    status["pieces"] = document.tree() ? document.tree()->roots.size() : 0;
-    status["undo"] = document.can_undo() ? document.step_name(document.position() - 1) : "";
-    status["redo"] = document.can_redo() ? document.step_name(document.position()) : "";
     status["typing"] = ImGui::GetIO().WantTextInput; // a field has the keyboard
     status["error"] = interface.errors.empty() ? "" : interface.errors.front().message();
     status["notice"] = interface.notice.text;

@@ -1,5 +1,6 @@
 #include "core/volume/skeletonize/centerline.h"
 
+#include "core/base/bounds.h"
 #include "core/volume/skeletonize/course.h"
 
 #include <algorithm>
@@ -180,6 +181,18 @@ private:
         return i;
     }
 
+    // Around the voxels of a line and its course: no middle of them is outside, though one seen aslant may seem to be,
+    // where voxels are many times longer than wide.
+    [[nodiscard]] Bounds<glm::dvec3> room_of(std::size_t l) const {
+        Bounds<glm::dvec3> room;
+        for (const glm::dvec3& at : courses_[l].at) room.hold(at);
+        for (const Territories::Member& member : territories_.of(l)) {
+            const glm::dvec3 middle = set_.spacing() * glm::dvec3(set_.voxel(member.at));
+            room.hold({middle - 0.5 * set_.spacing(), middle + 0.5 * set_.spacing()});
+        }
+        return room;
+    }
+
     // What is not clear goes along with what is next to it: at an end all the way, at a node not at all.
     void shift(std::size_t l, std::vector<glm::dvec3> shifts) {
         Course& course = courses_[l];
@@ -192,7 +205,9 @@ private:
         for (std::size_t i = 0; i < first; ++i) shifts[i] = glm::mix(from, shifts[first], part(i, first));
         for (std::size_t i = last + 1; i <= course.last(); ++i)
             shifts[i] = glm::mix(shifts[last], to, part(i - last, course.last() - last));
-        for (std::size_t i = 0; i < course.at.size(); ++i) course.at[i] += shifts[i];
+        const Bounds<glm::dvec3> room = room_of(l);
+        for (std::size_t i = 0; i < course.at.size(); ++i)
+            course.at[i] = glm::clamp(course.at[i] + shifts[i], room.least, room.most);
         smooth_positions(course, [&](std::size_t i) { return std::max(voxel_, kSmoothShifts * course.radius[i]); });
     }
 
