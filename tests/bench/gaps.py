@@ -18,7 +18,7 @@ from screen import Failure, Window, click, drag, run_journeys, saved_session  # 
 KIDNEY = Path(os.environ.get("RAMUS_SHARED_DATA", "")) / "trees" / "kidney_77922_segments.swc"
 PROMISED = 0.1  # seconds
 EXPORTS = {  # by what their pages are said to be
-    "picture": "What the window shows of the tree.",
+    "picture": "What the window shows.",
     "report": "A page with pictures and tables of the plan.",
     "table": "The figures of each branch.",
     "surface": "The smooth surface, as triangles.",

@@ -188,7 +188,7 @@ def export(program, screen, folder):
         rows = (folder / "figures.csv").read_text().splitlines()
         check(len(rows) == 1 + info_of(program, tree)["branches"], "a table has a row for each branch")
         dialog(window)
-        click(window, "What the window shows of the tree.")
+        click(window, "What the window shows.")
         window.wait("the picture's format", lambda s: s["export"] == "picture .png")
         window.shot("export-picture")
         write_as(window, "seen.png")
