@@ -42,7 +42,7 @@ def exported(window, path):
 OPENER = """#!/bin/sh
 echo "$1" >> "$HOME/opened"
 """
-TURNTABLE = "Once around the tree, as pictures or as a video."
+TURNTABLE = "Once around, as pictures or as a video."
 
 
 def ground_of(path, x, y):
