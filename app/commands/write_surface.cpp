@@ -1,16 +1,12 @@
 #include "app/commands/write_surface.h"
 
 #include "app/commands/progress.h"
-#include "core/base/disjoint_sets.h"
 #include "core/base/stopwatch.h"
 #include "core/io/meshes/mesh_file.h"
 #include "core/io/meshes/surface_file.h"
 #include "core/mesh/close_mesh.h"
 #include "core/mesh/lost_pieces.h"
 #include "core/mesh/systems.h"
-
-#include <algorithm>
-#include <vector>
 
 namespace ramus::app {
 
@@ -22,32 +18,21 @@ public:
     CountingSink(io::SurfaceFile& file, std::size_t branches) : file_(file), seen_(branches) {}
 
     [[nodiscard]] bool add_vertices(const mesh::VertexSpan& more) override {
-        sets_.add(more.size());
-        used_.resize(used_.size() + more.size(), false);
+        count_.add_vertices(more.size());
         seen_.add(more.branches);
         return file_.add_vertices(more);
     }
     [[nodiscard]] bool add_triangles(std::span<const glm::uvec3> more, const mesh::VertexSpan& vertices) override {
-        for (const glm::uvec3& t : more) {
-            sets_.join(t.x, t.y), sets_.join(t.x, t.z);
-            for (int corner = 0; corner < 3; ++corner) used_[t[corner]] = true;
-        }
-        triangles_ += static_cast<std::int64_t>(more.size());
+        count_.add_triangles(more);
         return file_.add_triangles(more, vertices);
     }
-    [[nodiscard]] measure::Connectivity shape() const {
-        const auto unused = std::ranges::count(used_, false);
-        return measure::connectivity_of(static_cast<std::int64_t>(sets_.count()) - unused,
-                                        static_cast<std::int64_t>(used_.size()) - unused, triangles_);
-    }
+    [[nodiscard]] measure::Connectivity shape() const { return count_.connectivity(); }
     [[nodiscard]] const mesh::SeenBranches& seen() const { return seen_; }
 
 private:
     io::SurfaceFile& file_;
     mesh::SeenBranches seen_;
-    DisjointSets sets_;
-    std::vector<bool> used_;
-    std::int64_t triangles_ = 0;
+    measure::ConnectivityCount count_;
 };
 
 // Cones are no closed surface.

@@ -1,31 +1,38 @@
 #include "core/measure/connectivity.h"
 
-#include "core/base/disjoint_sets.h"
-
 #include <algorithm>
-#include <vector>
 
 namespace ramus::measure {
 
 int component_count(const mesh::TriangleMesh& mesh) { return static_cast<int>(connectivity_of(mesh).pieces); }
 
-Connectivity connectivity_of(std::int64_t pieces, std::int64_t vertices, std::int64_t triangles) {
+void ConnectivityCount::add_vertices(std::size_t count) {
+    pieces_.add(count);
+    used_.resize(used_.size() + count, false);
+}
+
+void ConnectivityCount::add_triangles(std::span<const glm::uvec3> more) {
+    for (const glm::uvec3& triangle : more) {
+        for (int corner = 0; corner < 3; ++corner) used_[triangle[corner]] = true;
+        pieces_.join(triangle[0], triangle[1]);
+        pieces_.join(triangle[0], triangle[2]);
+    }
+    triangles_ += static_cast<std::int64_t>(more.size());
+}
+
+Connectivity ConnectivityCount::connectivity() const {
+    const auto unused = std::ranges::count(used_, false);
+    const auto pieces = static_cast<std::int64_t>(pieces_.count()) - unused;
+    const auto vertices = static_cast<std::int64_t>(used_.size()) - unused;
     // A closed surface has three edges for two triangles, and pieces - loops is half of its Euler characteristic.
-    return {pieces, pieces - (vertices - triangles / 2) / 2};
+    return {pieces, pieces - (vertices - triangles_ / 2) / 2};
 }
 
 Connectivity connectivity_of(const mesh::TriangleMesh& closed) {
-    DisjointSets sets(closed.positions.size());
-    std::vector<bool> used(closed.positions.size(), false);
-    for (const glm::uvec3& triangle : closed.triangles) {
-        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
-        sets.join(triangle[0], triangle[1]);
-        sets.join(triangle[0], triangle[2]);
-    }
-    const auto unused = std::ranges::count(used, false);
-    return connectivity_of(static_cast<std::int64_t>(sets.count()) - unused,
-                           static_cast<std::int64_t>(closed.positions.size()) - unused,
-                           static_cast<std::int64_t>(closed.triangles.size()));
+    ConnectivityCount count;
+    count.add_vertices(closed.positions.size());
+    count.add_triangles(closed.triangles);
+    return count.connectivity();
 }
 
 Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::uint8_t> hidden) {

@@ -2,11 +2,14 @@
 // handle for each independent cycle of its graph; one more is a connection that the tree has not.
 #pragma once
 
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/tree/vessel_tree.h"
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 namespace ramus::measure {
 
@@ -19,8 +22,19 @@ struct Connectivity {
 // triangle uses do not count, here and below.
 [[nodiscard]] int component_count(const mesh::TriangleMesh& mesh);
 
-// Of a closed surface, from its counts (Euler's formula).
-[[nodiscard]] Connectivity connectivity_of(std::int64_t pieces, std::int64_t vertices, std::int64_t triangles);
+// Of a closed surface that comes in parts, by Euler's formula.
+class ConnectivityCount {
+public:
+    void add_vertices(std::size_t count);
+    void add_triangles(std::span<const glm::uvec3> more); // of vertices that were added
+    [[nodiscard]] Connectivity connectivity() const;
+
+private:
+    DisjointSets pieces_;
+    std::vector<bool> used_; // by vertex
+    std::int64_t triangles_ = 0;
+};
+
 [[nodiscard]] Connectivity connectivity_of(const mesh::TriangleMesh& closed);
 // Of what is left of a tree without the branches whose entry in `hidden` is not 0; it may be empty.
 [[nodiscard]] Connectivity connectivity_of(const tree::VesselTree& tree, std::span<const std::uint8_t> hidden = {});

@@ -26,13 +26,6 @@ constexpr std::array<std::pair<KernelKind, double>, 11> kCompared = {{{KernelKin
                                                                       {KernelKind::kPolynomial, 3.0},
                                                                       {KernelKind::kPolynomial, 5.0}}};
 
-// Loops of a closed surface: its Euler number is twice its pieces less twice these.
-long loops_of(const mesh::TriangleMesh& mesh, long pieces) {
-    const auto vertices = static_cast<long>(mesh.positions.size()),
-               triangles = static_cast<long>(mesh.triangles.size());
-    return pieces - (vertices - triangles / 2) / 2; // V - E + F with E = 3/2 F
-}
-
 Result<KernelFigures> figures_of(std::pair<KernelKind, double> kernel, const tree::VesselTree& source,
                                  mesh::SurfaceOptions options, const mesh::TriangleMesh& cones, Job& job) {
     options.kernel = kernel.first;
@@ -50,8 +43,8 @@ Result<KernelFigures> figures_of(std::pair<KernelKind, double> kernel, const tre
     LargeArray<double> distances = measure::deviations(surface.mesh, cones, options.threads);
     const measure::DeviationStatistics to_cones = measure::statistics_of(distances, {});
     found.to_cones_mean_mm = to_cones.mean, found.to_cones_max_mm = to_cones.max;
-    found.pieces = measure::component_count(surface.mesh);
-    found.loops = loops_of(surface.mesh, found.pieces);
+    const measure::Connectivity shape = measure::connectivity_of(surface.mesh);
+    found.pieces = shape.pieces, found.loops = shape.loops;
     found.evaluations = surface.statistics.evaluations, found.triangles = surface.mesh.triangles.size();
     found.mesh_s = surface.statistics.seconds;
     return found;

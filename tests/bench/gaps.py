@@ -188,14 +188,9 @@ def look_up(explorer):
 
 
 def change_surface(explorer):
-    explorer.command("surface", "width 2")
-    explorer.key("undo width", "ctrl+z")
-    explorer.command("surface", "detail 8")
-    explorer.key("undo detail", "ctrl+z")
-    explorer.command("surface", "smooth 3")
-    explorer.key("undo smooth", "ctrl+z")
-    explorer.command("surface", "method cones")
-    explorer.key("undo cones", "ctrl+z")
+    for change in ("width 2", "detail 8", "smooth 3", "method cones"):
+        explorer.command("surface", change)
+        explorer.key(f"undo {change}", "ctrl+z")
 
 
 def edit(explorer):
