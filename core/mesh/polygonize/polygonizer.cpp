@@ -144,6 +144,20 @@ std::vector<std::uint32_t> Polygonizer::find_new_neighbours(const bricks::Octree
     return refill;
 }
 
+// Subtrees that stay what they are, but looked at what changed when they were filled.
+std::vector<std::uint32_t> Polygonizer::find_lookers(const bricks::OctreeChanges& changes) {
+    std::vector<std::uint32_t> beside = bricks::subtrees_beside(octree_, changes);
+    bricks::OctreeChanges around = changes;
+    for (const std::uint32_t subtree : beside) {
+        around.subtrees[subtree] = 1;
+        around.mark(octree_, octree_.subtrees[subtree].parent);
+    }
+    std::vector<std::uint32_t> far = bricks::subtrees_beside(octree_, around);
+    std::erase_if(beside, [&](std::uint32_t subtree) { return !cells_.subtrees[subtree].looked_beyond; });
+    std::erase_if(far, [&](std::uint32_t subtree) { return !cells_.subtrees[subtree].looked_far; });
+    return merged(beside, far);
+}
+
 bool Polygonizer::follow(std::unique_ptr<State> state, const field::SegmentChanges& segments, Job& job) {
     statistics_ = {};
     Stopwatch watch;
@@ -174,8 +188,7 @@ bool Polygonizer::follow(std::unique_ptr<State> state, const field::SegmentChang
         changes.mark(octree_, octree_.subtrees[subtree].parent);
     };
     std::ranges::for_each(refill, take_for_new);
-    std::vector<std::uint32_t> lookers = bricks::subtrees_beside(octree_, changes);
-    std::erase_if(lookers, [&](std::uint32_t subtree) { return !cells_.subtrees[subtree].looked_beyond; });
+    const std::vector<std::uint32_t> lookers = find_lookers(changes);
     std::ranges::for_each(lookers, take_for_new);
     refill = merged(changes.added, merged(refill, lookers));
     statistics_.bricks_s = watch.lap();

@@ -42,6 +42,7 @@ private:
     [[nodiscard]] bool follow(std::unique_ptr<State> state, const field::SegmentChanges& segments,
                               Job& job); // false: cancelled
     [[nodiscard]] std::vector<std::uint32_t> find_new_neighbours(const bricks::OctreeChanges& changes);
+    [[nodiscard]] std::vector<std::uint32_t> find_lookers(const bricks::OctreeChanges& changes);
     void count(std::span<const std::uint32_t> subtrees);
     void clear();
 

@@ -123,7 +123,8 @@ struct SubtreeCells {
     std::vector<std::array<std::uint8_t, kQuarterPoints>> upper_loops; // as in CellRecord, of their upper ends
     std::vector<KnownEnds> edge_ends;                                  // of cells placed as in walled_cells.h, by edge
     SampleCounts counts;
-    bool looked_beyond = false; // it may be another one when bricks beside the subtree change
+    // It may be another one when bricks beside the subtree change; and when some do that are beside those.
+    bool looked_beyond = false, looked_far = false;
 
     void add_arc(const FaceArc& arc, std::size_t vertex) {
         arc_vertices.push_back({arc.face, arc.first, static_cast<std::uint16_t>(vertex)});
@@ -141,6 +142,22 @@ inline std::uint8_t loop_of(const CellRecord& record, const SubtreeCells& subtre
     if (crossing < kUpperEnd) return record.loop_of[static_cast<std::size_t>(crossing)];
     return record.walls == kNoWalls ? kNoLoop
                                     : subtree.upper_loops[record.walls][static_cast<std::size_t>(crossing - kUpperEnd)];
+}
+
+// Of a cell with walls: the loops all of whose crossings are at walls, a bit each.
+inline std::uint64_t loops_along_walls(const CellRecord& record, const SubtreeCells& subtree) {
+    const auto& upper = subtree.upper_loops[record.walls];
+    std::uint64_t seen = 0, elsewhere = 0;
+    for (std::size_t m = 0; m < kQuarterPoints; ++m) {
+        const std::uint8_t lower = record.loop_of[m];
+        if (lower == kNoLoop) continue;
+        seen |= std::uint64_t{1} << lower;
+        if (upper[m] == kNoLoop)
+            elsewhere |= std::uint64_t{1} << lower;
+        else
+            seen |= std::uint64_t{1} << upper[m];
+    }
+    return seen & ~elsewhere;
 }
 
 struct SurfaceCells {

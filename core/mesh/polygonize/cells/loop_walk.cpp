@@ -7,7 +7,8 @@ namespace ramus::mesh::bricks {
 
 namespace {
 
-constexpr std::size_t kMostLoopsOfPart = 160; // more than fit into so few cells, but for cells of many loops
+constexpr std::size_t kMostPartLoops = 160; // more than fit into so few cells, but for cells of many loops
+constexpr std::size_t kMostSlitLoops = 320;
 
 constexpr std::uint64_t key_of(const LoopPlace& loop) {
     return std::uint64_t{loop.brick} << 16 | static_cast<std::uint64_t>(loop.cell) << 8 | loop.loop;
@@ -22,7 +23,8 @@ glm::ivec3 low_corner_of(const Brick& brick, int cell) {
 void LoopWalk::begin(const FilledSubtree& in) {
     in_ = &in;
     beyond_.clear();
-    large_.clear();
+    looked_far_ = false;
+    for (auto& of_kind : others_) of_kind.clear();
 }
 
 LoopWalk::Filled LoopWalk::filled(std::uint32_t brick) {
@@ -97,7 +99,13 @@ std::optional<LoopPlace> LoopWalk::loop_at(std::uint32_t brick, const glm::ivec3
     return place.loop == kNoLoop ? std::nullopt : std::optional(place);
 }
 
-bool LoopWalk::add(const LoopPlace& loop) {
+bool LoopWalk::is_along_walls(const Filled& there, const LoopPlace& loop) {
+    if ((there.cells->recorded >> loop.cell & 1U) == 0) return false;
+    const CellRecord& record = record_of(*there.cells, *there.made, loop.cell);
+    return record.walls != kNoWalls && (loops_along_walls(record, *there.made) >> loop.loop & 1U) != 0;
+}
+
+bool LoopWalk::add(const LoopPlace& loop, Kind kind) {
     const Brick& brick = in_->octree.bricks[loop.brick];
     const glm::ivec3 low = low_corner_of(brick, loop.cell), high = low + cell_units(brick.level);
     low_ = part_.loops.empty() ? low : glm::min(low_, low);
@@ -106,33 +114,58 @@ bool LoopWalk::add(const LoopPlace& loop) {
     part_.most_level = std::max(part_.most_level, brick.level);
     part_.loops.push_back(loop);
     const glm::ivec3 size = high_ - low_;
-    if (std::max({size.x, size.y, size.z}) > kMostCells * cell_units(least_level_)) return false;
-    if (part_.loops.size() > kMostLoopsOfPart || large_.contains(key_of(loop))) return false;
+    const bool slit = kind == Kind::kSlit;
+    const int longest = std::max({size.x, size.y, size.z}), unit = cell_units(least_level_);
+    if (longest > (slit ? kMostSlitCells : kMostCells) * unit) return false;
+    if (part_.loops.size() > (slit ? kMostSlitLoops : kMostPartLoops)) return false;
+    if (others_[static_cast<std::size_t>(kind)].contains(key_of(loop))) return false;
+    looked_far_ = looked_far_ || longest > kMostCells * unit;
     const Filled there = filled(loop.brick);
+    if (slit && !is_along_walls(there, loop)) return false;
     part_.parted = part_.parted && there.parted;
     const std::size_t vertex = std::size_t{there.cells->first[static_cast<std::size_t>(loop.cell)]} + loop.loop;
     part_.most_radius = std::max(part_.most_radius, there.radii[vertex]);
     return true;
 }
 
-const LoopWalk::Part* LoopWalk::part_of(const LoopPlace& loop) {
+// Goes on through the subtree first: what is beyond has to be filled.
+const LoopWalk::Part* LoopWalk::part_of(const LoopPlace& loop, Kind kind) {
     part_ = {};
-    bool fits = add(loop);
-    for (std::size_t next = 0; fits && next < part_.loops.size(); ++next) {
-        for (const LoopEdge& edge : edges_of(part_.loops[next])) {
-            if (std::ranges::find(part_.edges, edge) != part_.edges.end()) continue;
-            part_.edges.push_back(edge);
-            for (int n = 0; n < 4 && fits; ++n) {
-                const glm::ivec3 unit = unit_beside(edge, n);
-                const std::uint32_t brick = brick_at(in_->octree, unit);
-                const auto there = brick == kNoBrick ? std::nullopt : loop_at(brick, unit, edge);
-                if (there && std::ranges::find(part_.loops, *there) == part_.loops.end()) fits = add(*there);
+    beyond_edges_.clear();
+    bool fits = add(loop, kind);
+    const auto go_on = [&](const LoopEdge& edge, bool beyond) {
+        for (int n = 0; n < 4 && fits; ++n) {
+            const glm::ivec3 unit = unit_beside(edge, n);
+            const std::uint32_t brick = brick_at(in_->octree, unit);
+            if (brick == kNoBrick) continue;
+            if ((in_->octree.bricks[brick].subtree != in_->index) != beyond) {
+                if (!beyond) beyond_edges_.push_back(edge);
+                fits = kind != Kind::kWithin;
+                continue;
             }
-            if (!fits) break;
+            const auto there = loop_at(brick, unit, edge);
+            if (there && std::ranges::find(part_.loops, *there) == part_.loops.end()) fits = add(*there, kind);
         }
+    };
+    std::size_t next = 0;
+    const auto go_through = [&] {
+        for (; fits && next < part_.loops.size(); ++next)
+            for (const LoopEdge& edge : edges_of(part_.loops[next])) {
+                if (std::ranges::find(part_.edges, edge) != part_.edges.end()) continue;
+                part_.edges.push_back(edge);
+                go_on(edge, false);
+                if (!fits) break;
+            }
+    };
+    go_through();
+    while (fits && !beyond_edges_.empty()) {
+        const LoopEdge edge = beyond_edges_.back();
+        beyond_edges_.pop_back();
+        go_on(edge, true);
+        go_through();
     }
     if (fits) return &part_;
-    for (const LoopPlace& of : part_.loops) large_.insert(key_of(of));
+    for (const LoopPlace& of : part_.loops) others_[static_cast<std::size_t>(kind)].insert(key_of(of));
     return nullptr;
 }
 

@@ -60,9 +60,11 @@ public:
     // `in` outlives the stay.
     void begin(const FilledSubtree& in);
 
-    // A part of the surface that fits into a cube of kMostCells of its smallest cells. Each brick of it is the
-    // neighbour of each other one, so that all find the same.
-    static constexpr int kMostCells = 4;
+    // Parts of the surface that are closed by themselves and fit into a cube of so many of their smallest cells: any
+    // parts, of which each brick is the neighbour of each other one; those within the subtree; and slits, which are
+    // along walls alone.
+    enum class Kind : std::uint8_t { kAny, kWithin, kSlit };
+    static constexpr int kMostCells = 4, kMostSlitCells = 8;
     struct Part {
         std::vector<LoopPlace> loops;
         std::vector<LoopEdge> edges;
@@ -70,10 +72,12 @@ public:
         float most_radius = 0.0F; // of its vertices, mm
         int most_level = 0;
     };
-    // The part that a loop belongs to; nothing where it is larger than that. Valid until the next call.
-    [[nodiscard]] const Part* part_of(const LoopPlace& loop);
-    // Whether part_of() looked at bricks beyond the subtree since it began.
+    // The part that a loop belongs to; nothing where it is larger, or of another kind. Valid until the next call.
+    [[nodiscard]] const Part* part_of(const LoopPlace& loop, Kind kind);
+    // Whether part_of() looked at bricks beyond the subtree since it began; whether it may have at some that are not
+    // even beside it.
     [[nodiscard]] bool looked_beyond() const { return !beyond_.empty(); }
+    [[nodiscard]] bool looked_far() const { return looked_far_; }
 
 private:
     // What a brick of this subtree or another one holds.
@@ -90,16 +94,19 @@ private:
         bool parted = false;
     };
     [[nodiscard]] Filled filled(std::uint32_t brick);
+    [[nodiscard]] static bool is_along_walls(const Filled& there, const LoopPlace& loop);
     [[nodiscard]] std::vector<LoopEdge> edges_of(const LoopPlace& loop); // that it goes through
     [[nodiscard]] std::optional<LoopPlace> loop_at(std::uint32_t brick, const glm::ivec3& unit, const LoopEdge& edge);
-    [[nodiscard]] bool add(const LoopPlace& loop); // false: the part is too large
+    [[nodiscard]] bool add(const LoopPlace& loop, Kind kind); // false: the part is none of those
 
     const field::Field& field_;
     std::unique_ptr<BrickSampler> sampler_; // where it is needed
     const FilledSubtree* in_ = nullptr;
     std::unordered_map<std::uint32_t, std::unique_ptr<Beyond>> beyond_;
-    std::unordered_set<std::uint64_t> large_; // loops of parts that are too large
+    bool looked_far_ = false;
+    std::array<std::unordered_set<std::uint64_t>, 3> others_; // by kind, loops of parts that are none
     Part part_;
+    std::vector<LoopEdge> beyond_edges_; // that lead beyond the subtree
     glm::ivec3 low_{0}, high_{0};
     int least_level_ = 0;
 };

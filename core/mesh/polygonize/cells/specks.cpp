@@ -4,6 +4,8 @@
 #include "core/mesh/polygonize/cells/leave_out_loops.h"
 
 #include <algorithm>
+#include <functional>
+#include <glm/vector_relational.hpp>
 
 namespace ramus::mesh::bricks {
 
@@ -21,36 +23,90 @@ GridBits grown(GridBits points, GridBits of, const std::array<GridBits, 3>& wall
     return points | (beside & of);
 }
 
+// The box around a set of a brick's points.
+Bounds<glm::ivec3> box_around(GridBits points) {
+    Bounds<glm::ivec3> box;
+    for (GridBits left = points; left != 0; left &= left - 1) box.hold(grid_point(lowest_bit(left)));
+    return box;
+}
+
 // Whether no point of a set is far from any other one: kMostCells - 2 steps along every axis, as a speck fits into
 // kMostCells cells with those around it.
 bool is_small(GridBits points) {
     constexpr int kMost = LoopWalk::kMostCells - 2;
-    glm::ivec3 low(field::kGridSide), high(-1);
-    for (GridBits left = points; left != 0; left &= left - 1) {
-        const glm::ivec3 p = grid_point(lowest_bit(left));
-        low = glm::min(low, p), high = glm::max(high, p);
-        const glm::ivec3 size = high - low;
-        if (size.x > kMost || size.y > kMost || size.z > kMost) return false;
+    return glm::all(glm::lessThanEqual(box_around(points).size(), glm::ivec3(kMost)));
+}
+
+// Whether a straight line has a point in a box.
+bool meets(const glm::dvec3& from, const glm::dvec3& to, const Bounds<glm::dvec3>& box) {
+    double begin = 0.0, end = 1.0; // shares of the line
+    for (int axis = 0; axis < 3; ++axis) {
+        const double along = to[axis] - from[axis];
+        if (along == 0.0) {
+            if (from[axis] < box.least[axis] || from[axis] > box.most[axis]) return false;
+            continue;
+        }
+        const double low = (box.least[axis] - from[axis]) / along, high = (box.most[axis] - from[axis]) / along;
+        begin = std::max(begin, std::min(low, high)), end = std::min(end, std::max(low, high));
     }
-    return true;
+    return begin <= end;
+}
+
+// Those of some points that stand in rows of four along an axis without a wall between: of sets that are not small,
+// most of the points.
+GridBits in_long_rows(GridBits points, const std::array<GridBits, 3>& walls) {
+    GridBits rows = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int step = kGridStep[axis];
+        const GridBits pairs = points & points >> step & kEdgeStarts[axis] & ~walls[axis];
+        const GridBits first = pairs & pairs >> step & pairs >> 2 * step;
+        rows |= first | first << step | first << 2 * step | first << 3 * step;
+    }
+    return rows;
+}
+
+// All of a set's points that are connected to some of them.
+GridBits connected(GridBits points, GridBits of, const std::array<GridBits, 3>& walls) {
+    for (GridBits before = 0; before != points;) before = std::exchange(points, grown(points, of, walls));
+    return points;
 }
 
 // Calls visit(points) for each connected set of the points given that is small.
 template <class Visit> void for_small_parts(GridBits all, const std::array<GridBits, 3>& walls, const Visit& visit) {
-    for (GridBits left = all; left != 0;) {
-        GridBits part = left & -left;
-        for (GridBits before = 0; before != part;) before = std::exchange(part, grown(part, all, walls));
+    for (GridBits left = all & ~connected(in_long_rows(all, walls), all, walls); left != 0;) {
+        const GridBits part = connected(left & -left, all, walls);
         left &= ~part;
         if (is_small(part)) visit(part);
     }
+}
+
+// Whether a part of the surface encloses nothing but the gap of a wall: where one leaves it along one of the axes, a
+// vessel begins.
+bool is_slit(const LoopWalk::Part& part) {
+    const int axis = part.edges.front().axis;
+    const LoopEdge* last = nullptr;
+    const auto is_beyond = [&](const LoopEdge& edge, const LoopEdge& other) {
+        return std::pair(edge.middle[axis], edge.upper) > std::pair(other.middle[axis], other.upper);
+    };
+    for (const LoopEdge& edge : part.edges)
+        if (edge.axis == axis && (last == nullptr || is_beyond(edge, *last))) last = &edge;
+    return last->upper;
+}
+
+// Whether all points of a line in a brick without walls are inside, or outside.
+bool goes_on_among(const BrickCells& cells, const std::array<glm::ivec3, 4>& line, bool inside) {
+    const GridBits bits = cells.grid_bits();
+    return std::ranges::all_of(
+        line, [&](const glm::ivec3& p) { return ((bits >> (p.x + 5 * p.y + 25 * p.z) & 1) != 0) == inside; });
 }
 
 } // namespace
 
 // Whether from one of some points on a brick's sides a straight line leads on through the next brick along connected
 // points, so far that what is around them is no speck. Most of what is small in a brick is cut off from a vessel beside
-// it, which is found so with less work than by its loops.
-bool Specks::goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits points, bool inside) {
+// it, which is found so with less work than by its loops. Also where one may not look beyond the subtree, but would
+// have to.
+bool Specks::goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits points, bool inside, bool may_look_beyond) {
     const Neighbourhood& around = in.neighbours[brick];
     for (GridBits left = points; left != 0; left &= left - 1) {
         const glm::ivec3 p = grid_point(lowest_bit(left));
@@ -66,8 +122,12 @@ bool Specks::goes_on(const FilledSubtree& in, std::uint32_t brick, GridBits poin
             std::array<glm::ivec3, 4> line;
             for (int n = 0; n < 4; ++n) line[static_cast<std::size_t>(n)] = p + (n - kBrickCells) * step;
             const Brick& there = in.octree.bricks[next];
-            if (there.subtree == in.index && !in.cells[next].crossed) return true;
-            if (goes_on_in(in.octree, there, line, inside)) return true;
+            if (there.subtree != in.index && !may_look_beyond) return true;
+            if (there.subtree == in.index && in.cells[next].walls == kNoWalls) {
+                if (!in.cells[next].crossed || goes_on_among(in.cells[next], line, inside)) return true;
+            } else if (goes_on_in(in.octree, there, line, inside)) {
+                return true;
+            }
         }
     }
     return false;
@@ -107,30 +167,56 @@ void Specks::add_around_hanging_corners(const BrickCells& cells, const SubtreeCe
             if (along.x + along.y + along.z == 4) whole |= std::uint64_t{1} << loop;
         }
         for (std::uint64_t loops = seen & ~whole; loops != 0; loops &= loops - 1)
-            candidates_.push_back({brick, cell, static_cast<std::uint8_t>(std::countr_zero(loops))});
+            candidates_.push_back({{brick, cell, static_cast<std::uint8_t>(std::countr_zero(loops))}});
+    }
+}
+
+// Whether an axis that reaches a brick goes through a box, in lattice units.
+bool Specks::has_axis(const Octree& octree, std::uint32_t brick, const Bounds<glm::ivec3>& box) const {
+    const Bounds<glm::dvec3> place{octree.lattice.position(box.least), octree.lattice.position(box.most)};
+    return std::ranges::any_of(octree.segments_of(octree.bricks[brick]), [&](std::uint32_t n) {
+        const field::FieldSegment& s = skeleton_.segments()[n];
+        const glm::dvec3 start(s.ax, s.ay, s.az);
+        return meets(start, start + static_cast<double>(s.length) * glm::dvec3(s.ux, s.uy, s.uz), place);
+    });
+}
+
+// Loops that cross an edge for both of its ends, as those of walls do that end there; and those along walls alone: of a
+// slit each brick knows that has a part of it.
+void Specks::add_along_walls(const BrickCells& cells, const SubtreeCells& made, std::uint32_t brick) {
+    for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
+        const int cell = std::countr_zero(left);
+        const CellRecord& record = record_of(cells, made, cell);
+        if (record.walls == kNoWalls) continue;
+        const auto& upper = made.upper_loops[record.walls];
+        for (std::size_t m = 0; m < kQuarterPoints; ++m)
+            if (upper[m] != kNoLoop && upper[m] == record.loop_of[m]) candidates_.push_back({{brick, cell, upper[m]}});
+        for (std::uint64_t loops = loops_along_walls(record, made); loops != 0; loops &= loops - 1)
+            candidates_.push_back(
+                {{brick, cell, static_cast<std::uint8_t>(std::countr_zero(loops))}, LoopWalk::Kind::kSlit});
     }
 }
 
 // A speck is around points inside that are connected to no others, or around such points outside; or it is that of a
-// wall which ends on all sides, where loops cross an edge for both of its ends.
-void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick) {
+// wall which ends on all sides.
+void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick, bool parted) {
     const BrickCells& cells = in.cells[brick];
     const SubtreeCells& made = in.made;
     candidates_.clear();
     const auto add_all_of = [&](int cell) {
         if (cells.first[static_cast<std::size_t>(cell)] == kNoVertex) return;
-        if ((cells.recorded >> cell & 1U) == 0) return candidates_.push_back({brick, cell, 0});
+        if ((cells.recorded >> cell & 1U) == 0) return candidates_.push_back({{brick, cell, 0}});
         const CellRecord& record = record_of(cells, made, cell);
         std::uint64_t seen = 0;
         for (int m = 0; m < kCrossings; ++m) {
             const std::uint8_t loop = loop_of(record, made, m);
             if (loop == kNoLoop || (seen >> loop & 1U) != 0) continue;
             seen |= std::uint64_t{1} << loop;
-            candidates_.push_back({brick, cell, loop});
+            candidates_.push_back({{brick, cell, loop}});
         }
     };
     const auto add_around = [&](GridBits points, bool inside) {
-        if (goes_on(in, brick, points, inside)) return;
+        if (goes_on(in, brick, points, inside, parted)) return;
         std::uint64_t touching = 0;
         for (GridBits left = points; left != 0; left &= left - 1) {
             const glm::ivec3 p = 2 * grid_point(lowest_bit(left));
@@ -139,35 +225,49 @@ void Specks::list_candidates(const FilledSubtree& in, std::uint32_t brick) {
         for (; touching != 0; touching &= touching - 1) add_all_of(std::countr_zero(touching));
     };
     static constexpr std::array<GridBits, 3> kNone{};
+    // Of a vessel without others beside it, which may be thin, nothing is left out.
+    const auto is_vessel = [&](GridBits points) {
+        const Brick& at = in.octree.bricks[brick];
+        const Bounds<glm::ivec3> box = box_around(points);
+        const int cell = cell_units(at.level);
+        return has_axis(in.octree, brick, {at.corner + cell * (box.least - 1), at.corner + cell * (box.most + 1)});
+    };
     const GridBits inside = cells.grid_bits();
-    for_small_parts(inside, cells.walls == kNoWalls ? kNone : made.walls[cells.walls].edges,
-                    [&](GridBits points) { add_around(points, true); });
+    for_small_parts(inside, cells.walls == kNoWalls ? kNone : made.walls[cells.walls].edges, [&](GridBits points) {
+        if (parted || !is_vessel(points)) add_around(points, true);
+    });
     for_small_parts(kAllPoints & ~inside, kNone, [&](GridBits points) { add_around(points, false); });
     if (in.neighbours[brick].finer != 0) add_around_hanging_corners(cells, made, brick);
-    if (cells.walls == kNoWalls) return;
-    for (std::uint64_t left = cells.recorded; left != 0; left &= left - 1) {
-        const int cell = std::countr_zero(left);
-        const CellRecord& record = record_of(cells, made, cell);
-        if (record.walls == kNoWalls) continue;
-        const auto& upper = made.upper_loops[record.walls];
-        for (std::size_t m = 0; m < kQuarterPoints; ++m)
-            if (upper[m] != kNoLoop && upper[m] == record.loop_of[m]) candidates_.push_back({brick, cell, upper[m]});
+    if (cells.walls != kNoWalls) add_along_walls(cells, made, brick);
+}
+
+bool Specks::is_speck(const Octree& octree, const LoopWalk::Part& part, LoopWalk::Kind kind) const {
+    if (kind == LoopWalk::Kind::kSlit) return is_slit(part);
+    constexpr float kThinCells = 2.0F; // radius of a vessel that may be as small as a speck
+    const auto cell_mm = static_cast<float>(octree.lattice.cell_mm(part.most_level));
+    if (part.parted && part.most_radius >= kThinCells * cell_mm) return true;
+    Bounds<glm::ivec3> box;
+    for (const LoopEdge& edge : part.edges) {
+        glm::ivec3 half(0);
+        half[edge.axis] = cell_units(edge.level) / 2;
+        box.hold(edge.middle - half), box.hold(edge.middle + half);
     }
+    return std::ranges::none_of(part.loops, [&](const LoopPlace& loop) { return has_axis(octree, loop.brick, box); });
 }
 
 void Specks::find(const FilledSubtree& in) {
-    constexpr float kThinCells = 2.0F; // radius of a vessel that may be as small as a speck
     loops_.clear(), edges_.clear();
     walk_.begin(in);
-    for (const std::uint32_t brick : in.parted) {
+    const Subtree& subtree = in.octree.subtrees[in.index];
+    for (std::uint32_t brick = subtree.first_brick; brick < subtree.first_brick + subtree.brick_count; ++brick) {
         if (!in.cells[brick].crossed) continue;
-        list_candidates(in, brick);
-        for (const LoopPlace& candidate : candidates_) {
-            if (std::ranges::find(loops_, candidate) != loops_.end()) continue;
-            const LoopWalk::Part* const part = walk_.part_of(candidate);
-            if (part == nullptr || !part->parted) continue;
-            const auto cell_mm = static_cast<float>(in.octree.lattice.cell_mm(part->most_level));
-            if (part->most_radius < kThinCells * cell_mm) continue;
+        const bool parted = std::ranges::binary_search(in.parted, brick, std::greater());
+        list_candidates(in, brick, parted);
+        for (const auto& [loop, of_walls] : candidates_) {
+            if (std::ranges::find(loops_, loop) != loops_.end()) continue;
+            const LoopWalk::Kind kind = parted ? of_walls : LoopWalk::Kind::kWithin;
+            const LoopWalk::Part* const part = walk_.part_of(loop, kind);
+            if (part == nullptr || !is_speck(in.octree, *part, kind)) continue;
             loops_.insert(loops_.end(), part->loops.begin(), part->loops.end());
             edges_.insert(edges_.end(), part->edges.begin(), part->edges.end());
         }
@@ -201,6 +301,7 @@ void Specks::leave_out(const Octree& octree, std::uint32_t subtree, const Chunke
     looked_beyond_ = false;
     find({octree, subtree, neighbours, cells, made, parted});
     made.looked_beyond = looked_beyond_ || walk_.looked_beyond();
+    made.looked_far = walk_.looked_far();
     if (loops_.empty()) return;
     mark_edges(octree, subtree, cells, made);
     std::erase_if(loops_, [&](const LoopPlace& loop) { return octree.bricks[loop.brick].subtree != subtree; });
